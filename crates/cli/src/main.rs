@@ -1,0 +1,2 @@
+//! The `scenelang` binary.
+fn main() {}

@@ -1,0 +1,527 @@
+//! What the front end hands on: a [`Program`] of objects, regions, decision variables and constraints.
+//!
+//! Everything static is gone by now: arrays are elements, quantifiers are conjunctions, predicates and definitions are
+//! put in place, names are numbers. A [`Formula`] is a small acyclic graph in one vector, children before parents and
+//! equal nodes shared, so that it is evaluated by one walk over the vector, with any kind of number.
+//!
+//! Lengths are metres, angles degrees.
+
+use scenelang_base::{Span, TextRange};
+use smol_str::SmolStr;
+
+/// Index into [`Program::objects`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ObjectId(pub u32);
+/// Index into [`Program::regions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RegionId(pub u32);
+/// Index into [`Program::variables`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct VariableId(pub u32);
+/// Index into [`Program::draws`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct DrawId(pub u32);
+/// Index into [`Formula::nodes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(pub u32);
+
+/// A compiled program.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// Objects in order of declaration, arrays as their elements (`chair[0]`, `chair[1]`, …).
+    pub objects: Vec<Object>,
+    /// Regions in order of declaration.
+    pub regions: Vec<Region>,
+    /// Decision variables: declared and never assigned, for the solver to choose. Assigned ones are put in place.
+    pub variables: Vec<Variable>,
+    /// Names of variables that are assigned (a layout's value for one of these is ignored).
+    pub assigned_variables: Vec<SmolStr>,
+    /// Occurrences of `rand`, in order of their bounds' dependence: a draw's bounds use earlier draws only.
+    pub draws: Vec<Draw>,
+    /// Assertions, preferences and pins, main file first, then imports, in source order.
+    pub constraints: Vec<Constraint>,
+    /// What the pins assign, for who wants to set it rather than check it.
+    pub pins: Vec<Pin>,
+    /// What the physical rules let pass.
+    pub allow: Allowances,
+}
+
+/// An object, or an element of an array of objects.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// As in the layout: `lamp`, `chair[0]`.
+    pub name: SmolStr,
+    /// The array it is an element of, and which.
+    pub array: Option<(SmolStr, u32)>,
+    /// Assigned text, or empty.
+    pub color: String,
+    /// Assigned text, or empty.
+    pub material: String,
+    /// Assigned text, or empty.
+    pub features: String,
+    /// Assigned text, or empty.
+    pub category: String,
+    /// The `dimensions` assigned (a vector), if any.
+    pub dimensions: Option<Formula>,
+    /// The declared name.
+    pub span: Span,
+    /// The documentation comment.
+    pub doc: String,
+    /// `@req` sentences of the declaration.
+    pub requirements: Vec<String>,
+}
+
+/// A region: a prism over a floor polygon.
+#[derive(Clone, Debug)]
+pub struct Region {
+    /// As in the layout.
+    pub name: SmolStr,
+    /// Assigned text of `color material features floorColor floorMaterial wallColor wallMaterial`, where assigned.
+    pub texts: Vec<(SmolStr, String)>,
+    /// Whether the program assigns `vertices`.
+    pub has_vertices: bool,
+    /// Whether the program assigns `scale`.
+    pub has_scale: bool,
+    /// The declared name.
+    pub span: Span,
+    /// The documentation comment.
+    pub doc: String,
+    /// `@req` sentences of the declaration.
+    pub requirements: Vec<String>,
+}
+
+impl Region {
+    /// An assigned text property, or `""`.
+    pub fn text(&self, property: &str) -> &str {
+        self.texts.iter().find(|(p, _)| p == property).map_or("", |(_, t)| t)
+    }
+}
+
+/// A decision variable.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Its name.
+    pub name: SmolStr,
+    /// What it holds.
+    pub kind: VariableKind,
+    /// The declared name.
+    pub span: Span,
+    /// Whether any constraint uses it.
+    pub used: bool,
+}
+
+/// What a decision variable holds. The solver starts from 0, `false`, the zero vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VariableKind {
+    /// In [−1e6, 1e6].
+    Number,
+    /// In [0, 360).
+    Degree,
+    /// True or false.
+    Bool,
+    /// Three numbers.
+    Vector,
+    /// Any orientation, as an Euler triple.
+    Rotation,
+}
+
+/// One occurrence of `rand(lo, hi)` after expansion.
+#[derive(Clone, Debug)]
+pub struct Draw {
+    /// Its key in the layout: `lamp.pos/0`, `assert[2]/1`.
+    pub key: String,
+    /// The bounds: numbers that depend on no layout, on earlier draws at most.
+    pub lo: Formula,
+    /// See `lo`.
+    pub hi: Formula,
+    /// The statement it stands in.
+    pub span: Span,
+}
+
+/// A stated constraint: one row of a report.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Hard, soft, or an assignment.
+    pub kind: ConstraintKind,
+    /// What must hold; its root is a truth.
+    pub formula: Formula,
+    /// From the statement's first keyword or target to its `;`, exclusive.
+    pub span: Span,
+    /// The formula as written, blanks folded (an assertion without its keyword, an assignment whole).
+    pub text: String,
+    /// `@req` sentences of the statement.
+    pub requirements: Vec<String>,
+}
+
+/// What kind of constraint it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConstraintKind {
+    /// `assert`.
+    Assert,
+    /// `prefer … weight w`, w > 0.
+    Prefer {
+        /// The weight, 1 by default.
+        weight: f64,
+    },
+    /// An assignment to `pos`, `rot`, `scale`, `vertices` (or `dimensions` where no `scale` is assigned).
+    Pin,
+}
+
+/// What an assignment fixes, with the value to fix it to.
+#[derive(Clone, Debug)]
+pub struct Pin {
+    /// Whose property.
+    pub owner: Owner,
+    /// Which.
+    pub property: Pinned,
+    /// Vector for `pos` and `scale`, rotation for `rot`; for `vertices` one vector per vertex (y ignored).
+    pub values: Vec<Formula>,
+    /// The row of the report it belongs to: an index into [`Program::constraints`].
+    pub constraint: usize,
+}
+
+/// Owner of a pinned property.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Owner {
+    /// An object.
+    Object(ObjectId),
+    /// A region.
+    Region(RegionId),
+}
+
+/// A property that an assignment can fix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pinned {
+    /// Position (metres).
+    Pos,
+    /// Euler triple (degrees).
+    Rot,
+    /// Full extents (metres).
+    Scale,
+    /// Floor polygon of a region.
+    Vertices,
+}
+
+/// What the program says about the physical rules.
+#[derive(Clone, Debug, Default)]
+pub struct Allowances {
+    /// Pairs that may overlap, smaller id first, sorted, each once. (`inside` pairs are in `contents`.)
+    pub collide: Vec<(ObjectId, ObjectId)>,
+    /// Objects that may be outside every region, sorted.
+    pub outside: Vec<ObjectId>,
+    /// Objects that need no support, sorted.
+    pub float: Vec<ObjectId>,
+    /// `inside(a, b)` of two objects asserted at top level: (content, container).
+    pub contents: Vec<(ObjectId, ObjectId)>,
+    /// `wallMounted(a, r)` and `ceilingMounted(a, r)` asserted at top level: the formula that replaces P-SUPPORT.
+    pub mounts: Vec<Mount>,
+    /// `connects(d, r1, r2)` and `connects(d, r)` asserted at top level.
+    pub doors: Vec<Door>,
+}
+
+/// An object held by a wall or a ceiling.
+#[derive(Clone, Debug)]
+pub struct Mount {
+    /// The object.
+    pub object: ObjectId,
+    /// The region whose wall or ceiling holds it.
+    pub region: RegionId,
+    /// Wall or ceiling.
+    pub on: MountedOn,
+    /// Holds where it touches (within 1 cm).
+    pub formula: Formula,
+}
+
+/// What holds a mounted object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MountedOn {
+    /// A wall of the region.
+    Wall,
+    /// Its ceiling.
+    Ceiling,
+}
+
+/// A door or opening in the wall of one region (to the outside) or shared by two.
+#[derive(Clone, Debug)]
+pub struct Door {
+    /// The object.
+    pub object: ObjectId,
+    /// One side.
+    pub first: RegionId,
+    /// The other side; `None`: the outside.
+    pub second: Option<RegionId>,
+}
+
+/// A value or a truth as an acyclic graph: children stand before parents, equal nodes are shared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// The nodes.
+    pub nodes: Vec<Node>,
+    /// Where each node came from, relative to the start of the statement (for inlined definitions and library
+    /// predicates: the place that uses them). Same length as `nodes`.
+    pub ranges: Vec<TextRange>,
+    /// The value of the whole.
+    pub root: NodeId,
+}
+
+impl Formula {
+    /// The node of an id.
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+    /// The root node.
+    pub fn root_node(&self) -> &Node {
+        self.node(self.root)
+    }
+    /// Objects that it reads, sorted, each once.
+    pub fn objects(&self) -> Vec<ObjectId> {
+        let mut out = Vec::new();
+        for node in &self.nodes {
+            match node {
+                Node::Object(_, id) => out.push(*id),
+                Node::Native(_, args) | Node::Measure(_, args) => {
+                    out.extend(args.iter().filter_map(|a| match a {
+                        Arg::Object(id) => Some(*id),
+                        _ => None,
+                    }));
+                }
+                _ => {}
+            }
+        }
+        out.sort_unstable();
+        out.dedup();
+        out
+    }
+}
+
+/// One node of a [`Formula`]. A node is a number, a vector, a rotation, or a truth (a signed margin with its verdict).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// A number (finite).
+    Number(f64),
+    /// A discrete truth: margin +∞ or −∞.
+    Truth(bool),
+    /// A vector of three numbers.
+    Vector([NodeId; 3]),
+    /// A rotation from three numbers, degrees: about x, then z, then y, fixed axes.
+    Rotation([NodeId; 3]),
+    /// A property of an object.
+    Object(ObjectProperty, ObjectId),
+    /// A property of a region.
+    Region(RegionProperty, RegionId),
+    /// A decision variable; its kind is that of the variable (a Bool is a discrete truth).
+    Variable(VariableId),
+    /// A recorded draw (number).
+    Draw(DrawId),
+    /// Minus a number or a vector.
+    Neg(NodeId),
+    /// Two numbers; two vectors (`+ −`); a vector and a number (`* /`); a number and a vector (`*`).
+    Arith(Arith, NodeId, NodeId),
+    /// A component of a vector, or of a rotation (degrees in [0, 360)).
+    Component(Axis, NodeId),
+    /// A function of numbers, vectors or rotations.
+    Call(Function, Box<[NodeId]>),
+    /// Comparison of two numbers; with [`Unit::Degree`], `=` and `!=` are modulo 360.
+    Compare(Comparison, Unit, NodeId, NodeId),
+    /// Equality of two vectors (distance ≤ 1 mm) or two rotations (angle ≤ 0.1°).
+    Same(NodeId, NodeId),
+    /// All hold: least margin. Left to right, a discrete falsehood ends it. Empty: holds, +∞.
+    And(Box<[NodeId]>),
+    /// One holds: greatest margin. Left to right, a discrete truth ends it. Empty: fails, −∞.
+    Or(Box<[NodeId]>),
+    /// Minus the margin, the opposite verdict.
+    Not(NodeId),
+    /// Equivalence: margin max(min(p, q), min(−p, −q)).
+    Iff(NodeId, NodeId),
+    /// How many of the truths hold, as a plain number.
+    Count(Box<[NodeId]>),
+    /// At least n hold: the n-th greatest margin (n = 0 or less: +∞; more than there are: −∞), truth by counting.
+    AtLeast(u32, Box<[NodeId]>),
+    /// A built-in predicate (truth).
+    Native(Native, Box<[Arg]>),
+    /// A built-in measure (number, metres).
+    Measure(Measure, Box<[Arg]>),
+    /// The region's floor polygon is the one given, up to start vertex and winding, 1 mm per vertex (x and z).
+    SamePolygon(RegionId, Box<[NodeId]>),
+}
+
+/// An argument of a built-in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Arg {
+    /// An object.
+    Object(ObjectId),
+    /// A region.
+    Region(RegionId),
+    /// A number or a vector.
+    Value(NodeId),
+    /// A side, of `clear`.
+    Side(Side),
+}
+
+/// What can be read of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ObjectProperty {
+    /// Vector: centre of the bottom face, pivot of the rotation.
+    Pos,
+    /// Rotation.
+    Rot,
+    /// Vector: full extents.
+    Scale,
+    /// Vector: centre of the box.
+    Center,
+    /// Number: greatest height of the box.
+    Top,
+    /// Number: least height of the box.
+    Bottom,
+    /// Number: height of the support surface (`asset.surface` above the base where the layout gives it, else top).
+    Surface,
+    /// Vector: unit, where it faces (local +z).
+    Front,
+    /// Vector: unit, local +x.
+    Right,
+    /// Vector: unit, local +y.
+    Up,
+    /// Vector: least corner of the world-axis box.
+    Min,
+    /// Vector: greatest corner of the world-axis box.
+    Max,
+}
+
+/// What can be read of a region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RegionProperty {
+    /// Vector.
+    Pos,
+    /// Rotation.
+    Rot,
+    /// Vector.
+    Scale,
+    /// Number: height of the floor.
+    Floor,
+    /// Number: height of the ceiling.
+    Ceiling,
+    /// Number: area of the floor, square metres.
+    Area,
+    /// Vector: centroid of the floor polygon, at half the height.
+    Center,
+}
+
+/// Arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arith {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`; by zero: an error.
+    Div,
+}
+
+/// A component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
+}
+
+/// Unit of a comparison, hence of a margin. Plain numbers count as metres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// Metres and plain numbers.
+    Metre,
+    /// Degrees.
+    Degree,
+}
+
+/// Comparison operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Comparison {
+    /// `=`
+    Eq,
+    /// `!=`
+    Ne,
+    /// `<`
+    Lt,
+    /// `<=`
+    Le,
+    /// `>`
+    Gt,
+    /// `>=`
+    Ge,
+}
+
+/// Functions of values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Function {
+    /// Of a number.
+    Abs,
+    /// Of two or more numbers.
+    Min,
+    /// Of two or more numbers.
+    Max,
+    /// Of a number ≥ 0; else an error.
+    Sqrt,
+    /// Of degrees.
+    Sin,
+    /// Of degrees.
+    Cos,
+    /// Length of a vector.
+    Length,
+    /// Unit vector; of the zero vector: an error.
+    Normalize,
+    /// Vector product (the left-handed frame has the same formula).
+    Cross,
+    /// Scalar product.
+    Dot,
+    /// Degrees between two vectors (a zero vector: an error) or two rotations.
+    Angle,
+    /// Distance of two points.
+    Distance,
+}
+
+/// Built-in predicates: those that need geometry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Native {
+    /// `inside(Object, Region)` or `inside(Object, Object)`.
+    Inside,
+    /// `collides(Object, Object)`.
+    Collides,
+    /// `connects(Object, Region)` or `connects(Object, Region, Region)`.
+    Connects,
+    /// `reachable(Object, Object, width)`.
+    Reachable,
+    /// `visible(Object, Object)`.
+    Visible,
+    /// `clear(Object, side, depth)`.
+    Clear,
+}
+
+/// Built-in measures, in metres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measure {
+    /// `gap(Object, Object)` (solids), `gap(Object, Region)` (box to nearest wall), `gap(Vector3, Region)`.
+    Gap,
+    /// `walkDistance(Object, Object)`.
+    WalkDistance,
+}
+
+/// A side of an object, in its own frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Local +z.
+    Front,
+    /// Local −z.
+    Behind,
+    /// Local −x.
+    Left,
+    /// Local +x.
+    Right,
+    /// Local +y.
+    Above,
+}

@@ -1,0 +1,104 @@
+//! What a layout file says, as values. Metres and degrees; left-handed frame, y up.
+
+use nalgebra::Vector3;
+use smol_str::SmolStr;
+
+/// Three numbers: a point, extents, or an Euler triple in degrees (x, then z, then y, about the fixed world axes).
+pub type Vec3 = Vector3<f64>;
+
+/// A layout: where everything is. Order is that of the file, and is kept on writing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// Path of the program, relative to the layout's file.
+    pub scene: Option<String>,
+    /// The seed it was made with.
+    pub seed: Option<u64>,
+    /// Placed objects by name (`lamp`, `chair[0]`).
+    pub objects: Vec<(SmolStr, Placement)>,
+    /// Placed regions by name.
+    pub regions: Vec<(SmolStr, RegionPlacement)>,
+    /// Values of decision variables.
+    pub variables: Vec<(SmolStr, Value)>,
+    /// Recorded draws by key.
+    pub draws: Vec<(String, f64)>,
+}
+
+impl Layout {
+    /// The placement of an object.
+    pub fn object(&self, name: &str) -> Option<&Placement> {
+        self.objects.iter().find(|(n, _)| n == name).map(|(_, p)| p)
+    }
+    /// The placement of a region.
+    pub fn region(&self, name: &str) -> Option<&RegionPlacement> {
+        self.regions.iter().find(|(n, _)| n == name).map(|(_, p)| p)
+    }
+}
+
+/// Where an object is, how it is turned, how large it is, and what it is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    /// Centre of the bottom face of the box, and pivot of the rotation (metres).
+    pub pos: Vec3,
+    /// Euler triple (degrees).
+    pub rot: Vec3,
+    /// Full extents w, h, d (metres), each > 0.
+    pub scale: Vec3,
+    /// Convex parts in the object's own frame, already at scale; empty: the box.
+    pub parts: Vec<Part>,
+    /// Height of the support surface above the base, where the asset declares one (a mattress, a seat).
+    pub surface: Option<f64>,
+}
+
+/// A convex part, in the frame of its object (origin: centre of the bottom face).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Part {
+    /// A box.
+    Box {
+        /// Its centre.
+        pos: Vec3,
+        /// Full extents.
+        size: Vec3,
+        /// Euler triple (degrees) about its centre.
+        rot: Vec3,
+    },
+    /// An upright cylinder (axis y), as a solid a regular 24-gon prism inscribed, a vertex on +x.
+    Cylinder {
+        /// Its centre.
+        pos: Vec3,
+        /// Radius.
+        radius: f64,
+        /// Full height.
+        height: f64,
+        /// Euler triple (degrees) about its centre.
+        rot: Vec3,
+    },
+    /// The convex hull of points.
+    Hull {
+        /// At least four, not in one plane.
+        points: Vec<Vec3>,
+    },
+}
+
+/// Where a region is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegionPlacement {
+    /// Centre of the rectangle's floor; `pos.y` is the floor's height.
+    pub pos: Vec3,
+    /// Only `rot.y` turns it.
+    pub rot: Vec3,
+    /// Full extents; `scale.y` is the height.
+    pub scale: Vec3,
+    /// Floor polygon (world x, z), simple, either winding; then pos.x/z, scale.x/z and rot.y have no say.
+    pub vertices: Option<Vec<[f64; 2]>>,
+}
+
+/// The value of a decision variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// Number or Degree.
+    Number(f64),
+    /// Bool.
+    Bool(bool),
+    /// Vector3, or Rotation as an Euler triple.
+    Triple([f64; 3]),
+}
