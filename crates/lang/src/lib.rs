@@ -3,4 +3,19 @@
 //! Absent here: layouts, geometry, evaluation, rendering of diagnostics.
 
 pub mod ast;
+pub mod check;
+pub mod chunk;
+pub mod compile;
+pub mod items;
+pub mod library;
+pub mod lower;
+pub mod natives;
+pub mod parse;
+pub mod print;
 pub mod program;
+pub mod sources;
+pub mod token;
+pub mod types;
+
+pub use compile::{Compiled, Options, compile_file, compile_main, compile_text, compile_with};
+pub use program::Program;

@@ -345,6 +345,73 @@ pub enum Node {
     SamePolygon(RegionId, Box<[NodeId]>),
 }
 
+impl Node {
+    /// Calls `f` with each child, in order.
+    pub fn for_each_child(&self, mut f: impl FnMut(NodeId)) {
+        match self {
+            Self::Number(_)
+            | Self::Truth(_)
+            | Self::Object(..)
+            | Self::Region(..)
+            | Self::Variable(_)
+            | Self::Draw(_) => {}
+            Self::Vector(v) | Self::Rotation(v) => v.iter().for_each(|c| f(*c)),
+            Self::Neg(a) | Self::Component(_, a) | Self::Not(a) => f(*a),
+            Self::Arith(_, a, b) | Self::Compare(_, _, a, b) | Self::Same(a, b) | Self::Iff(a, b) => {
+                f(*a);
+                f(*b);
+            }
+            Self::Call(_, list)
+            | Self::And(list)
+            | Self::Or(list)
+            | Self::Count(list)
+            | Self::AtLeast(_, list)
+            | Self::SamePolygon(_, list) => list.iter().for_each(|c| f(*c)),
+            Self::Native(_, args) | Self::Measure(_, args) => {
+                for a in args {
+                    if let Arg::Value(c) = a {
+                        f(*c);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same node with its children replaced.
+    pub fn map_children(&self, f: impl Fn(NodeId) -> NodeId) -> Self {
+        let list = |l: &[NodeId]| l.iter().map(|c| f(*c)).collect::<Box<[NodeId]>>();
+        let args = |l: &[Arg]| {
+            let map = |a: &Arg| if let Arg::Value(c) = a { Arg::Value(f(*c)) } else { *a };
+            l.iter().map(map).collect::<Box<[Arg]>>()
+        };
+        match self {
+            Self::Number(_)
+            | Self::Truth(_)
+            | Self::Object(..)
+            | Self::Region(..)
+            | Self::Variable(_)
+            | Self::Draw(_) => self.clone(),
+            Self::Vector(v) => Self::Vector(v.map(f)),
+            Self::Rotation(v) => Self::Rotation(v.map(f)),
+            Self::Neg(a) => Self::Neg(f(*a)),
+            Self::Component(axis, a) => Self::Component(*axis, f(*a)),
+            Self::Not(a) => Self::Not(f(*a)),
+            Self::Arith(op, a, b) => Self::Arith(*op, f(*a), f(*b)),
+            Self::Compare(c, u, a, b) => Self::Compare(*c, *u, f(*a), f(*b)),
+            Self::Same(a, b) => Self::Same(f(*a), f(*b)),
+            Self::Iff(a, b) => Self::Iff(f(*a), f(*b)),
+            Self::Call(x, l) => Self::Call(*x, list(l)),
+            Self::And(l) => Self::And(list(l)),
+            Self::Or(l) => Self::Or(list(l)),
+            Self::Count(l) => Self::Count(list(l)),
+            Self::AtLeast(n, l) => Self::AtLeast(*n, list(l)),
+            Self::SamePolygon(r, l) => Self::SamePolygon(*r, list(l)),
+            Self::Native(n, a) => Self::Native(*n, args(a)),
+            Self::Measure(m, a) => Self::Measure(*m, args(a)),
+        }
+    }
+}
+
 /// An argument of a built-in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arg {

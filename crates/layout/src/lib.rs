@@ -2,6 +2,21 @@
 //!
 //! Absent here: programs, constraints, margins of formulas.
 
+pub mod convex;
+pub mod file;
 pub mod model;
+pub mod obb;
+pub mod planar;
+pub mod polygon;
+pub mod region;
+pub mod rotation;
+pub mod separation;
 
+pub use convex::{Convex, Face, Geometry, Nearest};
+pub use file::{Document, Places, ReadLayout};
 pub use model::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+pub use obb::Obb;
+pub use planar::Vec2;
+pub use polygon::{Clearance, NotSimple, Polygon};
+pub use region::{Inside, Prism, inside_clearance};
+pub use separation::{Aabb, Separation};

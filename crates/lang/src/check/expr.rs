@@ -1,0 +1,653 @@
+//! Types of expressions. One mistake, one message: what failed has type `Error`, which fits everywhere.
+
+use super::Where;
+use super::constant;
+use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt};
+use crate::items::{ItemKind, Names, Place, whole_number};
+use crate::natives::{self, SIDES, Signature, property};
+use crate::program::Comparison;
+use crate::types::Ty;
+use scenelang_base::suggest::nearest;
+use scenelang_base::{Applicability, Diagnostic, TextRange, codes};
+use smol_str::SmolStr;
+
+/// Checks the expressions of one statement.
+pub(super) struct Checker<'n, 'a> {
+    pub(super) names: &'n dyn Names,
+    place: Place<'a>,
+    scope: Vec<(SmolStr, Ty)>,
+    /// Inside the condition of a `where`.
+    filter: bool,
+    /// Names reported as unknown in this statement, each once.
+    unknown: Vec<SmolStr>,
+    out: Vec<Diagnostic<Where>>,
+}
+
+impl<'n, 'a> Checker<'n, 'a> {
+    pub(super) fn new(names: &'n dyn Names, place: Place<'a>) -> Self {
+        Self { names, place, scope: Vec::new(), filter: false, unknown: Vec::new(), out: Vec::new() }
+    }
+
+    pub(super) fn finish(self) -> Vec<Diagnostic<Where>> {
+        self.out
+    }
+
+    pub(super) fn bind_params(&mut self, params: &[Param]) {
+        self.scope.extend(params.iter().map(|p| (p.name.text.clone(), Ty::of(p.ty))));
+    }
+
+    pub(super) fn push(&mut self, d: Diagnostic<Where>) {
+        self.out.push(d);
+    }
+
+    pub(super) fn error(&mut self, code: scenelang_base::Code, range: TextRange, message: impl Into<String>) {
+        self.push(Diagnostic::new(code, Where::Here(range), message));
+    }
+
+    pub(super) fn range(&self, id: ExprId) -> TextRange {
+        self.expr(id).range
+    }
+
+    fn stmt(&self) -> &'a Stmt {
+        self.place.stmt
+    }
+
+    fn expr(&self, id: ExprId) -> &'a Expr {
+        self.stmt().expr(id)
+    }
+
+    /// Requires a condition.
+    pub(super) fn condition(&mut self, id: ExprId) {
+        let ty = self.ty(id);
+        if !ty.fits(Ty::Bool) {
+            let mut d = Diagnostic::new(
+                codes::E0302,
+                Where::Here(self.range(id)),
+                format!("a condition is expected here, and this is {ty}"),
+            );
+            d = match ty {
+                Ty::Number | Ty::Degree | Ty::Literal => d.note("compare it with something: `… > 1`"),
+                Ty::Objects => d.note("say something of each: `forall x in …: …`"),
+                _ => d.note("a condition is a comparison, a predicate, or several joined by `and`, `or`, `not`"),
+            };
+            self.push(d);
+        }
+    }
+
+    /// Requires a type; `what` takes the value.
+    pub(super) fn expect(&mut self, id: ExprId, wanted: Ty, what: &str) {
+        let ty = self.ty(id);
+        if !ty.fits(wanted) {
+            let mut d = Diagnostic::new(
+                codes::E0301,
+                Where::Here(self.range(id)),
+                format!("{what} takes {wanted}, and this is {ty}"),
+            );
+            if let Some(hint) = hint(wanted, ty) {
+                d = d.note(hint);
+            }
+            self.push(d);
+        }
+    }
+
+    /// The type of an expression; problems in it are reported.
+    pub(super) fn ty(&mut self, id: ExprId) -> Ty {
+        stacker::maybe_grow(64 << 10, 1 << 20, || self.ty_of(id))
+    }
+
+    fn ty_of(&mut self, id: ExprId) -> Ty {
+        let before = self.out.len();
+        let ty = match &self.expr(id).kind {
+            ExprKind::Number(_, unit) => match unit {
+                None => Ty::Literal,
+                Some(crate::ast::UnitSuffix::Deg | crate::ast::UnitSuffix::Rad) => Ty::Degree,
+                Some(_) => Ty::Number,
+            },
+            ExprKind::Text(_) => Ty::String,
+            ExprKind::Bool(_) => Ty::Bool,
+            ExprKind::Name(name) => self.name(name, self.range(id)),
+            ExprKind::Objects => self.names.item("objects").map_or(Ty::Objects, ItemKind::ty),
+            ExprKind::Member(base, name) => self.member(*base, name),
+            ExprKind::Own(name) => self.own(name),
+            ExprKind::Index(base, index) => self.index(*base, *index),
+            ExprKind::Neg(e) => match self.ty(*e) {
+                t @ (Ty::Literal | Ty::Number | Ty::Degree | Ty::Vector3 | Ty::Error) => t,
+                other => {
+                    self.error(codes::E0301, self.range(*e), format!("{other} has no negative"));
+                    Ty::Error
+                }
+            },
+            ExprKind::Not(e) => {
+                self.condition(*e);
+                Ty::Bool
+            }
+            ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Implies, _, l, r) => {
+                self.condition(*l);
+                self.condition(*r);
+                Ty::Bool
+            }
+            ExprKind::Binary(op, _, l, r) => self.arith(*op, *l, *r, self.range(id)),
+            ExprKind::Compare(first, rest) => {
+                // A chain is reported by the parser; its parts are still checked, pair by pair.
+                let mut left = (*first, self.ty(*first));
+                for (op, _, right) in rest {
+                    let ty = self.ty(*right);
+                    self.comparison(*op, left, (*right, ty));
+                    left = (*right, ty);
+                }
+                Ty::Bool
+            }
+            ExprKind::Call(name, args) => self.call(name, args, self.range(id)),
+            ExprKind::Quantified(q, var, domain, body) => self.quantified(*q, var, *domain, *body),
+            ExprKind::Where(set, condition) => {
+                self.set(*set);
+                let outer = std::mem::replace(&mut self.filter, true);
+                self.condition(*condition);
+                self.filter = outer;
+                Ty::Objects
+            }
+            ExprKind::Range(lo, hi) => {
+                for end in [*lo, *hi] {
+                    let ty = self.ty(end);
+                    if !ty.fits(Ty::Literal) {
+                        self.error(codes::E0304, self.range(end), "the ends of a range are whole numbers");
+                    }
+                }
+                Ty::Range
+            }
+            ExprKind::Error => Ty::Error,
+        };
+        if self.out.len() == before
+            && let Err(e) = self.constant(id)
+        {
+            self.error(e.code, self.range(id), e.message);
+            return Ty::Error;
+        }
+        ty
+    }
+
+    /// Reports an operation on constants that has no value. Only the operation itself: an operand without a value has
+    /// been reported, and makes the whole not constant.
+    fn constant(&self, id: ExprId) -> Result<(), constant::NoValue> {
+        let worth = matches!(
+            self.expr(id).kind,
+            ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul | BinaryOp::Div, ..) | ExprKind::Call(..)
+        );
+        if worth && !self.filter { constant::evaluate(self.stmt(), id, &|_| None).map(|_| ()) } else { Ok(()) }
+    }
+
+    fn name(&mut self, name: &SmolStr, range: TextRange) -> Ty {
+        if let Some((_, ty)) = self.scope.iter().rev().find(|(n, _)| n == name) {
+            return *ty;
+        }
+        match self.names.item(name) {
+            Some(ItemKind::Variable(ty)) if ty.is_text() && !self.names.is_assigned(name) => {
+                let message = format!("`{name}` is read but never assigned, and text cannot be chosen by the solver");
+                self.push(
+                    Diagnostic::new(codes::E0307, Where::Here(range), message)
+                        .related(Where::Item(name.clone()), "declared here")
+                        .note(format!("assign it: `{name} <- \"…\";`")),
+                );
+                Ty::Error
+            }
+            Some(kind) => kind.ty(),
+            None if name == "objects" => Ty::Objects,
+            None => {
+                self.unknown_name(name, range);
+                Ty::Error
+            }
+        }
+    }
+
+    pub(super) fn unknown_name(&mut self, name: &str, range: TextRange) {
+        if self.names.is_poisoned(name) || self.unknown.iter().any(|n| n == name) {
+            return;
+        }
+        self.unknown.push(name.into());
+        let mut d = Diagnostic::new(codes::E0201, Where::Here(range), format!("`{name}` is not declared"));
+        let declared = self.names.declared();
+        let near = self.scope.iter().map(|(n, _)| n.as_str()).chain(declared.iter().map(SmolStr::as_str));
+        if natives::is_built_in(name) || self.names.predicate(name, false).is_some() {
+            d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
+        } else if let Some(near) = nearest(name, near) {
+            d = d
+                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(range), near)
+                .label(format!("did you mean `{near}`?"));
+            if self.names.item(near).is_some() {
+                d = d.related(Where::Item(near.into()), format!("`{near}` is declared here"));
+            }
+        } else {
+            d = d.note(format!("declare it: `object {name};`"));
+        }
+        self.push(d);
+    }
+
+    fn member(&mut self, base: ExprId, name: &Name) -> Ty {
+        let ty = self.ty(base);
+        let known: Vec<&str> = match ty {
+            Ty::Error => return Ty::Error,
+            Ty::Vector3 | Ty::Rotation => {
+                if ["x", "y", "z"].contains(&name.text.as_str()) {
+                    return if ty == Ty::Rotation { Ty::Degree } else { Ty::Number };
+                }
+                vec!["x", "y", "z"]
+            }
+            Ty::Object | Ty::Region => {
+                if let Some(p) = property(ty, &name.text) {
+                    return p.ty;
+                }
+                let table =
+                    if ty == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
+                table.iter().map(|p| p.name).collect()
+            }
+            Ty::Objects => {
+                self.bare_set(base, &format!("it has no `{}`", name.text));
+                return Ty::Error;
+            }
+            other => {
+                self.error(codes::E0207, name.range, format!("{other} has no property `{}`", name.text));
+                return Ty::Error;
+            }
+        };
+        let mut d =
+            Diagnostic::new(codes::E0207, Where::Here(name.range), format!("{ty} has no property `{}`", name.text));
+        d = match nearest(&name.text, known.iter().copied()) {
+            Some(near) => d
+                .label(format!("did you mean `{near}`?"))
+                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near),
+            None => d.note(format!("it has: {}", known.join(", "))),
+        };
+        self.push(d);
+        Ty::Error
+    }
+
+    /// A set where one object is meant.
+    fn bare_set(&mut self, at: ExprId, why: &str) {
+        let range = self.range(at);
+        let mut d = Diagnostic::new(codes::E0212, Where::Here(range), format!("this is a set of objects: {why}"));
+        d = match &self.expr(at).kind {
+            ExprKind::Name(n) => {
+                d.note(format!("name one element, `{n}[0]`, or speak of each: `forall x in {n}: …`"))
+            }
+            _ => d.note("speak of each of them: `forall x in …: …`"),
+        };
+        self.push(d);
+    }
+
+    fn own(&mut self, name: &Name) -> Ty {
+        if !self.filter {
+            let message = format!("`.{}` stands for a property only after `where`", name.text);
+            self.error(codes::E0207, name.range, message);
+            return Ty::Error;
+        }
+        const STATIC: [&str; 4] = ["color", "material", "features", "category"];
+        if STATIC.contains(&name.text.as_str()) {
+            return Ty::String;
+        }
+        let mut d = Diagnostic::new(
+            codes::E0306,
+            Where::Here(name.range),
+            format!("a filter may read color, material, features and category, not `{}`", name.text),
+        )
+        .note("what a set holds must be known without a layout; move other conditions behind the colon");
+        if let Some(near) = nearest(&name.text, STATIC) {
+            d = d.fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near);
+        }
+        self.push(d);
+        Ty::Error
+    }
+
+    fn index(&mut self, base: ExprId, index: ExprId) -> Ty {
+        let index_ty = self.ty(index);
+        let array = match &self.expr(base).kind {
+            ExprKind::Name(n) if !self.scope.iter().any(|(s, _)| s == n) => self.names.item(n).map(|kind| (n, kind)),
+            _ => None,
+        };
+        let Some((name, kind)) = array else {
+            let ty = self.ty(base);
+            if ty != Ty::Error {
+                self.error(codes::E0212, self.range(base), format!("{ty} has no elements to choose from by a number"));
+            }
+            return Ty::Error;
+        };
+        let ItemKind::Array(n) = kind else {
+            let message = format!("`{name}` is no array");
+            let d = Diagnostic::new(codes::E0212, Where::Here(self.range(base)), message)
+                .related(Where::Item(name.clone()), "declared here")
+                .note(format!("leave the brackets out, or declare `object {name}[…];`"));
+            self.push(d);
+            return Ty::Error;
+        };
+        let range = self.range(index);
+        if !index_ty.fits(Ty::Literal) || (index_ty == Ty::Literal && self.is_static(index).is_err()) {
+            let message = "an index is a whole number made of literals and range variables";
+            self.error(codes::E0304, range, message);
+            return Ty::Error;
+        }
+        if let Some(i) = constant::number(self.stmt(), index)
+            && (whole_number(self.stmt(), index).is_none() || i < 0.0 || i >= f64::from(n))
+        {
+            self.index_error(name, n, range);
+            return Ty::Error;
+        }
+        Ty::Object
+    }
+
+    pub(super) fn index_error(&mut self, name: &SmolStr, n: u32, range: TextRange) {
+        let elements = if n == 1 { "one element".to_owned() } else { format!("{n} elements") };
+        self.push(
+            Diagnostic::new(codes::E0205, Where::Here(range), format!("`{name}` has no such element"))
+                .label(format!("a whole number from 0 to {} is expected", n - 1))
+                .related(Where::Item(name.clone()), format!("declared with {elements} here")),
+        );
+    }
+
+    /// Whether an expression of literal type is made of literals and range variables alone.
+    fn is_static(&self, id: ExprId) -> Result<(), ()> {
+        match &self.expr(id).kind {
+            ExprKind::Number(_, None) | ExprKind::Name(_) => Ok(()),
+            ExprKind::Neg(e) => self.is_static(*e),
+            ExprKind::Binary(_, _, l, r) => self.is_static(*l).and(self.is_static(*r)),
+            _ => Err(()),
+        }
+    }
+
+    fn arith(&mut self, op: BinaryOp, l: ExprId, r: ExprId, range: TextRange) -> Ty {
+        let (a, b) = (self.ty(l), self.ty(r));
+        if a == Ty::Error || b == Ty::Error {
+            return Ty::Error;
+        }
+        let result = match op {
+            BinaryOp::Add | BinaryOp::Sub => match (a, b) {
+                (Ty::Vector3, Ty::Vector3) => Some(Ty::Vector3),
+                _ => a.join_numeric(b),
+            },
+            BinaryOp::Mul => match (a, b) {
+                (Ty::Vector3, Ty::Number | Ty::Literal) | (Ty::Number | Ty::Literal, Ty::Vector3) => Some(Ty::Vector3),
+                (Ty::Degree, Ty::Number | Ty::Literal) | (Ty::Number | Ty::Literal, Ty::Degree) => Some(Ty::Degree),
+                (Ty::Degree, Ty::Degree) => None,
+                _ => a.join_numeric(b),
+            },
+            _ => match (a, b) {
+                (Ty::Vector3, Ty::Number | Ty::Literal) => Some(Ty::Vector3),
+                (Ty::Degree, Ty::Number | Ty::Literal) => Some(Ty::Degree),
+                (Ty::Degree | Ty::Literal, Ty::Degree) => Some(Ty::Number),
+                _ => a.join_numeric(b),
+            },
+        };
+        result.unwrap_or_else(|| {
+            let verb = match op {
+                BinaryOp::Add => "added",
+                BinaryOp::Sub => "subtracted",
+                BinaryOp::Mul => "multiplied",
+                _ => "divided",
+            };
+            let mut d = Diagnostic::new(
+                codes::E0301,
+                Where::Here(range),
+                format!("{a} and {b} cannot be {verb}"),
+            )
+            .related(Where::Here(self.range(l)), format!("this is {a}"))
+            .related(Where::Here(self.range(r)), format!("this is {b}"));
+            if let Some(h) = hint(a, b).or_else(|| hint(b, a)) {
+                d = d.note(h);
+            }
+            self.push(d);
+            Ty::Error
+        })
+    }
+
+    fn comparison(&mut self, op: Comparison, (l, a): (ExprId, Ty), (r, b): (ExprId, Ty)) {
+        if a == Ty::Error || b == Ty::Error {
+            return;
+        }
+        let ordered = !matches!(op, Comparison::Eq | Comparison::Ne);
+        let fine = a.join_numeric(b).is_some()
+            || (!ordered
+                && (a == b && matches!(a, Ty::Bool | Ty::Vector3 | Ty::Rotation | Ty::Object | Ty::Region)
+                    || a.is_text() && b.is_text()));
+        if fine {
+            return;
+        }
+        if let Some((set, _)) = [(l, a), (r, b)].into_iter().find(|(_, t)| *t == Ty::Objects) {
+            self.bare_set(set, "it cannot be compared");
+            return;
+        }
+        let range = self.range(l).cover(self.range(r));
+        let message = if ordered && a == b {
+            format!("{a} is neither less nor greater than another")
+        } else {
+            format!("{a} and {b} cannot be compared")
+        };
+        let mut d = Diagnostic::new(codes::E0301, Where::Here(range), message)
+            .related(Where::Here(self.range(l)), format!("this is {a}"))
+            .related(Where::Here(self.range(r)), format!("this is {b}"));
+        if let Some(h) = hint(a, b).or_else(|| hint(b, a)) {
+            d = d.note(h);
+        }
+        self.push(d);
+    }
+
+    fn set(&mut self, id: ExprId) {
+        let ty = self.ty(id);
+        if !ty.fits(Ty::Objects) {
+            self.error(codes::E0301, self.range(id), format!("a set of objects is expected here, and this is {ty}"));
+        }
+    }
+
+    fn quantified(&mut self, q: Quantifier, var: &Name, domain: ExprId, body: ExprId) -> Ty {
+        let ty = self.ty(domain);
+        let var_ty = match ty {
+            Ty::Range => Ty::Literal,
+            Ty::Objects | Ty::Object => Ty::Object,
+            Ty::Error => Ty::Error,
+            other => {
+                let message = format!("this runs over a set of objects or a range like `0..5`, not over {other}");
+                self.error(codes::E0301, self.range(domain), message);
+                Ty::Error
+            }
+        };
+        self.scope.push((var.text.clone(), var_ty));
+        self.condition(body);
+        self.scope.pop();
+        if q == Quantifier::Count { Ty::Number } else { Ty::Bool }
+    }
+
+    fn call(&mut self, name: &Name, args: &[ExprId], range: TextRange) -> Ty {
+        if natives::is_built_in(&name.text) {
+            return self.built_in(name, args, range);
+        }
+        let Some(predicate) = self.names.predicate(&name.text, self.place.file.is_none()) else {
+            for a in args {
+                self.ty(*a);
+            }
+            self.unknown_function(name);
+            return Ty::Error;
+        };
+        if args.len() != predicate.params.len() {
+            let wanted: Vec<&str> = predicate.params.iter().map(|(_, name)| name.as_str()).collect();
+            let mut d = Diagnostic::new(
+                codes::E0303,
+                Where::Here(name.range),
+                format!("`{}` takes {}, not {}", name.text, count(wanted.len()), args.len()),
+            )
+            .note(format!("`{}({})`", name.text, wanted.join(", ")));
+            if !predicate.library {
+                d = d.related(Where::Predicate(name.text.clone()), "defined here");
+            }
+            self.push(d);
+            for a in args {
+                self.ty(*a);
+            }
+            return Ty::Bool;
+        }
+        for (arg, (wanted, param)) in args.iter().zip(predicate.params) {
+            let ty = self.ty(*arg);
+            self.argument(*arg, ty, wanted, &param, &name.text);
+        }
+        Ty::Bool
+    }
+
+    fn argument(&mut self, arg: ExprId, ty: Ty, wanted: Ty, param: &str, of: &str) {
+        if ty.fits(wanted) {
+            return;
+        }
+        if ty == Ty::Objects && wanted == Ty::Object {
+            self.bare_set(arg, &format!("`{of}` takes one object here"));
+            return;
+        }
+        let mut d = Diagnostic::new(
+            codes::E0301,
+            Where::Here(self.range(arg)),
+            format!("`{param}` of `{of}` is {wanted}, and this is {ty}"),
+        );
+        if let Some(h) = hint(wanted, ty) {
+            d = d.note(h);
+        }
+        self.push(d);
+    }
+
+    fn unknown_function(&mut self, name: &Name) {
+        if self.names.is_poisoned(&name.text) {
+            return;
+        }
+        let mut known: Vec<&str> = natives::BUILT_INS.iter().map(|s| s.name).collect();
+        let own = self.names.predicates();
+        known.extend(own.iter().map(SmolStr::as_str));
+        known.sort_unstable();
+        known.dedup();
+        let message = format!("there is no function or predicate `{}`", name.text);
+        let mut d = Diagnostic::new(codes::E0208, Where::Here(name.range), message);
+        d = match nearest(&name.text, known) {
+            Some(near) => d
+                .label(format!("did you mean `{near}`?"))
+                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near),
+            None => d.note(format!("define it: `predicate {}(Object a) := …;`", name.text)),
+        };
+        self.push(d);
+    }
+
+    fn built_in(&mut self, name: &Name, args: &[ExprId], range: TextRange) -> Ty {
+        let all: Vec<&Signature> = natives::overloads(&name.text).collect();
+        let fitting: Vec<&Signature> = all.iter().copied().filter(|s| s.takes(args.len())).collect();
+        let side_at = |i: usize| all.iter().any(|s| s.param(i) == Ty::Side);
+        let types: Vec<Ty> = args
+            .iter()
+            .enumerate()
+            .map(|(i, a)| if side_at(i) { self.side(*a) } else { self.ty(*a) })
+            .collect();
+        if fitting.is_empty() {
+            let forms: Vec<String> = all.iter().map(|s| format!("`{}({})`", s.name, s.names)).collect();
+            let mut sizes: Vec<usize> = all.iter().map(|s| s.params.len()).collect();
+            sizes.sort_unstable();
+            sizes.dedup();
+            let wanted = match (all[0].variadic, sizes.as_slice()) {
+                (true, [n, ..]) => format!("{n} arguments or more"),
+                (_, [n]) => count(*n),
+                (_, many) => format!("{} arguments", many.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ")),
+            };
+            let d = Diagnostic::new(
+                codes::E0303,
+                Where::Here(range),
+                format!("`{}` takes {wanted}, not {}", name.text, args.len()),
+            )
+            .note(forms.join(" or "));
+            self.push(d);
+            return result_of(all[0], &types);
+        }
+        if types.contains(&Ty::Error) {
+            return result_of(fitting[0], &types);
+        }
+        if let Some(s) = fitting.iter().find(|s| accepts(s, &types)) {
+            return result_of(s, &types);
+        }
+        // Blame the first argument that no signature, chosen by the arguments before it, can take.
+        let bad = (0..types.len())
+            .find(|&i| !fitting.iter().any(|s| (0..=i).all(|j| fits_param(s, j, &types))))
+            .unwrap_or(0);
+        let mut wanted: Vec<Ty> = Vec::new();
+        for s in fitting.iter().filter(|s| (0..bad).all(|j| fits_param(s, j, &types))) {
+            if !wanted.contains(&s.param(bad)) {
+                wanted.push(s.param(bad));
+            }
+        }
+        if types[bad] == Ty::Objects && wanted.contains(&Ty::Object) {
+            self.bare_set(args[bad], &format!("`{}` takes one object here", name.text));
+            return result_of(fitting[0], &types);
+        }
+        let words: Vec<String> = wanted
+            .iter()
+            .map(|t| match (t, bad) {
+                (Ty::Literal, 0) => "a Number or a Degree".into(),
+                (Ty::Literal, _) => format!("{} as before it", types[0]),
+                _ => t.to_string(),
+            })
+            .collect();
+        let mut d = Diagnostic::new(
+            codes::E0301,
+            Where::Here(self.range(args[bad])),
+            format!("`{}` takes {} here, and this is {}", name.text, words.join(" or "), types[bad]),
+        );
+        if let [only] = wanted.as_slice()
+            && let Some(h) = hint(*only, types[bad])
+        {
+            d = d.note(h);
+        }
+        self.push(d);
+        result_of(fitting[0], &types)
+    }
+
+    /// The side word of `clear`.
+    fn side(&mut self, id: ExprId) -> Ty {
+        if let ExprKind::Name(n) = &self.expr(id).kind
+            && SIDES.iter().any(|(word, _)| word == n)
+        {
+            return Ty::Side;
+        }
+        let words: Vec<&str> = SIDES.iter().map(|(w, _)| *w).collect();
+        let message = format!("a side is one of the words {}", words.join(", "));
+        self.error(codes::E0301, self.range(id), message);
+        Ty::Error
+    }
+}
+
+fn count(n: usize) -> String {
+    match n {
+        0 => "no argument".into(),
+        1 => "one argument".into(),
+        n => format!("{n} arguments"),
+    }
+}
+
+fn accepts(s: &Signature, types: &[Ty]) -> bool {
+    (0..types.len()).all(|i| fits_param(s, i, types))
+}
+
+fn fits_param(s: &Signature, i: usize, types: &[Ty]) -> bool {
+    match s.param(i) {
+        // All alike: join with the ones before.
+        Ty::Literal => types[..=i].iter().try_fold(Ty::Literal, |a, b| a.join_numeric(*b)).is_some(),
+        wanted => types[i].fits(wanted),
+    }
+}
+
+fn result_of(s: &Signature, types: &[Ty]) -> Ty {
+    match s.result {
+        Ty::Literal => types.iter().try_fold(Ty::Literal, |a, b| a.join_numeric(*b)).unwrap_or(Ty::Error),
+        ty => ty,
+    }
+}
+
+/// What to do about a type in the wrong place.
+fn hint(wanted: Ty, found: Ty) -> Option<&'static str> {
+    Some(match (wanted, found) {
+        (Ty::Degree, Ty::Number) => "a Number variable is not a Degree; declare it as `Degree`, or write a literal",
+        (Ty::Number, Ty::Degree) => "degrees are no lengths; take `sin`, `cos`, or divide by `1deg`",
+        (Ty::Number, Ty::Vector3) => "take one component (`.x`, `.y`, `.z`) or the `length`",
+        (Ty::Vector3, Ty::Object) => "take a point of it: `.pos` or `.center`",
+        (Ty::Number, Ty::Object) => "take a property of it, such as `.pos.x` or `.top`",
+        (Ty::Rotation, Ty::Degree | Ty::Number | Ty::Literal) => "write `rot(0, …, 0)` for a turn about the vertical",
+        (Ty::Color | Ty::Material | Ty::String, Ty::Object) => "text stands in double quotes",
+        _ => return None,
+    })
+}

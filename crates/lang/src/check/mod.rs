@@ -1,0 +1,180 @@
+//! Types of statements: what may stand where, said before anything is expanded.
+
+pub mod constant;
+pub(crate) mod cycles;
+mod expr;
+
+use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind};
+use crate::items::{Items, ItemKind, Names, Place, whole_number};
+use crate::natives::{self, property};
+use crate::types::Ty;
+use expr::Checker;
+use scenelang_base::suggest::nearest;
+use scenelang_base::{Diagnostic, FileId, TextRange, codes};
+use smol_str::SmolStr;
+
+/// Checks one statement. What is found depends on the statement's text and on what `names` says of the names in it, not
+/// on where anything stands.
+pub fn statement(names: &dyn Names, place: Place<'_>) -> Vec<Diagnostic<Where>> {
+    let mut checker = Checker::new(names, place);
+    let stmt = place.stmt;
+    match &stmt.kind {
+        StmtKind::Assert { formula } => checker.condition(*formula),
+        StmtKind::Prefer { formula, weight } => {
+            checker.condition(*formula);
+            if let Some(weight) = weight {
+                check_weight(&mut checker, stmt, *weight);
+            }
+        }
+        StmtKind::Allow { rule, word, args } => check_allow(&mut checker, *rule, *word, args),
+        StmtKind::Predicate { name, params, body } => {
+            for (i, p) in params.iter().enumerate() {
+                if let Some(first) = params[..i].iter().find(|q| q.name.text == p.name.text) {
+                    let message = format!("predicate `{}` has two parameters `{}`", name.text, p.name.text);
+                    checker.push(
+                        Diagnostic::new(codes::E0202, Where::Here(p.name.range), message)
+                            .related(Where::Here(first.name.range), "first declared here"),
+                    );
+                }
+            }
+            checker.bind_params(params);
+            checker.condition(*body);
+        }
+        StmtKind::Assign { .. } => check_assign(&mut checker, stmt),
+        StmtKind::Declare { .. } | StmtKind::Import { .. } | StmtKind::Empty | StmtKind::Error => {}
+    }
+    checker.finish()
+}
+
+/// A place seen from a statement: in it, or where a name is declared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Where {
+    /// Relative to the start of the statement's text.
+    Here(TextRange),
+    /// The declaration of an object, region or variable.
+    Item(SmolStr),
+    /// The definition of a predicate of the program.
+    Predicate(SmolStr),
+}
+
+/// A diagnostic of a statement in a user's file, with its places made absolute.
+pub fn absolute(d: Diagnostic<Where>, place: Place<'_>, file: FileId, items: &Items<'_>) -> Diagnostic {
+    let here = |range: TextRange| range.shifted(place.offset).in_file(file);
+    d.map_places(|w| match w {
+        Where::Here(range) => here(range),
+        Where::Item(name) => items.names.get(&name).map_or(here(place.stmt.range), |i| i.span),
+        Where::Predicate(name) => {
+            let defined = items.predicates.get(&name).and_then(|p| p.place.span(p.place.stmt.range));
+            defined.unwrap_or(here(place.stmt.range))
+        }
+    })
+}
+
+fn check_weight(checker: &mut Checker<'_, '_>, stmt: &Stmt, weight: ExprId) {
+    let range = stmt.expr(weight).range;
+    if constant::number(stmt, weight).is_none_or(|w| w <= 0.0) {
+        let message = "a weight is a positive number, written as such";
+        checker.error(codes::E0305, range, message);
+    }
+}
+
+fn check_allow(checker: &mut Checker<'_, '_>, rule: Allow, word: TextRange, args: &[ExprId]) {
+    let (name, wanted) = match rule {
+        Allow::Collide => ("allowCollide", 2),
+        Allow::Outside => ("allowOutside", 1),
+        Allow::Float => ("allowFloat", 1),
+    };
+    if args.len() != wanted {
+        let message = format!(
+            "`{name}` takes {}, not {}",
+            if wanted == 2 { "two objects or arrays" } else { "one object or array" },
+            args.len()
+        );
+        checker.error(codes::E0303, word, message);
+        return;
+    }
+    for arg in args {
+        let ty = checker.ty(*arg);
+        if !ty.fits(Ty::Objects) {
+            let message = format!("`{name}` takes objects or arrays of objects, and this is {ty}");
+            checker.error(codes::E0301, checker.range(*arg), message);
+        }
+    }
+}
+
+fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
+    let StmtKind::Assign { name, index, path, target, value } = &stmt.kind else { return };
+    let Some(kind) = checker.names.item(&name.text) else {
+        checker.unknown_name(name.text.as_str(), name.range);
+        checker.ty(*value);
+        return;
+    };
+    if let Some(index) = index {
+        match kind {
+            ItemKind::Array(n) => {
+                if whole_number(stmt, *index).is_none_or(|i| i < 0.0 || i >= f64::from(n)) {
+                    checker.index_error(&name.text, n, stmt.expr(*index).range);
+                }
+            }
+            _ => checker.error(codes::E0212, stmt.expr(*index).range, format!("`{}` is no array", name.text)),
+        }
+    }
+    let owner = match (kind, index) {
+        (ItemKind::Array(_), _) | (ItemKind::Object, _) => Ty::Object,
+        (kind, _) => kind.ty(),
+    };
+    match (owner, path.as_slice()) {
+        (Ty::Object | Ty::Region, []) => {
+            let message = format!("{owner} cannot be assigned, only its properties");
+            checker.error(codes::E0211, *target, message);
+            checker.ty(*value);
+        }
+        (Ty::Object | Ty::Region, [prop]) => match property(owner, &prop.text) {
+            Some(p) if p.assignable => checker.expect(*value, p.ty, &format!("`{}`", p.name)),
+            Some(p) => {
+                let message = format!("`{}` follows from other properties and cannot be assigned", p.name);
+                checker.error(codes::E0211, *target, message);
+                checker.ty(*value);
+            }
+            None => {
+                let table =
+                    if owner == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
+                let names = table.iter().filter(|p| p.assignable).map(|p| p.name);
+                let message = format!("{owner} has no property `{}` that can be assigned", prop.text);
+                let mut d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
+                match nearest(&prop.text, names.clone()) {
+                    Some(near) => {
+                        d = d.fix(
+                            scenelang_base::Applicability::Unsafe,
+                            format!("did you mean `{near}`?"),
+                            Where::Here(prop.range),
+                            near,
+                        );
+                    }
+                    None => d = d.note(format!("it has: {}", names.collect::<Vec<_>>().join(", "))),
+                }
+                checker.push(d);
+                checker.ty(*value);
+            }
+        },
+        (Ty::Object | Ty::Region, [first, ..]) => {
+            let message = format!("only whole properties can be assigned, not a part of `{}`", first.text);
+            let d = Diagnostic::new(codes::E0211, Where::Here(*target), message)
+                .note("assert an equality instead, and the solver will set it");
+            checker.push(d);
+            checker.ty(*value);
+        }
+        (ty, []) => checker.expect(*value, ty, &format!("`{}`", name.text)),
+        (ty, [..]) => {
+            let message = format!("`{}` is {ty}; it can only be assigned whole", name.text);
+            checker.error(codes::E0211, *target, message);
+            checker.ty(*value);
+        }
+    }
+    if let (ExprKind::Call(call, _), [prop]) = (&stmt.expr(*value).kind, path.as_slice())
+        && call.text == "polygon"
+        && prop.text != "vertices"
+    {
+        checker.error(codes::E0301, call.range, "a polygon can only be assigned to the `vertices` of a region");
+    }
+}

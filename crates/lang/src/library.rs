@@ -1,0 +1,112 @@
+//! The standard library: predicates written in the language, shipped inside the binary, and the table of usual sizes.
+
+use crate::ast::StmtKind;
+use crate::parse::{ParsedFile, parse_file};
+use std::sync::OnceLock;
+
+/// The files of the library: name and text.
+pub const FILES: &[(&str, &str)] = &[
+    ("std/directions.scene", include_str!("../std/directions.scene")),
+    ("std/contact.scene", include_str!("../std/contact.scene")),
+    ("std/distance.scene", include_str!("../std/distance.scene")),
+    ("std/orientation.scene", include_str!("../std/orientation.scene")),
+    ("std/walls.scene", include_str!("../std/walls.scene")),
+];
+
+/// The library, parsed once per process.
+pub fn parsed() -> &'static [ParsedFile] {
+    static PARSED: OnceLock<Vec<ParsedFile>> = OnceLock::new();
+    PARSED.get_or_init(|| FILES.iter().map(|(_, text)| parse_file(text)).collect())
+}
+
+/// Names of its predicates, in the order of the files.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    parsed().iter().flat_map(|f| &f.statements).filter_map(|(_, s)| match &s.kind {
+        StmtKind::Predicate { name, .. } => Some(name.text.as_str()),
+        _ => None,
+    })
+}
+
+/// The usual size (width, height, depth in metres) of a category: the whole text, else its last word that the table
+/// has ("oak dining table" is a dining table, "blue chair" a chair).
+pub fn usual_size(category: &str) -> Option<[f64; 3]> {
+    let words = words(category);
+    (0..words.len()).find_map(|skip| lookup(&words[skip..].join("_"))).or_else(|| words.iter().rev().find_map(|w| lookup(w)))
+}
+
+/// Lower-case words of a category or a name: blanks, underscores, digits and humps separate.
+fn words(text: &str) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    let mut before = ' ';
+    for c in text.chars() {
+        let hump = c.is_uppercase() && before.is_lowercase();
+        match out.last_mut() {
+            _ if !c.is_alphabetic() => {}
+            Some(word) if before.is_alphabetic() && !hump => word.extend(c.to_lowercase()),
+            _ => out.push(c.to_lowercase().collect()),
+        }
+        before = c;
+    }
+    out
+}
+
+fn lookup(key: &str) -> Option<[f64; 3]> {
+    static TABLE: OnceLock<Vec<(&str, [f64; 3])>> = OnceLock::new();
+    let table = TABLE.get_or_init(|| {
+        let mut rows: Vec<_> = include_str!("../std/sizes.txt").lines().filter_map(size_row).collect();
+        rows.sort_by_key(|(name, _)| *name);
+        rows
+    });
+    let find = |k: &str| table.binary_search_by_key(&k, |(name, _)| name).ok().map(|i| table[i].1);
+    find(key).or_else(|| find(key.strip_suffix('s')?)).or_else(|| find(key.strip_suffix("es")?))
+}
+
+fn size_row(line: &str) -> Option<(&str, [f64; 3])> {
+    let mut fields = line.split('#').next()?.split_whitespace();
+    let name = fields.next()?;
+    let mut number = || fields.next()?.parse().ok();
+    Some((name, [number()?, number()?, number()?]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_parses_and_documents_its_predicates() {
+        for (file, (name, _)) in parsed().iter().zip(FILES) {
+            assert!(file.diagnostics.is_empty(), "{name}: {:?}", file.diagnostics);
+            for (_, stmt) in &file.statements {
+                assert!(matches!(stmt.kind, StmtKind::Predicate { .. }), "{name}");
+                assert!(!stmt.doc.is_empty(), "{name}: {:?}", stmt.kind);
+            }
+        }
+        assert!(names().count() >= 24);
+    }
+
+    #[test]
+    fn words_of_names() {
+        assert_eq!(words("bookShelf2"), ["book", "shelf"]);
+        assert_eq!(words("dining_table"), ["dining", "table"]);
+        assert_eq!(words("TV"), ["tv"]);
+    }
+
+    #[test]
+    fn sizes_are_found_by_head_noun() {
+        let chair = usual_size("chair").unwrap();
+        assert_eq!(usual_size("blue chair"), Some(chair));
+        assert_eq!(usual_size("chairs"), Some(chair));
+        assert_eq!(usual_size("quux"), None);
+    }
+
+    #[test]
+    fn every_row_of_the_size_table_is_read() {
+        for line in include_str!("../std/sizes.txt").lines() {
+            let content = line.split('#').next().unwrap().trim();
+            if !content.is_empty() {
+                let (_, size) = size_row(line).unwrap_or_else(|| panic!("{line}"));
+                assert!(size.iter().all(|x| (0.001..=30.0).contains(x)), "{line}");
+            }
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Builds one [`Formula`]: equal nodes are shared, constants are folded where nothing can go wrong, and branches that a
+//! static fact decides are cut as the language says (left to right).
+
+use crate::program::{Arith, Axis, Formula, Node, NodeId};
+use rustc_hash::{FxHashMap, FxHasher};
+use scenelang_base::TextRange;
+use std::hash::{Hash, Hasher};
+
+/// A formula under construction.
+#[derive(Default)]
+pub(super) struct Builder {
+    nodes: Vec<Node>,
+    ranges: Vec<TextRange>,
+    shared: FxHashMap<u64, NodeId>,
+}
+
+impl Builder {
+    pub(super) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub(super) fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    /// Adds a node, or finds its equal. A hash met by a different node before only means that it is not shared.
+    pub(super) fn add(&mut self, node: Node, range: TextRange) -> NodeId {
+        let hash = hash(&node);
+        if let Some(&id) = self.shared.get(&hash)
+            && self.nodes[id.0 as usize] == node
+        {
+            return id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.ranges.push(range);
+        self.shared.insert(hash, id);
+        id
+    }
+
+    pub(super) fn number(&mut self, x: f64, range: TextRange) -> NodeId {
+        self.add(Node::Number(x), range)
+    }
+
+    /// The value of a node that is a constant number.
+    pub(super) fn constant(&self, id: NodeId) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    pub(super) fn neg(&mut self, id: NodeId, range: TextRange) -> NodeId {
+        match self.constant(id) {
+            Some(x) => self.number(-x, range),
+            None => self.add(Node::Neg(id), range),
+        }
+    }
+
+    pub(super) fn arith(&mut self, op: Arith, l: NodeId, r: NodeId, range: TextRange) -> NodeId {
+        if let (Some(a), Some(b)) = (self.constant(l), self.constant(r)) {
+            let x = match op {
+                Arith::Add => a + b,
+                Arith::Sub => a - b,
+                Arith::Mul => a * b,
+                Arith::Div => a / b,
+            };
+            if x.is_finite() {
+                return self.number(x, range);
+            }
+        }
+        self.add(Node::Arith(op, l, r), range)
+    }
+
+    pub(super) fn component(&mut self, axis: Axis, of: NodeId, range: TextRange) -> NodeId {
+        match self.node(of) {
+            Node::Vector(v) => v[axis as usize],
+            _ => self.add(Node::Component(axis, of), range),
+        }
+    }
+
+    pub(super) fn not(&mut self, id: NodeId, range: TextRange) -> NodeId {
+        match self.node(id) {
+            Node::Truth(t) => {
+                let t = !t;
+                self.add(Node::Truth(t), range)
+            }
+            Node::Not(inner) => *inner,
+            _ => self.add(Node::Not(id), range),
+        }
+    }
+
+    /// Conjunction (`all`) or disjunction: neutral members vanish, a static deciding member ends the list.
+    pub(super) fn junction(&mut self, all: bool, members: &[NodeId], range: TextRange) -> NodeId {
+        let mut list: Vec<NodeId> = Vec::with_capacity(members.len());
+        'members: for &m in members {
+            let inner: Vec<NodeId> = match (all, self.node(m)) {
+                (true, Node::And(list)) | (false, Node::Or(list)) => list.to_vec(),
+                _ => vec![m],
+            };
+            for id in inner {
+                match self.node(id) {
+                    Node::Truth(t) if *t == all => {}
+                    Node::Truth(_) => {
+                        list.push(id);
+                        break 'members;
+                    }
+                    _ => list.push(id),
+                }
+            }
+        }
+        match list.as_slice() {
+            [] => self.add(Node::Truth(all), range),
+            [only] => *only,
+            _ if all => self.add(Node::And(list.into()), range),
+            _ => self.add(Node::Or(list.into()), range),
+        }
+    }
+
+    /// The part of the graph that `root` needs, as a formula of its own.
+    pub(super) fn extract(&self, root: NodeId) -> Formula {
+        let mut needed = vec![false; root.0 as usize + 1];
+        needed[root.0 as usize] = true;
+        for i in (0..=root.0 as usize).rev() {
+            if needed[i] {
+                self.nodes[i].for_each_child(|c| needed[c.0 as usize] = true);
+            }
+        }
+        let mut new = vec![NodeId(0); needed.len()];
+        let mut out = Formula { nodes: Vec::new(), ranges: Vec::new(), root: NodeId(0) };
+        for i in 0..needed.len() {
+            if needed[i] {
+                new[i] = NodeId(out.nodes.len() as u32);
+                out.nodes.push(self.nodes[i].map_children(|c| new[c.0 as usize]));
+                out.ranges.push(self.ranges[i]);
+            }
+        }
+        out.root = new[root.0 as usize];
+        out
+    }
+}
+
+fn hash(node: &Node) -> u64 {
+    let mut h = FxHasher::default();
+    std::mem::discriminant(node).hash(&mut h);
+    match node {
+        Node::Number(x) => x.to_bits().hash(&mut h),
+        Node::Truth(t) => t.hash(&mut h),
+        Node::Object(p, id) => (p, id).hash(&mut h),
+        Node::Region(p, id) => (p, id).hash(&mut h),
+        Node::Variable(id) => id.hash(&mut h),
+        Node::Draw(id) => id.hash(&mut h),
+        Node::Arith(op, ..) => op.hash(&mut h),
+        Node::Component(axis, _) => axis.hash(&mut h),
+        Node::Call(f, _) => f.hash(&mut h),
+        Node::Compare(c, u, ..) => (c, u).hash(&mut h),
+        Node::AtLeast(n, _) => n.hash(&mut h),
+        Node::Native(n, args) => {
+            n.hash(&mut h);
+            args.iter().for_each(|a| hash_arg(*a, &mut h));
+        }
+        Node::Measure(m, args) => {
+            m.hash(&mut h);
+            args.iter().for_each(|a| hash_arg(*a, &mut h));
+        }
+        Node::SamePolygon(id, _) => id.hash(&mut h),
+        Node::Vector(_)
+        | Node::Rotation(_)
+        | Node::Neg(_)
+        | Node::Same(..)
+        | Node::And(_)
+        | Node::Or(_)
+        | Node::Not(_)
+        | Node::Iff(..)
+        | Node::Count(_) => {}
+    }
+    node.for_each_child(|c| c.hash(&mut h));
+    h.finish()
+}
+
+fn hash_arg(arg: crate::program::Arg, h: &mut FxHasher) {
+    use crate::program::Arg;
+    match arg {
+        Arg::Object(id) => (0u8, id.0).hash(h),
+        Arg::Region(id) => (1u8, id.0).hash(h),
+        Arg::Value(_) => 2u8.hash(h),
+        Arg::Side(s) => (3u8, s).hash(h),
+    }
+}

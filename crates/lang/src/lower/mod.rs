@@ -1,0 +1,422 @@
+//! From statements to a [`Program`]: arrays become elements, quantifiers conjunctions, predicates and definitions are
+//! put in place. Statements with errors are left out; whoever needs one of them is left out too, without a word.
+
+mod builder;
+mod expr;
+mod pins;
+
+use crate::ast::{Allow, ExprId, StmtKind};
+use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
+use crate::program::*;
+use crate::sources::Units;
+use crate::types::Ty;
+use builder::Builder;
+use rustc_hash::{FxHashMap, FxHashSet};
+use scenelang_base::{Diagnostic, FileId, SourceMap, Span, TextRange, codes};
+use smol_str::{SmolStr, format_smolstr};
+use std::rc::Rc;
+
+/// How many nodes a program may have after expansion.
+pub const MAX_NODES: usize = 4_000_000;
+/// How many steps its expansion may take.
+const MAX_STEPS: u64 = 40_000_000;
+
+/// A value at expansion time: static things, or a node of the formula under construction.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Val {
+    /// A number and whether it is a Number, a Degree or a literal.
+    Num(NodeId, Ty),
+    Vec(NodeId),
+    Rot(NodeId),
+    Truth(NodeId),
+    Text(SmolStr),
+    Object(ObjectId),
+    Region(RegionId),
+    Set(Rc<[ObjectId]>),
+    Range(i64, i64),
+    Polygon(Rc<[NodeId]>),
+    Side(Side),
+}
+
+/// The statement has no formula: something in it is wrong and has been reported (here or where it is defined).
+struct Poison;
+type Lowered<T> = Result<T, Poison>;
+
+/// Lowers all good statements. `bad` says which statements (file, offset) have errors of their own.
+pub fn lower<'a>(
+    items: &'a Items<'a>,
+    units: &'a Units,
+    sources: &'a SourceMap,
+    bad: &FxHashSet<(FileId, u32)>,
+) -> (Program, Vec<Diagnostic>) {
+    let mut l = Lowerer {
+        items,
+        sources,
+        bad,
+        program: Program::default(),
+        objects: FxHashMap::default(),
+        regions: FxHashMap::default(),
+        variables: FxHashMap::default(),
+        draws: FxHashMap::default(),
+        pure: FxHashMap::default(),
+        values_open: Vec::new(),
+        steps: 0,
+        nodes: 0,
+        exhausted: false,
+        out: Vec::new(),
+        f: Frame::default(),
+    };
+    l.declare();
+    l.texts_and_dimensions();
+    for unit in &units.units {
+        let (mut asserts, mut prefers) = (0, 0);
+        for (offset, stmt) in &unit.parsed.statements {
+            let place = Place { file: Some(unit.file), offset: *offset, stmt };
+            let counter = match &stmt.kind {
+                StmtKind::Assert { .. } => ("assert", &mut asserts),
+                StmtKind::Prefer { .. } => ("prefer", &mut prefers),
+                _ => ("", &mut 0),
+            };
+            let prefix = if unit.prefix.is_empty() { String::new() } else { format!("{}:", unit.prefix) };
+            let key = format!("{prefix}{}[{}]", counter.0, counter.1);
+            *counter.1 += 1;
+            if !l.exhausted && !bad.contains(&(unit.file, *offset)) {
+                let _ = l.statement(place, key);
+            }
+        }
+    }
+    l.finish()
+}
+
+struct Lowerer<'a, 'b> {
+    items: &'a Items<'a>,
+    sources: &'a SourceMap,
+    bad: &'b FxHashSet<(FileId, u32)>,
+    program: Program,
+    objects: FxHashMap<SmolStr, Vec<ObjectId>>,
+    regions: FxHashMap<SmolStr, RegionId>,
+    variables: FxHashMap<SmolStr, VariableId>,
+    draws: FxHashMap<String, DrawId>,
+    /// Whether a predicate draws no random number, itself or through others, so that its expansions can be shared.
+    pure: FxHashMap<(SmolStr, bool), bool>,
+    /// Definitions and properties being put in place, outermost first.
+    values_open: Vec<String>,
+    steps: u64,
+    nodes: usize,
+    exhausted: bool,
+    out: Vec<Diagnostic>,
+    f: Frame<'a>,
+}
+
+/// What belongs to the formula under construction.
+#[derive(Default)]
+struct Frame<'a> {
+    b: Builder,
+    place: Option<Place<'a>>,
+    scope: Vec<(SmolStr, Val)>,
+    /// Inside a definition or predicate: the place that uses it, and the statement that place is in.
+    user: Option<TextRange>,
+    /// The statement whose formula it is.
+    root: Option<Place<'a>>,
+    /// The object that a `where` is asking about.
+    own: Option<ObjectId>,
+    draw_key: String,
+    draw_count: u32,
+    /// Whether the current expression is a conjunct of an assertion, perhaps under `forall`.
+    top: bool,
+    expanded: FxHashMap<(SmolStr, bool, Vec<Val>), NodeId>,
+    defined: FxHashMap<SmolStr, Val>,
+}
+
+impl<'a> Lowerer<'a, '_> {
+    fn declare(&mut self) {
+        let items = self.items;
+        for name in &items.order {
+            let Some(item) = items.names.get(name) else { continue };
+            let stmt = item.place.stmt;
+            let doc = stmt.doc.clone();
+            let requirements: Vec<String> = stmt.requirements.iter().map(|(r, _)| r.clone()).collect();
+            let object = |name: SmolStr, array: Option<(SmolStr, u32)>| Object {
+                name,
+                array,
+                color: String::new(),
+                material: String::new(),
+                features: String::new(),
+                category: String::new(),
+                dimensions: None,
+                span: item.span,
+                doc: doc.clone(),
+                requirements: requirements.clone(),
+            };
+            match item.kind {
+                ItemKind::Object => {
+                    let id = ObjectId(self.program.objects.len() as u32);
+                    self.program.objects.push(object(name.clone(), None));
+                    self.objects.insert(name.clone(), vec![id]);
+                }
+                ItemKind::Array(n) => {
+                    let first = self.program.objects.len();
+                    if first + n as usize > MAX_NODES {
+                        self.exhausted(item.span);
+                        return;
+                    }
+                    for i in 0..n {
+                        let element = object(format_smolstr!("{name}[{i}]"), Some((name.clone(), i)));
+                        self.program.objects.push(element);
+                    }
+                    let ids = (first..first + n as usize).map(|i| ObjectId(i as u32)).collect();
+                    self.objects.insert(name.clone(), ids);
+                }
+                ItemKind::Region => {
+                    let key = |p: &str| self.key(name, None, p);
+                    let (has_vertices, has_scale) =
+                        (items.assignments.contains_key(&key("vertices")), items.assignments.contains_key(&key("scale")));
+                    self.regions.insert(name.clone(), RegionId(self.program.regions.len() as u32));
+                    self.program.regions.push(Region {
+                        name: name.clone(),
+                        texts: Vec::new(),
+                        has_vertices,
+                        has_scale,
+                        span: item.span,
+                        doc,
+                        requirements,
+                    });
+                }
+                ItemKind::Variable(ty) => {
+                    if items.assignments.contains_key(&self.key(name, None, "")) {
+                        self.program.assigned_variables.push(name.clone());
+                        continue;
+                    }
+                    let kind = match ty {
+                        Ty::Number => VariableKind::Number,
+                        Ty::Degree => VariableKind::Degree,
+                        Ty::Bool => VariableKind::Bool,
+                        Ty::Vector3 => VariableKind::Vector,
+                        Ty::Rotation => VariableKind::Rotation,
+                        _ => continue,
+                    };
+                    self.variables.insert(name.clone(), VariableId(self.program.variables.len() as u32));
+                    self.program.variables.push(Variable { name: name.clone(), kind, span: item.span, used: false });
+                }
+            }
+        }
+    }
+
+    /// Text properties and dimensions, which are known without a layout.
+    fn texts_and_dimensions(&mut self) {
+        for i in 0..self.program.objects.len() {
+            let id = ObjectId(i as u32);
+            for property in ["color", "material", "features", "category"] {
+                let text = self.object_text(id, property).unwrap_or_default().to_string();
+                let object = &mut self.program.objects[i];
+                *match property {
+                    "color" => &mut object.color,
+                    "material" => &mut object.material,
+                    "features" => &mut object.features,
+                    _ => &mut object.category,
+                } = text;
+            }
+        }
+        for i in 0..self.program.regions.len() {
+            let name = self.program.regions[i].name.clone();
+            for p in crate::natives::REGION_PROPERTIES.iter().filter(|p| p.assignable && p.ty.is_text()) {
+                let Some(a) = self.items.assignments.get(&self.key(&name, None, p.name)).copied() else { continue };
+                if let Ok(text) = self.static_text(a) {
+                    self.program.regions[i].texts.push((p.name.into(), text.to_string()));
+                }
+            }
+        }
+        for i in 0..self.program.objects.len() {
+            let (name, element) = self.object_key(ObjectId(i as u32));
+            let Some(a) = self.items.assignments.get(&self.key(&name, element, "dimensions")).copied() else { continue };
+            let key = format!("{}.dimensions", self.program.objects[i].name);
+            self.values_open.push(key.clone());
+            let value = self.in_frame(a.place, key, |l| {
+                let Val::Vec(v) = l.lower(a.value)? else { return Err(Poison) };
+                Ok(l.f.b.extract(v))
+            });
+            self.values_open.pop();
+            self.program.objects[i].dimensions = value.ok();
+        }
+    }
+
+    fn key(&self, name: &SmolStr, element: Option<u32>, property: &str) -> AssignKey {
+        AssignKey { name: name.clone(), element, property: property.into() }
+    }
+
+    fn object_key(&self, id: ObjectId) -> (SmolStr, Option<u32>) {
+        let object = &self.program.objects[id.0 as usize];
+        match &object.array {
+            Some((name, i)) => (name.clone(), Some(*i)),
+            None => (object.name.clone(), None),
+        }
+    }
+
+    /// The assigned text of an object's property, or `""`.
+    fn object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
+        let (name, element) = self.object_key(id);
+        let Some(a) = self.items.assignments.get(&self.key(&name, element, property)).copied() else {
+            return Ok(SmolStr::default());
+        };
+        let key = format!("{}.{property}", self.program.objects[id.0 as usize].name);
+        if let Some(at) = self.values_open.iter().position(|k| *k == key) {
+            let circle: Vec<String> =
+                self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
+            self.circle(a, format!("properties refer to each other in a circle: {}", circle.join(" → ")));
+            return Err(Poison);
+        }
+        self.values_open.push(key);
+        let text = self.static_text(a);
+        self.values_open.pop();
+        text
+    }
+
+    /// Reports a circle once, whichever of its members is met first.
+    fn circle(&mut self, a: Assignment<'a>, message: String) {
+        if let Some(span) = a.place.span(a.target)
+            && !self.out.iter().any(|d| d.code == codes::E0204)
+        {
+            self.out.push(Diagnostic::new(codes::E0204, span, message));
+        }
+    }
+
+    fn static_text(&mut self, a: Assignment<'a>) -> Lowered<SmolStr> {
+        let value = self.in_frame(a.place, String::new(), |l| l.lower(a.value))?;
+        if let Val::Text(text) = value { Ok(text) } else { Err(Poison) }
+    }
+
+    /// Runs `work` on a fresh formula for `place`, unless that statement is bad.
+    fn in_frame<T>(
+        &mut self,
+        place: Place<'a>,
+        draw_key: String,
+        work: impl FnOnce(&mut Self) -> Lowered<T>,
+    ) -> Lowered<T> {
+        if let Some(file) = place.file
+            && self.bad.contains(&(file, place.offset))
+        {
+            return Err(Poison);
+        }
+        let fresh = Frame { place: Some(place), root: Some(place), draw_key, ..Frame::default() };
+        let outer = std::mem::replace(&mut self.f, fresh);
+        let result = work(self);
+        self.nodes += self.f.b.len();
+        self.f = outer;
+        result
+    }
+
+    fn statement(&mut self, place: Place<'a>, draw_key: String) -> Lowered<()> {
+        let stmt = place.stmt;
+        match &stmt.kind {
+            StmtKind::Assert { formula } => self.in_frame(place, draw_key, |l| {
+                l.f.top = true;
+                let root = l.truth(*formula)?;
+                l.constraint(place, ConstraintKind::Assert, "assert", root);
+                Ok(())
+            }),
+            StmtKind::Prefer { formula, weight } => self.in_frame(place, draw_key, |l| {
+                let root = l.truth(*formula)?;
+                let weight = weight.and_then(|w| crate::check::constant::number(stmt, w)).unwrap_or(1.0);
+                l.constraint(place, ConstraintKind::Prefer { weight }, "prefer", root);
+                Ok(())
+            }),
+            StmtKind::Allow { rule, args, .. } => {
+                let sets = self.in_frame(place, draw_key, |l| {
+                    args.iter().map(|a| l.set(*a)).collect::<Lowered<Vec<Rc<[ObjectId]>>>>()
+                })?;
+                let allow = &mut self.program.allow;
+                match (rule, sets.as_slice()) {
+                    (Allow::Collide, [a, b]) => {
+                        for &x in a.iter() {
+                            allow.collide.extend(b.iter().filter(|y| **y != x).map(|&y| (x.min(y), x.max(y))));
+                        }
+                    }
+                    (Allow::Outside, [a]) => allow.outside.extend(a.iter()),
+                    (Allow::Float, [a]) => allow.float.extend(a.iter()),
+                    _ => {}
+                }
+                Ok(())
+            }
+            StmtKind::Assign { .. } => self.assignment(place),
+            _ => Ok(()),
+        }
+    }
+
+    fn constraint(&mut self, place: Place<'a>, kind: ConstraintKind, keyword: &str, root: NodeId) {
+        let Some(span) = place.span(place.stmt.range) else { return };
+        let written = self.sources.text(span);
+        let written = written.strip_prefix(keyword).unwrap_or(written);
+        self.program.constraints.push(Constraint {
+            kind,
+            formula: self.f.b.extract(root),
+            span,
+            text: written.split_whitespace().collect::<Vec<_>>().join(" "),
+            requirements: place.stmt.requirements.iter().map(|(r, _)| r.clone()).collect(),
+        });
+    }
+
+    /// The place to blame for something in the current expression.
+    fn blame(&self, range: TextRange) -> Option<Span> {
+        self.f.root?.span(self.f.user.unwrap_or(range))
+    }
+
+    fn error(&mut self, code: scenelang_base::Code, range: TextRange, message: impl Into<String>) {
+        if let Some(span) = self.blame(range) {
+            let d = Diagnostic::new(code, span, message);
+            if !self.out.contains(&d) {
+                self.out.push(d);
+            }
+        }
+    }
+
+    fn exhausted(&mut self, span: Span) {
+        if !self.exhausted {
+            self.exhausted = true;
+            self.out.push(
+                Diagnostic::new(codes::E0005, span, "the program grows beyond what can be judged when it is expanded here")
+                    .note(format!("at most {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
+            );
+        }
+    }
+
+    /// The library's or the program's predicate of that name.
+    fn predicate(&self, name: &str) -> Option<Predicate<'a>> {
+        let library = self.f.place.is_some_and(|p| p.file.is_none());
+        self.items.predicate(name, library)
+    }
+
+    fn finish(mut self) -> (Program, Vec<Diagnostic>) {
+        let p = &mut self.program;
+        p.allow.collide.sort_unstable();
+        p.allow.collide.dedup();
+        for list in [&mut p.allow.outside, &mut p.allow.float] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        p.allow.contents.sort_unstable();
+        p.allow.contents.dedup();
+        let formulas = p.constraints.iter().map(|c| &c.formula).chain(p.allow.mounts.iter().map(|m| &m.formula));
+        for node in formulas.flat_map(|f| &f.nodes) {
+            if let Node::Variable(id) = node {
+                p.variables[id.0 as usize].used = true;
+            }
+        }
+        self.out.extend(pins::cycles(&self.program, self.items));
+        (self.program, self.out)
+    }
+
+    fn truth(&mut self, id: ExprId) -> Lowered<NodeId> {
+        match self.lower(id)? {
+            Val::Truth(n) => Ok(n),
+            _ => Err(Poison),
+        }
+    }
+
+    fn set(&mut self, id: ExprId) -> Lowered<Rc<[ObjectId]>> {
+        match self.lower(id)? {
+            Val::Set(s) => Ok(s),
+            Val::Object(o) => Ok(Rc::from([o])),
+            _ => Err(Poison),
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Signatures of built-in functions and predicates, as data: name, parameters, result, what it says.
+//!
+//! What they compute is not here: values are computed by the evaluator, which holds one entry for each of these.
+
+use crate::types::Ty;
+
+/// One signature; a name may have several.
+#[derive(Debug)]
+pub struct Signature {
+    /// Its name.
+    pub name: &'static str,
+    /// Parameter types. `Ty::Literal` stands for "a Number or a Degree, all alike".
+    pub params: &'static [Ty],
+    /// Whether the last parameter may be repeated.
+    pub variadic: bool,
+    /// Result. `Ty::Literal`: the type of the arguments.
+    pub result: Ty,
+    /// Names of the parameters, for signature help and messages.
+    pub names: &'static str,
+    /// One sentence.
+    pub doc: &'static str,
+}
+
+macro_rules! signatures {
+    ($($name:ident($($param:ident),* $(; $rest:ident)?) -> $result:ident, $names:literal, $doc:literal;)*) => {
+        &[$(Signature {
+            name: stringify!($name),
+            params: &[$(Ty::$param),*],
+            variadic: { let rest: &[&str] = &[$(stringify!($rest))?]; !rest.is_empty() },
+            result: Ty::$result,
+            names: $names,
+            doc: $doc,
+        }),*]
+    };
+}
+
+/// Every built-in.
+pub const BUILT_INS: &[Signature] = signatures! {
+    vec3(Number, Number, Number) -> Vector3, "x, y, z", "The vector (x, y, z).";
+    rot(Degree, Degree, Degree) -> Rotation, "x, y, z", "The rotation about x, then z, then y, about the fixed world axes.";
+    rand(Literal, Literal) -> Literal, "lo, hi", "A number drawn uniformly from [lo, hi], once, fixed by the seed.";
+    polygon(Vector3, Vector3, Vector3; Vector3) -> Polygon, "a, b, c, …", "A floor polygon; the heights of its points are ignored.";
+
+    abs(Literal) -> Literal, "x", "The magnitude of x.";
+    min(Literal, Literal; Literal) -> Literal, "x, y, …", "The least of the numbers.";
+    max(Literal, Literal; Literal) -> Literal, "x, y, …", "The greatest of the numbers.";
+    sqrt(Number) -> Number, "x", "The square root of x, which must not be negative.";
+    sin(Degree) -> Number, "angle", "The sine.";
+    cos(Degree) -> Number, "angle", "The cosine.";
+    length(Vector3) -> Number, "v", "The length of v.";
+    normalize(Vector3) -> Vector3, "v", "The unit vector along v, which must not be zero.";
+    cross(Vector3, Vector3) -> Vector3, "a, b", "The vector product.";
+    dot(Vector3, Vector3) -> Number, "a, b", "The scalar product.";
+    angle(Vector3, Vector3) -> Degree, "a, b", "The angle between two directions, 0 to 180.";
+    angle(Rotation, Rotation) -> Degree, "a, b", "The angle between two orientations, 0 to 180.";
+    distance(Object, Object) -> Number, "a, b", "The distance between the centres, in metres.";
+    distance(Object, Region) -> Number, "a, r", "The distance between the centres, in metres.";
+    distance(Object, Vector3) -> Number, "a, p", "The distance from the centre to the point, in metres.";
+    distance(Region, Object) -> Number, "r, a", "The distance between the centres, in metres.";
+    distance(Region, Region) -> Number, "r, s", "The distance between the centres, in metres.";
+    distance(Region, Vector3) -> Number, "r, p", "The distance from the centre to the point, in metres.";
+    distance(Vector3, Object) -> Number, "p, a", "The distance from the point to the centre, in metres.";
+    distance(Vector3, Region) -> Number, "p, r", "The distance from the point to the centre, in metres.";
+    distance(Vector3, Vector3) -> Number, "p, q", "The distance between two points, in metres.";
+    gap(Object, Object) -> Number, "a, b", "The distance between the surfaces: 0 when touching, negative when overlapping.";
+    gap(Object, Region) -> Number, "a, r", "The horizontal distance from an object to the nearest wall, negative outside.";
+    gap(Vector3, Region) -> Number, "p, r", "The horizontal distance from a point to the nearest wall, negative outside.";
+    walkDistance(Object, Object) -> Number, "a, b", "The length of the shortest walk from a to b for a person 0.5 m wide.";
+
+    inside(Object, Region) -> Bool, "a, r", "The box of a lies in the region.";
+    inside(Object, Object) -> Bool, "a, b", "The box of a lies within the box of b.";
+    collides(Object, Object) -> Bool, "a, b", "The solids overlap by more than 1 mm.";
+    connects(Object, Region) -> Bool, "door, r", "The door sits in a wall of r and leads outside.";
+    connects(Object, Region, Region) -> Bool, "door, r, s", "The door sits in the wall that r and s share.";
+    reachable(Object, Object, Number) -> Bool, "a, b, width", "A disc of that width can move on the floor from a to b.";
+    visible(Object, Object) -> Bool, "a, b", "No other object stands between the centres.";
+    clear(Object, Side, Number) -> Bool, "a, side, depth", "The space on that side of a is free to that depth.";
+};
+
+/// The words that `clear` takes for a side.
+pub const SIDES: &[(&str, crate::program::Side)] = {
+    use crate::program::Side;
+    &[
+        ("front", Side::Front),
+        ("behind", Side::Behind),
+        ("left", Side::Left),
+        ("right", Side::Right),
+        ("above", Side::Above),
+    ]
+};
+
+/// The signatures of a name; none if it is no built-in.
+pub fn overloads(name: &str) -> impl Iterator<Item = &'static Signature> + use<'_> {
+    BUILT_INS.iter().filter(move |s| s.name == name)
+}
+
+/// Whether a name is a built-in.
+pub fn is_built_in(name: &str) -> bool {
+    overloads(name).next().is_some()
+}
+
+impl Signature {
+    /// Whether `count` arguments are enough and not too many.
+    pub fn takes(&self, count: usize) -> bool {
+        if self.variadic { count >= self.params.len() } else { count == self.params.len() }
+    }
+    /// The type of the parameter at `index`.
+    pub fn param(&self, index: usize) -> Ty {
+        self.params.get(index).or(self.params.last()).copied().unwrap_or(Ty::Error)
+    }
+}
+
+/// What can be read of an object or a region by `.name`.
+#[derive(Debug)]
+pub struct Property {
+    /// Its name.
+    pub name: &'static str,
+    /// Its type.
+    pub ty: Ty,
+    /// Whether it can be assigned.
+    pub assignable: bool,
+    /// One sentence.
+    pub doc: &'static str,
+}
+
+macro_rules! properties {
+    ($($name:ident $ty:ident $assignable:literal $doc:literal;)*) => {
+        &[$(Property { name: stringify!($name), ty: Ty::$ty, assignable: $assignable, doc: $doc }),*]
+    };
+}
+
+/// Properties of objects.
+pub const OBJECT_PROPERTIES: &[Property] = properties! {
+    pos Vector3 true "Centre of the bottom face, and pivot of the rotation (metres).";
+    rot Rotation true "Orientation (degrees).";
+    scale Vector3 true "Full extents: width, height, depth (metres).";
+    color Color true "Its colour, as text.";
+    material Material true "Its material, as text.";
+    features String true "What else is to be said of it, as text.";
+    category String true "What kind of thing it is, as text.";
+    dimensions Vector3 true "The size asked for: width, height, depth (metres).";
+    center Vector3 false "Centre of its box.";
+    size Vector3 false "The same as scale.";
+    top Number false "Height of its highest point.";
+    bottom Number false "Height of its lowest point.";
+    surface Number false "Height of the surface that carries things.";
+    front Vector3 false "Where it faces: a unit vector.";
+    right Vector3 false "Its own right: a unit vector.";
+    up Vector3 false "Its own up: a unit vector.";
+    min Vector3 false "Least corner of its world-axis box.";
+    max Vector3 false "Greatest corner of its world-axis box.";
+};
+
+/// Properties of regions.
+pub const REGION_PROPERTIES: &[Property] = properties! {
+    pos Vector3 true "Centre of the floor of its rectangle.";
+    rot Rotation true "Orientation; only the turn about y counts.";
+    scale Vector3 true "Full extents: width, height, depth (metres).";
+    vertices Polygon true "The floor polygon.";
+    color Color true "Colour of the walls.";
+    material Material true "Material of the walls.";
+    features String true "What else is to be said of it; \"outdoor\": no walls, no ceiling.";
+    floorColor Color true "Colour of the floor.";
+    floorMaterial Material true "Material of the floor.";
+    wallColor Color true "Colour of the walls.";
+    wallMaterial Material true "Material of the walls.";
+    floor Number false "Height of the floor.";
+    ceiling Number false "Height of the ceiling.";
+    area Number false "Area of the floor (square metres).";
+    center Vector3 false "Centroid of the floor, at half the height.";
+};
+
+/// A property of a type, by name.
+pub fn property(of: Ty, name: &str) -> Option<&'static Property> {
+    let table = match of {
+        Ty::Object => OBJECT_PROPERTIES,
+        Ty::Region => REGION_PROPERTIES,
+        _ => return None,
+    };
+    table.iter().find(|p| p.name == name)
+}

@@ -1,0 +1,309 @@
+//! How a statement begins: its keyword, the name it declares, the target it assigns.
+
+use super::super::wanted::Wanted;
+use super::super::words::{Words, declares, is_constructor, is_type_word, is_word, starts_statement};
+use super::{After, Finding, Site};
+use crate::token::Kind;
+use scenelang_base::codes::{E0110, E0112, E0115};
+use scenelang_base::suggest::nearest;
+use scenelang_base::{Applicability, Diagnostic, Edit, Fix, TextRange};
+
+/// The words that statements begin with.
+const STATEMENTS: &[(&str, Kind)] = &[
+    ("object", Kind::Object),
+    ("entity", Kind::Entity),
+    ("region", Kind::Region),
+    ("Number", Kind::NumberType),
+    ("Degree", Kind::Degree),
+    ("Bool", Kind::Bool),
+    ("Vector3", Kind::Vector3),
+    ("Rotation", Kind::Rotation),
+    ("Color", Kind::Color),
+    ("Material", Kind::Material),
+    ("assert", Kind::Assert),
+    ("prefer", Kind::Prefer),
+    ("allowCollide", Kind::AllowCollide),
+    ("allowOutside", Kind::AllowOutside),
+    ("allowFloat", Kind::AllowFloat),
+    ("predicate", Kind::Predicate),
+    ("import", Kind::Import),
+];
+
+/// What other languages call them.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("require", "assert"),
+    ("constraint", "assert"),
+    ("ensure", "assert"),
+    ("check", "assert"),
+    ("must", "assert"),
+    ("soft", "prefer"),
+    ("minimize", "prefer"),
+    ("maximize", "prefer"),
+    ("room", "region"),
+    ("area", "region"),
+    ("zone", "region"),
+    ("include", "import"),
+    ("use", "import"),
+    ("def", "predicate"),
+    ("define", "predicate"),
+    ("function", "predicate"),
+    ("let", "Number"),
+    ("var", "Number"),
+    ("float", "Number"),
+    ("int", "Number"),
+    ("double", "Number"),
+    ("angle", "Degree"),
+    ("boolean", "Bool"),
+    ("vec3", "Vector3"),
+    ("quaternion", "Rotation"),
+];
+
+/// The word for a statement that a misspelt one is near to.
+pub fn nearest_statement(word: &str) -> Option<&'static str> {
+    let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
+    synonym.or_else(|| nearest(word, STATEMENTS.iter().map(|(s, _)| *s)))
+}
+
+/// What the first word of a statement was meant to be, if the statement looks like it.
+pub fn meant_statement(text: &str, words: &Words) -> Option<Kind> {
+    let word = &text[words.ranges.get(words.head)?.bytes()];
+    let after = words.ranges.get(words.head + 1).map(|r| &text[r.bytes()])?;
+    let near = nearest_statement(word)?;
+    let fits = if near.starts_with("allow") { after == "(" } else { is_word(after) || after.starts_with('"') };
+    let fits = fits || matches!(near, "assert" | "prefer") && !after.starts_with(['.', '[', '<', '=', ':']);
+    fits.then(|| STATEMENTS.iter().find(|(s, _)| *s == near).map(|(_, kind)| *kind))?
+}
+
+/// `@req` without its sentence, or without a statement behind it.
+pub fn attribute(site: &Site<'_>) -> Option<Finding> {
+    if site.at == site.head && site.head > 0 && site.found().is_none() {
+        let place = site.ranges[0].cover(site.behind(site.at - 1));
+        let diagnostic = Diagnostic::new(E0110, place, "`@req` stands before the statement that it explains");
+        return Some(diagnostic.label(format!("expected a statement after it, found {}", site.name_of(site.at))));
+    }
+    let start = (0..site.at).rev().find(|&at| site.kinds[at] == Kind::Req)?;
+    if site.head > start || site.at > start + 3 {
+        return None;
+    }
+    let message = format!("expected {} after `@req`, found {}", site.expectation(), site.name_of(site.at));
+    Some(Diagnostic::new(E0110, site.range(site.at), message).note("write it as `@req(\"the requirement\")`"))
+}
+
+/// A reserved word where a name is wanted.
+pub fn reserved_name(site: &Site<'_>) -> Option<Finding> {
+    let kind = site.found()?;
+    let word = site.slice(site.at);
+    if !site.wanted.has(Wanted::NAME) || kind == Kind::Ident || !is_word(word) {
+        return None;
+    }
+    // Before a parameter's name there is its type, so a type may be all there is.
+    let message = format!("{} is a reserved word and cannot be a name", site.quoted(site.at));
+    let diagnostic = Diagnostic::new(E0110, site.range(site.at), message);
+    let other = format!("{word}_");
+    Some(diagnostic.fix(Applicability::Unsafe, format!("call it `{other}`"), site.range(site.at), other))
+}
+
+/// `object`, `Number`, … and what is wrong behind it.
+pub fn declaration(site: &Site<'_>) -> Option<Finding> {
+    let keyword = site.kind(site.head).filter(|k| declares(*k))?;
+    let word = site.slice(site.head);
+    let place = site.range(site.at);
+    if site.at == site.head + 1 {
+        return Some(match site.found() {
+            Some(Kind::Str) => {
+                let name = site.slice(site.at).trim_matches('"');
+                let diagnostic = Diagnostic::new(E0110, place, "a name is written without quotation marks");
+                if is_name(name) {
+                    diagnostic.fix(Applicability::Safe, format!("write `{name}`"), place, name)
+                } else {
+                    diagnostic.note("a name is one word of letters, digits and `_`")
+                }
+            }
+            None => Diagnostic::new(E0112, site.range(site.head), format!("a name is missing after `{word}`")),
+            Some(_) => {
+                let message = format!("expected a name after `{word}`, found {}", site.name_of(site.at));
+                Diagnostic::new(E0110, place, message)
+            }
+        });
+    }
+    if site.wanted.has(Wanted::VALUE) && site.before() == Some(Kind::LBracket) && site.found() == Some(Kind::RBracket) {
+        let diagnostic = Diagnostic::new(E0112, place, "the size of the array is missing");
+        return Some(diagnostic.note("write how many there are: `object chair[6];`"));
+    }
+    if site.innermost_open().is_some() {
+        return None;
+    }
+    let name = site.slice(site.head + 1);
+    let diagnostic = match site.found()? {
+        Kind::Comma => {
+            let text = format!("; {word}");
+            let another = site.kind(site.at + 1) == Some(Kind::Ident);
+            let diagnostic = Diagnostic::new(E0110, place, "one declaration declares one name");
+            if another {
+                diagnostic.fix(Applicability::Safe, format!("repeat `{word}`"), place, text)
+            } else {
+                diagnostic.fix(Applicability::Safe, "remove the comma", place, "")
+            }
+        }
+        Kind::Arrow | Kind::ArrowSign | Kind::Eq | Kind::Define => {
+            let diagnostic = Diagnostic::new(E0110, place, "a declaration gives no value: assign it in a statement of its own");
+            if is_type_word(keyword) {
+                let title = format!("write `{word} {name}; {name} <- …`");
+                diagnostic.fix(Applicability::Safe, title, site.behind(site.at - 1).cover(place), format!("; {name} <-"))
+            } else {
+                diagnostic
+            }
+        }
+        Kind::Ident => {
+            let message = format!("expected `;` after the name `{name}`, found {}", site.name_of(site.at));
+            let diagnostic = Diagnostic::new(E0110, place, message).note("a name is one word, and a declaration declares one");
+            let both = format!("{name}_{}", site.slice(site.at));
+            let joined = site.range(site.at - 1).cover(place);
+            let diagnostic = diagnostic.fix(Applicability::Unsafe, format!("join them: `{both}`"), joined, both);
+            let second = TextRange::empty(place.start);
+            diagnostic.fix(Applicability::Unsafe, "declare both", second, format!("; {word} "))
+        }
+        _ => return None,
+    };
+    Some(diagnostic)
+}
+
+/// A statement that begins with a name, and is no assignment.
+pub fn assignment(site: &Site<'_>) -> Option<Finding> {
+    if site.kind(site.head) != Some(Kind::Ident) || !site.wanted.has(Wanted::ARROW) {
+        return None;
+    }
+    let place = site.range(site.at);
+    let head = site.range(site.head);
+    let target = head.cover(site.range(site.at - 1));
+    let target = super::quote(&site.text[target.bytes()]);
+    let asserted = Fix {
+        title: "assert it".to_owned(),
+        edits: vec![Edit { place: TextRange::empty(head.start), text: "assert ".to_owned() }],
+        applicability: Applicability::Unsafe,
+    };
+    match site.found() {
+        Some(Kind::Eq) => {
+            let diagnostic = Diagnostic::new(E0110, place, "`=` compares two values; to assign one write `<-`");
+            let assigned = diagnostic.fix(Applicability::Unsafe, "assign: write `<-`", place, "<-");
+            Some(Diagnostic { fixes: [assigned.fixes.clone(), vec![asserted]].concat(), ..assigned })
+        }
+        Some(Kind::Define | Kind::Colon) => {
+            let message = format!("a value is assigned by `<-`, not by {}", site.quoted(site.at));
+            Some(Diagnostic::new(E0110, place, message).fix(Applicability::Safe, "write `<-`", place, "<-"))
+        }
+        _ => misspelt_or_condition(site, &target, asserted),
+    }
+}
+
+/// A first word that is followed by something else than an arrow: a misspelt keyword, or a condition that nobody asserts.
+fn misspelt_or_condition(site: &Site<'_>, target: &str, asserted: Fix<TextRange>) -> Option<Finding> {
+    let head = site.range(site.head);
+    let word = site.slice(site.head);
+    let next = site.found();
+    let worded = next.is_some_and(|_| is_word(site.slice(site.at))) || next == Some(Kind::Str);
+    let directly = site.at == site.head + 1;
+    let words = Words { kinds: site.kinds.to_vec(), ranges: site.ranges.to_vec(), head: site.head, split_arrows: Vec::new() };
+    if directly && meant_statement(site.text, &words).is_some() {
+        let near = nearest_statement(word)?;
+        let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
+        return Some(
+            diagnostic
+                .label(format!("did you mean `{near}`?"))
+                .fix(Applicability::Unsafe, format!("write `{near}`"), head, near),
+        );
+    }
+    if directly && worded {
+        let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
+        return Some(diagnostic.note(
+            "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), or begins with `assert`, `prefer`, `allow…`, `predicate` or `import`",
+        ));
+    }
+    let diagnostic = match next? {
+        Kind::LParen | Kind::Ne | Kind::Lt | Kind::Le | Kind::Gt | Kind::Ge | Kind::And | Kind::Or | Kind::Implies => {
+            Diagnostic::new(E0110, head, "a condition alone says nothing: assert it, or prefer it")
+        }
+        Kind::Plus | Kind::Minus | Kind::Star | Kind::Slash => {
+            Diagnostic::new(E0110, site.range(site.at), format!("expected `<-` after {target}, found {}", site.name_of(site.at)))
+        }
+        _ => return None,
+    };
+    let condition = diagnostic.primary.as_ref().is_some_and(|p| p.place == head);
+    Some(if condition { Diagnostic { fixes: vec![asserted], ..diagnostic } } else { diagnostic })
+}
+
+/// The head of a predicate: its parameters and `:=`.
+pub fn predicate(site: &Site<'_>) -> Option<Finding> {
+    if site.kind(site.head) != Some(Kind::Predicate) {
+        return None;
+    }
+    let place = site.range(site.at);
+    if site.wanted.has(Wanted::DEFINE) {
+        let diagnostic = Diagnostic::new(E0110, place, format!("expected `:=` before the condition, found {}", site.name_of(site.at)));
+        let wrong = matches!(site.found(), Some(Kind::Eq | Kind::Arrow | Kind::ArrowSign | Kind::Colon));
+        return Some(match wrong {
+            true => diagnostic.fix(Applicability::Safe, "write `:=`", place, ":="),
+            false => diagnostic.note("a predicate is written `predicate near(Object a, Object b) := …;`"),
+        });
+    }
+    if !site.wanted.has(Wanted::TYPE) || site.at <= site.head + 2 {
+        return None;
+    }
+    let types = ["Object", "Region", "Objects", "Number", "Degree", "Bool", "Vector3", "Rotation", "Color", "Material", "String"];
+    let word = site.slice(site.at);
+    let note = "a parameter is a type and a name: `Object a`, `Region r`, `Number d`";
+    if site.found().is_some_and(|k| k == Kind::Ident || starts_statement(k)) {
+        let typed = site.kind(site.at + 1) == Some(Kind::Ident);
+        let diagnostic = Diagnostic::new(E0110, place, match typed {
+            true => format!("{} is not a type of parameters", site.quoted(site.at)),
+            false => format!("the parameter {} has no type", site.quoted(site.at)),
+        });
+        return Some(match nearest(word, types).filter(|_| typed) {
+            Some(near) => diagnostic
+                .label(format!("did you mean `{near}`?"))
+                .fix(Applicability::Unsafe, format!("write `{near}`"), place, near),
+            None if typed => diagnostic.note(note),
+            None => diagnostic
+                .note(note)
+                .fix(Applicability::Unsafe, "make it an object", TextRange::empty(place.start), "Object "),
+        });
+    }
+    let message = format!("expected a parameter, found {}", site.name_of(site.at));
+    Some(Diagnostic::new(E0112, place, message).note(note))
+}
+
+/// The path of an import.
+pub fn import(site: &Site<'_>) -> Option<Finding> {
+    if site.kind(site.head) != Some(Kind::Import) || !site.wanted.has(Wanted::STRING) {
+        return None;
+    }
+    let Some(last) = site.kinds.len().checked_sub(1).filter(|last| *last >= site.at) else {
+        return Some(Diagnostic::new(E0112, site.range(site.head), "the path of the file is missing after `import`"));
+    };
+    let path = site.range(site.at).cover(site.range(last));
+    let quoted = format!("\"{}\"", &site.text[path.bytes()]);
+    let diagnostic = Diagnostic::new(E0110, path, "the path of the file is written in double quotes");
+    Some(diagnostic.fix(Applicability::Unsafe, format!("write {}", super::quote(&quoted)), path, quoted))
+}
+
+/// Something that begins no statement at all.
+pub fn first_word(site: &Site<'_>) -> Option<Finding> {
+    let found = site.found().filter(|_| site.at == site.head)?;
+    let place = site.range(site.at);
+    let condition = matches!(found, Kind::Not | Kind::Forall | Kind::Exists | Kind::Count | Kind::LParen)
+        || matches!(found, Kind::True | Kind::False | Kind::Number | Kind::Minus | Kind::Objects)
+        || is_constructor(found);
+    if condition {
+        let diagnostic = Diagnostic::new(E0110, place, "a condition alone says nothing: assert it, or prefer it");
+        return Some(diagnostic.fix(Applicability::Unsafe, "assert it", TextRange::empty(place.start), "assert "));
+    }
+    let diagnostic = Diagnostic::new(E0115, place, format!("a statement cannot begin with {}", site.name_of(site.at)));
+    Some(match site.after {
+        After::Semicolon(_) if site.at + 1 == site.kinds.len() => diagnostic.fix(Applicability::Unsafe, "remove it", place, ""),
+        _ => diagnostic,
+    })
+}
+
+fn is_name(text: &str) -> bool {
+    is_word(text) && text.chars().all(unicode_ident::is_xid_continue)
+}

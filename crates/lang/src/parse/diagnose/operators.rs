@@ -1,0 +1,185 @@
+//! Where a value is complete and what follows does not go on from it.
+
+use super::super::wanted::Wanted;
+use super::super::words::{is_constructor, is_word};
+use super::{After, Finding, Site};
+use crate::token::Kind;
+use scenelang_base::codes::{E0110, E0116};
+use scenelang_base::suggest::nearest;
+use scenelang_base::{Applicability, Diagnostic};
+
+/// Words of other languages, and ours.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("is", "="),
+    ("equals", "="),
+    ("eq", "="),
+    ("isnt", "!="),
+    ("then", "implies"),
+    ("xor", "!="),
+    ("times", "*"),
+    ("plus", "+"),
+    ("minus", "-"),
+    ("but", "and"),
+    ("with", "where"),
+];
+
+/// Whether a value stands complete before the place.
+fn complete(site: &Site<'_>) -> bool {
+    site.wanted.has(Wanted::OPERATOR) || site.wanted.has(Wanted::CONNECTIVE)
+}
+
+/// A comma outside any list.
+pub fn comma(site: &Site<'_>) -> Option<Finding> {
+    if site.found() != Some(Kind::Comma) || !complete(site) {
+        return None;
+    }
+    let place = site.range(site.at);
+    let (before, after) = (site.kind(site.at - 1), site.kind(site.at + 1));
+    let touching = site.ranges.get(site.at + 1).is_some_and(|next| next.start == place.end);
+    if (before, after, touching) == (Some(Kind::Number), Some(Kind::Number), true) {
+        let message = "a decimal point is written `.`";
+        return Some(Diagnostic::new(E0110, place, message).fix(Applicability::Unsafe, "write `.`", place, "."));
+    }
+    if site.innermost_open().is_some() {
+        return None;
+    }
+    if after.is_none() {
+        let diagnostic = Diagnostic::new(E0110, place, "a comma ends no statement");
+        return Some(match site.after {
+            After::Semicolon(_) => diagnostic.fix(Applicability::Safe, "remove it", place, ""),
+            _ => diagnostic.fix(Applicability::Safe, "write `;`", place, ";"),
+        });
+    }
+    let diagnostic = Diagnostic::new(E0110, place, "a comma joins no conditions");
+    Some(diagnostic.fix(Applicability::Unsafe, "write `and`", place, " and"))
+}
+
+/// `adn`, `AND`, `then`: a word in the place of an operator.
+pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
+    if !complete(site) || site.found() != Some(Kind::Ident) {
+        return None;
+    }
+    let word = site.slice(site.at);
+    let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
+    // A lone word behind a value is more likely a second name than an operator.
+    site.kind(site.at + 1).filter(|k| !matches!(k, Kind::RParen | Kind::RBracket | Kind::Comma | Kind::Dot))?;
+    let near = synonym.or_else(|| nearest(word, ["and", "or", "implies", "where", "weight"]))?;
+    let place = site.range(site.at);
+    let diagnostic = Diagnostic::new(E0116, place, format!("there is no operator {}", site.quoted(site.at)));
+    let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+    Some(diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), place, near))
+}
+
+/// Signs and words that belong elsewhere.
+pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
+    if !complete(site) {
+        return None;
+    }
+    let place = site.range(site.at);
+    match site.found()? {
+        Kind::Define => {
+            let diagnostic = Diagnostic::new(E0110, place, "`:=` defines a predicate; to compare write `=`");
+            Some(diagnostic.fix(Applicability::Unsafe, "write `=`", place, "="))
+        }
+        Kind::Arrow | Kind::ArrowSign => {
+            let message = format!("{} assigns, and stands only behind what is assigned", site.quoted(site.at));
+            Some(Diagnostic::new(E0110, place, message).note("to compare write `=`"))
+        }
+        Kind::Weight => {
+            let diagnostic = Diagnostic::new(E0110, place, "`weight` belongs to `prefer`");
+            let keyword = site.range(site.head);
+            Some(match site.kind(site.head) {
+                Some(Kind::Assert) => diagnostic
+                    .related(keyword, "everything that is asserted is hard")
+                    .fix(Applicability::Unsafe, "prefer it instead", keyword, "prefer"),
+                _ => diagnostic,
+            })
+        }
+        Kind::LParen if site.before() == Some(Kind::Ident) && site.kind(site.at.checked_sub(2)?) == Some(Kind::Dot) => {
+            let message = format!("{} cannot be called as a property", site.quoted(site.at - 1));
+            let note = "predicates and functions are called by their name alone: `near(a, b, 1)`";
+            Some(Diagnostic::new(E0110, site.range(site.at - 1), message).note(note))
+        }
+        Kind::LParen => {
+            let diagnostic = Diagnostic::new(E0110, place, "an operator is missing before `(`");
+            Some(diagnostic.note("a product is written with `*`"))
+        }
+        Kind::Colon if site.innermost_open().is_none() && !site.wanted.has(Wanted::COLON) => {
+            Some(Diagnostic::new(E0110, place, "`:` stands only behind the set of a quantifier").note("as in `forall c in chair: …`"))
+        }
+        _ => None,
+    }
+}
+
+/// `forall x S`, `forall x in S …`
+pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
+    let place = site.range(site.at);
+    let behind = site.behind(site.at.checked_sub(1)?);
+    if site.wanted.has(Wanted::IN) {
+        let message = format!("expected `in` and a set after {}, found {}", site.quoted(site.at - 1), site.name_of(site.at));
+        let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
+        return Some(match site.found() {
+            Some(Kind::Ident | Kind::Objects | Kind::Number) => {
+                diagnostic.fix(Applicability::Unsafe, "insert `in`", behind, " in")
+            }
+            _ => diagnostic,
+        });
+    }
+    if !site.wanted.has(Wanted::COLON) || site.found().is_some_and(|k| !begins_value(k)) {
+        return None;
+    }
+    let message = format!("expected `:` and a condition after the set, found {}", site.name_of(site.at));
+    let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
+    Some(match site.found() {
+        Some(_) => diagnostic.fix(Applicability::Unsafe, "insert `:`", behind, ":"),
+        None => diagnostic,
+    })
+}
+
+/// Two arguments without a comma between them.
+pub fn argument(site: &Site<'_>) -> Option<Finding> {
+    let found = site.found().filter(|k| begins_value(*k))?;
+    if !site.wanted.has(Wanted::COMMA) || found == Kind::LParen {
+        return None;
+    }
+    let open = site.innermost_open()?;
+    let behind = site.behind(site.at - 1);
+    let message = format!("a comma is missing before {}", site.name_of(site.at));
+    let diagnostic = Diagnostic::new(E0110, site.range(site.at), message).related(site.range(open), "in the list that opens here");
+    Some(diagnostic.fix(Applicability::Safe, "insert `,`", behind, ","))
+}
+
+/// Two values side by side.
+pub fn juxtaposed(site: &Site<'_>) -> Option<Finding> {
+    let found = site.found().filter(|k| begins_value(*k))?;
+    if !complete(site) || site.innermost_open().is_some() {
+        return None;
+    }
+    let name = site.name_of(site.at);
+    let before = site.quoted(site.at - 1);
+    let message = format!("an operator or `;` is missing between {before} and {name}");
+    let diagnostic = Diagnostic::new(E0110, site.range(site.at), message);
+    Some(match found {
+        Kind::Not if site.kind(site.at + 1) == Some(Kind::Inside) => {
+            diagnostic.note("as in `a > 1 and not inside(a, r)`")
+        }
+        _ => diagnostic,
+    })
+}
+
+/// Whether a value can begin with this token.
+fn begins_value(kind: Kind) -> bool {
+    use Kind::*;
+    matches!(kind, Ident | Number | Str | True | False | Objects | Count | Not | Forall | Exists | LParen)
+        || is_constructor(kind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn synonyms_are_words() {
+        assert!(SYNONYMS.iter().all(|(word, _)| is_word(word)));
+    }
+}

@@ -1,0 +1,167 @@
+//! Convex polyhedra: the parts that solids are made of, and the signed gap of two.
+//!
+//! A box stays a box (its gap to another box has a formula of its own); a cylinder is the regular 24-gon prism inscribed
+//! in it, with a vertex on +x; a hull is computed once, then only moved.
+
+mod gap;
+mod hull;
+mod solid;
+
+pub use gap::separation;
+pub use hull::MAX_HULL_POINTS;
+pub use solid::{Geometry, Nearest, aabb, local_solid, nearest, parts_fill_box, solid};
+
+use crate::separation::{Aabb, Separation, contact, highest};
+use crate::{Obb, Part, Vec3, rotation};
+use nalgebra::Matrix3;
+
+/// How many sides a cylinder has as a solid.
+pub const CYLINDER_SIDES: usize = 24;
+
+/// A face of a convex polyhedron.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// Unit, outward.
+    pub normal: Vec3,
+    /// Indices of its corners, in order round the face.
+    pub corners: Vec<u32>,
+}
+
+/// An edge of a convex polyhedron.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Edge {
+    /// Indices of its ends.
+    pub ends: [u32; 2],
+    /// Normals of the faces on either side.
+    pub normals: [Vec3; 2],
+}
+
+/// A convex polyhedron.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convex {
+    /// Its corners.
+    vertices: Vec<Vec3>,
+    faces: Vec<Face>,
+    edges: Vec<Edge>,
+    aabb: Aabb,
+    /// Where it is a box: which.
+    obb: Option<Obb>,
+}
+
+impl Convex {
+    /// A box.
+    pub fn from_box(obb: &Obb) -> Self {
+        const FACES: [[u32; 4]; 6] =
+            [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
+        let faces = FACES
+            .iter()
+            .enumerate()
+            .map(|(i, corners)| Face {
+                normal: if i % 2 == 0 { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) },
+                corners: corners.to_vec(),
+            })
+            .collect();
+        Self { obb: Some(*obb), ..Self::from_faces(obb.corners().to_vec(), faces) }
+    }
+
+    /// An upright cylinder about `center`, turned by `axes`.
+    pub fn from_cylinder(center: &Vec3, axes: &Matrix3<f64>, radius: f64, height: f64) -> Self {
+        let n = CYLINDER_SIDES as u32;
+        let step = 360.0 / f64::from(n);
+        let at = |degrees: f64, y: f64, r: f64| {
+            let (s, c) = rotation::sin_cos(degrees);
+            Vec3::new(r * c, y, r * s)
+        };
+        let ring = |y: f64| (0..n).map(move |i| center + axes * at(step * f64::from(i), y, radius));
+        let vertices = ring(-height / 2.0).chain(ring(height / 2.0)).collect();
+        let mut faces: Vec<Face> = (0..n)
+            .map(|i| Face {
+                normal: axes * at(step * (f64::from(i) + 0.5), 0.0, 1.0),
+                corners: vec![i, (i + 1) % n, n + (i + 1) % n, n + i],
+            })
+            .collect();
+        faces.push(Face { normal: -axes.column(1), corners: (0..n).collect() });
+        faces.push(Face { normal: axes.column(1).into(), corners: (n..2 * n).collect() });
+        Self::from_faces(vertices, faces)
+    }
+
+    /// The convex hull of points; `None` where they are fewer than four, nearly in one plane, or more than
+    /// [`MAX_HULL_POINTS`].
+    pub fn from_hull(points: &[Vec3]) -> Option<Self> {
+        hull::hull(points)
+    }
+
+    /// A part, in the frame of its object; `None` where its numbers describe no body.
+    pub fn from_part(part: &Part) -> Option<Self> {
+        match part {
+            Part::Box { pos, size, rot } => (size.min() > 0.0)
+                .then(|| Self::from_box(&Obb { center: *pos, axes: rotation::matrix(*rot), half: size / 2.0 })),
+            Part::Cylinder { pos, radius, height, rot } => (*radius > 0.0 && *height > 0.0)
+                .then(|| Self::from_cylinder(pos, &rotation::matrix(*rot), *radius, *height)),
+            Part::Hull { points } => Self::from_hull(points),
+        }
+    }
+
+    /// From corners and faces in order round each; every edge must have two faces.
+    fn from_faces(vertices: Vec<Vec3>, faces: Vec<Face>) -> Self {
+        let mut sides: Vec<([u32; 2], Vec3)> = Vec::new();
+        for face in &faces {
+            for (i, &a) in face.corners.iter().enumerate() {
+                let b = face.corners[(i + 1) % face.corners.len()];
+                sides.push(([a.min(b), a.max(b)], face.normal));
+            }
+        }
+        sides.sort_by_key(|(ends, _)| *ends);
+        let edges = sides
+            .chunk_by(|x, y| x.0 == y.0)
+            .filter_map(|pair| Some(Edge { ends: pair[0].0, normals: [pair[0].1, pair.get(1)?.1] }))
+            .collect();
+        Self { aabb: Aabb::of(vertices.iter().copied()), vertices, faces, edges, obb: None }
+    }
+
+    /// The same body turned by `axes` (about the origin), then moved by `by`.
+    pub fn moved(&self, axes: &Matrix3<f64>, by: &Vec3) -> Self {
+        let vertices: Vec<Vec3> = self.vertices.iter().map(|v| axes * v + by).collect();
+        let turned = |f: &Face| Face { normal: axes * f.normal, corners: f.corners.clone() };
+        Self {
+            aabb: Aabb::of(vertices.iter().copied()),
+            vertices,
+            faces: self.faces.iter().map(turned).collect(),
+            edges: self.edges.iter().map(|e| Edge { normals: e.normals.map(|n| axes * n), ..*e }).collect(),
+            obb: self.obb.map(|o| Obb { center: axes * o.center + by, axes: axes * o.axes, half: o.half }),
+        }
+    }
+
+    /// Its corners.
+    pub fn vertices(&self) -> &[Vec3] {
+        &self.vertices
+    }
+    /// Its faces.
+    pub fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+    /// The corners of a face, in order round it.
+    pub fn face_corners<'a>(&'a self, face: &'a Face) -> impl Iterator<Item = Vec3> + 'a {
+        face.corners.iter().map(|&i| self.vertices[i as usize])
+    }
+    /// The smallest upright box that holds it.
+    pub fn aabb(&self) -> &Aabb {
+        &self.aabb
+    }
+    /// Which box it is, if it is one.
+    pub fn as_box(&self) -> Option<&Obb> {
+        self.obb.as_ref()
+    }
+    /// The greatest height along `n`.
+    pub fn support_height(&self, n: &Vec3) -> f64 {
+        self.vertices.iter().map(|v| v.dot(n)).fold(f64::NEG_INFINITY, f64::max)
+    }
+    /// Points of both that witness a separation, see [`contact`].
+    pub fn contact(&self, other: &Self, separation: &Separation) -> (Vec3, Vec3) {
+        let n = separation.normal;
+        contact(&highest(&self.vertices, &n), &highest(&other.vertices, &-n), separation)
+    }
+    fn ends(&self, edge: &Edge) -> [Vec3; 2] {
+        edge.ends.map(|i| self.vertices[i as usize])
+    }
+}

@@ -1,0 +1,90 @@
+//! Solids of placed objects: the union of their parts, or their box.
+
+use super::{Convex, separation};
+use crate::separation::{Aabb, Separation};
+use crate::{Obb, Placement, Vec3, rotation};
+use nalgebra::Matrix3;
+
+/// How far the common box of the parts may differ from the object's box at any face, in metres.
+const PARTS_TOLERANCE: f64 = 1e-3;
+
+/// What stands for an object where solids meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Geometry {
+    /// Its parts where it has them and they fill its box, else its box.
+    #[default]
+    Parts,
+    /// Its box.
+    Box,
+}
+
+/// Whether the parts describe bodies whose common box is that of the object, within 1 mm at every face.
+/// True without parts.
+pub fn parts_fill_box(placement: &Placement) -> bool {
+    placement.parts.is_empty() || local_parts(placement).is_some()
+}
+
+/// The bodies of the parts, where there are some and they fill the box.
+fn local_parts(placement: &Placement) -> Option<Vec<Convex>> {
+    let bodies: Vec<Convex> = placement.parts.iter().map(Convex::from_part).collect::<Option<_>>()?;
+    let common = bodies.iter().map(|b| *b.aabb()).reduce(|a, b| a.cover(&b))?;
+    let own = local_box(placement).aabb();
+    // A hair more than a millimetre, so that exactly one passes whatever the rounding.
+    let near = |a: Vec3, b: Vec3| (a - b).amax() <= PARTS_TOLERANCE + 1e-9;
+    (near(common.min, own.min) && near(common.max, own.max)).then_some(bodies)
+}
+
+fn local_box(placement: &Placement) -> Obb {
+    let half = placement.scale / 2.0;
+    Obb { center: Vec3::new(0.0, half.y, 0.0), axes: Matrix3::identity(), half }
+}
+
+/// The solid of an object in its own frame (origin: its `pos`). Parts that do not fill the box have no say.
+pub fn local_solid(placement: &Placement, geometry: Geometry) -> Vec<Convex> {
+    let parts = match geometry {
+        Geometry::Parts => local_parts(placement),
+        Geometry::Box => None,
+    };
+    parts.unwrap_or_else(|| vec![Convex::from_box(&local_box(placement))])
+}
+
+/// The solid of an object in the world. Parts that do not fill the box have no say.
+pub fn solid(placement: &Placement, geometry: Geometry) -> Vec<Convex> {
+    let axes = rotation::matrix(placement.rot);
+    local_solid(placement, geometry).iter().map(|c| c.moved(&axes, &placement.pos)).collect()
+}
+
+/// The least gap of two solids, and the parts that have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// The gap, from the part of the first solid to that of the second.
+    pub separation: Separation,
+    /// Index of a part of either solid.
+    pub parts: [usize; 2],
+}
+
+/// The least signed gap over pairs of parts; `None` only where a solid has no part.
+pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
+    let mut pairs: Vec<(f64, [usize; 2])> = Vec::with_capacity(a.len() * b.len());
+    for (i, x) in a.iter().enumerate() {
+        pairs.extend(b.iter().enumerate().map(|(j, y)| (x.aabb().distance(y.aabb()), [i, j])));
+    }
+    // Nearest boxes first: most other pairs then need no look.
+    pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+    let mut best: Option<Nearest> = None;
+    for (bound, parts) in pairs {
+        if best.is_some_and(|n| bound > n.separation.gap.max(0.0)) {
+            break;
+        }
+        let separation = separation(&a[parts[0]], &b[parts[1]]);
+        if best.is_none_or(|n| separation.gap < n.separation.gap) {
+            best = Some(Nearest { separation, parts });
+        }
+    }
+    best
+}
+
+/// The smallest upright box that holds a solid.
+pub fn aabb(solid: &[Convex]) -> Aabb {
+    solid.iter().map(|c| *c.aabb()).fold(Aabb::of([]), |a, b| a.cover(&b))
+}

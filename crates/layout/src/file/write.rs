@@ -1,0 +1,279 @@
+//! A layout as text: stable, compact, with all that another tool has put into the file kept where it was.
+
+use super::json::{Json, Member, Node, find};
+use super::{Document, FORMAT};
+use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+use scenelang_base::{FileId, fs};
+use std::borrow::Cow;
+use std::fmt::Write;
+use std::io;
+use std::path::Path;
+
+/// Up to this column an array or object stays on its line.
+const WIDTH: usize = 120;
+
+/// What is to be written.
+enum Out<'a> {
+    /// A number, string or word, as it will stand in the file.
+    Raw(Cow<'a, str>),
+    Array(Vec<Out<'a>>),
+    Object(Vec<(Cow<'a, str>, Out<'a>)>),
+    /// An object each of whose members begins a line, however short.
+    Open(Vec<(Cow<'a, str>, Out<'a>)>),
+}
+
+/// The text of a layout. With the document it was read from, keys that we do not know stay, at every level and in
+/// their place, and so do entries that could not be read; entries that the layout no longer has go.
+pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
+    let old = Old { document: previous, node: previous.map(|d| &d.root) };
+    let regions = layout.regions.iter().map(|(n, r)| (n.as_str(), r));
+    let objects = layout.objects.iter().map(|(n, o)| (n.as_str(), o));
+    let variables = layout.variables.iter().map(|(n, v)| (n.as_str(), v));
+    let draws = layout.draws.iter().map(|(n, d)| (n.as_str(), d));
+    let root = old.merged(vec![
+        ("format", Some(text(FORMAT))),
+        ("scene", layout.scene.as_deref().map(text)),
+        ("seed", layout.seed.map(|s| Out::Raw(s.to_string().into()))),
+        ("objects", old.member("objects").block(objects, object)),
+        ("regions", old.member("regions").block(regions, region)),
+        ("variables", old.member("variables").block(variables, |v, _| value(v))),
+        ("draws", old.member("draws").block(draws, |d, _| number(*d))),
+    ]);
+    let mut out = String::new();
+    print(&Out::Open(root), 0, &mut out);
+    out.push('\n');
+    out
+}
+
+/// Writes a layout, whole or not at all.
+///
+/// # Errors
+/// What the file system says; or that the layout has a value that no file can hold (a number that is not finite, a size
+/// that is not positive), in which case nothing is written.
+pub fn write(path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
+    let text = to_json(layout, previous);
+    // Never leave a file behind that we would not read.
+    if let Some(error) = super::read(&text, FileId(0)).diagnostics.iter().find(|d| d.is_error()) {
+        let say = format!("cannot write {}: {}", path.display(), error.message);
+        return Err(io::Error::new(io::ErrorKind::InvalidData, say));
+    }
+    fs::write_whole(path, text.as_bytes())
+}
+
+fn text<'a>(value: &str) -> Out<'a> {
+    Out::Raw(quoted(value).into())
+}
+
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// The shortest text that reads back as the same number.
+fn number<'a>(value: f64) -> Out<'a> {
+    let size = value.abs();
+    Out::Raw(if !value.is_finite() {
+        "null".into()
+    } else if value == 0.0 {
+        "0".into()
+    } else if (1e-5..1e16).contains(&size) {
+        value.to_string().into()
+    } else {
+        format!("{value:e}").into()
+    })
+}
+
+fn numbers<'a>(values: &[f64]) -> Out<'a> {
+    Out::Array(values.iter().map(|v| number(*v)).collect())
+}
+
+fn triple<'a>(value: &Vec3) -> Out<'a> {
+    numbers(value.as_slice())
+}
+
+fn value<'a>(value: &Value) -> Out<'a> {
+    match value {
+        Value::Number(n) => number(*n),
+        Value::Bool(b) => Out::Raw(b.to_string().into()),
+        Value::Triple(t) => numbers(t),
+    }
+}
+
+fn object<'a>(placement: &Placement, old: Old<'a>) -> Out<'a> {
+    let asset = old.member("asset");
+    let old_parts = asset.member("parts");
+    let parts = placement.parts.iter().enumerate().map(|(i, p)| part(p, old_parts.item(i))).collect::<Vec<_>>();
+    let asset = asset.merged(vec![
+        ("parts", (!parts.is_empty()).then_some(Out::Array(parts))),
+        ("surface", placement.surface.map(number)),
+    ]);
+    Out::Object(old.merged(vec![
+        ("pos", Some(triple(&placement.pos))),
+        ("rot", Some(triple(&placement.rot))),
+        ("scale", Some(triple(&placement.scale))),
+        ("asset", (!asset.is_empty()).then_some(Out::Object(asset))),
+    ]))
+}
+
+fn part<'a>(part: &Part, old: Old<'a>) -> Out<'a> {
+    let (shape, mut known) = match part {
+        Part::Box { pos, size, .. } => ("box", vec![("pos", Some(triple(pos))), ("size", Some(triple(size)))]),
+        Part::Cylinder { pos, radius, height, .. } => {
+            let extents = [("radius", Some(number(*radius))), ("height", Some(number(*height)))];
+            ("cylinder", [("pos", Some(triple(pos)))].into_iter().chain(extents).collect())
+        }
+        Part::Hull { points } => ("hull", vec![("points", Some(Out::Array(points.iter().map(triple).collect())))]),
+    };
+    known.insert(0, ("shape", Some(text(shape))));
+    if let Part::Box { rot, .. } | Part::Cylinder { rot, .. } = part {
+        known.push(("rot", (*rot != Vec3::zeros()).then(|| triple(rot))));
+    }
+    // What was said of a part of another shape is not about this one.
+    let same = matches!(old.member("shape").node, Some(Node { value: Json::Text(s), .. }) if s == shape);
+    Out::Object(if same { old } else { Old { node: None, ..old } }.merged(known))
+}
+
+fn region<'a>(region: &RegionPlacement, old: Old<'a>) -> Out<'a> {
+    let vertices = region.vertices.as_ref().map(|v| Out::Array(v.iter().map(|p| numbers(p)).collect()));
+    Out::Object(old.merged(vec![
+        ("pos", Some(triple(&region.pos))),
+        ("rot", Some(triple(&region.rot))),
+        ("scale", Some(triple(&region.scale))),
+        ("vertices", vertices),
+    ]))
+}
+
+/// What stood at this place of the document before, if anything.
+#[derive(Clone, Copy)]
+struct Old<'a> {
+    document: Option<&'a Document>,
+    node: Option<&'a Node>,
+}
+
+impl<'a> Old<'a> {
+    fn members(self) -> &'a [Member] {
+        self.node.and_then(Node::members).unwrap_or_default()
+    }
+    fn member(self, key: &str) -> Self {
+        Self { node: find(self.members(), key).map(|m| &m.node), ..self }
+    }
+    fn item(self, index: usize) -> Self {
+        Self { node: self.node.and_then(Node::items).and_then(|items| items.get(index)), ..self }
+    }
+    fn source(self, range: scenelang_base::TextRange) -> Cow<'a, str> {
+        self.document.and_then(|d| d.text.get(range.bytes())).unwrap_or("null").into()
+    }
+    /// A value as it was, numbers and strings to the letter.
+    fn kept(self, node: &'a Node) -> Out<'a> {
+        match &node.value {
+            Json::Array(items) => Out::Array(items.iter().map(|n| self.kept(n)).collect()),
+            Json::Object(members) => {
+                Out::Object(members.iter().map(|m| (self.source(m.key_range), self.kept(&m.node))).collect())
+            }
+            _ => Out::Raw(self.source(node.range)),
+        }
+    }
+
+    /// The members as they were, with known ones replaced or (`None`) left out, and new ones at the end.
+    fn merged(self, known: Vec<(&str, Option<Out<'a>>)>) -> Vec<(Cow<'a, str>, Out<'a>)> {
+        let mut known: Vec<(&str, Option<Out<'a>>)> = known;
+        let mut out = Vec::new();
+        for member in self.members() {
+            match known.iter().position(|(key, _)| *key == member.key) {
+                Some(i) => out.extend(known.remove(i).1.map(|new| (self.source(member.key_range), new))),
+                None => out.push((self.source(member.key_range), self.kept(&member.node))),
+            }
+        }
+        out.extend(known.into_iter().filter_map(|(key, new)| Some((quoted(key).into(), new?))));
+        out
+    }
+
+    /// The entries of a block: in the old order, new ones at the end. An empty block that was not there stays away.
+    fn block<'t, T: 't>(
+        self,
+        entries: impl Iterator<Item = (&'t str, &'t T)>,
+        show: fn(&T, Old<'a>) -> Out<'a>,
+    ) -> Option<Out<'a>> {
+        let mut new: Vec<(&str, Option<&T>)> = entries.map(|(name, entry)| (name, Some(entry))).collect();
+        let index: std::collections::HashMap<&str, usize> =
+            new.iter().enumerate().map(|(i, (name, _))| (*name, i)).collect();
+        let mut out = Vec::new();
+        for member in self.members() {
+            let old = Self { node: Some(&member.node), ..self };
+            match index.get(member.key.as_str()).and_then(|&i| new[i].1.take()) {
+                Some(entry) => out.push((self.source(member.key_range), show(entry, old))),
+                None if !self.understood(member) => out.push((self.source(member.key_range), self.kept(&member.node))),
+                None => {}
+            }
+        }
+        let nothing = Self { node: None, ..self };
+        out.extend(new.into_iter().filter_map(|(name, entry)| Some((quoted(name).into(), show(entry?, nothing)))));
+        (!out.is_empty() || self.node.is_some()).then_some(Out::Open(out))
+    }
+
+    fn understood(self, member: &Member) -> bool {
+        self.document.is_some_and(|d| d.understood.binary_search(&member.key_range.start).is_ok())
+    }
+}
+
+/// Prints a value that starts at some column of a line indented by `indent`.
+fn print(value: &Out<'_>, indent: usize, out: &mut String) {
+    let column = out.len() - out.rfind('\n').map_or(0, |i| i + 1);
+    let mut line = String::new();
+    // One column is left for the comma after it.
+    if fits(value, (WIDTH - 1).saturating_sub(column), &mut line) {
+        out.push_str(&line);
+        return;
+    }
+    let inner = " ".repeat(indent + 2);
+    match value {
+        Out::Raw(raw) => out.push_str(raw),
+        Out::Array(items) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                out.push_str(if i == 0 { "\n" } else { ",\n" });
+                out.push_str(&inner);
+                print(item, indent + 2, out);
+            }
+            let _ = write!(out, "\n{}]", &inner[2..]);
+        }
+        Out::Object(members) | Out::Open(members) => {
+            out.push('{');
+            for (i, (key, member)) in members.iter().enumerate() {
+                out.push_str(if i == 0 { "\n" } else { ",\n" });
+                let _ = write!(out, "{inner}{key}: ");
+                print(member, indent + 2, out);
+            }
+            let _ = write!(out, "\n{}}}", &inner[2..]);
+        }
+    }
+}
+
+/// Whether a value fits into so many columns, and what it looks like then.
+fn fits(value: &Out<'_>, room: usize, out: &mut String) -> bool {
+    match value {
+        Out::Raw(raw) => out.push_str(raw),
+        Out::Array(items) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                out.push_str(if i == 0 { "" } else { ", " });
+                if !fits(item, room, out) {
+                    return false;
+                }
+            }
+            out.push(']');
+        }
+        Out::Open(members) if !members.is_empty() => return false,
+        Out::Object(members) | Out::Open(members) => {
+            out.push('{');
+            for (i, (key, member)) in members.iter().enumerate() {
+                out.push_str(if i == 0 { " " } else { ", " });
+                let _ = write!(out, "{key}: ");
+                if !fits(member, room, out) {
+                    return false;
+                }
+            }
+            out.push_str(if members.is_empty() { "}" } else { " }" });
+        }
+    }
+    out.len() <= room
+}

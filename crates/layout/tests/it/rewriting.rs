@@ -1,0 +1,175 @@
+//! Layouts written back: nothing lost, nothing moved, the same text twice.
+
+use proptest::prelude::*;
+use scenelang_base::FileId;
+use scenelang_layout::file::{read, to_json, write};
+use scenelang_layout::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![(-50i32..50).prop_map(|i| f64::from(i) / 8.0), -1e6..1e6f64, -1e-9..1e-9f64, Just(-0.0)]
+}
+
+fn triple() -> impl Strategy<Value = Vec3> {
+    (number(), number(), number()).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+}
+
+fn extent() -> impl Strategy<Value = f64> {
+    prop_oneof![1e-7..5.0f64, Just(1.0)]
+}
+
+fn extents() -> impl Strategy<Value = Vec3> {
+    (extent(), extent(), extent()).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+}
+
+fn part() -> impl Strategy<Value = Part> {
+    let rot = || prop_oneof![Just(Vec3::zeros()), triple()];
+    prop_oneof![
+        (triple(), extents(), rot()).prop_map(|(pos, size, rot)| Part::Box { pos, size, rot }),
+        (triple(), extent(), extent(), rot()).prop_map(|(pos, radius, height, rot)| Part::Cylinder {
+            pos,
+            radius,
+            height,
+            rot
+        }),
+        (0.1..2.0f64)
+            .prop_map(|s| Part::Hull { points: vec![Vec3::zeros(), Vec3::x() * s, Vec3::y() * s, Vec3::z() * s] }),
+    ]
+}
+
+fn placement() -> impl Strategy<Value = Placement> {
+    (triple(), triple(), extents(), prop::collection::vec(part(), 0..3), prop::option::of(number()))
+        .prop_map(|(pos, rot, scale, parts, surface)| Placement { pos, rot, scale, parts, surface })
+}
+
+fn region() -> impl Strategy<Value = RegionPlacement> {
+    let vertices = prop::option::of((0.1..9.0f64).prop_map(|s| vec![[0.0, 0.0], [s, 0.0], [s, s], [0.0, 2.0 * s]]));
+    (triple(), number(), extents(), vertices).prop_map(|(pos, y, scale, vertices)| RegionPlacement {
+        pos,
+        rot: Vec3::new(0.0, y, 0.0),
+        scale,
+        vertices,
+    })
+}
+
+fn value() -> impl Strategy<Value = Value> {
+    prop_oneof![
+        number().prop_map(Value::Number),
+        any::<bool>().prop_map(Value::Bool),
+        triple().prop_map(|t| Value::Triple(t.into())),
+    ]
+}
+
+/// Entries under names of which no two are alike.
+fn named<T: std::fmt::Debug>(entry: impl Strategy<Value = T>) -> impl Strategy<Value = Vec<(String, T)>> {
+    let name = prop_oneof!["[a-d]", "chair\\[[0-9]\\]", "\\PC{1,5}"];
+    prop::collection::vec((name, entry), 0..4).prop_map(|mut list| {
+        let mut seen = std::collections::HashSet::new();
+        list.retain(|(name, _)| seen.insert(name.clone()));
+        list
+    })
+}
+
+fn layout() -> impl Strategy<Value = Layout> {
+    let head = (prop::option::of(".{0,8}"), prop::option::of(any::<u64>()));
+    (head, named(placement()), named(region()), named(value()), named(number())).prop_map(
+        |((scene, seed), objects, regions, variables, draws)| Layout {
+            scene,
+            seed,
+            objects: objects.into_iter().map(|(n, v)| (n.into(), v)).collect(),
+            regions: regions.into_iter().map(|(n, v)| (n.into(), v)).collect(),
+            variables: variables.into_iter().map(|(n, v)| (n.into(), v)).collect(),
+            draws,
+        },
+    )
+}
+
+/// Layouts mean the same if they have the same entries: a rewrite keeps the old order.
+fn sorted(mut layout: Layout) -> Layout {
+    layout.objects.sort_by(|a, b| a.0.cmp(&b.0));
+    layout.regions.sort_by(|a, b| a.0.cmp(&b.0));
+    layout.variables.sort_by(|a, b| a.0.cmp(&b.0));
+    layout.draws.sort_by(|a, b| a.0.cmp(&b.0));
+    layout
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back(layout in layout()) {
+        let text = to_json(&layout, None);
+        let back = read(&text, FileId(0));
+        prop_assert!(back.diagnostics.iter().all(|d| !d.is_error()), "{text}\n{:?}", back.diagnostics);
+        prop_assert_eq!(&back.layout, &layout);
+        prop_assert_eq!(to_json(&back.layout, Some(&back.document)), text);
+    }
+
+    #[test]
+    fn one_layout_over_another_leaves_what_it_does_not_know(old in layout(), new in layout()) {
+        // Unknown members everywhere in the old file.
+        let text = to_json(&old, None).replacen('{', "{ \"first\": [1.50, {}], ", 1);
+        let text = text.replace("\"pos\": ", "\"tool\": {\"k\": 1E2}, \"pos\": ");
+        let before = read(&text, FileId(0));
+        let text = to_json(&new, Some(&before.document));
+        let after = read(&text, FileId(0));
+        prop_assert!(after.diagnostics.iter().all(|d| !d.is_error()), "{text}\n{:?}", after.diagnostics);
+        prop_assert_eq!(sorted(after.layout), sorted(new.clone()));
+        let first = text.starts_with("{\n  \"first\": [1.50, {}],\n");
+        prop_assert!(first, "{text}");
+        let kept = |name: &str| before.places.objects.get(name).is_some();
+        for (name, _) in new.objects.iter().filter(|(n, _)| kept(n)) {
+            prop_assert!(after.places.objects.get(name).unwrap().member("tool").is_some());
+        }
+    }
+}
+
+#[test]
+fn a_rewrite_changes_what_changed() {
+    let text = r#"{"made by": "hand", "objects": {
+  "lamp": {"note": "mind the cable", "scale": [1,1,1], "pos": [0,0,0],
+    "asset": {"file": "lamp.glb", "parts": [{"name": "all", "shape": "box", "pos": [0,0.5,0], "size": [1,1,1]}]}},
+  "gone": {"pos": [0,0,0], "scale": [1,1,1]},
+  "broken": {"pos": [0,0], "scale": [1,1,1]}},
+ "format": "scenelang.layout/1", "variables": {"text": "not ours", "gap": 1.0e0}}"#;
+    let mut file = read(text, FileId(0));
+    file.layout.objects.retain(|(n, _)| n == "lamp");
+    file.layout.objects[0].1.pos.x = 0.1 + 0.2;
+    let new = Placement { parts: Vec::new(), ..file.layout.objects[0].1.clone() };
+    file.layout.objects.push(("new".into(), new));
+    file.layout.seed = Some(3);
+    insta::assert_snapshot!(to_json(&file.layout, Some(&file.document)), @r#"
+    {
+      "made by": "hand",
+      "objects": {
+        "lamp": {
+          "note": "mind the cable",
+          "scale": [1, 1, 1],
+          "pos": [0.30000000000000004, 0, 0],
+          "asset": {
+            "file": "lamp.glb",
+            "parts": [{ "name": "all", "shape": "box", "pos": [0, 0.5, 0], "size": [1, 1, 1] }]
+          },
+          "rot": [0, 0, 0]
+        },
+        "broken": { "pos": [0, 0], "scale": [1, 1, 1] },
+        "new": { "pos": [0.30000000000000004, 0, 0], "rot": [0, 0, 0], "scale": [1, 1, 1] }
+      },
+      "format": "scenelang.layout/1",
+      "variables": {
+        "text": "not ours",
+        "gap": 1
+      },
+      "seed": 3
+    }
+    "#);
+}
+
+#[test]
+fn a_layout_that_no_file_can_hold_is_not_written() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.layout.json");
+    let mut layout = Layout { seed: Some(1), ..Layout::default() };
+    write(&path, &layout, None).unwrap();
+    layout.draws.push(("d".to_owned(), f64::NAN));
+    let error = write(&path, &layout, None).unwrap_err();
+    assert!(error.to_string().contains("the draw `d`"), "{error}");
+    assert_eq!(read(&std::fs::read_to_string(&path).unwrap(), FileId(0)).layout.seed, Some(1));
+}
