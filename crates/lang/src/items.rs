@@ -336,6 +336,7 @@ pub fn whole_number(stmt: &Stmt, id: crate::ast::ExprId) -> Option<f64> {
 fn array_size(stmt: &Stmt, id: crate::ast::ExprId) -> Result<u32, String> {
     let literal = match &stmt.expr(id).kind {
         ExprKind::Number(n, None) => Some(*n),
+        ExprKind::Error => Some(1.0), // reported by the parser
         _ => None,
     };
     match literal {

@@ -2,7 +2,7 @@
 //! static fact decides are cut as the language says (left to right).
 
 use crate::program::{Arith, Axis, Formula, Node, NodeId};
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use scenelang_base::TextRange;
 use std::hash::{Hash, Hasher};
 
@@ -12,11 +12,13 @@ pub(super) struct Builder {
     nodes: Vec<Node>,
     ranges: Vec<TextRange>,
     shared: FxHashMap<u64, NodeId>,
+    /// Nodes and members of lists, for the limit on a program's size.
+    size: usize,
 }
 
 impl Builder {
-    pub(super) fn len(&self) -> usize {
-        self.nodes.len()
+    pub(super) fn size(&self) -> usize {
+        self.size
     }
 
     pub(super) fn node(&self, id: NodeId) -> &Node {
@@ -32,6 +34,7 @@ impl Builder {
             return id;
         }
         let id = NodeId(self.nodes.len() as u32);
+        self.size += 1;
         self.nodes.push(node);
         self.ranges.push(range);
         self.shared.insert(hash, id);
@@ -90,9 +93,11 @@ impl Builder {
         }
     }
 
-    /// Conjunction (`all`) or disjunction: neutral members vanish, a static deciding member ends the list.
+    /// Conjunction (`all`) or disjunction: neutral members and repetitions vanish, a static deciding member ends the
+    /// list.
     pub(super) fn junction(&mut self, all: bool, members: &[NodeId], range: TextRange) -> NodeId {
         let mut list: Vec<NodeId> = Vec::with_capacity(members.len());
+        let mut seen: FxHashSet<NodeId> = FxHashSet::default();
         'members: for &m in members {
             let inner: Vec<NodeId> = match (all, self.node(m)) {
                 (true, Node::And(list)) | (false, Node::Or(list)) => list.to_vec(),
@@ -105,10 +110,12 @@ impl Builder {
                         list.push(id);
                         break 'members;
                     }
+                    _ if !seen.insert(id) => {}
                     _ => list.push(id),
                 }
             }
         }
+        self.size += list.len();
         match list.as_slice() {
             [] => self.add(Node::Truth(all), range),
             [only] => *only,

@@ -16,7 +16,7 @@ impl<'a> Lowerer<'a, '_> {
     /// Expands an expression.
     pub(super) fn lower(&mut self, id: ExprId) -> Lowered<Val> {
         self.steps += 1;
-        if self.steps > MAX_STEPS || self.nodes + self.f.b.len() > MAX_NODES {
+        if self.steps > MAX_STEPS || self.nodes + self.f.b.size() > MAX_NODES {
             if let Some(span) = self.f.root.and_then(|p| p.span(p.stmt.range)) {
                 self.exhausted(span);
             }

@@ -300,7 +300,7 @@ impl<'a> Lowerer<'a, '_> {
         let fresh = Frame { place: Some(place), root: Some(place), draw_key, ..Frame::default() };
         let outer = std::mem::replace(&mut self.f, fresh);
         let result = work(self);
-        self.nodes += self.f.b.len();
+        self.nodes += self.f.b.size();
         self.f = outer;
         result
     }

@@ -51,8 +51,8 @@ fn chain(text: &str, expr: &Expr, exprs: &[Expr], negated: bool) -> Diagnostic<T
         edits.push(Edit { place: TextRange::empty(expr.range.end), text: ")".to_owned() });
     }
     let mut diagnostic = Diagnostic::new(E0114, expr.range, "comparisons do not chain");
-    for (_, operator, _) in steps.iter().take(2) {
-        diagnostic = diagnostic.related(*operator, "one comparison");
+    for ((_, operator, _), which) in steps.iter().zip(["the first comparison", "the second"]) {
+        diagnostic = diagnostic.related(*operator, which);
     }
     let middle = between(0);
     let note = match middle.contains(['\n', '\r']) {

@@ -20,17 +20,21 @@ pub fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     let mut start = 0;
     let mut attributes = attributes_end(tokens);
     let mut depth = 0usize;
+    // Between `predicate` and `:=` words stand side by side.
+    let mut heading = scan.slice(attributes) == "predicate";
     for at in 1..tokens.len() {
         match tokens[at - 1].kind {
             Kind::LParen | Kind::LBracket => depth += 1,
             Kind::RParen | Kind::RBracket => depth = depth.saturating_sub(1),
+            Kind::Define => heading = false,
             _ => {}
         }
-        if at > start + attributes && scan.starts(at, depth) {
+        if at > start + attributes && (!heading || scan.new_line(at)) && scan.starts(at, depth) {
             segments.push(start..at);
             start = at;
             attributes = attributes_end(&tokens[at..]);
             depth = 0;
+            heading = scan.slice(at + attributes) == "predicate";
         }
     }
     segments.push(start..tokens.len());

@@ -159,7 +159,7 @@ impl Reader<'_> {
             "prefer" if !is_assigned(after) => Kind::Prefer,
             "allowFloat" if !is_assigned(after) => Kind::AllowFloat,
             "import" if !is_assigned(after) => Kind::Import,
-            "predicate" if after.is_some_and(|k| k == Kind::Ident || is_constructor(k)) => Kind::Predicate,
+            "predicate" if !is_assigned(after) => Kind::Predicate,
             _ => Kind::Ident,
         }
     }

@@ -219,7 +219,11 @@ fn misspelt_or_condition(site: &Site<'_>, target: &str, asserted: Fix<TextRange>
             "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), or begins with `assert`, `prefer`, `allow…`, `predicate` or `import`",
         ));
     }
-    let diagnostic = match next? {
+    let Some(next) = next else {
+        let message = format!("{target} alone says nothing: assign it, or assert something about it");
+        return Some(Diagnostic::new(E0110, site.range(site.at), message).label("expected `<-` and a value"));
+    };
+    let diagnostic = match next {
         Kind::LParen | Kind::Ne | Kind::Lt | Kind::Le | Kind::Gt | Kind::Ge | Kind::And | Kind::Or | Kind::Implies => {
             Diagnostic::new(E0110, head, "a condition alone says nothing: assert it, or prefer it")
         }

@@ -62,6 +62,7 @@ const RULES: &[fn(&Site<'_>) -> Option<Finding>] = &[
     operands::list,
     operands::missing,
     operators::comma,
+    operators::unit,
     operators::misspelt,
     operators::foreign_use,
     operators::quantifier,

@@ -47,26 +47,31 @@ pub fn needs_parentheses(site: &Site<'_>) -> Option<Finding> {
 
 /// `> =` for `>=`.
 pub fn split_operator(site: &Site<'_>) -> Option<Finding> {
+    let found = site.found()?;
+    if found == Kind::Not && site.slice(site.at) == "!" && site.kind(site.at + 1) == Some(Kind::Eq) {
+        return Some(blank_inside(site, site.at, "!="));
+    }
     if !site.wanted.has(Wanted::VALUE) {
         return None;
     }
-    let whole = match (site.before()?, site.found()?) {
+    let whole = match (site.before()?, found) {
         (Kind::Gt, Kind::Eq) => ">=",
         (Kind::Lt, Kind::Eq) => "<=",
-        (Kind::Not, Kind::Eq) => "!=",
         (Kind::Eq, Kind::Eq) => "=",
         (Kind::Eq, Kind::Gt) => ">=",
         (Kind::Eq, Kind::Lt) => "<=",
         (Kind::Lt, Kind::Gt) => "!=",
         _ => return None,
     };
-    if site.slice(site.at - 1) == "not" {
-        return None;
-    }
-    let place = site.range(site.at - 1).cover(site.range(site.at));
+    Some(blank_inside(site, site.at - 1, whole))
+}
+
+/// Two signs that should be one operator; `first` is the first of them.
+fn blank_inside(site: &Site<'_>, first: usize, whole: &str) -> Finding {
+    let place = site.range(first).cover(site.range(first + 1));
     let message = format!("there is no operator {}", super::quote(&site.text[place.bytes()]));
     let diagnostic = Diagnostic::new(E0116, place, message).label(format!("write `{whole}`"));
-    Some(diagnostic.fix(Applicability::Unsafe, format!("write `{whole}`"), place, whole))
+    diagnostic.fix(Applicability::Unsafe, format!("write `{whole}`"), place, whole)
 }
 
 /// A comma too many in a list of arguments.
@@ -109,7 +114,8 @@ pub fn missing(site: &Site<'_>) -> Option<Finding> {
     };
     let found = site.found();
     let word = site.slice(site.at);
-    if found.is_some() && is_word(word) {
+    let infix = matches!(found, Some(Kind::And | Kind::Or | Kind::Implies | Kind::Where));
+    if found.is_some() && is_word(word) && !infix {
         let message = format!("expected {what}, found {}", site.name_of(site.at));
         let diagnostic = Diagnostic::new(E0112, site.range(site.at), message);
         let reserved = found.is_some_and(super::super::words::starts_statement);

@@ -1,12 +1,12 @@
 //! Where a value is complete and what follows does not go on from it.
 
 use super::super::wanted::Wanted;
-use super::super::words::{is_constructor, is_word};
+use super::super::words::is_constructor;
 use super::{After, Finding, Site};
-use crate::token::Kind;
-use scenelang_base::codes::{E0110, E0116};
+use crate::token::{Kind, UNITS};
+use scenelang_base::codes::{E0110, E0112, E0116};
 use scenelang_base::suggest::nearest;
-use scenelang_base::{Applicability, Diagnostic};
+use scenelang_base::{Applicability, Diagnostic, TextRange};
 
 /// Words of other languages, and ours.
 const SYNONYMS: &[(&str, &str)] = &[
@@ -63,11 +63,27 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     // A lone word behind a value is more likely a second name than an operator.
     site.kind(site.at + 1).filter(|k| !matches!(k, Kind::RParen | Kind::RBracket | Kind::Comma | Kind::Dot))?;
-    let near = synonym.or_else(|| nearest(word, ["and", "or", "implies", "where", "weight"]))?;
+    let ours = ["and", "or", "implies", "where", "weight"];
+    let other_case = ours.into_iter().find(|operator| operator.eq_ignore_ascii_case(word));
+    let near = synonym.or(other_case).or_else(|| nearest(word, ours))?;
     let place = site.range(site.at);
     let diagnostic = Diagnostic::new(E0116, place, format!("there is no operator {}", site.quoted(site.at)));
     let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
     Some(diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), place, near))
+}
+
+/// `5 cm`: a unit apart from its number.
+pub fn unit(site: &Site<'_>) -> Option<Finding> {
+    let unit = site.slice(site.at);
+    if site.before() != Some(Kind::Number) || !UNITS.contains(&unit) || !complete(site) {
+        return None;
+    }
+    let number = site.range(site.at - 1);
+    let place = number.cover(site.range(site.at));
+    let diagnostic = Diagnostic::new(E0110, site.range(site.at), "a unit follows its number without a blank");
+    let joined = format!("{}{unit}", site.slice(site.at - 1));
+    let title = format!("write {}", super::quote(&joined));
+    Some(diagnostic.fix(Applicability::Safe, title, place, joined))
 }
 
 /// Signs and words that belong elsewhere.
@@ -115,6 +131,12 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
 pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
     let place = site.range(site.at);
     let behind = site.behind(site.at.checked_sub(1)?);
+    if site.wanted.has(Wanted::IN) && site.slice(site.at - 1) == "in" {
+        let diagnostic = Diagnostic::new(E0112, site.range(site.at - 1), "the quantifier has no variable");
+        let place = TextRange::empty(site.range(site.at - 1).start);
+        let diagnostic = diagnostic.note("as in `forall c in chair: …`");
+        return Some(diagnostic.fix(Applicability::Unsafe, "insert a variable", place, "x "));
+    }
     if site.wanted.has(Wanted::IN) {
         let message = format!("expected `in` and a set after {}, found {}", site.quoted(site.at - 1), site.name_of(site.at));
         let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
@@ -125,14 +147,14 @@ pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
             _ => diagnostic,
         });
     }
-    if !site.wanted.has(Wanted::COLON) || site.found().is_some_and(|k| !begins_value(k)) {
+    if !site.wanted.has(Wanted::COLON) || site.found().is_some_and(|k| !begins_value(k) && k != Kind::RParen) {
         return None;
     }
     let message = format!("expected `:` and a condition after the set, found {}", site.name_of(site.at));
     let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
     Some(match site.found() {
-        Some(_) => diagnostic.fix(Applicability::Unsafe, "insert `:`", behind, ":"),
-        None => diagnostic,
+        Some(found) if begins_value(found) => diagnostic.fix(Applicability::Unsafe, "insert `:`", behind, ":"),
+        _ => diagnostic,
     })
 }
 
@@ -172,14 +194,4 @@ fn begins_value(kind: Kind) -> bool {
     use Kind::*;
     matches!(kind, Ident | Number | Str | True | False | Objects | Count | Not | Forall | Exists | LParen)
         || is_constructor(kind)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn synonyms_are_words() {
-        assert!(SYNONYMS.iter().all(|(word, _)| is_word(word)));
-    }
 }
