@@ -88,7 +88,7 @@ pub fn separation(a: &Obb, b: &Obb) -> Separation {
     if axis.gap <= 0.0 {
         return axis;
     }
-    let (p, q) = nearest_points(a, b, axis.gap);
+    let (p, q) = nearest_points(a, b);
     let way = q - p;
     let distance = way.norm();
     // Where the axis already attains the distance its direction is the better one: the points may all but touch.
@@ -126,29 +126,24 @@ fn separating_axis(a: &Obb, b: &Obb) -> Separation {
     best
 }
 
-/// The nearest points of two boxes that do not overlap, given a lower bound of their distance.
-fn nearest_points(a: &Obb, b: &Obb, bound: f64) -> (Vec3, Vec3) {
+/// The nearest points of two boxes that do not overlap.
+fn nearest_points(a: &Obb, b: &Obb) -> (Vec3, Vec3) {
     let of_corners = a.corners().into_iter().map(|p| (p, b.nearest(&p)));
     let of_corners = of_corners.chain(b.corners().into_iter().map(|q| (a.nearest(&q), q)));
-    let mut best = (f64::INFINITY, (a.center, b.center));
-    let mut consider = |pair: (Vec3, Vec3)| {
-        let distance = (pair.1 - pair.0).norm();
-        if distance < best.0 {
-            best = (distance, pair);
-        }
-        best.0
-    };
-    let mut least = f64::INFINITY;
-    for pair in of_corners {
-        least = consider(pair);
+    let (p, q) = of_corners.fold((a.center, b.center), nearer);
+    // If the slab between two points keeps the boxes apart, none are nearer. Else it takes two edges.
+    let distance = (q - p).norm();
+    let n = (q - p) / distance;
+    let slab = -a.support_height(&n) - b.support_height(&-n);
+    if slab >= distance * (1.0 - 1e-12) {
+        return (p, q);
     }
-    if least > bound {
-        let edges = b.edges();
-        for [p, q] in a.edges() {
-            for [r, s] in &edges {
-                consider(nearest_of_segments([&p, &q], [r, s]));
-            }
-        }
-    }
-    best.1
+    let edges = b.edges();
+    let pairs = a.edges().into_iter().flat_map(|e| edges.iter().map(move |f| (e, f)));
+    pairs.map(|([p, q], [r, s])| nearest_of_segments([&p, &q], [r, s])).fold((p, q), nearer)
+}
+
+/// The nearer pair of points, the first of equals.
+fn nearer(best: (Vec3, Vec3), next: (Vec3, Vec3)) -> (Vec3, Vec3) {
+    if (next.1 - next.0).norm_squared() < (best.1 - best.0).norm_squared() { next } else { best }
 }

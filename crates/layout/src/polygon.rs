@@ -301,13 +301,15 @@ fn check_simple(corners: &[Vec2]) -> Result<(), NotSimple> {
             return Err(NotSimple::Spike((i + 1) % n));
         }
     }
-    // Edges in order of their least x: only those whose spans of x meet can meet.
-    let span = |i: usize| (at(i).x.min(at(i + 1).x) - TOUCHING, at(i).x.max(at(i + 1).x) + TOUCHING);
+    // Edges in order of their least x: only those whose spans in both directions meet can meet.
+    let span = |i: usize| (at(i).inf(&at(i + 1)), at(i).sup(&at(i + 1)).add_scalar(TOUCHING));
     let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&i, &j| span(i).0.total_cmp(&span(j).0).then(i.cmp(&j)));
+    order.sort_by(|&i, &j| span(i).0.x.total_cmp(&span(j).0.x).then(i.cmp(&j)));
     for (k, &i) in order.iter().enumerate() {
-        for &j in order[k + 1..].iter().take_while(|&&j| span(j).0 <= span(i).1) {
-            if (i + 1) % n == j || (j + 1) % n == i {
+        let (low, high) = span(i);
+        for &j in order[k + 1..].iter().take_while(|&&j| span(j).0.x <= high.x) {
+            let neighbours = (i + 1) % n == j || (j + 1) % n == i;
+            if neighbours || span(j).0.y > high.y || span(j).1.y < low.y {
                 continue;
             }
             let (p, q) = nearest_of_segments([&at(i), &at(i + 1)], [&at(j), &at(j + 1)]);

@@ -45,17 +45,17 @@ pub struct Document {
 ///
 /// # Errors
 /// What is wrong with it, without a place, there being no text.
-pub fn decode(bytes: Vec<u8>) -> Result<String, Diagnostic> {
+pub fn decode(bytes: Vec<u8>) -> Result<String, Box<Diagnostic>> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         let say = "the file is UTF-16; save it as UTF-8";
-        return Err(Diagnostic::without_place(codes::E0003, say));
+        return Err(Box::new(Diagnostic::without_place(codes::E0003, say)));
     }
     String::from_utf8(bytes).map_err(|e| {
         let good = e.utf8_error().valid_up_to();
         let line = e.as_bytes()[..good].iter().filter(|b| **b == b'\n').count() + 1;
         let byte = e.as_bytes().get(good).copied().unwrap_or_default();
         let say = format!("the file is not UTF-8 text: there is a byte {byte:02x} in line {line}");
-        Diagnostic::without_place(codes::E0003, say)
+        Box::new(Diagnostic::without_place(codes::E0003, say))
     })
 }
 

@@ -72,7 +72,7 @@ fn check(a: &Convex, b: &Convex, s: &Separation, precision: f64) -> Result<(), T
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(ProptestConfig::with_cases(3000))]
 
     #[test]
     fn boxes_have_the_gap_that_their_faces_prove(a in boxes(), b in boxes()) {

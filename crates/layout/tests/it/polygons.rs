@@ -57,12 +57,12 @@ fn footprint() -> impl Strategy<Value = Vec<Vec2>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(ProptestConfig::with_cases(15000))]
 
     #[test]
     fn simple_is_what_exact_arithmetic_says(points in prop::collection::vec((-3i64..=3, -3i64..=3), 0..7)) {
         let given: Vec<[f64; 2]> = points.iter().map(|&(x, z)| [x as f64, z as f64]).collect();
-        let mut open = points.clone();
+        let mut open = points;
         if open.len() > 1 && open.first() == open.last() {
             open.pop();
         }

@@ -1,0 +1,255 @@
+//! Formulas and measurements in words: what was compared, and what was found.
+
+use crate::eval::{Scratch, Value};
+use crate::natives::{self, Call};
+use crate::world::World;
+use scenelang_base::Label;
+use scenelang_lang::program::{
+    Arg, Arith, Axis, Comparison, Formula, Function, Measure, Node, NodeId, ObjectId, ObjectProperty, Program,
+    RegionProperty, Unit,
+};
+use scenelang_layout::Vec3;
+
+/// Longer than this a formula says less than its value.
+const LONGEST: usize = 60;
+
+/// What decided a formula, in a sentence; `holds` is the verdict of the whole.
+pub(super) fn measured(
+    program: &Program,
+    world: &World<f64>,
+    formula: &Formula,
+    scratch: &Scratch<f64>,
+    deciding: NodeId,
+    holds: bool,
+) -> String {
+    let get = |id: NodeId| scratch.get(id).ok();
+    match formula.node(deciding) {
+        Node::Compare(op, unit, a, b) => {
+            let truth = get(deciding).is_some_and(|v| matches!(v, Value::Truth(t) if t.holds));
+            // Under a `not` the comparison decides by its contrary.
+            let op = if truth == holds { *op } else { contrary(*op) };
+            let side = |id: NodeId| match get(id) {
+                Some(Value::Number(n)) => number(n, *unit),
+                _ => "unknown".to_owned(),
+            };
+            let left = match text(program, formula, *a) {
+                Some(text) => format!("`{text}` is {}", side(*a)),
+                None => format!("the left side is {}", side(*a)),
+            };
+            let right = match (formula.node(*b), text(program, formula, *b)) {
+                (Node::Number(_), _) => side(*b),
+                (_, Some(text)) => format!("`{text}`, which is {}", side(*b)),
+                _ => format!("the right side, which is {}", side(*b)),
+            };
+            let must = if holds { "" } else { "must be " };
+            format!("{left}, {must}{} {right}", relation(op))
+        }
+        Node::Same(a, b) => {
+            let side = |id: NodeId| match get(id) {
+                Some(Value::Vector(v) | Value::Rotation(v)) => triple(&v.value()),
+                _ => "unknown".to_owned(),
+            };
+            let what = text(program, formula, *a).map_or("the left side".to_owned(), |t| format!("`{t}`"));
+            let must = if holds { "against" } else { "must be" };
+            format!("{what} is {}, {must} {}", side(*a), side(*b))
+        }
+        Node::Native(native, args) => {
+            let values: Vec<_> = (0..deciding.0).map(|i| scratch.get(NodeId(i))).collect();
+            let call = Call { args, values: &values, world, node: deciding };
+            natives::explain(*native, &call, program).unwrap_or_default()
+        }
+        Node::SamePolygon(region, _) => {
+            format!("the outline of `{}` is another polygon", program.regions[region.0 as usize].name)
+        }
+        _ => String::new(),
+    }
+}
+
+/// Where an object is and how large.
+pub(super) fn position(world: &World<f64>, object: ObjectId) -> Option<String> {
+    let thing = world.object(object).ok()?;
+    let (pos, rot, size) = (thing.pos.value(), thing.rot.value(), thing.scale.value());
+    let turned = if rot.iter().all(|r| r % 360.0 == 0.0) { String::new() } else { format!(", turned {}°", triple(&rot)) };
+    Some(format!("at {}{turned}, {:.2} × {:.2} × {:.2} m", triple(&pos), size.x, size.y, size.z))
+}
+
+/// Declarations of objects, with where these are.
+pub(super) fn declarations(program: &Program, world: &World<f64>, objects: &[ObjectId]) -> Vec<Label> {
+    const MOST: usize = 4;
+    let label = |&id: &ObjectId| {
+        let object = &program.objects[id.0 as usize];
+        Some(Label { place: object.span, message: format!("`{}` is {}", object.name, position(world, id)?) })
+    };
+    objects.iter().take(MOST).filter_map(label).collect()
+}
+
+/// A number as people read it, with its unit.
+pub(crate) fn number(n: f64, unit: Unit) -> String {
+    let digits = rounded(n);
+    match unit {
+        // Plain numbers count as metres, and have no unit to show.
+        Unit::Metre => digits,
+        Unit::Degree => format!("{digits}°"),
+    }
+}
+
+/// Four digits after the point at most.
+fn rounded(n: f64) -> String {
+    if n.is_infinite() {
+        return if n > 0.0 { "infinite" } else { "minus infinite" }.to_owned();
+    }
+    let text = format!("{n:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn triple(v: &Vec3) -> String {
+    format!("({}, {}, {})", rounded(v.x), rounded(v.y), rounded(v.z))
+}
+
+fn relation(op: Comparison) -> &'static str {
+    match op {
+        Comparison::Eq => "equal to",
+        Comparison::Ne => "different from",
+        Comparison::Lt => "less than",
+        Comparison::Le => "at most",
+        Comparison::Gt => "more than",
+        Comparison::Ge => "at least",
+    }
+}
+
+fn contrary(op: Comparison) -> Comparison {
+    match op {
+        Comparison::Eq => Comparison::Ne,
+        Comparison::Ne => Comparison::Eq,
+        Comparison::Lt => Comparison::Ge,
+        Comparison::Le => Comparison::Gt,
+        Comparison::Gt => Comparison::Le,
+        Comparison::Ge => Comparison::Lt,
+    }
+}
+
+/// A value of a formula as it could be written, if that is short.
+fn text(program: &Program, formula: &Formula, id: NodeId) -> Option<String> {
+    let mut out = String::new();
+    write(program, formula, id, &mut out)?;
+    Some(out)
+}
+
+/// Writes a node; `None`: too long, or not to be written.
+fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> Option<()> {
+    let object = |id: &ObjectId| program.objects[id.0 as usize].name.as_str();
+    let list = |ids: &[NodeId], out: &mut String| -> Option<()> {
+        for (i, id) in ids.iter().enumerate() {
+            out.push_str(if i > 0 { ", " } else { "" });
+            write(program, formula, *id, out)?;
+        }
+        Some(())
+    };
+    match formula.node(id) {
+        Node::Number(n) => out.push_str(&rounded(*n)),
+        Node::Object(property, id) => {
+            let property = match property {
+                ObjectProperty::Pos => "pos",
+                ObjectProperty::Rot => "rot",
+                ObjectProperty::Scale => "scale",
+                ObjectProperty::Center => "center",
+                ObjectProperty::Top => "top",
+                ObjectProperty::Bottom => "bottom",
+                ObjectProperty::Surface => "surface",
+                ObjectProperty::Front => "front",
+                ObjectProperty::Right => "right",
+                ObjectProperty::Up => "up",
+                ObjectProperty::Min => "min",
+                ObjectProperty::Max => "max",
+            };
+            out.push_str(&format!("{}.{property}", object(id)));
+        }
+        Node::Region(property, id) => {
+            let property = match property {
+                RegionProperty::Pos => "pos",
+                RegionProperty::Rot => "rot",
+                RegionProperty::Scale => "scale",
+                RegionProperty::Floor => "floor",
+                RegionProperty::Ceiling => "ceiling",
+                RegionProperty::Area => "area",
+                RegionProperty::Center => "center",
+            };
+            out.push_str(&format!("{}.{property}", program.regions[id.0 as usize].name));
+        }
+        Node::Variable(id) => out.push_str(&program.variables[id.0 as usize].name),
+        Node::Vector(parts) | Node::Rotation(parts) => {
+            let vector = matches!(formula.node(id), Node::Vector(_));
+            out.push_str(if vector { "vec3(" } else { "rot(" });
+            list(parts, out)?;
+            out.push(')');
+        }
+        Node::Neg(a) => {
+            out.push('-');
+            operand(program, formula, *a, out)?;
+        }
+        Node::Arith(op, a, b) => {
+            operand(program, formula, *a, out)?;
+            out.push_str(match op {
+                Arith::Add => " + ",
+                Arith::Sub => " - ",
+                Arith::Mul => " * ",
+                Arith::Div => " / ",
+            });
+            operand(program, formula, *b, out)?;
+        }
+        Node::Component(axis, a) => {
+            operand(program, formula, *a, out)?;
+            out.push_str(match axis {
+                Axis::X => ".x",
+                Axis::Y => ".y",
+                Axis::Z => ".z",
+            });
+        }
+        Node::Call(function, args) => {
+            out.push_str(match function {
+                Function::Abs => "abs(",
+                Function::Min => "min(",
+                Function::Max => "max(",
+                Function::Sqrt => "sqrt(",
+                Function::Sin => "sin(",
+                Function::Cos => "cos(",
+                Function::Length => "length(",
+                Function::Normalize => "normalize(",
+                Function::Cross => "cross(",
+                Function::Dot => "dot(",
+                Function::Angle => "angle(",
+                Function::Distance => "distance(",
+            });
+            list(args, out)?;
+            out.push(')');
+        }
+        Node::Measure(measure, args) => {
+            out.push_str(match measure {
+                Measure::Gap => "gap(",
+                Measure::WalkDistance => "walkDistance(",
+            });
+            for (i, arg) in args.iter().enumerate() {
+                out.push_str(if i > 0 { ", " } else { "" });
+                match arg {
+                    Arg::Object(id) => out.push_str(object(id)),
+                    Arg::Region(id) => out.push_str(&program.regions[id.0 as usize].name),
+                    Arg::Value(node) => write(program, formula, *node, out)?,
+                    Arg::Side(_) => return None,
+                }
+            }
+            out.push(')');
+        }
+        _ => return None,
+    }
+    (out.len() <= LONGEST).then_some(())
+}
+
+/// A node as an operand: in brackets where it has operators of its own.
+fn operand(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> Option<()> {
+    let bare = !matches!(formula.node(id), Node::Arith(..) | Node::Neg(_));
+    out.push_str(if bare { "" } else { "(" });
+    write(program, formula, id, out)?;
+    out.push_str(if bare { "" } else { ")" });
+    Some(())
+}

@@ -1,0 +1,166 @@
+//! The judgement of a file, from disk or from an editor: a program by itself, or a layout with its program.
+
+use super::{Verdict, check_at, matching};
+use crate::report::{Report, build};
+use crate::tolerances::Options;
+use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
+use scenelang_lang::compile::{self, compile_with};
+use scenelang_lang::program::Program;
+use scenelang_lang::sources::{Disk, Loader, plain};
+use scenelang_layout::{Layout, ReadLayout, file as layout_file};
+use std::path::{Path, PathBuf};
+
+/// What came of judging a file.
+#[derive(Debug)]
+pub struct Checked {
+    /// All files read; places in the verdict refer to these.
+    pub sources: SourceMap,
+    /// The program, if it compiles.
+    pub program: Option<Program>,
+    /// The layout, if the file is one that could be read.
+    pub layout: Option<Layout>,
+    /// Rows and diagnostics, those of the program and of the layout file included.
+    pub verdict: Verdict,
+    /// The same as a report.
+    pub report: Report,
+}
+
+/// How to judge a file: what it is called, where it is, and where its program comes from.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    name: &'a str,
+    path: &'a Path,
+    options: &'a Options,
+    compile: compile::Options,
+    loader: &'a dyn Loader,
+}
+
+/// Judges a file from disk: a layout (`.json`) with its program, or else a program by itself. In messages it is called
+/// `name`, and other files accordingly.
+pub fn check_file(name: &str, path: &Path, options: &Options, compile: compile::Options) -> Checked {
+    let job = Job { name, path, options, compile, loader: &Disk };
+    if !is_layout(path) {
+        let compiled = compile_with(name, path, compile, &Disk, SourceMap::new());
+        let verdict = Verdict { diagnostics: compiled.diagnostics, ..Verdict::default() };
+        let out = Unfinished { sources: compiled.sources, program: compiled.program, layout: None, verdict };
+        return out.finish(&job);
+    }
+    let text = match Disk.load(path) {
+        Ok(bytes) => layout_file::decode(bytes),
+        Err(e) => {
+            let say = format!("cannot read {name}: {}", plain(&e));
+            Err(Box::new(Diagnostic::without_place(codes::E0001, say)))
+        }
+    };
+    match text {
+        Ok(text) => judge_layout(text, &job),
+        Err(finding) => {
+            let mut out = Unfinished::default();
+            out.verdict.diagnostics.push(*finding);
+            out.finish(&job)
+        }
+    }
+}
+
+/// Judges the text of a layout file, called `name`, that is or would be at `path`; its program comes from `loader`.
+pub fn check_layout_text(
+    name: &str,
+    path: &Path,
+    text: String,
+    options: &Options,
+    compile: compile::Options,
+    loader: &dyn Loader,
+) -> Checked {
+    judge_layout(text, &Job { name, path, options, compile, loader })
+}
+
+fn judge_layout(text: String, job: &Job<'_>) -> Checked {
+    let mut out = Unfinished::default();
+    let file = out.sources.add(SourceFile::new(job.name, job.path, text));
+    let read = layout_file::read(out.sources.get(file).text(), file);
+    out.verdict.diagnostics.clone_from(&read.diagnostics);
+    if read.usable {
+        let found = out.judge(&read, job);
+        out.verdict.diagnostics.extend(found);
+        out.layout = Some(read.layout);
+    }
+    out.finish(job)
+}
+
+#[derive(Default)]
+struct Unfinished {
+    sources: SourceMap,
+    program: Option<Program>,
+    layout: Option<Layout>,
+    verdict: Verdict,
+}
+
+impl Unfinished {
+    fn finish(self, job: &Job<'_>) -> Checked {
+        let report = build(job.name, &self.verdict, self.program.as_ref(), &self.sources, job.options);
+        let Self { sources, program, layout, verdict } = self;
+        Checked { sources, program, layout, verdict, report }
+    }
+
+    /// Finds and compiles the program, and judges; returns what more there is to say.
+    fn judge(&mut self, read: &ReadLayout, job: &Job<'_>) -> Vec<Diagnostic> {
+        let stated = read.places.top.get("scene");
+        let place = stated.map_or(read.places.opening(), |entry| entry.place.value);
+        let Some(scene) = scene_of(read.layout.scene.as_deref(), stated.is_some(), job.path) else { return Vec::new() };
+        if is_layout(&scene) {
+            let say = format!("`{}` is a layout, not a program", scene.display());
+            return vec![Diagnostic::new(codes::E0510, place, say)];
+        }
+        let beside = |path: &Path| path.parent().map_or_else(|| scene.clone(), |folder| folder.join(&scene));
+        let shown = beside(Path::new(job.name)).to_string_lossy().replace('\\', "/");
+        let sources = std::mem::take(&mut self.sources);
+        let compiled = compile_with(&shown, &beside(job.path), job.compile, job.loader, sources);
+        self.sources = compiled.sources;
+        let Some(program) = compiled.program else {
+            return unfit(&shown, place, compiled.diagnostics);
+        };
+        let mut found = compiled.diagnostics;
+        found.extend(matching::check(&program, read));
+        let judged = check_at(&program, &read.layout, Some(&read.places), job.options);
+        found.extend(judged.diagnostics);
+        (self.verdict.rows, self.verdict.summary) = (judged.rows, judged.summary);
+        self.program = Some(program);
+        found
+    }
+}
+
+/// What to say where the program does not compile: its own errors and, in the layout, that they are there.
+fn unfit(scene: &str, place: scenelang_base::Span, diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let first = diagnostics.iter().find(|d| d.is_error());
+    let unread = first.filter(|d| d.primary.is_none());
+    let message = match unread {
+        Some(d) => d.message.clone(),
+        None => format!("the program {scene} has errors"),
+    };
+    let mut finding = Diagnostic::new(codes::E0510, place, message);
+    if let Some(label) = first.and_then(|d| d.primary.as_ref()) {
+        finding = finding.related(label.place, "the first of them");
+    }
+    // A file that is not there has no place of its own: the layout's is enough.
+    let rest = diagnostics.into_iter().filter(|d| d.primary.is_some());
+    std::iter::once(finding).chain(rest).collect()
+}
+
+/// The path of the program, relative to the layout's folder; `None` where the layout names it in a way that has been
+/// refused.
+fn scene_of(scene: Option<&str>, stated: bool, layout: &Path) -> Option<PathBuf> {
+    match (scene, stated) {
+        (Some(scene), _) => Some(PathBuf::from(scene)),
+        (None, true) => None,
+        (None, false) => {
+            let file = layout.file_name()?.to_string_lossy().into_owned();
+            let stem = file.strip_suffix(".layout.json").or_else(|| file.strip_suffix(".json")).unwrap_or(&file);
+            Some(PathBuf::from(format!("{stem}.scene")))
+        }
+    }
+}
+
+/// Whether a path is that of a layout.
+fn is_layout(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"))
+}

@@ -1,0 +1,95 @@
+//! The judgement of a layout: every stated constraint, then the physical rules, then what looks odd.
+
+mod describe;
+mod draws;
+mod file;
+mod matching;
+mod physical;
+mod rooms;
+mod stated;
+
+pub use file::{Checked, check_file, check_layout_text};
+pub(crate) use describe::number as measure_in_words;
+
+use crate::report::model::{Kind, Summary};
+use crate::tolerances::Options;
+use crate::world::World;
+use scenelang_base::{Diagnostic, Label, Span};
+use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_layout::{Layout, Places};
+
+/// A judgement: rows, counts, and what could not be judged or looks odd. Places are absolute.
+#[derive(Clone, Debug, Default)]
+pub struct Verdict {
+    /// Stated constraints in source order, then physical ones.
+    pub rows: Vec<Judged>,
+    /// How many there are of each kind, listed or not, and how many hold.
+    pub summary: Summary,
+    /// What could not be judged or looks odd, beside the rows.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// What a row is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A statement: an index into [`Program::constraints`].
+    Statement(usize),
+    /// A pair of objects, in the order of their names.
+    Pair(ObjectId, ObjectId),
+    /// An object.
+    Object(ObjectId),
+}
+
+/// One constraint, judged.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// What kind of constraint.
+    pub kind: Kind,
+    /// What it is about.
+    pub subject: Subject,
+    /// Whether it holds; `None`: cannot be judged.
+    pub satisfied: Option<bool>,
+    /// By how much; `None` where it cannot be judged or has no measure.
+    pub margin: Option<(f64, Unit)>,
+    /// Objects of the deciding instance.
+    pub objects: Vec<ObjectId>,
+    /// The statement as written, or the rule in words.
+    pub text: String,
+    /// What was measured, in a sentence.
+    pub measured: String,
+    /// The statement; for a physical rule the declaration of its first object.
+    pub place: Span,
+    /// Declarations of the objects, with where they are.
+    pub related: Vec<Label>,
+    /// Weight of a preference.
+    pub weight: Option<f64>,
+    /// `@req` sentences.
+    pub requirements: Vec<String>,
+}
+
+impl Judged {
+    /// What was measured and, where it fails, where its objects are.
+    pub fn message(&self) -> String {
+        let places = self.related.iter().map(|label| label.message.as_str());
+        let parts: Vec<&str> = std::iter::once(self.measured.as_str()).chain(places).filter(|p| !p.is_empty()).collect();
+        parts.join("; ")
+    }
+}
+
+/// Judges a layout that was read without its file: what is wrong with a draw is said in the program.
+pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
+    check_at(program, layout, None, options)
+}
+
+/// Judges a layout; `places` says where its values stand.
+fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
+    let mut world = World::new(program, layout, options);
+    let mut verdict = Verdict::default();
+    draws::check(program, &mut world, places, &mut verdict.diagnostics);
+    stated::judge(program, &world, &mut verdict);
+    if options.physics {
+        physical::judge(program, &world, &mut verdict);
+    }
+    rooms::warn(program, &world, &mut verdict.diagnostics);
+    verdict
+}

@@ -1,0 +1,117 @@
+//! What looks odd about rooms and walls: rooms nearer to each other than their walls are thick, and objects that are
+//! allowed outside and stand in a wall where no door is.
+
+use super::describe::number;
+use crate::world::World;
+use scenelang_base::{Diagnostic, codes};
+use scenelang_lang::program::{ObjectId, Program, RegionId, Unit};
+use scenelang_layout::planar::{convex_overlap, depth_in_convex, nearest_of_segments};
+use scenelang_layout::{Prism, Vec2};
+
+pub(super) fn warn(program: &Program, world: &World<f64>, out: &mut Vec<Diagnostic>) {
+    let rooms = rooms(program, world);
+    for (i, (a, first)) in rooms.iter().enumerate() {
+        for (b, second) in &rooms[i + 1..] {
+            too_close(program, world, (*a, first), (*b, second), out);
+        }
+    }
+    for &id in &world.allow.outside {
+        crossing(program, world, id, &rooms, out);
+    }
+}
+
+/// Regions with walls: neither a zone of another nor out of doors.
+fn rooms<'a>(program: &Program, world: &'a World<f64>) -> Vec<(RegionId, &'a Prism)> {
+    let contact = world.options.tolerances.contact;
+    let is_zone = |id: RegionId, prism: &Prism| {
+        world.prisms().any(|(other, outer)| {
+            // Of two that are the same the second is a zone of the first.
+            let larger = outer.area() > prism.area() || (outer.area() == prism.area() && other < id);
+            let within = |c: &Vec2| outer.polygon.clearance_of_point(*c).value >= -contact;
+            other != id
+                && larger
+                && prism.polygon.corners().iter().all(within)
+                && prism.floor >= outer.floor - contact
+                && prism.ceiling <= outer.ceiling + contact
+        })
+    };
+    let outdoor = |id: RegionId| program.regions[id.0 as usize].text("features").contains("outdoor");
+    world.prisms().filter(|(id, prism)| !outdoor(*id) && !is_zone(*id, prism)).collect()
+}
+
+fn too_close(
+    program: &Program,
+    world: &World<f64>,
+    (a, first): (RegionId, &Prism),
+    (b, second): (RegionId, &Prism),
+    out: &mut Vec<Diagnostic>,
+) {
+    let tolerances = &world.options.tolerances;
+    let apart = first.floor.max(second.floor) - first.ceiling.min(second.ceiling);
+    if apart > -tolerances.contact {
+        return;
+    }
+    let mut least = f64::INFINITY;
+    for (p, q) in first.polygon.edges() {
+        for (r, s) in second.polygon.edges() {
+            let (x, y) = nearest_of_segments([&p, &q], [&r, &s]);
+            least = least.min((x - y).norm());
+        }
+    }
+    let walls = 2.0 * world.options.eta;
+    if least < walls - tolerances.contact {
+        let (a, b) = (&program.regions[a.0 as usize], &program.regions[b.0 as usize]);
+        let metres = |x: f64| number(x, Unit::Metre);
+        let message = format!(
+            "`{}` and `{}` are {} m apart, their walls need {} m",
+            a.name,
+            b.name,
+            metres(least),
+            metres(walls)
+        );
+        out.push(Diagnostic::new(codes::W0502, b.span, message).related(a.span, "the other room"));
+    }
+}
+
+/// Warns of an object whose box crosses a wall of a room outside the openings of doors.
+fn crossing(
+    program: &Program,
+    world: &World<f64>,
+    id: ObjectId,
+    rooms: &[(RegionId, &Prism)],
+    out: &mut Vec<Diagnostic>,
+) {
+    let is_door = |id: ObjectId| world.allow.doors.iter().any(|door| door.object == id);
+    let Ok(thing) = world.object(id) else { return };
+    if is_door(id) {
+        return;
+    }
+    let contact = world.options.tolerances.contact;
+    let (footprint, span) = (thing.body.obb.footprint(), thing.body.obb.aabb());
+    let openings: Vec<Vec<Vec2>> = world
+        .bodies()
+        .filter(|(id, _)| is_door(*id))
+        .map(|(_, door)| {
+            let mut long = door.obb;
+            long.half.z += 2.0 * world.options.eta + world.options.tolerances.door;
+            long.footprint()
+        })
+        .collect();
+    for (room, prism) in rooms {
+        let level = span.min.y < prism.ceiling - contact && span.max.y > prism.floor + contact;
+        let in_wall = |points: &[Vec2]| {
+            let deep = |p: &Vec2| depth_in_convex(&footprint, *p) >= -1e-9;
+            let open = |p: &Vec2| openings.iter().any(|o| depth_in_convex(o, *p) >= -contact);
+            let middle = points.iter().sum::<Vec2>() / points.len().max(1) as f64;
+            // The middle of what a wall and the footprint share is well inside only where the wall is crossed.
+            points.len() == 2 && depth_in_convex(&footprint, middle) > contact && points.iter().all(|p| deep(p)) && !points.iter().all(open)
+        };
+        if level && prism.polygon.edges().any(|(a, b)| in_wall(&convex_overlap(&[a, b], &footprint))) {
+            let object = &program.objects[id.0 as usize];
+            let region = &program.regions[room.0 as usize];
+            let message = format!("`{}` stands in a wall of `{}` where there is no door", object.name, region.name);
+            out.push(Diagnostic::new(codes::W0503, object.span, message).related(region.span, "the room"));
+            return;
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Stated constraints: assertions, preferences, assignments.
+
+use super::describe::{declarations, measured};
+use super::{Judged, Subject, Verdict};
+use crate::eval::{Cause, EvalError, Scratch, Value, objects_of};
+use crate::report::model::Kind;
+use crate::world::World;
+use rustc_hash::FxHashSet;
+use scenelang_base::{Diagnostic, Span};
+use scenelang_lang::program::{Constraint, ConstraintKind, NodeId, ObjectId, Program};
+
+pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
+    let mut scratch = Scratch::new();
+    let mut told = FxHashSet::default();
+    for (index, constraint) in program.constraints.iter().enumerate() {
+        let (kind, weight) = match constraint.kind {
+            ConstraintKind::Assert => (Kind::Assert, None),
+            ConstraintKind::Prefer { weight } => (Kind::Prefer, Some(weight)),
+            ConstraintKind::Pin => (Kind::Pin, None),
+        };
+        let mut row = Judged {
+            kind,
+            subject: Subject::Statement(index),
+            satisfied: None,
+            margin: None,
+            objects: Vec::new(),
+            text: constraint.text.clone(),
+            measured: String::new(),
+            place: constraint.span,
+            related: Vec::new(),
+            weight,
+            requirements: constraint.requirements.clone(),
+        };
+        match scratch.evaluate(&constraint.formula, world) {
+            Ok(Value::Truth(truth)) => {
+                let deciding = scratch.deciding(&constraint.formula);
+                row.satisfied = Some(truth.holds);
+                row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
+                row.objects = objects(constraint, deciding);
+                row.measured = measured(program, world, &constraint.formula, &scratch, deciding, truth.holds);
+                if !truth.holds {
+                    row.related = declarations(program, world, &row.objects);
+                }
+            }
+            Ok(other) => unreachable!("a constraint that is no truth: {other:?}"),
+            Err(error) => {
+                row.objects = objects(constraint, error.node);
+                let reason = reason(program, error.cause);
+                row.measured = format!("cannot be judged: {reason}");
+                verdict.diagnostics.extend(diagnostic(constraint, error, reason, &mut told));
+            }
+        }
+        let summary = &mut verdict.summary;
+        match kind {
+            Kind::Prefer => summary.preferences.add(row.satisfied),
+            Kind::Pin => summary.pins.add(row.satisfied),
+            _ => summary.assertions.add(row.satisfied),
+        }
+        verdict.rows.push(row);
+    }
+}
+
+/// Objects that a part of the formula speaks of; if it speaks of none, those of the whole.
+fn objects(constraint: &Constraint, node: NodeId) -> Vec<ObjectId> {
+    let own = objects_of(&constraint.formula, node);
+    if own.is_empty() { objects_of(&constraint.formula, constraint.formula.root) } else { own }
+}
+
+fn reason(program: &Program, cause: Cause) -> String {
+    match cause {
+        Cause::MissingObject(id) => format!("the layout lacks `{}`", program.objects[id.0 as usize].name),
+        Cause::MissingRegion(id) => format!("the layout lacks `{}`", program.regions[id.0 as usize].name),
+        Cause::MissingVariable(id) => {
+            format!("the layout has no value for `{}`", program.variables[id.0 as usize].name)
+        }
+        Cause::MissingDraw(id) => format!("the layout does not record the draw `{}`", program.draws[id.0 as usize].key),
+        Cause::Refused => "a value that it needs is refused".to_owned(),
+        Cause::DivisionByZero => "this divides by zero".to_owned(),
+        Cause::NegativeRoot => "this is the square root of a negative number".to_owned(),
+        Cause::ZeroVector => "this asks for the direction of a zero vector".to_owned(),
+        Cause::NotFinite => "this number is too large".to_owned(),
+    }
+}
+
+/// The diagnostic of an error, unless the layout's own tell of it; a value that several statements lack is told of once.
+fn diagnostic(
+    constraint: &Constraint,
+    error: EvalError,
+    reason: String,
+    told: &mut FxHashSet<Cause>,
+) -> Option<Diagnostic> {
+    let code = error.cause.code()?;
+    let shared = matches!(error.cause, Cause::MissingVariable(_) | Cause::MissingDraw(_));
+    if shared && !told.insert(error.cause) {
+        return None;
+    }
+    let formula = &constraint.formula;
+    let whole = constraint.span;
+    let place = formula.ranges.get(error.node.0 as usize).map(|range| Span {
+        file: whole.file,
+        range: range.shifted(whole.range.start),
+    });
+    let place = place.filter(|p| p.range.end <= whole.range.end).unwrap_or(whole);
+    Some(Diagnostic::new(code, place, reason))
+}

@@ -1,0 +1,160 @@
+//! The evaluator: one walk over the nodes of a formula, with any [`Number`].
+//!
+//! Each node yields a value or the reason why there is none. `and`, `or` and `implies` forget the reasons that stand to
+//! the right of a discrete fact which decides them already; everything else passes them on.
+
+mod arithmetic;
+mod connective;
+mod property;
+mod value;
+
+pub use value::{Cause, EvalError, Truth, Value};
+
+use crate::natives::{self, Call};
+use crate::number::Number;
+use crate::world::World;
+use arithmetic::vector;
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId};
+
+/// What nodes have yielded so far, by their index.
+type Values<N> = [Result<Value<N>, EvalError>];
+
+/// Room for the values of a formula's nodes: keep one and evaluate without allocating.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch<N> {
+    values: Vec<Result<Value<N>, EvalError>>,
+    /// The greatest margins of an `AtLeast`.
+    greatest: Vec<Truth<N>>,
+}
+
+impl<N: Number> Scratch<N> {
+    /// Nothing evaluated yet.
+    pub fn new() -> Self {
+        Self { values: Vec::new(), greatest: Vec::new() }
+    }
+
+    /// The value of the whole formula.
+    ///
+    /// # Errors
+    /// The first reason, in the order of the nodes, why it cannot be judged.
+    pub fn evaluate(&mut self, formula: &Formula, world: &World<N>) -> Result<Value<N>, EvalError> {
+        self.values.clear();
+        for index in 0..=formula.root.0 {
+            let value = self.node(formula, NodeId(index), world);
+            self.values.push(value);
+        }
+        self.values[formula.root.0 as usize]
+    }
+
+    /// The value of the last of `nodes`, which are those it depends on, see [`cone`].
+    ///
+    /// # Errors
+    /// The first reason why it cannot be judged.
+    pub fn evaluate_cone(
+        &mut self,
+        formula: &Formula,
+        nodes: &[NodeId],
+        world: &World<N>,
+    ) -> Result<Value<N>, EvalError> {
+        const UNUSED: EvalError = EvalError { cause: Cause::Refused, node: NodeId(0) };
+        self.values.resize(formula.nodes.len(), Err(UNUSED));
+        let mut last = Err(UNUSED);
+        for &id in nodes {
+            last = self.node(formula, id, world);
+            self.values[id.0 as usize] = last;
+        }
+        last
+    }
+
+    /// What a node yielded when the formula was last evaluated.
+    ///
+    /// # Errors
+    /// Why it yielded nothing.
+    pub fn get(&self, node: NodeId) -> Result<Value<N>, EvalError> {
+        self.values[node.0 as usize]
+    }
+
+    /// The part of the formula that decided its margin, as last evaluated: a comparison, a predicate, a fact.
+    pub fn deciding(&self, formula: &Formula) -> NodeId {
+        let mut at = formula.root;
+        while let Some(child) = connective::deciding_child(formula.node(at), at, &self.values) {
+            at = child;
+        }
+        at
+    }
+
+    fn node(&mut self, formula: &Formula, id: NodeId, world: &World<N>) -> Result<Value<N>, EvalError> {
+        let values = &self.values[..];
+        let get = |n: NodeId| values[n.0 as usize];
+        let fail = |cause: Cause| EvalError { cause, node: id };
+        let value = match formula.node(id) {
+            Node::Number(v) => Value::Number(N::constant(*v)),
+            Node::Truth(holds) => Value::Truth(Truth::discrete(*holds)),
+            Node::Vector(parts) => Value::Vector(vector(values, parts)?),
+            Node::Rotation(parts) => Value::Rotation(vector(values, parts)?),
+            Node::Object(property, object) => property::of_object(world, *property, *object).map_err(fail)?,
+            Node::Region(property, region) => property::of_region(world, *property, *region).map_err(fail)?,
+            Node::Variable(variable) => world.variable(*variable).map_err(fail)?,
+            Node::Draw(draw) => Value::Number(N::constant(world.draw(*draw).map_err(fail)?)),
+            Node::Neg(a) => arithmetic::negate(get(*a)?),
+            Node::Arith(op, a, b) => arithmetic::combine(*op, get(*a)?, get(*b)?).map_err(fail)?,
+            Node::Component(axis, a) => arithmetic::component(*axis, get(*a)?),
+            Node::Call(function, args) => arithmetic::call(*function, values, args, fail)?,
+            Node::Compare(op, unit, a, b) => {
+                let (a, b) = (arithmetic::number(get(*a)?), arithmetic::number(get(*b)?));
+                Value::Truth(connective::compare(*op, *unit, a, b, &world.options.tolerances))
+            }
+            Node::Same(a, b) => Value::Truth(connective::same(get(*a)?, get(*b)?, &world.options.tolerances)),
+            Node::And(parts) => Value::Truth(connective::all(values, parts)?),
+            Node::Or(parts) => Value::Truth(connective::any(values, parts)?),
+            Node::Not(a) => Value::Truth(connective::truth(get(*a)?).negated()),
+            Node::Iff(a, b) => Value::Truth(connective::truth(get(*a)?).iff(connective::truth(get(*b)?))),
+            Node::Count(parts) => Value::Number(connective::count(values, parts)?),
+            Node::AtLeast(n, parts) => {
+                Value::Truth(connective::at_least(*n as usize, values, parts, &mut self.greatest)?)
+            }
+            Node::Native(native, args) => Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?),
+            Node::Measure(measure, args) => {
+                Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?)
+            }
+            Node::SamePolygon(region, vertices) => {
+                Value::Truth(property::same_polygon(world, *region, values, vertices, id)?)
+            }
+        };
+        Ok(value)
+    }
+}
+
+/// The value of a formula. Who evaluates often keeps a [`Scratch`].
+///
+/// # Errors
+/// The first reason, in the order of the nodes, why it cannot be judged.
+pub fn evaluate<N: Number>(formula: &Formula, world: &World<N>) -> Result<Value<N>, EvalError> {
+    Scratch::new().evaluate(formula, world)
+}
+
+/// The truth of a formula whose root is one.
+///
+/// # Errors
+/// As [`evaluate`].
+pub fn judge<N: Number>(formula: &Formula, world: &World<N>) -> Result<Truth<N>, EvalError> {
+    evaluate(formula, world).map(connective::truth)
+}
+
+/// The nodes that `node` depends on, in order, itself last.
+pub fn cone(formula: &Formula, node: NodeId) -> Vec<NodeId> {
+    let mut wanted = vec![false; node.0 as usize + 1];
+    wanted[node.0 as usize] = true;
+    for index in (0..=node.0 as usize).rev() {
+        if wanted[index] {
+            formula.nodes[index].for_each_child(|child| wanted[child.0 as usize] = true);
+        }
+    }
+    (0..=node.0).filter(|&i| wanted[i as usize]).map(NodeId).collect()
+}
+
+/// Objects that a node depends on, sorted, each once.
+pub fn objects_of(formula: &Formula, node: NodeId) -> Vec<ObjectId> {
+    let nodes: Vec<Node> = cone(formula, node).iter().map(|&n| formula.node(n).clone()).collect();
+    Formula { nodes, ranges: Vec::new(), root: NodeId(0) }.objects()
+}

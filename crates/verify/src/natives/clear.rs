@@ -1,0 +1,190 @@
+//! `clear(Object, side, depth)`: the space on that side of the box is free to that depth: no other solid reaches into
+//! it, and it leaves the object's region neither sideways nor through the ceiling. Lower than 5 cm above the object's
+//! base nothing counts (a rug, a sill), except above the object, where all of the space does.
+
+use super::inside::wall_along;
+use super::visible::settled;
+use super::{Call, Predicate, metres};
+use crate::eval::{EvalError, Truth};
+use crate::number::Number;
+use crate::world::{Body, World};
+use scenelang_lang::program::{ObjectId, Program, RegionId, Side};
+use scenelang_layout::planar::convex_hull;
+use scenelang_layout::polygon::Clearance;
+use scenelang_layout::{Convex, Nearest, Obb, Prism, Vec2, Vec3, convex, inside_clearance};
+
+/// Below this height above the base nothing stands in the way (metres).
+const SILL: f64 = 0.05;
+
+/// See the file.
+pub(super) struct Clear;
+
+impl Predicate for Clear {
+    fn truth<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
+        let (id, thing) = call.object(0)?;
+        let tolerances = &call.world.options.tolerances;
+        let (side, depth) = (call.side(1), call.number(2)?);
+        let Some(space) = space(&thing.body, side, depth.value()) else {
+            return Ok(Truth::discrete(true));
+        };
+        let contact = N::constant(tolerances.contact);
+        let mut truth = Truth::discrete(true);
+        if let Some((blocker, found)) = nearest_body(call.world, &space, id) {
+            let gap = N::measured(found.separation.gap, || {
+                let Ok(other) = call.world.object(blocker) else { return N::constant(0.0) };
+                let normal = found.separation.normal;
+                let (p, q) = space.contact(&other.body.solid()[found.parts[1]], &found.separation);
+                other.attached(&q).along(&normal) - thing.attached_to_box(&p).along(&normal)
+            });
+            truth = truth.and(Truth::metres(gap + contact, tolerances.order));
+        }
+        if let Some((region, prism)) = region_of(call.world, id, side) {
+            let (left, wall) = room_left(call.world, id, side, &space, prism);
+            let left = N::measured(left, || match (wall, call.world.region(region)) {
+                (Some(wall), Ok(room)) => {
+                    let at = Vec3::new(wall.at.x, thing.body.obb.center.y, wall.at.y);
+                    let way = Vec3::new(wall.inward.x, 0.0, wall.inward.y);
+                    thing.attached_to_box(&at).along(&way) - wall_along(room, &wall)
+                }
+                (_, Ok(room)) => room.pos.0[1] + room.scale.0[1] - (thing.center() + thing.reach()).0[1],
+                _ => N::constant(0.0),
+            });
+            truth = truth.and(Truth::metres(left + contact, tolerances.order));
+        }
+        settled(call, truth)
+    }
+
+    fn explain(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+        let (id, thing) = call.object(0).ok()?;
+        let name = &names.objects[id.0 as usize].name;
+        let side = call.side(1);
+        let space = space(&thing.body, side, call.number(2).ok()?)?;
+        let contact = call.world.options.tolerances.contact;
+        if let Some((blocker, found)) = nearest_body(call.world, &space, id)
+            && found.separation.gap < -contact
+        {
+            let blocker = &names.objects[blocker.0 as usize].name;
+            return Some(format!("`{blocker}` reaches {} into that space", metres(-found.separation.gap)));
+        }
+        let (region, prism) = region_of(call.world, id, side)?;
+        let (left, _) = room_left(call.world, id, side, &space, prism);
+        let region = &names.regions[region.0 as usize].name;
+        (left < -contact).then(|| format!("that space beside `{name}` leaves `{region}` by {}", metres(-left)))
+    }
+}
+
+/// The space on a side, as a convex body; `None`: nothing is left of it.
+fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
+    let half = body.obb.half;
+    let (axis, sign) = match side {
+        Side::Front => (2, 1.0),
+        Side::Behind => (2, -1.0),
+        Side::Left => (0, -1.0),
+        Side::Right => (0, 1.0),
+        Side::Above => (1, 1.0),
+    };
+    if depth <= 0.0 {
+        return None;
+    }
+    let (mut center, mut extent) = (Vec3::zeros(), half);
+    center[axis] = sign * (half[axis] + depth / 2.0);
+    extent[axis] = depth / 2.0;
+    let whole = Obb { center: body.obb.center + body.obb.axes * center, axes: body.obb.axes, half: extent };
+    let sill = body.obb.aabb().min.y + SILL;
+    if side == Side::Above || whole.aabb().min.y >= sill {
+        return Some(Convex::from_box(&whole));
+    }
+    let up = body.obb.axes.column(1);
+    if up.y < 1.0 - 1e-12 {
+        return above(&whole, sill);
+    }
+    // Upright, as nearly everything is: a lower box.
+    let height = 2.0 * half.y - SILL;
+    (height > 0.0).then(|| {
+        let raised = Obb { center: whole.center + up * (SILL / 2.0), half: Vec3::new(extent.x, height / 2.0, extent.z), ..whole };
+        Convex::from_box(&raised)
+    })
+}
+
+/// What of a box is above a height.
+fn above(whole: &Obb, height: f64) -> Option<Convex> {
+    let mut points: Vec<Vec3> = whole.corners().into_iter().filter(|c| c.y >= height).collect();
+    for [a, b] in whole.edges() {
+        let t = (height - a.y) / (b.y - a.y);
+        if t > 0.0 && t < 1.0 {
+            points.push(a + (b - a) * t);
+        }
+    }
+    Convex::from_hull(&points)
+}
+
+/// The other object nearest to the space.
+fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> Option<(ObjectId, Nearest)> {
+    let mut best: Option<(ObjectId, Nearest)> = None;
+    for (id, body) in world.bodies().filter(|(id, _)| *id != own) {
+        let bound = space.aabb().distance(&body.aabb());
+        if best.is_some_and(|(_, n)| bound > n.separation.gap.max(0.0)) {
+            continue;
+        }
+        if let Some(found) = convex::nearest(std::slice::from_ref(space), body.solid())
+            && best.is_none_or(|(_, n)| found.separation.gap < n.separation.gap)
+        {
+            best = Some((id, found));
+        }
+    }
+    best
+}
+
+/// The region that the space must stay in: the one that best contains the object; before and behind a door the one on
+/// that side, if there is one.
+fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(RegionId, &Prism)> {
+    let body = &world.object(id).ok()?.body;
+    let best = |fit: &dyn Fn(&Prism) -> f64| {
+        world.prisms().map(|(region, prism)| (fit(prism), region, prism)).max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    match leaves_door(world, id, side) {
+        Some(way) => {
+            let step = body.obb.half.z + 2.0 * world.options.eta + world.options.tolerances.door;
+            let beyond = body.obb.center + way * step;
+            let here = Vec2::new(beyond.x, beyond.z);
+            let (fit, region, prism) = best(&|prism| prism.polygon.clearance_of_point(here).value)?;
+            (fit >= -world.options.tolerances.contact).then_some((region, prism))
+        }
+        None => best(&|prism| inside_clearance(&body.obb, prism).least()).map(|(_, region, prism)| (region, prism)),
+    }
+}
+
+/// For the front and the back of an asserted door: the direction that leads out of it.
+fn leaves_door<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<Vec3> {
+    let sign = match side {
+        Side::Front => 1.0,
+        Side::Behind => -1.0,
+        _ => return None,
+    };
+    let front = world.object(id).ok()?.body.obb.axes.column(2) * sign;
+    world.allow.doors.iter().any(|door| door.object == id).then_some(front)
+}
+
+/// How much is left to the ceiling or, if less, to the wall given; negative where the space leaves the region.
+fn room_left<N: Number>(
+    world: &World<N>,
+    id: ObjectId,
+    side: Side,
+    space: &Convex,
+    prism: &Prism,
+) -> (f64, Option<Clearance>) {
+    let ceiling = prism.ceiling - space.aabb().max.y;
+    // Before a door the first step is still in the wall: it is no room, and not asked to be.
+    let start = leaves_door(world, id, side).and_then(|way| {
+        let door = &world.object(id).ok()?.body.obb;
+        let wall = 2.0 * world.options.eta + world.options.tolerances.door;
+        Some((way, door.center.dot(&way) + door.half.z + wall))
+    });
+    let outline = space.vertices().iter().map(|v| {
+        let step = start.map_or(Vec3::zeros(), |(way, start)| way * (start - v.dot(&way)).max(0.0));
+        Vec2::new(v.x + step.x, v.z + step.z)
+    });
+    let footprint = convex_hull(outline);
+    let wall = (footprint.len() > 2).then(|| prism.polygon.clearance(&footprint)).filter(|wall| wall.value < ceiling);
+    (wall.map_or(ceiling, |wall| wall.value), wall)
+}

@@ -1,0 +1,75 @@
+//! Where the centre of a disc is free: the floor, less everything that blocks grown by the radius.
+//!
+//! Growing is done here, corner by corner, so that the number of corners of an arc is ours to choose; unions and
+//! differences are geo's.
+
+use geo::{BooleanOps, Coord, LineString, MultiPolygon, Polygon, unary_union};
+use scenelang_layout::Vec2;
+use scenelang_layout::planar::convex_hull;
+
+/// Where the centre of a disc may be, as polygons (perhaps with holes) that do not meet.
+#[derive(Debug)]
+pub(super) struct Floor {
+    pub pieces: Vec<Polygon>,
+}
+
+impl Floor {
+    /// The floor made of `rooms` (simple polygons), with walls around it and obstacles (convex polygons) on it.
+    pub fn new(rooms: impl IntoIterator<Item = Vec<Vec2>>, obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
+        let rooms: Vec<Polygon> = rooms.into_iter().map(|corners| polygon(&corners)).collect();
+        let whole = unary_union(&rooms);
+        let mut blocked: Vec<Polygon> = Vec::new();
+        for ring in whole.iter().flat_map(|p| std::iter::once(p.exterior()).chain(p.interiors())) {
+            for line in ring.lines() {
+                blocked.push(grown(&[vec(line.start), vec(line.end)], radius, corners));
+            }
+        }
+        Self::less(&whole, blocked, obstacles, radius, corners)
+    }
+
+    /// The open floor, as far as anyone who walks between the things on it will go.
+    pub fn open(around: &[Vec<Vec2>], obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
+        let points = || around.iter().flatten();
+        let room = 4.0 * radius + 1.0;
+        let low = points().fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p)) - Vec2::repeat(room);
+        let high = points().fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p)) + Vec2::repeat(room);
+        let whole = polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)]);
+        Self::less(&MultiPolygon(vec![whole]), Vec::new(), obstacles, radius, corners)
+    }
+
+    fn less(whole: &MultiPolygon, mut blocked: Vec<Polygon>, obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
+        blocked.extend(obstacles.iter().map(|footprint| grown(footprint, radius, corners)));
+        Self { pieces: whole.difference(&unary_union(&blocked)).0 }
+    }
+
+    /// Where the disc is within `reach` of a footprint, piece by piece.
+    pub fn places(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<MultiPolygon> {
+        let near = grown(footprint, reach, corners);
+        self.pieces.iter().map(|piece| piece.intersection(&near)).collect()
+    }
+}
+
+/// A convex polygon (or a segment, or a point) and everything within `radius` of it; round corners are inscribed.
+fn grown(shape: &[Vec2], radius: f64, corners: usize) -> Polygon {
+    let mut steps: Vec<Vec2> = (0..corners)
+        .map(|i| {
+            let (sin, cos) = scenelang_layout::rotation::sin_cos(360.0 * i as f64 / corners as f64);
+            Vec2::new(cos, sin) * radius
+        })
+        .collect();
+    // A side of the shape is moved out whole: its own normal is among the steps at both of its ends.
+    for (a, b) in scenelang_layout::planar::edges(shape) {
+        let along = (b - a).try_normalize(0.0).unwrap_or_default() * radius;
+        steps.extend([Vec2::new(along.y, -along.x), Vec2::new(-along.y, along.x)]);
+    }
+    polygon(&convex_hull(shape.iter().flat_map(|p| steps.iter().map(move |step| p + step))))
+}
+
+fn polygon(corners: &[Vec2]) -> Polygon {
+    Polygon::new(LineString(corners.iter().map(|p| Coord { x: p.x, y: p.y }).collect()), Vec::new())
+}
+
+/// A point of geo's as ours.
+pub(super) fn vec(c: Coord) -> Vec2 {
+    Vec2::new(c.x, c.y)
+}

@@ -1,0 +1,248 @@
+//! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
+
+use super::build::code;
+use super::exit_code;
+use super::model::{Kind, Summary, Tally};
+use crate::check::{Checked, Judged};
+use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
+use scenelang_base::{Diagnostic, FileId, Severity, SourceMap, Span};
+use std::fmt::Write;
+
+/// So many violations are shown in full.
+const MOST: usize = 50;
+/// A line longer than this is not shown, only named.
+const LONGEST_LINE: usize = 400;
+
+/// How to write for people.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Human {
+    /// With colours, for a terminal.
+    pub color: bool,
+    /// A line for each constraint that holds, too.
+    pub all: bool,
+}
+
+/// The whole report: diagnostics, violations, preferences that are not met, summary.
+pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
+    let Checked { sources, verdict, report, .. } = checked;
+    let mut out = diagnostics(&verdict.diagnostics, sources, color);
+    if all {
+        for row in report.constraints.iter().filter(|row| row.satisfied != Some(false)) {
+            let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be judged" };
+            let margin = match (row.margin, row.unit.as_deref()) {
+                (Some(margin), Some(unit)) => format!(", margin {margin:.4} {unit}"),
+                _ => String::new(),
+            };
+            line(&mut out, format_args!("{}: {} {verdict}{margin}", row.id, row.text));
+        }
+    }
+    let failing: Vec<&Judged> = verdict.rows.iter().filter(|row| row.satisfied == Some(false)).collect();
+    let mut cache = Files::new(sources);
+    for row in failing.iter().take(MOST) {
+        violation(row, &mut cache, color, &mut out);
+    }
+    if failing.len() > MOST {
+        line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
+    }
+    line(&mut out, format_args!("{}: {}", report.file, summary(checked)));
+    out
+}
+
+/// Diagnostics, each with the text it speaks of.
+pub fn diagnostics(diagnostics: &[Diagnostic], sources: &SourceMap, color: bool) -> String {
+    let mut out = String::new();
+    let mut cache = Files::new(sources);
+    for diagnostic in diagnostics {
+        let hints = diagnostic.fixes.iter().map(|fix| fix.title.clone()).collect();
+        let kind = match diagnostic.severity {
+            Severity::Error => Look::Error,
+            Severity::Warning => Look::Warning,
+        };
+        let finding = Finding {
+            look: kind,
+            code: diagnostic.code.as_str(),
+            message: &diagnostic.message,
+            primary: diagnostic.primary.as_ref().map(|l| (l.place, l.message.clone())),
+            related: diagnostic.related.iter().map(|l| (l.place, l.message.clone())).collect(),
+            notes: diagnostic.notes.clone(),
+            hints,
+        };
+        finding.write(&mut cache, color, &mut out);
+    }
+    out
+}
+
+fn violation(row: &Judged, cache: &mut Files<'_>, color: bool, out: &mut String) {
+    let margin = row.margin.map(|(margin, unit)| {
+        format!("margin {}", crate::check::measure_in_words(margin, unit))
+    });
+    let fails = if row.kind == Kind::Prefer { "not met" } else { "fails" };
+    let label = margin.map_or(fails.to_owned(), |margin| format!("{fails}: {margin}"));
+    let stated = row.kind.rule().is_none();
+    let mut notes: Vec<String> = row.requirements.iter().map(|r| format!("asked for by \"{r}\"")).collect();
+    if let Some(rule) = row.kind.rule() {
+        notes.push(format!("{rule} applies to every program"));
+    }
+    let headline = if row.measured.is_empty() { &row.text } else { &row.measured };
+    let mut related: Vec<(Span, String)> = row.related.iter().map(|l| (l.place, l.message.clone())).collect();
+    let primary = if stated {
+        (row.place, label)
+    } else {
+        // The rule has no text; its objects have.
+        let own = related.iter().position(|(place, _)| *place == row.place);
+        let at = own.map_or(String::new(), |i| related.remove(i).1);
+        (row.place, at)
+    };
+    let finding = Finding {
+        look: if row.kind == Kind::Prefer { Look::Advice } else { Look::Error },
+        code: code(row.kind),
+        message: headline,
+        primary: Some(primary),
+        related,
+        notes,
+        hints: Vec::new(),
+    };
+    finding.write(cache, color, out);
+}
+
+/// What holds of what there is, and what else was found.
+fn summary(checked: &Checked) -> String {
+    let Summary { assertions, preferences, physical, pins } = checked.report.summary;
+    let of = |tally: Tally, what: &str| {
+        (tally.total > 0).then(|| format!("{} of {} {what}", tally.satisfied, tally.total))
+    };
+    let parts = [
+        of(assertions, "assertions"),
+        of(pins, "assignments"),
+        of(preferences, "preferences"),
+        of(physical, "physical rules"),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let mut text = if parts.is_empty() { String::new() } else { format!("{} hold", parts.join(", ")) };
+    let errors = checked.report.diagnostics.iter().filter(|d| d.severity == "error").count();
+    let warnings = checked.report.diagnostics.len() - errors;
+    for (count, what) in [(errors, "error"), (warnings, "warning")] {
+        if count > 0 {
+            let comma = if text.is_empty() { "" } else { ", " };
+            let plural = if count > 1 { "s" } else { "" };
+            text.push_str(&format!("{comma}{count} {what}{plural}"));
+        }
+    }
+    if text.is_empty() {
+        text.push_str(if exit_code(&checked.report) == 0 { "nothing to object to" } else { "it fails" });
+    }
+    text
+}
+
+/// How a finding looks.
+#[derive(Clone, Copy)]
+enum Look {
+    Error,
+    Warning,
+    Advice,
+}
+
+struct Finding<'a> {
+    look: Look,
+    code: &'a str,
+    message: &'a str,
+    primary: Option<(Span, String)>,
+    related: Vec<(Span, String)>,
+    notes: Vec<String>,
+    hints: Vec<String>,
+}
+
+type Id = (FileId, std::ops::Range<usize>);
+
+impl Finding<'_> {
+    fn write(&self, files: &mut Files<'_>, color: bool, out: &mut String) {
+        let (word, paint) = match self.look {
+            Look::Error => ("error", Color::Red),
+            Look::Warning => ("warning", Color::Yellow),
+            Look::Advice => ("note", Color::Cyan),
+        };
+        let shown = self.primary.as_ref().filter(|(place, _)| files.can_show(*place));
+        let Some((place, message)) = shown else {
+            self.write_plainly(word, files, out);
+            return;
+        };
+        let id = |place: &Span| -> Id { (place.file, place.range.bytes()) };
+        let mut report = Report::build(ReportKind::Custom(word, paint), id(place))
+            .with_config(Config::default().with_index_type(IndexType::Byte).with_color(color))
+            .with_code(self.code)
+            .with_message(self.message)
+            .with_label(label(id(place), message, paint));
+        for (place, message) in self.related.iter().filter(|(place, _)| files.can_show(*place)) {
+            report = report.with_label(label(id(place), message, Color::Blue));
+        }
+        report.with_notes(&self.notes);
+        report.with_helps(&self.hints);
+        let mut bytes = Vec::new();
+        match report.finish().write(&mut *files, &mut bytes) {
+            Ok(()) => {
+                // Blanks at the ends of lines are of no use to anyone.
+                for text in String::from_utf8_lossy(&bytes).lines() {
+                    line(out, format_args!("{}", text.trim_end()));
+                }
+            }
+            Err(_) => self.write_plainly(word, files, out),
+        }
+    }
+
+    /// Without the text: there is none, or its line is too long to be read.
+    fn write_plainly(&self, word: &str, files: &Files<'_>, out: &mut String) {
+        let place = self.primary.as_ref().map_or(String::new(), |(place, _)| {
+            let start = files.sources.lines(*place).0;
+            format!("{}:{}:{}: ", files.sources.get(place.file).name(), start.line, start.column)
+        });
+        line(out, format_args!("{place}{word}[{}]: {}", self.code, self.message));
+        for note in self.notes.iter().chain(&self.hints) {
+            line(out, format_args!("  {note}"));
+        }
+    }
+}
+
+fn label(id: Id, message: &str, color: Color) -> Label<Id> {
+    let label = Label::new(id).with_color(color);
+    if message.is_empty() { label } else { label.with_message(message) }
+}
+
+fn line(out: &mut String, text: std::fmt::Arguments<'_>) {
+    let _infallible = writeln!(out, "{text}");
+}
+
+/// The source files as ariadne reads them.
+struct Files<'a> {
+    sources: &'a SourceMap,
+    read: Vec<(FileId, Source<&'a str>)>,
+}
+
+impl<'a> Files<'a> {
+    fn new(sources: &'a SourceMap) -> Self {
+        Self { sources, read: Vec::new() }
+    }
+    /// Whether the lines of a place are short enough to be shown.
+    fn can_show(&self, place: Span) -> bool {
+        let text = self.sources.get(place.file).text().as_bytes();
+        let range = place.range.bytes();
+        let is_break = |b: &u8| matches!(b, b'\n' | b'\r');
+        let (Some(before), Some(after)) = (text.get(..range.start), text.get(range.start..)) else { return false };
+        let first = before.iter().rev().take(LONGEST_LINE).take_while(|b| !is_break(b)).count()
+            + after.iter().take(LONGEST_LINE).take_while(|b| !is_break(b)).count();
+        first < LONGEST_LINE
+    }
+}
+
+impl<'a> ariadne::Cache<FileId> for Files<'a> {
+    type Storage = &'a str;
+    fn fetch(&mut self, id: &FileId) -> Result<&Source<&'a str>, impl std::fmt::Debug> {
+        let index = self.read.iter().position(|(file, _)| file == id).unwrap_or_else(|| {
+            self.read.push((*id, Source::from(self.sources.get(*id).text())));
+            self.read.len() - 1
+        });
+        Ok::<_, std::convert::Infallible>(&self.read[index].1)
+    }
+    fn display<'b>(&self, id: &'b FileId) -> Option<impl std::fmt::Display + 'b> {
+        Some(self.sources.get(*id).name().to_owned())
+    }
+}

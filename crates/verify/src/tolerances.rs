@@ -1,0 +1,60 @@
+//! Tolerances, all in one place, and the options of a check.
+
+use scenelang_layout::convex::Geometry;
+use serde::{Deserialize, Serialize};
+
+/// Every tolerance of a judgement. Each is part of a margin, so that a margin ≥ 0 means that the thing holds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Tolerances {
+    /// `=` of lengths and plain numbers, equal vectors, pinned vertices (metres).
+    pub equal: f64,
+    /// `=` of degrees, equal rotations (degrees).
+    pub angle: f64,
+    /// `<=`, `>=` and physical rules hold down to minus this (metres or degrees).
+    pub order: f64,
+    /// How deep solids may penetrate, or a box may leave its container; slack of `visible`, `clear`, `reachable` (metres).
+    pub contact: f64,
+    /// How far the lowest point may be from what carries it (metres).
+    pub support: f64,
+    /// How far from horizontal a top may be and still carry something (degrees).
+    pub level: f64,
+    /// How far a door may be from the middle of its wall, beyond the walls' own thickness (metres).
+    pub door: f64,
+}
+
+impl Default for Tolerances {
+    fn default() -> Self {
+        Self { equal: 1e-3, angle: 0.1, order: 1e-6, contact: 1e-3, support: 5e-3, level: 1.0, door: 1e-2 }
+    }
+}
+
+/// Thickness of the walls of a room, unless an option says otherwise (metres).
+pub const DEFAULT_ETA: f64 = 0.03;
+
+/// How to judge, and what to report.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Tolerances.
+    pub tolerances: Tolerances,
+    /// Thickness of the walls of a room (metres).
+    pub eta: f64,
+    /// What a solid is: its parts, or its box always. Declared support surfaces count with the parts.
+    pub geometry: Geometry,
+    /// Whether the physical rules apply.
+    pub physics: bool,
+    /// Whether physical rows that hold are listed too.
+    pub all: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerances: Tolerances::default(),
+            eta: DEFAULT_ETA,
+            geometry: Geometry::default(),
+            physics: true,
+            all: false,
+        }
+    }
+}
