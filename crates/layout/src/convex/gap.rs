@@ -160,3 +160,33 @@ fn above_faces<'a>(body: &'a Convex, p: &'a Vec3) -> impl Iterator<Item = Vec3> 
         (height > 0.0 && (low >= 0.0 || high <= 0.0)).then_some(foot)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rotation;
+
+    /// GJK is hardly ever at a loss, so what stands in for it is tried alone.
+    #[test]
+    fn features_find_the_distance_too() {
+        let tetrahedron = [Vec3::zeros(), Vec3::x(), Vec3::y() * 0.7, Vec3::z() * 1.3];
+        let shapes = [
+            Convex::from_cylinder(&Vec3::zeros(), &rotation::matrix(Vec3::zeros()), 0.4, 1.0),
+            Convex::from_hull(&tetrahedron).expect("four points not in one plane"),
+        ];
+        let mut apart = 0;
+        for i in 0..200 {
+            let t = f64::from(i);
+            let (axes, by) =
+                (rotation::matrix(Vec3::new(t * 37.0, t * 15.0, t * 90.0)), Vec3::new(1.3, t % 7.0 * 0.2, -0.4));
+            let (a, b) = (&shapes[i as usize % 2], shapes[i as usize / 2 % 2].moved(&axes, &by));
+            let gap = separation(a, &b).gap;
+            if gap > TOUCHING {
+                apart += 1;
+                let found = certified(a, &b, of_features(a, &b)).map(|s| s.gap);
+                assert!(found.is_some_and(|f| (f - gap).abs() < 1e-6), "{found:?} {gap}");
+            }
+        }
+        assert!(apart > 100, "{apart}");
+    }
+}

@@ -42,7 +42,7 @@ fn bodies() -> impl Strategy<Value = Convex> {
 
 /// Directions in all the sphere, evenly, and along the axes.
 fn directions() -> impl Iterator<Item = Vec3> {
-    let n = 3000;
+    let n = 1500;
     let spiral = (0..n).map(move |i| {
         let y = 1.0 - 2.0 * (f64::from(i) + 0.5) / f64::from(n);
         let (s, c) = (f64::from(i) * 2.399_963).sin_cos();
@@ -72,7 +72,7 @@ fn check(a: &Convex, b: &Convex, s: &Separation, precision: f64) -> Result<(), T
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
     fn boxes_have_the_gap_that_their_faces_prove(a in boxes(), b in boxes()) {

@@ -259,7 +259,7 @@ fn fixes_mend() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(30000))]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
     fn json_is_what_others_take_for_json(
