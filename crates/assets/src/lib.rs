@@ -1,1 +1,78 @@
-//! placeholder
+//! Furniture made to order: a request (name, category, colour, material, size) becomes convex parts and a mesh.
+//!
+//! A family draws every object of its kind from a handful of primitives, in metres, inside the box that was asked for,
+//! so that nothing is ever stretched: legs stay as thick as legs are. The frame is that of the layout (left-handed, y up;
+//! origin in the middle of the bottom face; front to +z). The parts fill the box exactly, and so does the mesh.
+//!
+//! Absent here: usual sizes (the language has them), placement, files.
+
+mod ask;
+mod block;
+mod families;
+mod lexicon;
+mod looks;
+mod mesh;
+mod model;
+mod shapes;
+mod words;
+
+pub use lexicon::family_of;
+pub use looks::covering;
+pub use mesh::{Group, Mesh, Surface};
+
+use scenelang_layout::{Part, Vec3};
+
+/// What is asked for. Texts are as the program has them; empty ones mean nothing was said.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Request<'a> {
+    /// The object's name (`chair[0]`): a second source for the kind, and the seed of small variations.
+    pub name: &'a str,
+    /// The noun.
+    pub category: &'a str,
+    /// A colour in words or `#rrggbb`; a second one, after a comma or "and", is for legs and the like.
+    pub color: &'a str,
+    /// A material in words, or two.
+    pub material: &'a str,
+    /// Free words: "round", "with armrests", "standing".
+    pub features: &'a str,
+    /// Extents w, h, d in metres, each > 0; `None`: a cube of 0.5 m.
+    pub size: Option<Vec3>,
+}
+
+/// What is made.
+#[derive(Clone, Debug)]
+pub struct Asset {
+    /// The family that drew it; `"unknown"` if none did.
+    pub family: &'static str,
+    /// Whether a family drew it; else it is a rounded box, to be shown with its label.
+    pub known: bool,
+    /// Extents w, h, d in metres: those asked for.
+    pub size: Vec3,
+    /// Convex solids, in the object's own frame, at scale; their common box is the object's box.
+    pub parts: Vec<Part>,
+    /// Height of the support surface above the base where it is not the top (a seat, a mattress).
+    pub surface: Option<f64>,
+    /// What is seen.
+    pub mesh: Mesh,
+    /// What to call it: the category, or the name.
+    pub label: String,
+}
+
+/// Makes what is asked for. The same request gives the same asset, on every machine.
+pub fn furnish(request: &Request<'_>) -> Asset {
+    let size =
+        request.size.filter(|s| s.iter().all(|c| c.is_finite() && *c > 0.0)).unwrap_or_else(|| Vec3::repeat(0.5));
+    let found = family_of(request.category, request.name).and_then(families::maker);
+    let (family, maker) = found.unwrap_or(("unknown", families::unknown));
+    let model = maker(&ask::Ask::new(request, size));
+    let label = [request.category, request.name].into_iter().find(|t| !t.trim().is_empty()).unwrap_or("object");
+    Asset {
+        family,
+        known: found.is_some(),
+        size,
+        parts: model.parts,
+        surface: model.surface,
+        mesh: model.mesh,
+        label: label.trim().to_owned(),
+    }
+}

@@ -1,2 +1,34 @@
-//! The `scenelang` binary.
-fn main() {}
+//! The `scenelang` command line: options in, exit code out. What it does lives in the other rooms.
+
+mod args;
+mod check;
+mod fmt;
+mod interrupt;
+mod progress;
+mod solve;
+mod synth;
+mod table;
+
+use args::{Args, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Everything is good.
+pub const GOOD: u8 = 0;
+/// There are findings: a violation, a contradiction, a file that is not formatted.
+pub const FINDINGS: u8 = 1;
+/// It could not be judged, or not be done.
+pub const FAILED: u8 = 2;
+/// Ended by Ctrl-C, as shells have it.
+pub const INTERRUPTED: u8 = 130;
+
+fn main() -> ExitCode {
+    let args = Args::parse();
+    let code = match args.command {
+        Command::Check(check) => check::run(&check),
+        Command::Solve(solve) => solve::run(&solve),
+        Command::Synth(synth) => synth::run(&synth),
+        Command::Fmt(fmt) => fmt::run(&fmt),
+    };
+    ExitCode::from(code)
+}

@@ -1,1 +1,20 @@
-//! placeholder
+//! Stage IV: a verified layout as things that others open — a Unity project, a GLB, a plan, a picture, a web page.
+//!
+//! [`Scene`] is worked out once from program, layout and report; each exporter is one file or folder that implements
+//! [`Exporter`] and only writes down what the scene says.
+//!
+//! Absent here: solving, judging, and how furniture is made (the `assets` room).
+
+mod exporter;
+mod geometry;
+pub mod glb;
+mod names;
+pub mod picture;
+pub mod plan;
+pub mod preview;
+pub mod scene;
+pub mod unity;
+
+pub use exporter::{ExportError, Exporter, OutFile, exporters, write_all};
+pub use geometry::mesh::Group;
+pub use scene::{BuildError, Scene, SceneInput};

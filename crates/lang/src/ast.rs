@@ -28,7 +28,7 @@ pub struct Stmt {
     pub requirements: Vec<(String, TextRange)>,
     /// Text of the `///` lines before it, joined by line feeds.
     pub doc: String,
-    /// The range of the first `@req` or `///`, for `--core`.
+    /// The range of the first `@req(…)`, else of the first `///`; for `--core`.
     pub attributes: Option<TextRange>,
     /// The expressions of the statement, children before parents.
     pub exprs: Vec<Expr>,
@@ -243,7 +243,7 @@ pub enum ExprKind {
     Not(ExprId),
     /// `x + y`, `φ and ψ`, …; the range is that of the operator
     Binary(BinaryOp, TextRange, ExprId, ExprId),
-    /// `a < b`; more than one step is an error that the checker reports (comparisons do not chain)
+    /// `a < b`; more than one step is an error that the parser has reported (comparisons do not chain)
     Compare(ExprId, Vec<(crate::program::Comparison, TextRange, ExprId)>),
     /// `vec3(…)`, `near(a, b, 1)`, `rand(…)`: functions, predicates and constructors alike
     Call(Name, Vec<ExprId>),

@@ -59,6 +59,10 @@ fn next_start(text: &str, tokens: &[Token], from: usize) -> Option<usize> {
 /// One past the last token of the statement that begins at `start`.
 fn end_of_statement(tokens: &[Token], start: usize) -> usize {
     let mut end = start;
+    if tokens[start].kind == Kind::Semi {
+        // A run of stray ones is one piece of news.
+        return start + tokens[start..].iter().take_while(|t| t.kind == Kind::Semi).count();
+    }
     for (i, token) in tokens.iter().enumerate().skip(start) {
         match token.kind {
             Kind::Semi | Kind::OpenComment => return i + 1,
@@ -92,14 +96,17 @@ mod tests {
     fn cuts_at_semicolons() {
         assert_eq!(texts("object a; object b;\n"), ["object a;", "object b;"]);
         assert_eq!(texts("\u{feff}// plain\nobject a;"), ["object a;"]);
-        assert_eq!(texts(" ;; "), [";", ";"]);
+        assert_eq!(texts(" ;; ;"), [";;", ";"]);
         assert_eq!(texts("object a // last\n"), ["object a"]);
         assert_eq!(texts(""), [""; 0]);
     }
 
     #[test]
     fn documentation_and_requirements_go_with_their_statement() {
-        assert_eq!(texts("object a; /// trailing\n/// doc\n// plain\nobject b;"), ["object a;", "/// doc\n// plain\nobject b;"]);
+        assert_eq!(
+            texts("object a; /// trailing\n/// doc\n// plain\nobject b;"),
+            ["object a;", "/// doc\n// plain\nobject b;"]
+        );
         assert_eq!(texts("@req(\"one; two\")\nobject a;"), ["@req(\"one; two\")\nobject a;"]);
         assert_eq!(texts("object a;\n/// dangling\n"), ["object a;"]);
     }

@@ -257,7 +257,7 @@ pub struct Door {
 pub struct Formula {
     /// The nodes.
     pub nodes: Vec<Node>,
-    /// Where each node came from, relative to the start of the statement (for inlined definitions and library
+    /// Where each node came from, relative to the start of the constraint's span (for inlined definitions and library
     /// predicates: the place that uses them). Same length as `nodes`.
     pub ranges: Vec<TextRange>,
     /// The value of the whole.

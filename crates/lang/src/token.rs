@@ -239,7 +239,7 @@ pub enum Kind {
     OddQuotes,
     /// Digits with something attached that is no unit, or two decimal points.
     BadNumber,
-    /// An operator of other languages, see [`crate::parse::wrong_operator`].
+    /// An operator of other languages: `=>`, `&`, `×`, …
     #[token("=>")]
     #[token("=<")]
     #[token("==>")]
@@ -265,7 +265,8 @@ pub enum Kind {
     /// `@` before anything but `req`.
     #[regex(r"@\p{XID_Continue}*")]
     BadAttribute,
-    /// Characters that mean nothing.
+    /// Characters that mean nothing. A lone quotation mark is named, lest it takes along what could have been quoted.
+    #[regex("['`“”„‟‘’‚«»]")]
     Unknown,
 }
 
@@ -410,7 +411,10 @@ mod tests {
             ("or || ∨", "Or or | Or || | Or ∨"),
             ("not ! ¬", "Not not | Not ! | Not ¬"),
             ("a<-1", "Ident a | Arrow <- | Number 1"),
-            ("=> =< -> === <>", "WrongOperator => | WrongOperator =< | WrongOperator -> | WrongOperator === | WrongOperator <>"),
+            (
+                "=> =< -> === <>",
+                "WrongOperator => | WrongOperator =< | WrongOperator -> | WrongOperator === | WrongOperator <>",
+            ),
             ("@req @reqs @", "Req @req | BadAttribute @reqs | BadAttribute @"),
         ];
         for (text, expected) in cases {
@@ -441,7 +445,10 @@ mod tests {
 
     #[test]
     fn names_are_xid_and_only_core_words_are_reserved() {
-        assert_eq!(show("_a1 lámpara 日本語 prefer objects"), "Ident _a1 | Ident lámpara | Ident 日本語 | Ident prefer | Ident objects");
+        assert_eq!(
+            show("_a1 lámpara 日本語 prefer objects"),
+            "Ident _a1 | Ident lámpara | Ident 日本語 | Ident prefer | Ident objects"
+        );
         assert_eq!(show("objects object rot"), "Ident objects | Object object | Rot rot");
         assert_eq!(show("a\u{200b}b"), "Ident a | Unknown \u{200b} | Ident b");
         assert_eq!(lex("\0\0\0\u{1}").len(), 1);

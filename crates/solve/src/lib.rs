@@ -1,1 +1,36 @@
-//! placeholder
+//! Stage III, the Rubik solver: a program and the sizes of its objects in, a layout in which everything holds out.
+//!
+//! The frame is the published algorithm: InitialPlacement ([`place`]), PhysicsRelaxation ([`relax`]), then rounds of
+//! SelectBatch ([`select`]), proposals ([`propose`]) and EnforceBounds ([`bounds`]); the best layout is kept. What holds,
+//! and by how much, is asked of the one evaluator (`verify`); no predicate is known here by name.
+//!
+//! Absent here: reading of files, assets, language models.
+
+mod bounds;
+mod checks;
+mod draws;
+mod finish;
+mod frame;
+mod looks;
+mod merit;
+mod place;
+mod polish;
+mod pool;
+mod pose;
+mod problem;
+mod propose;
+mod regions;
+mod relax;
+mod repair;
+mod search;
+mod select;
+mod setup;
+mod solve;
+mod state;
+mod terms;
+mod tidy;
+mod wishes;
+
+pub use draws::draws;
+pub use problem::{Options, Outcome, Phase, Placed, Problem, Progress, Unsatisfied, What};
+pub use solve::solve;

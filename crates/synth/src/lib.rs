@@ -1,1 +1,11 @@
-//! placeholder
+//! The corridor: program → sizes and parts → layout → report → files, each stage a value that can be looked at.
+//!
+//! Absent here: what the stages do. They live in the rooms below; this one joins them.
+
+mod corridor;
+mod furnish;
+mod output;
+
+pub use corridor::{Failure, Observer, Request, Solved, Stage, solve};
+pub use furnish::{Furnished, asset_of, furnish};
+pub use output::{Written, export, save_layout};

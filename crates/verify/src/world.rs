@@ -8,11 +8,10 @@ use crate::navigation::Walks;
 use crate::number::Number;
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
+use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Allowances, DrawId, ObjectId, Program, RegionId, VariableId, VariableKind};
 use scenelang_layout::convex::{self, local_solid, parts_fill_box};
-use scenelang_layout::{
-    Aabb, Convex, Geometry, Layout, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation,
-};
+use scenelang_layout::{Aabb, Convex, Geometry, Layout, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation};
 use std::sync::OnceLock;
 
 /// An instance of a program.
@@ -201,21 +200,24 @@ impl<N: Number> Room<N> {
 impl<N: Number> World<N> {
     /// The instance that a layout describes. Values that the layout gives for unknown names are not looked at.
     pub fn new(program: &Program, layout: &Layout, options: &Options) -> Self {
-        let placements: rustc_hash::FxHashMap<&str, &Placement> =
+        let placements: FxHashMap<&str, &Placement> =
             layout.objects.iter().map(|(name, placement)| (name.as_str(), placement)).collect();
         let objects = program.objects.iter().map(|object| {
             placements.get(object.name.as_str()).map(|placement| Thing::new(placement, options.geometry))
         });
         let regions = program.regions.iter().map(|region| layout.region(&region.name).and_then(Room::new));
+        let values: FxHashMap<&str, model::Value> =
+            layout.variables.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let variables = program.variables.iter().enumerate().map(|(i, variable)| {
-            let value = layout.variables.iter().find(|(name, _)| *name == variable.name).map(|(_, value)| *value);
+            let value = values.get(variable.name.as_str()).copied();
             value.ok_or(Cause::MissingVariable(VariableId(i as u32))).and_then(|value| setting(variable.kind, value))
         });
-        let recorded: rustc_hash::FxHashMap<&str, f64> =
-            layout.draws.iter().map(|(key, value)| (key.as_str(), *value)).collect();
-        let draws = program.draws.iter().enumerate().map(|(i, draw)| {
-            recorded.get(draw.key.as_str()).copied().ok_or(Cause::MissingDraw(DrawId(i as u32)))
-        });
+        let recorded: FxHashMap<&str, f64> = layout.draws.iter().map(|(key, value)| (key.as_str(), *value)).collect();
+        let draws = program
+            .draws
+            .iter()
+            .enumerate()
+            .map(|(i, draw)| recorded.get(draw.key.as_str()).copied().ok_or(Cause::MissingDraw(DrawId(i as u32))));
         Self {
             objects: objects.collect(),
             regions: regions.collect(),
@@ -289,6 +291,11 @@ impl<N: Number> World<N> {
         self.variables[variable.0 as usize] = Ok(value);
     }
 
+    /// Says why a decision variable has no value.
+    pub fn refuse_variable(&mut self, variable: VariableId, cause: Cause) {
+        self.variables[variable.0 as usize] = Err(cause);
+    }
+
     /// Gives a draw a value, or the reason why it has none.
     pub fn set_draw(&mut self, draw: DrawId, value: Result<f64, Cause>) {
         self.draws[draw.0 as usize] = value;
@@ -324,10 +331,7 @@ impl<N: Number> World<N> {
     }
     /// Ids and bodies of the objects that are there.
     pub fn bodies(&self) -> impl Iterator<Item = (ObjectId, &Body)> {
-        self.objects
-            .iter()
-            .enumerate()
-            .filter_map(|(i, thing)| Some((ObjectId(i as u32), &thing.as_ref()?.body)))
+        self.objects.iter().enumerate().filter_map(|(i, thing)| Some((ObjectId(i as u32), &thing.as_ref()?.body)))
     }
     /// Ids and prisms of the regions that are there.
     pub fn prisms(&self) -> impl Iterator<Item = (RegionId, &Prism)> {

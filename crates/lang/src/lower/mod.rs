@@ -346,9 +346,15 @@ impl<'a> Lowerer<'a, '_> {
         let Some(span) = place.span(place.stmt.range) else { return };
         let written = self.sources.text(span);
         let written = written.strip_prefix(keyword).unwrap_or(written);
+        let mut formula = self.f.b.extract(root);
+        for range in &mut formula.ranges {
+            // From the start of the text that belongs to the statement (`@req` and all) to the start of its span.
+            let from = place.stmt.range.start;
+            *range = TextRange { start: range.start.saturating_sub(from), end: range.end.saturating_sub(from) };
+        }
         self.program.constraints.push(Constraint {
             kind,
-            formula: self.f.b.extract(root),
+            formula,
             span,
             text: written.split_whitespace().collect::<Vec<_>>().join(" "),
             requirements: place.stmt.requirements.iter().map(|(r, _)| r.clone()).collect(),

@@ -48,8 +48,7 @@ struct Check<'s> {
 
 impl Check<'_> {
     fn report(&mut self, place: TextRange, what: &str) {
-        let diagnostic = Diagnostic::new(E0002, place, format!("{what} is not in the core language"));
-        self.found.push(diagnostic.note("`--core` keeps to the published grammar, which every implementation has"));
+        self.found.push(Diagnostic::new(E0002, place, format!("{what} is not in the core language")));
     }
 
     /// Looks at an expression and, if it is core itself, at its parts. The parser bounds the depth.

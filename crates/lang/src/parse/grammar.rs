@@ -46,17 +46,21 @@ fn statement<'t>() -> impl Parser<'t, &'t [Kind], Parsed, Extra<'t>> {
     let arguments = formula.clone().separated_by(just(Kind::Comma)).collect::<Vec<_>>();
     let arguments = arguments.delimited_by(just(Kind::LParen), just(Kind::RParen));
 
-    let declaration = type_word().then(name.clone()).then(index.clone().or_not());
-    let declaration =
-        declaration.map(|(((ty, ty_range), name), size)| StmtKind::Declare { ty, ty_range, name, size });
+    let declaration = type_word().then(name).then(index.clone().or_not());
+    let declaration = declaration.map(|(((ty, ty_range), name), size)| StmtKind::Declare { ty, ty_range, name, size });
 
     let property = just(Kind::Dot).ignore_then(property());
     let path = property.repeated().collect::<Vec<_>>();
-    let target = name.clone().then(index.or_not()).then(path).map_with(|target, e| (target, range(e)));
+    let target = name.then(index.or_not()).then(path).map_with(|target, e| (target, range(e)));
     let arrow = one_of([Kind::Arrow, Kind::ArrowSign]).labelled(Wanted::ARROW);
     let assignment = target.then_ignore(arrow).then(formula.clone());
-    let assignment = assignment
-        .map(|((((name, index), path), target), value)| StmtKind::Assign { name, index, path, target, value });
+    let assignment = assignment.map(|((((name, index), path), target), value)| StmtKind::Assign {
+        name,
+        index,
+        path,
+        target,
+        value,
+    });
 
     let assertion = just(Kind::Assert).ignore_then(formula.clone()).map(|formula| StmtKind::Assert { formula });
 
@@ -72,7 +76,7 @@ fn statement<'t>() -> impl Parser<'t, &'t [Kind], Parsed, Extra<'t>> {
     let allowance = rule.map_with(|rule, e| (rule, range(e))).then(arguments);
     let allowance = allowance.map(|((rule, word), args)| StmtKind::Allow { rule, word, args });
 
-    let parameter = parameter_type().then(name.clone()).map(|((ty, ty_range), name)| Param { ty, ty_range, name });
+    let parameter = parameter_type().then(name).map(|((ty, ty_range), name)| Param { ty, ty_range, name });
     let parameters = parameter.separated_by(just(Kind::Comma)).collect::<Vec<_>>();
     let parameters = parameters.delimited_by(just(Kind::LParen), just(Kind::RParen));
     let callee = callee().map_with(|_, e| word(e)).labelled(Wanted::NAME);
@@ -81,7 +85,7 @@ fn statement<'t>() -> impl Parser<'t, &'t [Kind], Parsed, Extra<'t>> {
     let predicate = predicate.map(|((name, params), body)| StmtKind::Predicate { name, params, body });
 
     let string = just(Kind::Str).map_with(|_, e| (text(e), range(e)));
-    let import = just(Kind::Import).ignore_then(string.clone());
+    let import = just(Kind::Import).ignore_then(string);
     let import = import.map(|(path, range)| StmtKind::Import { path, range });
 
     let requirement = just(Kind::Req).ignore_then(string.delimited_by(just(Kind::LParen), just(Kind::RParen)));
@@ -125,16 +129,20 @@ fn formula<'t>() -> impl Parser<'t, &'t [Kind], ExprId, Extra<'t>> + Clone {
             just(kind).map_with(move |_, e: &mut Extras<'t, '_>| (op, range(e))).labelled(Wanted::CONNECTIVE)
         };
         operand.pratt((
-            prefix(5, just(Kind::Not).labelled(Wanted::CONDITION), |_, a, e: &mut Extras<'t, '_>| push(e, ExprKind::Not(a))),
+            prefix(5, just(Kind::Not).labelled(Wanted::CONDITION), |_, a, e: &mut Extras<'t, '_>| {
+                push(e, ExprKind::Not(a))
+            }),
             infix(left(4), connective(Kind::And, BinaryOp::And), |a, (op, place), b, e: &mut Extras<'t, '_>| {
                 push(e, ExprKind::Binary(op, place, a, b))
             }),
             infix(left(3), connective(Kind::Or, BinaryOp::Or), |a, (op, place), b, e: &mut Extras<'t, '_>| {
                 push(e, ExprKind::Binary(op, place, a, b))
             }),
-            infix(right(2), connective(Kind::Implies, BinaryOp::Implies), |a, (op, place), b, e: &mut Extras<'t, '_>| {
-                push(e, ExprKind::Binary(op, place, a, b))
-            }),
+            infix(
+                right(2),
+                connective(Kind::Implies, BinaryOp::Implies),
+                |a, (op, place), b, e: &mut Extras<'t, '_>| push(e, ExprKind::Binary(op, place, a, b)),
+            ),
             infix(left(1), just(Kind::Where), |set, _, filter, e: &mut Extras<'t, '_>| {
                 push(e, ExprKind::Where(set, filter))
             }),
@@ -183,9 +191,9 @@ fn part<'t>(
     let call = call.map_with(|(name, args), e| push(e, ExprKind::Call(name, args)));
     let own = just(Kind::Dot).ignore_then(property()).map_with(|name, e| push(e, ExprKind::Own(name)));
     let count = binding(formula.clone()).delimited_by(just(Kind::LParen), just(Kind::RParen));
-    let count = just(Kind::Count).ignore_then(count).map_with(|(name, domain, body), e| {
-        push(e, ExprKind::Quantified(Quantifier::Count, name, domain, body))
-    });
+    let count = just(Kind::Count)
+        .ignore_then(count)
+        .map_with(|(name, domain, body), e| push(e, ExprKind::Quantified(Quantifier::Count, name, domain, body)));
     let parenthesised = formula.clone().delimited_by(just(Kind::LParen), just(Kind::RParen));
     let atom = choice((literal, named, call, own, count, parenthesised)).labelled(Wanted::VALUE);
 

@@ -20,6 +20,9 @@ pub enum Damage {
     Lost,
 }
 
+/// The most errors that are told of one statement.
+const MOST: usize = 100;
+
 /// Operators of other languages: what they are here (if anything), how it is written, and a remark.
 const FOREIGN: &[(&str, Option<Kind>, &str, &str)] = &[
     ("=>", Some(Kind::Ge), ">=", "for an implication write `implies`"),
@@ -56,6 +59,9 @@ pub fn check(text: &str, tokens: &[Token]) -> (Vec<Diagnostic<TextRange>>, Damag
     let mut found = Vec::new();
     let mut damage = Damage::None;
     for (at, token) in tokens.iter().enumerate() {
+        if found.len() == MOST {
+            return (found, Damage::Lost);
+        }
         let slice = &text[token.range.bytes()];
         let before = at.checked_sub(1).map(|b| tokens[b]);
         let (diagnostic, worse) = match token.kind {
@@ -67,7 +73,7 @@ pub fn check(text: &str, tokens: &[Token]) -> (Vec<Diagnostic<TextRange>>, Damag
             Kind::WrongOperator => {
                 let assigns = tokens.first().is_some_and(|t| t.kind == Kind::Ident);
                 let mended = intended_operator(slice).map_or(Damage::Lost, |_| Damage::Mended);
-                (Some(foreign_operator(slice, token.range, assigns)), mended)
+                (Some(foreign_operator(text, token.range, assigns)), mended)
             }
             Kind::OpenComment => (Some(open_comment(token.range)), Damage::Mended),
             Kind::BadAttribute if damage != Damage::Lost => (Some(bad_attribute(slice, token.range)), Damage::Lost),
@@ -110,9 +116,12 @@ fn open_string(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
     if curly {
         let quote = end.char_indices().next_back().map_or(0, |(i, _)| i) as u32 + range.start;
         let last = TextRange { start: quote, end: place.end };
-        diagnostic
-            .note("a typographic quotation mark does not close a string")
-            .fix(Applicability::Unsafe, "write `\"`", last, "\"")
+        diagnostic.note("a typographic quotation mark does not close a string").fix(
+            Applicability::Unsafe,
+            "write `\"`",
+            last,
+            "\"",
+        )
     } else {
         diagnostic.fix(Applicability::Unsafe, "close the string", place, "\"")
     }
@@ -122,8 +131,12 @@ fn odd_quotes(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
     let inner = literals::string_value(slice);
     let straight = format!("\"{}\"", inner.replace('\\', "\\\\").replace('"', "\\\""));
     let title = format!("write {}", quote(&straight));
-    Diagnostic::new(E0104, range, format!("text is written in straight double quotes, not as {}", quote(slice)))
-        .fix(Applicability::Safe, title, range, straight)
+    Diagnostic::new(E0104, range, format!("text is written in straight double quotes, not as {}", quote(slice))).fix(
+        Applicability::Safe,
+        title,
+        range,
+        straight,
+    )
 }
 
 fn too_large(slice: &str, range: TextRange) -> Option<Diagnostic<TextRange>> {
@@ -186,7 +199,8 @@ fn unit_meant(suffix: &str) -> Option<&'static str> {
     Some(long)
 }
 
-fn foreign_operator(slice: &str, range: TextRange, assigns: bool) -> Diagnostic<TextRange> {
+fn foreign_operator(text: &str, range: TextRange, assigns: bool) -> Diagnostic<TextRange> {
+    let slice = &text[range.bytes()];
     let entry = FOREIGN.iter().find(|(sign, ..)| *sign == slice);
     let (meant, remark) = entry.map_or(("", ""), |(_, _, meant, remark)| (*meant, *remark));
     let arrow = matches!(slice, "->" | "→");
@@ -194,7 +208,12 @@ fn foreign_operator(slice: &str, range: TextRange, assigns: bool) -> Diagnostic<
     let mut diagnostic = Diagnostic::new(E0116, range, format!("there is no operator {}", quote(slice)));
     if !meant.is_empty() {
         let applicability = if remark.is_empty() { Applicability::Safe } else { Applicability::Unsafe };
-        let text = if meant.starts_with(char::is_alphabetic) { format!(" {meant} ") } else { meant.to_owned() };
+        // A word needs blanks around it where the sign had none.
+        let touches =
+            |beside: Option<char>| meant.starts_with(char::is_alphabetic) && !beside.is_some_and(char::is_whitespace);
+        let before = if touches(text[..range.start as usize].chars().next_back()) { " " } else { "" };
+        let after = if touches(text[range.end as usize..].chars().next()) { " " } else { "" };
+        let text = format!("{before}{meant}{after}");
         diagnostic = diagnostic.label(format!("write `{meant}`"));
         diagnostic = diagnostic.fix(applicability, format!("write `{meant}`"), range, text);
     }

@@ -2,26 +2,37 @@
 
 use super::depth::for_each_child;
 use super::wording::quote;
-use crate::ast::{Expr, ExprKind};
+use crate::ast::{Expr, ExprId, ExprKind};
+use crate::program::Comparison;
 use scenelang_base::codes::{E0114, W0102};
 use scenelang_base::{Applicability, Diagnostic, Edit, Fix, TextRange};
+
+/// A comparison's operator, its place, its right side.
+type Step = (Comparison, TextRange, ExprId);
 
 /// Checks a statement's expressions; `arrows` are the places where `<-` was read as `<` and `-`.
 pub fn check(text: &str, exprs: &[Expr], arrows: &[TextRange]) -> Vec<Diagnostic<TextRange>> {
     let mut found: Vec<Diagnostic<TextRange>> = arrows.iter().map(|arrow| arrow_inside(*arrow)).collect();
-    let chains = |expr: &Expr| matches!(&expr.kind, ExprKind::Compare(_, steps) if steps.len() > 1);
-    if exprs.iter().any(chains) {
-        let negated = negated(exprs);
-        for (expr, negated) in exprs.iter().zip(negated).filter(|(expr, _)| chains(expr)) {
-            found.push(chain(text, expr, exprs, negated));
+    // Looked for only when needed: chains are rare.
+    let mut under_not = None;
+    for (i, expr) in exprs.iter().enumerate() {
+        if let ExprKind::Compare(_, steps) = &expr.kind
+            && steps.len() > 1
+        {
+            let negated = under_not.get_or_insert_with(|| negated(exprs))[i];
+            found.push(chain(text, expr.range, steps, exprs, negated));
         }
     }
     found
 }
 
 fn arrow_inside(arrow: TextRange) -> Diagnostic<TextRange> {
-    Diagnostic::new(W0102, arrow, "`<-` inside an expression means `<` and `-`")
-        .fix(Applicability::Safe, "write a space between them", TextRange::empty(arrow.start + 1), " ")
+    Diagnostic::new(W0102, arrow, "`<-` inside an expression means `<` and `-`").fix(
+        Applicability::Safe,
+        "write a space between them",
+        TextRange::empty(arrow.start + 1),
+        " ",
+    )
 }
 
 /// Which expressions stand directly after `not`.
@@ -33,36 +44,32 @@ fn negated(exprs: &[Expr]) -> Vec<bool> {
     negated
 }
 
-fn chain(text: &str, expr: &Expr, exprs: &[Expr], negated: bool) -> Diagnostic<TextRange> {
-    let ExprKind::Compare(_, steps) = &expr.kind else { unreachable!("only chains are passed") };
-    let between = |i: usize| -> &str {
+fn chain(text: &str, place: TextRange, steps: &[Step], exprs: &[Expr], negated: bool) -> Diagnostic<TextRange> {
+    let right_side = |i: usize| -> &str {
         // Up to the next operator, so that parentheses around the operand are kept.
         let (_, operator, right) = &steps[i];
         let end = steps.get(i + 1).map_or(exprs[right.0 as usize].range.end, |(_, next, _)| next.start);
         text[operator.end as usize..end as usize].trim()
     };
-    let mut edits: Vec<Edit<TextRange>> = Vec::new();
-    for (i, (_, operator, _)) in steps.iter().enumerate().skip(1) {
-        let text = format!("and {} ", between(i - 1));
-        edits.push(Edit { place: TextRange::empty(operator.start), text });
-    }
-    if negated {
-        edits.insert(0, Edit { place: TextRange::empty(expr.range.start), text: "(".to_owned() });
-        edits.push(Edit { place: TextRange::empty(expr.range.end), text: ")".to_owned() });
-    }
-    let mut diagnostic = Diagnostic::new(E0114, expr.range, "comparisons do not chain");
+    let mut diagnostic = Diagnostic::new(E0114, place, "comparisons do not chain");
     for ((_, operator, _), which) in steps.iter().zip(["the first comparison", "the second"]) {
         diagnostic = diagnostic.related(*operator, which);
     }
-    let middle = between(0);
-    let note = match middle.contains(['\n', '\r']) {
-        true => "join two comparisons with `and`".to_owned(),
-        false => format!("compare {} twice, and join the comparisons with `and`", quote(middle)),
-    };
-    let mut diagnostic = diagnostic.note(note);
-    let title = format!("write {}", quote(&applied(text, expr.range, &edits)));
+    let shared = 0..steps.len() - 1;
+    if shared.clone().any(|i| right_side(i).contains("//")) {
+        // A comment would go along with its operand.
+        return diagnostic.note("join two comparisons with `and`");
+    }
+    let again =
+        |i: usize| Edit { place: TextRange::empty(steps[i + 1].1.start), text: format!("and {} ", right_side(i)) };
+    let mut edits: Vec<Edit<TextRange>> = shared.map(again).collect();
+    if negated {
+        edits.insert(0, Edit { place: TextRange::empty(place.start), text: "(".to_owned() });
+        edits.push(Edit { place: TextRange::empty(place.end), text: ")".to_owned() });
+    }
+    let title = format!("write {}", quote(&applied(text, place, &edits)));
     diagnostic.fixes.push(Fix { title, edits, applicability: Applicability::Unsafe });
-    diagnostic
+    diagnostic.note(format!("compare {} twice, and join the comparisons with `and`", quote(right_side(0))))
 }
 
 /// The text of a place with edits inside it made.

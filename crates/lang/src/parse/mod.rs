@@ -29,7 +29,7 @@ mod salvage;
 mod split;
 mod wanted;
 mod wording;
-mod words;
+pub(crate) mod words;
 
 use crate::ast::{Stmt, StmtKind};
 use crate::chunk::{self, has_line_break};
@@ -72,9 +72,16 @@ pub fn parse_statement(text: &str) -> (Vec<Stmt>, Vec<Diagnostic<TextRange>>) {
     let mut tokens: Vec<Token> = all.iter().copied().filter(|t| !t.kind.is_trivia()).collect();
     let mut parser = ChunkParser { text, all: &all, statements: Vec::new(), diagnostics: Vec::new() };
     let end = match tokens.last().copied() {
-        Some(Token { kind: Kind::Semi, range }) => {
+        Some(last @ Token { kind: Kind::Semi, .. }) => {
             tokens.pop();
-            After::Semicolon(range)
+            match tokens.first().copied() {
+                // A run of stray ones, see `chunk`.
+                Some(first) if first.kind == Kind::Semi => {
+                    tokens.clear();
+                    After::Semicolon(first.range.cover(last.range))
+                }
+                _ => After::Semicolon(last.range),
+            }
         }
         Some(open @ Token { kind: Kind::OpenComment, .. }) => {
             tokens.pop();
@@ -211,7 +218,7 @@ impl ChunkParser<'_> {
     }
 
     fn stray_semicolon(&mut self, range: TextRange) {
-        let warning = Diagnostic::new(W0101, range, "this `;` ends no statement");
+        let warning = Diagnostic::new(W0101, range, "there is no statement before this `;`");
         self.diagnostics.push(warning.fix(Applicability::Safe, "remove it", range, ""));
         self.statements.push(Stmt {
             kind: StmtKind::Empty,

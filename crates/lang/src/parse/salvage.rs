@@ -13,6 +13,9 @@ use crate::ast::{Expr, ExprId, ExprKind, Name, StmtKind};
 use crate::token::{Kind, Token};
 use scenelang_base::TextRange;
 
+/// The most names that are kept of one broken declaration: a list that long is no slip.
+const MOST_NAMES: usize = 1000;
+
 type Kept = (StmtKind, Vec<Expr>);
 
 /// The statements that broken tokens still amount to; none if nothing can be kept.
@@ -27,7 +30,8 @@ pub fn salvage(text: &str, tokens: &[Token], words: &Words) -> Vec<Kept> {
             if assignment.is_some() {
                 return assignment.into_iter().collect();
             }
-            let Some(meant) = meant_statement(text, words) else { return Vec::new() };
+            let slice = |at: usize| words.ranges.get(at).map_or("", |range| &text[range.bytes()]);
+            let Some((_, meant)) = meant_statement(slice(head), slice(head + 1)) else { return Vec::new() };
             let mended = words::read(text, tokens, Some(meant));
             match whole(text, &mended) {
                 Some(kept) => vec![kept],
@@ -57,7 +61,7 @@ fn declarations(text: &str, words: &Words) -> Vec<Kept> {
     let ty = words.kinds[head];
     let mut kept = Vec::new();
     let mut at = head + 1;
-    while words.kinds.get(at) == Some(&Kind::Ident) {
+    while words.kinds.get(at) == Some(&Kind::Ident) && kept.len() < MOST_NAMES {
         let mut draft = Draft::default();
         draft.copy(words, head);
         draft.copy(words, at);

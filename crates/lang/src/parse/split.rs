@@ -8,14 +8,21 @@ use super::words::{attributes_end, declares, ends_value, is_assigned, is_type_wo
 use crate::chunk::has_line_break;
 use crate::token::{Kind, Token};
 use scenelang_base::suggest::nearest;
+use std::cell::Cell;
 use std::ops::Range;
 
 /// How far an assignment's target is looked through for its arrow, in tokens.
 const TARGET: usize = 64;
 
+/// The most statements that are looked for in one chunk: nobody forgets a thousand semicolons in a row.
+const MOST: usize = 1000;
+
+/// The most words that are looked at for misspellings.
+const GUESSES: u32 = 1000;
+
 /// Cuts the tokens (not empty, without trivia and `;`) into statements; usually one.
 pub fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
-    let scan = Scan { text, tokens };
+    let scan = Scan { text, tokens, guesses: Cell::new(GUESSES) };
     let mut segments = Vec::new();
     let mut start = 0;
     let mut attributes = attributes_end(tokens);
@@ -28,6 +35,9 @@ pub fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
             Kind::RParen | Kind::RBracket => depth = depth.saturating_sub(1),
             Kind::Define => heading = false,
             _ => {}
+        }
+        if segments.len() + 1 == MOST {
+            break;
         }
         if at > start + attributes && (!heading || scan.new_line(at)) && scan.starts(at, depth) {
             segments.push(start..at);
@@ -44,6 +54,8 @@ pub fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
 struct Scan<'t> {
     text: &'t str,
     tokens: &'t [Token],
+    /// How many more words may be compared with those that they may be slips of: that costs time.
+    guesses: Cell<u32>,
 }
 
 impl Scan<'_> {
@@ -69,6 +81,10 @@ impl Scan<'_> {
             kind if before == Kind::Dot && is_word(self.slice(at)) => {
                 self.new_line(at) && starts_statement(kind) && (named || after == Some(Kind::LParen))
             }
+            // `forall object in …`: a bad name for a variable.
+            kind if declares(kind) && before == Kind::Ident && matches!(self.slice(at - 1), "forall" | "exists") => {
+                false
+            }
             Kind::Object | Kind::Entity | Kind::Region => named,
             kind if is_type_word(kind) => {
                 let declared = matches!(self.kind(at + 2), None | Some(Kind::Arrow | Kind::ArrowSign | Kind::Eq));
@@ -77,7 +93,8 @@ impl Scan<'_> {
             }
             Kind::Assert => after != Some(Kind::Dot) && !(declares(before) && after.is_none()),
             Kind::AllowCollide | Kind::AllowOutside => after == Some(Kind::LParen),
-            Kind::Req | Kind::BadAttribute => true,
+            Kind::Req => true,
+            Kind::BadAttribute => ends_value(before) || self.new_line(at),
             Kind::Ident => self.word_starts(at, before, depth),
             _ => false,
         }
@@ -87,7 +104,7 @@ impl Scan<'_> {
     fn word_starts(&self, at: usize, before: Kind, depth: usize) -> bool {
         let complete = ends_value(before);
         let new_line = self.new_line(at);
-        if !complete && !new_line || depth > 0 && !new_line {
+        if !new_line && (!complete || depth > 0) {
             return false;
         }
         let after = self.kind(at + 1);
@@ -104,10 +121,16 @@ impl Scan<'_> {
             _ => {}
         }
         let another_word = self.tokens.get(at + 1).is_some() && is_word(self.slice(at + 1));
-        if another_word && nearest_statement(word).is_some() {
+        if another_word && self.may_guess() && nearest_statement(word).is_some() {
             return true;
         }
         complete && new_line && depth == 0 && !self.is_slip_of_operator(at)
+    }
+
+    fn may_guess(&self) -> bool {
+        let left = self.guesses.get();
+        self.guesses.set(left.saturating_sub(1));
+        left > 0
     }
 
     /// `target <- …`. Where it is not certain that the statement before is complete, the arrow must be one by its looks:
@@ -139,6 +162,6 @@ impl Scan<'_> {
             Some(kind) => matches!(kind, Kind::Rand | Kind::Vec3 | Kind::Rot | Kind::DotWord),
             None => false,
         };
-        operand && nearest(self.slice(at), ["and", "or", "implies", "weight", "where"]).is_some()
+        operand && self.may_guess() && nearest(self.slice(at), ["and", "or", "implies", "weight", "where"]).is_some()
     }
 }

@@ -131,6 +131,7 @@ impl Reader<'_> {
                 self.in_parameters &= self.depth > 0;
             }
             Kind::Define => self.arrow = Arrow::None,
+            Kind::ArrowSign if self.depth == 0 => self.arrow = Arrow::None,
             _ => {}
         }
         if at == head {
@@ -281,6 +282,7 @@ mod tests {
             ("a <-1", 0),
             ("a[b <-1] <- 2", 1),
             ("a <- b <-1", 1),
+            ("a ← b <-1", 1),
             ("assert a <-1", 1),
             ("prefer <-1", 0),
             ("predicate p(Object a) := a.x <-1", 1),

@@ -5,50 +5,29 @@
 //! comments must match exactly. A block fenced by ```` ```scene core ```` is checked as core language. A block
 //! ```` ```text ```` after a program gives what its constraints become, one a line.
 
+mod blocks;
+mod format;
+mod shape;
+mod soup;
+mod spec;
+mod syntax;
+
+use blocks::{Mark, agree, blocks, expected};
 use scenelang_lang::print::Printed;
-use scenelang_lang::{Options, compile_text};
+use scenelang_lang::{Compiled, Options, compile_text};
 use std::path::Path;
 
-struct Block {
-    line: usize,
-    info: String,
-    text: String,
-}
-
-fn blocks(markdown: &str) -> Vec<Block> {
-    let mut out: Vec<Block> = Vec::new();
-    let mut open = false;
-    for (i, line) in markdown.lines().enumerate() {
-        match (open, line.strip_prefix("```")) {
-            (false, Some(info)) => {
-                out.push(Block { line: i + 2, info: info.trim().into(), text: String::new() });
-                open = true;
-            }
-            (true, Some(_)) => open = false,
-            (true, None) => {
-                let block = out.last_mut().unwrap();
-                block.text.push_str(line);
-                block.text.push('\n');
-            }
-            (false, None) => {}
-        }
-    }
-    out
-}
-
-/// (line, code, column if given), sorted.
-fn expected(text: &str) -> Vec<(u32, String, Option<u32>)> {
-    let mut out = Vec::new();
-    for (i, line) in text.lines().enumerate() {
-        let Some((_, marks)) = line.split_once("//~") else { continue };
-        for mark in marks.split_whitespace() {
-            let (code, column) = match mark.split_once(':') {
-                Some((code, column)) => (code, Some(column.parse().unwrap())),
-                None => (mark, None),
-            };
-            out.push((i as u32 + 1, code.to_owned(), column));
-        }
-    }
+/// The diagnostics of the main file, sorted.
+pub fn found(compiled: &Compiled) -> Vec<Mark> {
+    let file = compiled.sources.get(compiled.main);
+    let places = compiled.diagnostics.iter().filter_map(|d| Some((d.code, d.primary.as_ref()?.place)));
+    let mut out: Vec<Mark> = places
+        .filter(|(_, place)| place.file == compiled.main)
+        .map(|(code, place)| {
+            let at = file.position(place.range.start);
+            (at.line, code.to_string(), Some(at.column))
+        })
+        .collect();
     out.sort();
     out
 }
@@ -64,26 +43,14 @@ fn cases() {
         let name = file.file_name().unwrap().to_string_lossy().into_owned();
         let blocks = blocks(&std::fs::read_to_string(&file).unwrap());
         for (i, block) in blocks.iter().enumerate() {
-            if !block.info.starts_with("scene") {
+            if !block.is_scene() {
                 continue;
             }
             programs += 1;
-            let options = Options { core: block.info.contains("core") };
+            let options = Options { core: block.words().contains(&"core") };
             let compiled = compile_text("case.scene", Path::new("case.scene"), &block.text, options);
-            let file = compiled.sources.get(compiled.main);
-            let mut found: Vec<(u32, String, Option<u32>)> = compiled
-                .diagnostics
-                .iter()
-                .map(|d| {
-                    let at = file.position(d.primary.as_ref().unwrap().place.range.start);
-                    (at.line, d.code.to_string(), Some(at.column))
-                })
-                .collect();
-            found.sort();
-            let wanted = expected(&block.text);
-            let same = found.len() == wanted.len()
-                && found.iter().zip(&wanted).all(|(f, w)| (f.0, &f.1) == (w.0, &w.1) && (w.2.is_none() || w.2 == f.2));
-            if !same {
+            let (found, wanted) = (found(&compiled), expected(&block.text));
+            if !agree(&found, &wanted) {
                 let messages: Vec<_> = compiled.diagnostics.iter().map(|d| &d.message).collect();
                 wrong += &format!("{name}:{}: expected {wanted:?}\n    found {found:?}\n    {messages:?}\n", block.line);
             }

@@ -69,7 +69,8 @@ pub(super) fn measured(
 pub(super) fn position(world: &World<f64>, object: ObjectId) -> Option<String> {
     let thing = world.object(object).ok()?;
     let (pos, rot, size) = (thing.pos.value(), thing.rot.value(), thing.scale.value());
-    let turned = if rot.iter().all(|r| r % 360.0 == 0.0) { String::new() } else { format!(", turned {}°", triple(&rot)) };
+    let turned =
+        if rot.iter().all(|r| r % 360.0 == 0.0) { String::new() } else { format!(", turned {}°", triple(&rot)) };
     Some(format!("at {}{turned}, {:.2} × {:.2} × {:.2} m", triple(&pos), size.x, size.y, size.z))
 }
 

@@ -1,12 +1,16 @@
 //! A layout against its program: names that only one of them knows, values of the wrong kind, outlines that the program
 //! does not leave open.
 
+use rustc_hash::FxHashSet;
 use scenelang_base::suggest::nearest;
 use scenelang_base::{Applicability, Diagnostic, codes};
-use scenelang_lang::program::{Program, VariableKind};
+use scenelang_lang::program::{Object, Program, VariableKind};
 use scenelang_layout::file::{Block, Entry, LARGEST};
 use scenelang_layout::{Layout, Places, ReadLayout, Value};
 use smol_str::SmolStr;
+
+/// So many entries of a block are told of.
+const MOST: usize = 100;
 
 /// What is wrong, in the order of the file.
 pub(super) fn check(program: &Program, read: &ReadLayout) -> Vec<Diagnostic> {
@@ -39,53 +43,49 @@ fn unknown(
     other: &[&SmolStr],
     out: &mut Vec<Diagnostic>,
 ) {
-    let known: rustc_hash::FxHashSet<&str> = own.iter().map(|name| name.as_str()).collect();
-    for Entry { name, place, .. } in block.iter().filter(|entry| !known.contains(entry.name.as_str())) {
-        let size = program.objects.iter().filter(|o| o.array.as_ref().is_some_and(|(array, _)| array == name)).count();
-        let array = name.split('[').next().and_then(|base| {
-            let length = |o: &&scenelang_lang::program::Object| o.array.as_ref().is_some_and(|(array, _)| array == base);
-            Some((base, program.objects.iter().filter(length).count())).filter(|(_, n)| *n > 0)
-        });
-        let mut finding = if size > 0 {
-            let say = format!("`{name}` is an array, no object: its elements are `{name}[0]` to `{name}[{}]`", size - 1);
-            Diagnostic::new(codes::E0506, place.key, say)
-        } else if let Some((base, n)) = array {
-            let say = format!("the program has no `{name}`: the array `{base}` ends with `{base}[{}]`", n - 1);
-            Diagnostic::new(codes::E0506, place.key, say)
+    let known: FxHashSet<&str> = own.iter().map(|name| name.as_str()).collect();
+    let strangers: Vec<&Entry> = block.iter().filter(|entry| !known.contains(entry.name.as_str())).take(MOST).collect();
+    // Against thousands of names a slip of the pen is not worth the search.
+    let free = own.iter().map(|name| name.as_str()).filter(|name| block.get(name).is_none()).take(MOST * 10);
+    let free: Vec<&str> = if strangers.is_empty() { Vec::new() } else { free.collect() };
+    for Entry { name, place, .. } in strangers {
+        let base = name.split('[').next().unwrap_or(name);
+        let of_array = |o: &&Object| o.array.as_ref().is_some_and(|(array, _)| array == base);
+        let elements: Vec<&Object> = program.objects.iter().filter(of_array).collect();
+        let finding = |say: String| Diagnostic::new(codes::E0506, place.key, say);
+        out.push(if let Some(last) = elements.last() {
+            let say = if base == name {
+                format!("`{name}` is an array, no object: its elements are `{}` to `{}`", elements[0].name, last.name)
+            } else {
+                format!("the program has no `{name}`: the array `{base}` ends with `{}`", last.name)
+            };
+            finding(say).related(last.span, "declared here")
         } else if other.contains(&name) {
             let (is, there) = if what == "object" { ("a region", "regions") } else { ("an object", "objects") };
-            Diagnostic::new(codes::E0506, place.key, format!("`{name}` is {is}: it belongs under \"{there}\""))
+            finding(format!("`{name}` is {is}: it belongs under \"{there}\""))
         } else {
-            let finding = Diagnostic::new(codes::E0506, place.key, format!("the program has no {what} `{name}`"));
-            let free = own.iter().filter(|name| block.get(name).is_none()).map(|name| name.as_str());
-            match nearest(name, free) {
-                Some(near) => finding.fix(
-                    Applicability::Unsafe,
-                    format!("did you mean `{near}`?"),
-                    place.key,
-                    serde_json::Value::from(near).to_string(),
-                ),
+            let finding = finding(format!("the program has no {what} `{name}`"));
+            match nearest(name, free.iter().copied()) {
+                Some(near) => {
+                    let (title, key) = (format!("did you mean `{near}`?"), serde_json::Value::from(near));
+                    finding.fix(Applicability::Unsafe, title, place.key, key.to_string())
+                }
                 None => finding,
             }
-        };
-        let array_span = program.objects.iter().find(|o| o.array.as_ref().is_some_and(|(a, _)| name.starts_with(a.as_str())));
-        if let Some(object) = array_span.filter(|_| size > 0 || array.is_some()) {
-            finding = finding.related(object.span, "declared here");
-        }
-        out.push(finding);
+        });
     }
 }
 
 /// What the program has and the layout lacks, all of a kind in one diagnostic.
 fn missing(what: &str, key: &str, read: &ReadLayout, block: &Block, own: &[&SmolStr], out: &mut Vec<Diagnostic>) {
-    const MOST: usize = 8;
+    const NAMED: usize = 8;
     let lacking: Vec<&SmolStr> = own.iter().copied().filter(|name| block.get(name).is_none()).collect();
     if lacking.is_empty() || is_spoilt(read, key, block) {
         return;
     }
-    let mut names: Vec<String> = lacking.iter().take(MOST).map(|name| format!("`{name}`")).collect();
-    if lacking.len() > MOST {
-        names.push(format!("{} more", lacking.len() - MOST));
+    let mut names: Vec<String> = lacking.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+    if lacking.len() > NAMED {
+        names.push(format!("{} more", lacking.len() - NAMED));
     }
     let plural = if lacking.len() > 1 { "s" } else { "" };
     let message = format!("the layout lacks the {what}{plural} {}", names.join(", "));
@@ -106,7 +106,7 @@ fn is_spoilt(read: &ReadLayout, key: &str, block: &Block) -> bool {
 }
 
 fn variables(program: &Program, layout: &Layout, places: &Places, out: &mut Vec<Diagnostic>) {
-    for entry in places.variables.iter() {
+    for entry in places.variables.iter().take(MOST) {
         let Some(variable) = program.variables.iter().find(|v| v.name == entry.name) else {
             if !program.assigned_variables.contains(&entry.name) {
                 let message = format!("the program has no variable `{}`", entry.name);

@@ -8,14 +8,15 @@ mod physical;
 mod rooms;
 mod stated;
 
-pub use file::{Checked, check_file, check_layout_text};
 pub(crate) use describe::number as measure_in_words;
+pub use file::{Checked, check_file, check_layout_text};
 
+use crate::eval::Cause;
 use crate::report::model::{Kind, Summary};
 use crate::tolerances::Options;
 use crate::world::World;
 use scenelang_base::{Diagnostic, Label, Span};
-use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_lang::program::{DrawId, ObjectId, Program, Unit, VariableId};
 use scenelang_layout::{Layout, Places};
 
 /// A judgement: rows, counts, and what could not be judged or looks odd. Places are absolute.
@@ -71,7 +72,8 @@ impl Judged {
     /// What was measured and, where it fails, where its objects are.
     pub fn message(&self) -> String {
         let places = self.related.iter().map(|label| label.message.as_str());
-        let parts: Vec<&str> = std::iter::once(self.measured.as_str()).chain(places).filter(|p| !p.is_empty()).collect();
+        let parts: Vec<&str> =
+            std::iter::once(self.measured.as_str()).chain(places).filter(|p| !p.is_empty()).collect();
         parts.join("; ")
     }
 }
@@ -84,6 +86,9 @@ pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
 /// Judges a layout; `places` says where its values stand.
 fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
     let mut world = World::new(program, layout, options);
+    if let Some(places) = places {
+        refuse(program, &mut world, places);
+    }
     let mut verdict = Verdict::default();
     draws::check(program, &mut world, places, &mut verdict.diagnostics);
     stated::judge(program, &world, &mut verdict);
@@ -92,4 +97,20 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     }
     rooms::warn(program, &world, &mut verdict.diagnostics);
     verdict
+}
+
+/// What the file gives but could not be read has been told of: it is refused, not missing.
+fn refuse(program: &Program, world: &mut World<f64>, places: &Places) {
+    for (index, variable) in program.variables.iter().enumerate() {
+        let id = VariableId(index as u32);
+        if world.variable(id).is_err() && places.variables.get(&variable.name).is_some() {
+            world.refuse_variable(id, Cause::Refused);
+        }
+    }
+    for (index, draw) in program.draws.iter().enumerate() {
+        let id = DrawId(index as u32);
+        if world.draw(id).is_err() && places.draws.get(&draw.key).is_some() {
+            world.set_draw(id, Err(Cause::Refused));
+        }
+    }
 }

@@ -10,8 +10,8 @@ use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
 use crate::rules::{Scope, Support, bounds, collide, mounts, pairs_within};
 use crate::world::World;
-use scenelang_layout::inside_clearance;
 use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_layout::inside_clearance;
 
 pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
     let scope = Scope::new(world);
@@ -114,9 +114,11 @@ fn collisions(rows: &mut Rows<'_>, scope: &Scope, near: &[(ObjectId, ObjectId)])
         violations += usize::from(outcome.is_some_and(|t| !t.holds));
         let (a, b) = if rows.name(a) <= rows.name(b) { (a, b) } else { (b, a) };
         let text = format!("`{}` and `{}` do not collide", rows.name(a), rows.name(b));
-        rows.list(Kind::Collision, Subject::Pair(a, b), outcome, text, |rows| match (world.object(a), world.object(b)) {
-            (Ok(x), Ok(y)) => natives::gap_in_words(rows.name(a), rows.name(b), natives::gap(x, y)),
-            _ => "cannot be judged: the layout lacks an object".to_owned(),
+        rows.list(Kind::Collision, Subject::Pair(a, b), outcome, text, |rows| {
+            match (world.object(a), world.object(b)) {
+                (Ok(x), Ok(y)) => natives::gap_in_words(rows.name(a), rows.name(b), natives::gap(x, y)),
+                _ => "cannot be judged: the layout lacks an object".to_owned(),
+            }
         });
     }
     let count = |filter: &dyn Fn(ObjectId) -> bool| scope.pairs(rows.program.objects.len(), filter);

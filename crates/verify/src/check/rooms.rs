@@ -2,6 +2,7 @@
 //! allowed outside and stand in a wall where no door is.
 
 use super::describe::number;
+use crate::navigation::opening;
 use crate::world::World;
 use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::program::{ObjectId, Program, RegionId, Unit};
@@ -88,23 +89,15 @@ fn crossing(
     }
     let contact = world.options.tolerances.contact;
     let (footprint, span) = (thing.body.obb.footprint(), thing.body.obb.aabb());
-    let openings: Vec<Vec<Vec2>> = world
-        .bodies()
-        .filter(|(id, _)| is_door(*id))
-        .map(|(_, door)| {
-            let mut long = door.obb;
-            long.half.z += 2.0 * world.options.eta + world.options.tolerances.door;
-            long.footprint()
-        })
-        .collect();
+    let doors = world.bodies().filter(|(id, _)| is_door(*id));
+    let openings: Vec<Vec<Vec2>> = doors.map(|(_, door)| opening(&door.obb, &world.options)).collect();
     for (room, prism) in rooms {
         let level = span.min.y < prism.ceiling - contact && span.max.y > prism.floor + contact;
         let in_wall = |points: &[Vec2]| {
-            let deep = |p: &Vec2| depth_in_convex(&footprint, *p) >= -1e-9;
             let open = |p: &Vec2| openings.iter().any(|o| depth_in_convex(o, *p) >= -contact);
             let middle = points.iter().sum::<Vec2>() / points.len().max(1) as f64;
             // The middle of what a wall and the footprint share is well inside only where the wall is crossed.
-            points.len() == 2 && depth_in_convex(&footprint, middle) > contact && points.iter().all(|p| deep(p)) && !points.iter().all(open)
+            points.len() == 2 && depth_in_convex(&footprint, middle) > contact && !points.iter().all(open)
         };
         if level && prism.polygon.edges().any(|(a, b)| in_wall(&convex_overlap(&[a, b], &footprint))) {
             let object = &program.objects[id.0 as usize];

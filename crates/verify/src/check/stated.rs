@@ -9,6 +9,9 @@ use rustc_hash::FxHashSet;
 use scenelang_base::{Diagnostic, Span};
 use scenelang_lang::program::{Constraint, ConstraintKind, NodeId, ObjectId, Program};
 
+/// So many findings are listed; the rows say the rest.
+const MOST: usize = 100;
+
 pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
     let mut scratch = Scratch::new();
     let mut told = FxHashSet::default();
@@ -47,7 +50,9 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
                 row.objects = objects(constraint, error.node);
                 let reason = reason(program, error.cause);
                 row.measured = format!("cannot be judged: {reason}");
-                verdict.diagnostics.extend(diagnostic(constraint, error, reason, &mut told));
+                if verdict.diagnostics.len() < MOST {
+                    verdict.diagnostics.extend(diagnostic(constraint, error, reason, &mut told));
+                }
             }
         }
         let summary = &mut verdict.summary;
@@ -96,10 +101,10 @@ fn diagnostic(
     }
     let formula = &constraint.formula;
     let whole = constraint.span;
-    let place = formula.ranges.get(error.node.0 as usize).map(|range| Span {
-        file: whole.file,
-        range: range.shifted(whole.range.start),
-    });
+    let place = formula
+        .ranges
+        .get(error.node.0 as usize)
+        .map(|range| Span { file: whole.file, range: range.shifted(whole.range.start) });
     let place = place.filter(|p| p.range.end <= whole.range.end).unwrap_or(whole);
     Some(Diagnostic::new(code, place, reason))
 }

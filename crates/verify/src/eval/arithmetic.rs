@@ -3,8 +3,8 @@
 //! Nothing infinite or undefined comes out of finite numbers: that is an error. The one infinity that may come in is a
 //! walk for which there is no way.
 
-use super::value::{Cause, EvalError, Value};
 use super::Values;
+use super::value::{Cause, EvalError, Value};
 use crate::number::Number;
 use crate::vector::{M3, V3};
 use scenelang_lang::program::{Arith, Axis, Function, NodeId};
@@ -123,9 +123,7 @@ pub(super) fn call<N: Number>(
         Function::Dot => check(triple(get(0)?).dot(triple(get(1)?))),
         Function::Distance => check((triple(get(0)?) - triple(get(1)?)).length()),
         Function::Angle => match (get(0)?, get(1)?) {
-            (Value::Rotation(a), Value::Rotation(b)) => {
-                Ok(Value::Number(M3::rotation(a).angle(&M3::rotation(b))))
-            }
+            (Value::Rotation(a), Value::Rotation(b)) => Ok(Value::Number(M3::rotation(a).angle(&M3::rotation(b)))),
             (a, b) => {
                 let (a, b) = (triple(a), triple(b));
                 if a.length().value() == 0.0 || b.length().value() == 0.0 {

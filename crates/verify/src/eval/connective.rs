@@ -2,8 +2,8 @@
 //!
 //! A comparison decides its verdict by its own rule; connectives join verdicts by logic and margins by min and max.
 
-use super::value::{EvalError, Truth, Value};
 use super::Values;
+use super::value::{EvalError, Truth, Value};
 use crate::number::Number;
 use crate::tolerances::Tolerances;
 use crate::vector::M3;

@@ -113,7 +113,9 @@ impl<N: Number> Scratch<N> {
             Node::AtLeast(n, parts) => {
                 Value::Truth(connective::at_least(*n as usize, values, parts, &mut self.greatest)?)
             }
-            Node::Native(native, args) => Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?),
+            Node::Native(native, args) => {
+                Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?)
+            }
             Node::Measure(measure, args) => {
                 Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?)
             }

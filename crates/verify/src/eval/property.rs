@@ -1,8 +1,8 @@
 //! What can be read of objects and regions.
 
+use super::Values;
 use super::arithmetic::triple;
 use super::value::{Cause, EvalError, Truth, Value};
-use super::Values;
 use crate::number::Number;
 use crate::vector::V3;
 use crate::world::World;
@@ -102,9 +102,8 @@ pub(super) fn same_polygon<N: Number>(
         (1..n).fold(distance(0), |worst, i| worst.max(distance(i)))
     };
     // Every start, in either winding.
-    let least = (0..n)
-        .flat_map(|start| [apart(start, 1), apart(start, n - 1)])
-        .fold(N::constant(f64::INFINITY), N::min);
+    let least =
+        (0..n).flat_map(|start| [apart(start, 1), apart(start, n - 1)]).fold(N::constant(f64::INFINITY), N::min);
     let tolerance = world.options.tolerances.equal;
     Ok(Truth::metres(N::constant(tolerance) - least, 1e-12))
 }

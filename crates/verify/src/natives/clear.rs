@@ -101,7 +101,11 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
     // Upright, as nearly everything is: a lower box.
     let height = 2.0 * half.y - SILL;
     (height > 0.0).then(|| {
-        let raised = Obb { center: whole.center + up * (SILL / 2.0), half: Vec3::new(extent.x, height / 2.0, extent.z), ..whole };
+        let raised = Obb {
+            center: whole.center + up * (SILL / 2.0),
+            half: Vec3::new(extent.x, height / 2.0, extent.z),
+            ..whole
+        };
         Convex::from_box(&raised)
     })
 }
@@ -139,19 +143,22 @@ fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> O
 /// that side, if there is one.
 fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(RegionId, &Prism)> {
     let body = &world.object(id).ok()?.body;
-    let best = |fit: &dyn Fn(&Prism) -> f64| {
-        world.prisms().map(|(region, prism)| (fit(prism), region, prism)).max_by(|a, b| a.0.total_cmp(&b.0))
+    let contact = world.options.tolerances.contact;
+    let Some(way) = leaves_door(world, id, side) else {
+        // Of several that hold it (a room and its zones) the one that leaves it most room.
+        let fit = |prism: &Prism| {
+            let inside = inside_clearance(&body.obb, prism);
+            ((inside.least() + contact).min(0.0), inside.horizontal.value)
+        };
+        let regions = world.prisms().map(|(region, prism)| (fit(prism), region, prism));
+        let best = regions.max_by(|((a, b), ..), ((c, d), ..)| a.total_cmp(c).then(b.total_cmp(d)));
+        return best.map(|(_, region, prism)| (region, prism));
     };
-    match leaves_door(world, id, side) {
-        Some(way) => {
-            let step = body.obb.half.z + 2.0 * world.options.eta + world.options.tolerances.door;
-            let beyond = body.obb.center + way * step;
-            let here = Vec2::new(beyond.x, beyond.z);
-            let (fit, region, prism) = best(&|prism| prism.polygon.clearance_of_point(here).value)?;
-            (fit >= -world.options.tolerances.contact).then_some((region, prism))
-        }
-        None => best(&|prism| inside_clearance(&body.obb, prism).least()).map(|(_, region, prism)| (region, prism)),
-    }
+    let beyond = body.obb.center + way * (body.obb.half.z + 2.0 * world.options.eta + world.options.tolerances.door);
+    let fit = |prism: &Prism| prism.polygon.clearance_of_point(Vec2::new(beyond.x, beyond.z)).value;
+    let regions = world.prisms().map(|(region, prism)| (fit(prism), region, prism));
+    let (fit, region, prism) = regions.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (fit >= -contact).then_some((region, prism))
 }
 
 /// For the front and the back of an asserted door: the direction that leads out of it.

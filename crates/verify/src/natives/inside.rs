@@ -8,9 +8,9 @@ use crate::tolerances::Tolerances;
 use crate::vector::V3;
 use crate::world::{Room, Thing};
 use scenelang_lang::program::{Arg, Program};
-use scenelang_layout::inside_clearance;
+use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::polygon::Clearance;
-use nalgebra::Vector3;
+use scenelang_layout::{Obb, Vec2, Vec3, inside_clearance};
 
 /// See the file.
 pub(super) struct Inside;
@@ -67,13 +67,34 @@ pub fn in_region<N: Number>(thing: &Thing<N>, room: &Room<N>, tolerances: &Toler
 
 /// The horizontal clearance of an object's box from the walls of a region, negative outside, without tolerance.
 pub(super) fn clearance_in_region<N: Number>(thing: &Thing<N>, room: &Room<N>) -> N {
-    let clearance = room.prism.polygon.clearance(&thing.body.obb.footprint());
+    let footprint = thing.body.obb.footprint();
+    let clearance = room.prism.polygon.clearance(&footprint);
     N::measured(clearance.value, || {
-        // The wall's nearest point stays, the box turns on the corner it shows to the wall: its reach that way.
-        let way = V3::constant(&Vector3::new(clearance.inward.x, 0.0, clearance.inward.y));
-        let reach = |axis: usize| way.dot(thing.axes.0[axis]).abs() * thing.scale.0[axis].scale(0.5);
-        way.dot(thing.center()) - reach(0) - reach(1) - reach(2) - wall_along(room, &clearance)
+        let way = Vec3::new(clearance.inward.x, 0.0, clearance.inward.y);
+        let own = if footprint.iter().any(|corner| (corner - clearance.at).norm() < 1e-9) {
+            // A corner of the box that it shows to the wall, or a side that lies along it: how far it reaches that way.
+            let way = V3::constant(&way);
+            let reach = |axis: usize| way.dot(thing.axes.0[axis]).abs() * thing.scale.0[axis].scale(0.5);
+            way.dot(thing.center()) - reach(0) - reach(1) - reach(2)
+        } else {
+            // A point of a side, which a corner of the wall is nearest to.
+            thing.attached_to_box(&over(&thing.body.obb, clearance.at)).along(&way)
+        };
+        own - wall_along(room, &clearance)
     })
+}
+
+/// The point of the edges of a box that is over (or under) a point of the outline of its footprint.
+fn over(obb: &Obb, at: Vec2) -> Vec3 {
+    let flat = |p: Vec3| Vec2::new(p.x, p.z);
+    let on = |[p, q]: [Vec3; 2]| {
+        let (a, b) = (flat(p), flat(q));
+        let nearest = nearest_on_segment(&at, &a, &b);
+        let length = (b - a).norm();
+        let t = if length > 0.0 { (nearest - a).norm() / length } else { 0.0 };
+        ((nearest - at).norm(), p + (q - p) * t)
+    };
+    obb.edges().map(on).into_iter().min_by(|x, y| x.0.total_cmp(&y.0)).map_or(obb.center, |(_, point)| point)
 }
 
 /// The nearest point of the wall, along the way in.

@@ -15,7 +15,12 @@ pub(super) struct Floor {
 
 impl Floor {
     /// The floor made of `rooms` (simple polygons), with walls around it and obstacles (convex polygons) on it.
-    pub fn new(rooms: impl IntoIterator<Item = Vec<Vec2>>, obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
+    pub fn new(
+        rooms: impl IntoIterator<Item = Vec<Vec2>>,
+        obstacles: &[Vec<Vec2>],
+        radius: f64,
+        corners: usize,
+    ) -> Self {
         let rooms: Vec<Polygon> = rooms.into_iter().map(|corners| polygon(&corners)).collect();
         let whole = unary_union(&rooms);
         let mut blocked: Vec<Polygon> = Vec::new();
@@ -37,15 +42,37 @@ impl Floor {
         Self::less(&MultiPolygon(vec![whole]), Vec::new(), obstacles, radius, corners)
     }
 
-    fn less(whole: &MultiPolygon, mut blocked: Vec<Polygon>, obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
+    fn less(
+        whole: &MultiPolygon,
+        mut blocked: Vec<Polygon>,
+        obstacles: &[Vec<Vec2>],
+        radius: f64,
+        corners: usize,
+    ) -> Self {
         blocked.extend(obstacles.iter().map(|footprint| grown(footprint, radius, corners)));
         Self { pieces: whole.difference(&unary_union(&blocked)).0 }
     }
 
     /// Where the disc is within `reach` of a footprint, piece by piece.
-    pub fn places(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<MultiPolygon> {
+    pub fn places(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<Places> {
         let near = grown(footprint, reach, corners);
-        self.pieces.iter().map(|piece| piece.intersection(&near)).collect()
+        self.pieces.iter().map(|piece| Places { area: piece.intersection(&near), near: near.clone() }).collect()
+    }
+}
+
+/// Where a disc stands near something, on one piece of the floor.
+#[derive(Debug)]
+pub(super) struct Places {
+    /// The part of the piece that is near.
+    pub area: MultiPolygon,
+    /// All that is near, on the floor or not: a convex polygon.
+    pub near: Polygon,
+}
+
+impl Places {
+    /// Whether there is such a place.
+    pub fn any(&self) -> bool {
+        !self.area.0.is_empty()
     }
 }
 

@@ -1,17 +1,18 @@
 //! Walking: where a disc can stand on the floor, from where to where it can move, and how far that is.
 //!
 //! A disc moves in the union of the regions and of the asserted doors (or, without any region, on the open floor),
-//! around the footprints of what reaches into the space above the floor. Its centre is therefore free in what remains
+//! around the footprints of what reaches into the space above the floor, on one storey. Its centre is therefore free in what remains
 //! after everything that blocks has grown by the radius.
 
 mod free;
 mod shortest;
 
 use crate::number::Number;
+use crate::tolerances::Options;
 use crate::world::World;
-use free::Floor;
-use scenelang_lang::program::ObjectId;
-use scenelang_layout::{Obb, inside_clearance};
+use free::{Floor, Places};
+use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::{Obb, Prism, Vec2, inside_clearance};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// What reaches no higher than this above the floor is stepped over (metres).
@@ -30,10 +31,18 @@ const COARSE: usize = 64;
 
 /// Floors of one instance by the disc that walks on them, each made when it is first asked for.
 #[derive(Debug, Default)]
-pub(crate) struct Walks(Mutex<Vec<Walk>>);
+pub(crate) struct Walks(Mutex<Vec<(Walk, Arc<Floor>)>>);
 
-/// Radius and corners of the disc, and its floor.
-type Walk = ((f64, usize), Arc<Floor>);
+/// Who walks where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Walk {
+    /// Of the disc (metres).
+    radius: f64,
+    /// Corners of a full circle.
+    corners: usize,
+    /// The first region of the storey; `None`: the open floor.
+    storey: Option<RegionId>,
+}
 
 impl Clone for Walks {
     fn clone(&self) -> Self {
@@ -42,16 +51,15 @@ impl Clone for Walks {
 }
 
 impl Walks {
-    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<Walk>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<(Walk, Arc<Floor>)>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
-    fn floor<N: Number>(&self, world: &World<N>, radius: f64, corners: usize) -> Arc<Floor> {
-        let key = (radius, corners);
-        if let Some((_, floor)) = self.lock().iter().find(|(k, _)| *k == key) {
+    fn floor<N: Number>(&self, world: &World<N>, walk: Walk) -> Arc<Floor> {
+        if let Some((_, floor)) = self.lock().iter().find(|(known, _)| *known == walk) {
             return Arc::clone(floor);
         }
-        let floor = Arc::new(make(world, radius, corners));
-        self.lock().push((key, Arc::clone(&floor)));
+        let floor = Arc::new(make(world, walk));
+        self.lock().push((walk, Arc::clone(&floor)));
         floor
     }
 }
@@ -59,49 +67,103 @@ impl Walks {
 /// Whether a disc of the given diameter can move from one object to the other.
 pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f64) -> bool {
     let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
-    let floor = world.walks.floor(world, radius, FINE);
-    let [from, to] = [a, b].map(|obb| floor.places(&obb.footprint(), radius + NEAR, FINE));
-    from.iter().zip(&to).any(|(x, y)| !x.0.is_empty() && !y.0.is_empty())
+    let Some((_, from, to)) = ends(world, a, b, radius, FINE) else { return false };
+    from.iter().zip(&to).any(|(x, y)| x.any() && y.any())
 }
 
 /// The length of the shortest way of a person from one object to the other (metres); infinite where there is none.
 pub(crate) fn walk<N: Number>(world: &World<N>, a: &Obb, b: &Obb) -> f64 {
     let radius = (PERSON - world.options.tolerances.contact) / 2.0;
-    let floor = world.walks.floor(world, radius, COARSE);
-    let [from, to] = [a, b].map(|obb| floor.places(&obb.footprint(), radius + NEAR, COARSE));
-    shortest::between(&floor, &from, &to)
+    ends(world, a, b, radius, COARSE).map_or(f64::INFINITY, |(floor, from, to)| shortest::between(&floor, &from, &to))
 }
 
-fn make<N: Number>(world: &World<N>, radius: f64, corners: usize) -> Floor {
+/// The floor of both objects, and where on it the disc is near the one and the other; `None`: on different storeys.
+fn ends<N: Number>(
+    world: &World<N>,
+    a: &Obb,
+    b: &Obb,
+    radius: f64,
+    corners: usize,
+) -> Option<(Arc<Floor>, Vec<Places>, Vec<Places>)> {
+    let storey = storey(world, a);
+    if storey != self::storey(world, b) {
+        return None;
+    }
+    let floor = world.walks.floor(world, Walk { radius, corners, storey });
+    let places = |obb: &Obb| floor.places(&obb.footprint(), radius + NEAR, corners);
+    let (from, to) = (places(a), places(b));
+    Some((floor, from, to))
+}
+
+fn make<N: Number>(world: &World<N>, Walk { radius, corners, storey }: Walk) -> Floor {
     let is_door = |id: ObjectId| world.allow.doors.iter().any(|door| door.object == id);
-    let bodies = || world.bodies().map(|(id, body)| (id, &body.obb));
+    let here = |obb: &Obb| self::storey(world, obb) == storey;
+    let bodies = || world.bodies().map(|(id, body)| (id, &body.obb)).filter(|(_, obb)| here(obb));
     let obstacles: Vec<_> = bodies()
         .filter(|(id, obb)| !is_door(*id) && stands_in_the_way(world, obb))
         .map(|(_, obb)| obb.footprint())
         .collect();
-    let rooms: Vec<_> = world.prisms().map(|(_, prism)| prism.polygon.corners().to_vec()).collect();
-    if world.regions.is_empty() {
-        let around = bodies().map(|(_, obb)| obb.footprint()).collect::<Vec<_>>();
+    if storey.is_none() {
+        let around: Vec<_> = bodies().map(|(_, obb)| obb.footprint()).collect();
         return Floor::open(&around, &obstacles, radius, corners);
     }
-    let through = 2.0 * world.options.eta + world.options.tolerances.door;
-    let doors = bodies().filter(|(id, _)| is_door(*id)).map(|(_, obb)| {
-        let mut long = *obb;
-        long.half.z += through;
-        long.footprint()
-    });
+    let rooms = world.prisms().filter(|(id, _)| storey_of(world, *id) == storey);
+    let rooms: Vec<_> = rooms.map(|(_, prism)| prism.polygon.corners().to_vec()).collect();
+    let doors = bodies().filter(|(id, _)| is_door(*id)).map(|(_, obb)| opening(obb, &world.options));
     Floor::new(rooms.into_iter().chain(doors), &obstacles, radius, corners)
+}
+
+/// Where a door lets through: its footprint, longer to front and back by the walls and what a door may be off them.
+pub(crate) fn opening(door: &Obb, options: &Options) -> Vec<Vec2> {
+    let mut long = *door;
+    long.half.z += 2.0 * options.eta + options.tolerances.door;
+    long.footprint()
+}
+
+/// The region that a box stands in: among those over which its centre is, the one that holds it best or, of several
+/// that hold it, the one whose floor is nearest to its base.
+fn ground<N: Number>(world: &World<N>, obb: &Obb) -> Option<(RegionId, f64)> {
+    let base = obb.aabb().min.y;
+    let center = Vec2::new(obb.center.x, obb.center.z);
+    let fit = |prism: &Prism| (inside_clearance(obb, prism).least() + world.options.tolerances.contact).min(0.0);
+    world
+        .prisms()
+        .filter(|(_, prism)| prism.polygon.contains(center))
+        .map(|(id, prism)| ((fit(prism), -(base - prism.floor).abs()), id, prism.floor))
+        .max_by(|((a, b), ..), ((c, d), ..)| a.total_cmp(c).then(b.total_cmp(d)))
+        .map(|(_, id, floor)| (id, floor))
 }
 
 /// Whether a box reaches into the space above the floor that it stands on.
 fn stands_in_the_way<N: Number>(world: &World<N>, obb: &Obb) -> bool {
     let span = obb.aabb();
-    let center = scenelang_layout::Vec2::new(obb.center.x, obb.center.z);
-    let floor = world
-        .prisms()
-        .filter(|(_, prism)| prism.polygon.contains(center))
-        .map(|(_, prism)| (inside_clearance(obb, prism).least(), prism.floor))
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or(0.0, |(_, floor)| floor);
+    let floor = ground(world, obb).map_or(0.0, |(_, floor)| floor);
     span.min.y < floor + HEAD && span.max.y > floor + STEP
+}
+
+/// The storey of a box, by its first region: that of the region it stands in or, in none (a door in a wall), of the
+/// nearest one. `None` without any region.
+fn storey<N: Number>(world: &World<N>, obb: &Obb) -> Option<RegionId> {
+    let best = || {
+        let fit = |prism: &Prism| inside_clearance(obb, prism).least();
+        world.prisms().map(|(id, prism)| (fit(prism), id)).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, id)| id)
+    };
+    storey_of(world, ground(world, obb).map(|(id, _)| id).or_else(best)?)
+}
+
+/// Regions share a storey when their heights overlap, or when a third one's do with both.
+fn storey_of<N: Number>(world: &World<N>, region: RegionId) -> Option<RegionId> {
+    let spans: Vec<(RegionId, f64, f64)> = world.prisms().map(|(id, p)| (id, p.floor, p.ceiling)).collect();
+    let (_, mut low, mut high) = *spans.iter().find(|(id, ..)| *id == region)?;
+    loop {
+        let contact = world.options.tolerances.contact;
+        let meets = |floor: f64, ceiling: f64| floor < high - contact && ceiling > low + contact;
+        let same = || spans.iter().filter(|(_, floor, ceiling)| meets(*floor, *ceiling));
+        let lowest = same().map(|s| s.1).fold(low, f64::min);
+        let highest = same().map(|s| s.2).fold(high, f64::max);
+        if (lowest, highest) == (low, high) {
+            return same().map(|s| s.0).min();
+        }
+        (low, high) = (lowest, highest);
+    }
 }

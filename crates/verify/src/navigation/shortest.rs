@@ -3,8 +3,8 @@
 //! Candidates wait in a queue by what they would cost at least; whether one sees the other is tested only when it comes
 //! to the front.
 
-use super::free::{Floor, vec};
-use geo::{LineString, MultiPolygon, Polygon};
+use super::free::{Floor, Places, vec};
+use geo::{BooleanOps, LineString, Polygon};
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::{nearest_of_segments, nearest_on_segment, turn};
 use std::cmp::Ordering;
@@ -14,11 +14,15 @@ use std::collections::BinaryHeap;
 const TOUCHING: f64 = 1e-7;
 
 /// The length of the shortest way between places, given piece by piece of the floor; infinite where there is none.
-pub(super) fn between(floor: &Floor, from: &[MultiPolygon], to: &[MultiPolygon]) -> f64 {
+pub(super) fn between(floor: &Floor, from: &[Places], to: &[Places]) -> f64 {
     let pieces = floor.pieces.iter().zip(from.iter().zip(to));
     pieces
-        .filter(|(_, (a, b))| !a.0.is_empty() && !b.0.is_empty())
-        .map(|(piece, (a, b))| Search::new(piece, a, b).length())
+        .filter(|(_, (a, b))| a.any() && b.any())
+        .map(
+            |(piece, (a, b))| {
+                if a.area.intersection(&b.area).0.is_empty() { Search::new(piece, a, b).length() } else { 0.0 }
+            },
+        )
         .fold(f64::INFINITY, f64::min)
 }
 
@@ -35,10 +39,28 @@ struct Search {
     /// All sides of the piece.
     sides: Vec<Segment>,
     bends: Vec<Bend>,
-    from: Vec<Segment>,
-    to: Vec<Segment>,
-    /// Whether one place serves both.
-    together: bool,
+    from: Vec<Shore>,
+    to: Vec<Shore>,
+    /// At least so much is left to go from each bend.
+    rest: Vec<f64>,
+}
+
+/// The outline of places that hang together. What is near something is convex, so that a shortest way leaves the places
+/// either at the point nearest to where it leads, or where the outline of what is near meets that of the floor.
+struct Shore {
+    sides: Vec<Segment>,
+    meets: Vec<Vec2>,
+}
+
+impl Shore {
+    /// Where a shortest way to a point may leave.
+    fn exits(&self, point: Vec2) -> impl Iterator<Item = Vec2> + '_ {
+        self.meets.iter().copied().chain(self.nearest(point))
+    }
+    fn nearest(&self, point: Vec2) -> Option<Vec2> {
+        let points = self.sides.iter().map(|(a, b)| nearest_on_segment(&point, a, b));
+        points.min_by(|p, q| (p - point).norm_squared().total_cmp(&(q - point).norm_squared()))
+    }
 }
 
 /// A step that may turn out to be barred.
@@ -69,8 +91,7 @@ impl PartialOrd for Step {
 }
 
 impl Search {
-    fn new(piece: &Polygon, from: &MultiPolygon, to: &MultiPolygon) -> Self {
-        use geo::BooleanOps;
+    fn new(piece: &Polygon, from: &Places, to: &Places) -> Self {
         let rings: Vec<Vec<Vec2>> =
             std::iter::once(piece.exterior()).chain(piece.interiors()).map(corners).filter(|r| r.len() > 2).collect();
         let mut sides = Vec::new();
@@ -88,28 +109,33 @@ impl Search {
                 }
             }
         }
-        Self { sides, bends, from: sides_of(from), to: sides_of(to), together: !from.intersection(to).0.is_empty() }
+        let shores = |places: &Places| shores(places, &sides);
+        let (from, to) = (shores(from), shores(to));
+        let rest = bends.iter().map(|bend| {
+            let far = |shore: &Shore| shore.nearest(bend.at).map_or(f64::INFINITY, |p| (p - bend.at).norm());
+            to.iter().map(far).fold(f64::INFINITY, f64::min)
+        });
+        Self { rest: rest.collect(), sides, bends, from, to }
     }
 
     fn length(&self) -> f64 {
-        if self.together {
-            return 0.0;
-        }
         let mut queue = BinaryHeap::new();
-        for &(a, b) in &self.from {
-            for &(c, d) in &self.to {
-                let line = nearest_of_segments([&a, &b], [&c, &d]);
+        for (a, b) in self.from.iter().flat_map(|a| self.to.iter().map(move |b| (a, b))) {
+            let pairs =
+                a.sides.iter().flat_map(|(p, q)| b.sides.iter().map(move |(r, s)| nearest_of_segments([p, q], [r, s])));
+            let nearest = pairs.min_by(|x, y| (x.1 - x.0).norm_squared().total_cmp(&(y.1 - y.0).norm_squared()));
+            let starts = a.meets.iter().flat_map(|p| b.exits(*p).map(move |q| (*p, q)));
+            let ends = b.meets.iter().flat_map(|q| a.exits(*q).map(move |p| (p, *q)));
+            for line in nearest.into_iter().chain(starts).chain(ends) {
                 let cost = (line.1 - line.0).norm();
                 queue.push(Step { bound: cost, cost, line, to: None });
             }
         }
         for (i, bend) in self.bends.iter().enumerate() {
-            for (a, b) in &self.from {
-                let start = nearest_on_segment(&bend.at, a, b);
-                if taut(bend, start) {
-                    let cost = (bend.at - start).norm();
-                    queue.push(Step { bound: cost + self.rest(bend), cost, line: (start, bend.at), to: Some(i) });
-                }
+            let starts = self.from.iter().flat_map(|shore| shore.exits(bend.at));
+            for start in starts.filter(|start| taut(bend, *start)) {
+                let cost = (bend.at - start).norm();
+                queue.push(Step { bound: cost + self.rest[i], cost, line: (start, bend.at), to: Some(i) });
             }
         }
         let mut settled = vec![false; self.bends.len()];
@@ -124,23 +150,16 @@ impl Search {
         f64::INFINITY
     }
 
-    /// At least so much is left to go.
-    fn rest(&self, bend: &Bend) -> f64 {
-        let far = |(a, b): &Segment| (nearest_on_segment(&bend.at, a, b) - bend.at).norm();
-        self.to.iter().map(far).fold(f64::INFINITY, f64::min)
-    }
-
     /// Queues the steps from a bend reached at a cost.
     fn leave(&self, index: usize, cost: f64, settled: &[bool], queue: &mut BinaryHeap<Step>) {
         let here = &self.bends[index];
         for (i, next) in self.bends.iter().enumerate().filter(|(i, _)| !settled[*i]) {
             if taut(here, next.at) && taut(next, here.at) {
                 let cost = cost + (next.at - here.at).norm();
-                queue.push(Step { bound: cost + self.rest(next), cost, line: (here.at, next.at), to: Some(i) });
+                queue.push(Step { bound: cost + self.rest[i], cost, line: (here.at, next.at), to: Some(i) });
             }
         }
-        for (a, b) in &self.to {
-            let end = nearest_on_segment(&here.at, a, b);
+        for end in self.to.iter().flat_map(|shore| shore.exits(here.at)) {
             let cost = cost + (end - here.at).norm();
             queue.push(Step { bound: cost, cost, line: (here.at, end), to: None });
         }
@@ -206,12 +225,105 @@ fn corners(ring: &LineString) -> Vec<Vec2> {
     out
 }
 
-fn sides_of(places: &MultiPolygon) -> Vec<Segment> {
-    let rings = places.iter().flat_map(|p| std::iter::once(p.exterior()).chain(p.interiors()));
-    rings
-        .flat_map(|ring| {
-            let ring = corners(ring);
-            (0..ring.len()).map(move |i| (ring[i], ring[(i + 1) % ring.len()])).collect::<Vec<_>>()
-        })
-        .collect()
+fn sides_of(ring: &LineString) -> Vec<Segment> {
+    let ring = corners(ring);
+    (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()])).collect()
+}
+
+/// The outlines of places on a piece of the floor with the given sides.
+fn shores(places: &Places, floor: &[Segment]) -> Vec<Shore> {
+    let near = sides_of(places.near.exterior());
+    let on = |p: Vec2, sides: &[Segment]| {
+        sides.iter().any(|(a, b)| (nearest_on_segment(&p, a, b) - p).norm() <= 10.0 * TOUCHING)
+    };
+    let shore = |polygon: &Polygon| {
+        let rings = std::iter::once(polygon.exterior()).chain(polygon.interiors());
+        let sides: Vec<Segment> = rings.flat_map(sides_of).collect();
+        let meets = sides.iter().map(|(p, _)| *p).filter(|p| on(*p, &near) && on(*p, floor)).collect();
+        Shore { sides, meets }
+    };
+    places.area.iter().map(shore).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn square(x: f64, z: f64, half: f64) -> Vec<Vec2> {
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+            .map(|(i, j)| Vec2::new(x + i * half, z + j * half))
+            .to_vec()
+    }
+
+    /// All ways over all corners and over points of the outlines a hand apart, without any cleverness.
+    fn brute(search: &Search) -> f64 {
+        let along = |shores: &[Shore]| -> Vec<Vec2> {
+            let sides = shores.iter().flat_map(|s| &s.sides);
+            sides.flat_map(|(a, b)| (0..8).map(move |i| a + (b - a) * (f64::from(i) / 8.0))).collect()
+        };
+        let (starts, ends) = (along(&search.from), along(&search.to));
+        let corners: Vec<Vec2> = search.sides.iter().map(|(a, _)| *a).collect();
+        let mut cost = vec![f64::INFINITY; corners.len()];
+        let mut best = f64::INFINITY;
+        let step = |p: Vec2, q: Vec2| (q - p).norm();
+        for &p in &starts {
+            best = ends.iter().filter(|q| search.sees((p, **q))).map(|q| step(p, *q)).fold(best, f64::min);
+            for (i, &q) in corners.iter().enumerate() {
+                if step(p, q) < cost[i] && search.sees((p, q)) {
+                    cost[i] = step(p, q);
+                }
+            }
+        }
+        let mut open: Vec<usize> = (0..corners.len()).collect();
+        while let Some(at) = (0..open.len()).min_by(|&i, &j| cost[open[i]].total_cmp(&cost[open[j]])) {
+            let here = open.swap_remove(at);
+            for &next in &open {
+                let through = cost[here] + step(corners[here], corners[next]);
+                if through < cost[next] && search.sees((corners[here], corners[next])) {
+                    cost[next] = through;
+                }
+            }
+            for &q in &ends {
+                let through = cost[here] + step(corners[here], q);
+                if through < best && search.sees((corners[here], q)) {
+                    best = through;
+                }
+            }
+        }
+        best
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_way_found_is_the_shortest(blocks in prop::collection::vec((-20..=20i32, -20..=20i32, 1..=5i32), 0..6)) {
+            // On a grid, so that corners meet and lie in line.
+            let at = |n: i32| f64::from(n) / 4.0;
+            let obstacles: Vec<Vec<Vec2>> = blocks.iter().map(|(x, z, half)| square(at(*x), at(*z), at(*half))).collect();
+            let (corners, radius) = (8, 0.25);
+            let floor = Floor::new([square(0.0, 0.0, 5.0)], &obstacles, radius, corners);
+            let (a, b) = (square(-4.0, -4.0, 0.25), square(4.0, 3.5, 0.5));
+            let [from, to] = [a, b].map(|shape| floor.places(&shape, radius + 0.05, corners));
+            let found = between(&floor, &from, &to);
+            let expect = floor.pieces.iter().zip(from.iter().zip(&to))
+                .filter(|(_, (a, b))| a.any() && b.any())
+                .map(|(piece, (a, b))| brute(&Search::new(piece, a, b)))
+                .fold(f64::INFINITY, f64::min);
+            // The other starts only at points a hand apart, and may be longer for it.
+            prop_assert!(found <= expect + 1e-9, "{} instead of {}", found, expect);
+            prop_assert!(found == expect || expect - found < 0.01, "{} instead of {}", found, expect);
+            let back = between(&floor, &to, &from);
+            prop_assert!(back == found || (back - found).abs() < 1e-9, "{} and back {}", found, back);
+        }
+    }
+
+    #[test]
+    fn a_disc_without_width_moves_too() {
+        let floor = Floor::new([square(0.0, 0.0, 2.0)], &[square(0.0, 0.0, 0.5)], 0.0, 8);
+        let [from, to] = [-1.5, 1.5].map(|x| floor.places(&square(x, 0.0, 0.25), 0.05, 8));
+        let length = between(&floor, &from, &to);
+        assert!((2.4..2.7).contains(&length), "{length}");
+    }
 }

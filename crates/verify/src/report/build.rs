@@ -94,7 +94,8 @@ impl Builder<'_> {
     }
 
     fn finding(&self, diagnostic: &Diagnostic) -> Finding {
-        let related = diagnostic.related.iter().map(|l| Related { message: l.message.clone(), span: self.place(l.place) });
+        let related =
+            diagnostic.related.iter().map(|l| Related { message: l.message.clone(), span: self.place(l.place) });
         let fixes = diagnostic.fixes.iter().map(|fix| Remedy {
             title: fix.title.clone(),
             applicability: match fix.applicability {

@@ -3,10 +3,13 @@
 use super::build::code;
 use super::exit_code;
 use super::model::{Kind, Summary, Tally};
-use crate::check::{Checked, Judged};
+use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use scenelang_base::{Diagnostic, FileId, Severity, SourceMap, Span};
+use scenelang_lang::program::Unit;
+use std::borrow::Cow;
 use std::fmt::Write;
+use std::path::Path;
 
 /// So many violations are shown in full.
 const MOST: usize = 50;
@@ -37,9 +40,10 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
         }
     }
     let failing: Vec<&Judged> = verdict.rows.iter().filter(|row| row.satisfied == Some(false)).collect();
+    let layout = Path::new(&report.file).file_name().map_or(Cow::Borrowed("the layout"), |name| name.to_string_lossy());
     let mut cache = Files::new(sources);
     for row in failing.iter().take(MOST) {
-        violation(row, &mut cache, color, &mut out);
+        violation(row, &layout, &mut cache, color, &mut out);
     }
     if failing.len() > MOST {
         line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
@@ -72,12 +76,15 @@ pub fn diagnostics(diagnostics: &[Diagnostic], sources: &SourceMap, color: bool)
     out
 }
 
-fn violation(row: &Judged, cache: &mut Files<'_>, color: bool, out: &mut String) {
-    let margin = row.margin.map(|(margin, unit)| {
-        format!("margin {}", crate::check::measure_in_words(margin, unit))
-    });
+fn violation(row: &Judged, layout: &str, cache: &mut Files<'_>, color: bool, out: &mut String) {
     let fails = if row.kind == Kind::Prefer { "not met" } else { "fails" };
-    let label = margin.map_or(fails.to_owned(), |margin| format!("{fails}: {margin}"));
+    let label = match row.margin {
+        Some((margin, unit)) => {
+            let metres = if unit == Unit::Metre { " m" } else { "" };
+            format!("{fails} in {layout}: margin {}{metres}", measure_in_words(margin, unit))
+        }
+        None => format!("{fails} in {layout}"),
+    };
     let stated = row.kind.rule().is_none();
     let mut notes: Vec<String> = row.requirements.iter().map(|r| format!("asked for by \"{r}\"")).collect();
     if let Some(rule) = row.kind.rule() {
@@ -108,9 +115,8 @@ fn violation(row: &Judged, cache: &mut Files<'_>, color: bool, out: &mut String)
 /// What holds of what there is, and what else was found.
 fn summary(checked: &Checked) -> String {
     let Summary { assertions, preferences, physical, pins } = checked.report.summary;
-    let of = |tally: Tally, what: &str| {
-        (tally.total > 0).then(|| format!("{} of {} {what}", tally.satisfied, tally.total))
-    };
+    let of =
+        |tally: Tally, what: &str| (tally.total > 0).then(|| format!("{} of {} {what}", tally.satisfied, tally.total));
     let parts = [
         of(assertions, "assertions"),
         of(pins, "assignments"),
@@ -156,25 +162,28 @@ type Id = (FileId, std::ops::Range<usize>);
 
 impl Finding<'_> {
     fn write(&self, files: &mut Files<'_>, color: bool, out: &mut String) {
-        let (word, paint) = match self.look {
-            Look::Error => ("error", Color::Red),
-            Look::Warning => ("warning", Color::Yellow),
-            Look::Advice => ("note", Color::Cyan),
+        let (word, kind, paint) = match self.look {
+            Look::Error => ("Error", ReportKind::Error, Color::Red),
+            Look::Warning => ("Warning", ReportKind::Warning, Color::Yellow),
+            Look::Advice => ("Advice", ReportKind::Advice, Color::Cyan),
         };
         let shown = self.primary.as_ref().filter(|(place, _)| files.can_show(*place));
         let Some((place, message)) = shown else {
             self.write_plainly(word, files, out);
             return;
         };
-        let id = |place: &Span| -> Id { (place.file, place.range.bytes()) };
-        let mut report = Report::build(ReportKind::Custom(word, paint), id(place))
+        let related = self.related.iter().filter(|(place, _)| files.can_show(*place));
+        let mut labels: Vec<(&Span, &str, Color)> =
+            related.map(|(place, message)| (place, message.as_str(), Color::Blue)).collect();
+        labels.push((place, message, paint));
+        // In the order of the text, the file of the finding first: then each file is shown once.
+        labels.sort_by_key(|(at, ..)| (at.file != place.file, at.file, at.range));
+        let labels = labels.into_iter().map(|(at, message, color)| label(files.id(at), message, color));
+        let mut report = Report::build(kind, files.id(place))
             .with_config(Config::default().with_index_type(IndexType::Byte).with_color(color))
             .with_code(self.code)
             .with_message(self.message)
-            .with_label(label(id(place), message, paint));
-        for (place, message) in self.related.iter().filter(|(place, _)| files.can_show(*place)) {
-            report = report.with_label(label(id(place), message, Color::Blue));
-        }
+            .with_labels(labels);
         report.with_notes(&self.notes);
         report.with_helps(&self.hints);
         let mut bytes = Vec::new();
@@ -195,7 +204,7 @@ impl Finding<'_> {
             let start = files.sources.lines(*place).0;
             format!("{}:{}:{}: ", files.sources.get(place.file).name(), start.line, start.column)
         });
-        line(out, format_args!("{place}{word}[{}]: {}", self.code, self.message));
+        line(out, format_args!("[{}] {word}: {place}{}", self.code, self.message));
         for note in self.notes.iter().chain(&self.hints) {
             line(out, format_args!("  {note}"));
         }
@@ -203,8 +212,8 @@ impl Finding<'_> {
 }
 
 fn label(id: Id, message: &str, color: Color) -> Label<Id> {
-    let label = Label::new(id).with_color(color);
-    if message.is_empty() { label } else { label.with_message(message) }
+    // Without a message it would not be underlined.
+    Label::new(id).with_color(color).with_message(if message.is_empty() { "here" } else { message })
 }
 
 fn line(out: &mut String, text: std::fmt::Arguments<'_>) {
@@ -220,6 +229,21 @@ struct Files<'a> {
 impl<'a> Files<'a> {
     fn new(sources: &'a SourceMap) -> Self {
         Self { sources, read: Vec::new() }
+    }
+    /// A place as ariadne takes it: whole characters, without the end of the line.
+    fn id(&self, place: &Span) -> Id {
+        let text = self.sources.get(place.file).text();
+        let range = place.range.bytes();
+        let boundary = |mut at: usize| {
+            at = at.min(text.len());
+            while !text.is_char_boundary(at) {
+                at -= 1;
+            }
+            at
+        };
+        let start = boundary(range.start);
+        let shown = text[start..boundary(range.end).max(start)].trim_end();
+        (place.file, start..start + shown.len())
     }
     /// Whether the lines of a place are short enough to be shown.
     fn can_show(&self, place: Span) -> bool {

@@ -20,10 +20,13 @@ fn suite(report: &Report, out: &mut String) {
     let skipped = rows.iter().filter(|r| is_skipped(r)).count();
     let file = escaped(&report.file);
     let tests = rows.len() + errors.len();
-    line(out, format_args!(
-        "  <testsuite name=\"{file}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{}\" skipped=\"{skipped}\">",
-        errors.len()
-    ));
+    line(
+        out,
+        format_args!(
+            "  <testsuite name=\"{file}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{}\" skipped=\"{skipped}\">",
+            errors.len()
+        ),
+    );
     for row in rows {
         case(row, &file, out);
     }

@@ -65,10 +65,8 @@ fn finding(found: &Finding, report: &Report) -> Value {
 }
 
 fn result(code: &str, level: &str, text: &str, place: Option<&Place>, report: &Report) -> Value {
-    let location = place.map_or_else(
-        || json!({ "physicalLocation": { "artifactLocation": { "uri": uri(&report.file) } } }),
-        location,
-    );
+    let location = place
+        .map_or_else(|| json!({ "physicalLocation": { "artifactLocation": { "uri": uri(&report.file) } } }), location);
     json!({ "ruleId": code, "level": level, "message": { "text": text }, "locations": [location] })
 }
 

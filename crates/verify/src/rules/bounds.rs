@@ -38,8 +38,12 @@ pub fn best<N: Number>(world: &World<N>, id: ObjectId) -> Result<(Option<RegionI
 /// What the clearance in a region can be at most: that from the upright box around it.
 fn at_most(body: &Body, prism: &Prism) -> f64 {
     let own = body.obb.aabb();
-    let around = Aabb::of(prism.polygon.corners().iter().flat_map(|c| {
-        [Vec3::new(c.x, prism.floor, c.y), Vec3::new(c.x, prism.ceiling, c.y)]
-    }));
+    let around = Aabb::of(
+        prism
+            .polygon
+            .corners()
+            .iter()
+            .flat_map(|c| [Vec3::new(c.x, prism.floor, c.y), Vec3::new(c.x, prism.ceiling, c.y)]),
+    );
     (own.min - around.min).min().min((around.max - own.max).min()) + 1e-9
 }

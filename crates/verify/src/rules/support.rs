@@ -74,7 +74,8 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
     let body = &world.object(id)?.body;
     let lowest = body.lowest();
     let center = Vec2::new(body.obb.center.x, body.obb.center.z);
-    let base: Vec<Vec<Vec2>> = body.solid().iter().filter_map(|part| slice(part, lowest + tolerances.support)).collect();
+    let base: Vec<Vec<Vec2>> =
+        body.solid().iter().filter_map(|part| slice(part, lowest + tolerances.support)).collect();
     let mut found = Rest { lowest, nearest: f64::NAN, carrier: None, off: None };
     let mut contacts: Vec<Vec2> = Vec::new();
     let mut consider = |height: f64, carrier: Option<ObjectId>| {
@@ -148,9 +149,9 @@ fn slice(part: &Convex, height: f64) -> Option<Vec<Vec2>> {
 /// Faces of a solid that point up, to within some degrees.
 fn level_tops(body: &Body, degrees: f64) -> impl Iterator<Item = (&Convex, &Face)> {
     let up = degrees.to_radians().cos() - 1e-12;
-    body.solid().iter().flat_map(move |part| {
-        part.faces().iter().filter(move |face| face.normal.y >= up).map(move |face| (part, face))
-    })
+    body.solid()
+        .iter()
+        .flat_map(move |part| part.faces().iter().filter(move |face| face.normal.y >= up).map(move |face| (part, face)))
 }
 
 fn outline(part: &Convex, face: &Face) -> Vec<Vec2> {

@@ -1,12 +1,12 @@
 //! How a statement begins: its keyword, the name it declares, the target it assigns.
 
 use super::super::wanted::Wanted;
-use super::super::words::{Words, declares, is_constructor, is_type_word, is_word, starts_statement};
+use super::super::words::{declares, is_constructor, is_type_word, is_word, starts_statement};
 use super::{After, Finding, Site};
 use crate::token::Kind;
 use scenelang_base::codes::{E0110, E0112, E0115};
 use scenelang_base::suggest::nearest;
-use scenelang_base::{Applicability, Diagnostic, Edit, Fix, TextRange};
+use scenelang_base::{Applicability, Diagnostic, TextRange};
 
 /// The words that statements begin with.
 const STATEMENTS: &[(&str, Kind)] = &[
@@ -64,15 +64,19 @@ pub fn nearest_statement(word: &str) -> Option<&'static str> {
     synonym.or_else(|| nearest(word, STATEMENTS.iter().map(|(s, _)| *s)))
 }
 
-/// What the first word of a statement was meant to be, if the statement looks like it.
-pub fn meant_statement(text: &str, words: &Words) -> Option<Kind> {
-    let word = &text[words.ranges.get(words.head)?.bytes()];
-    let after = words.ranges.get(words.head + 1).map(|r| &text[r.bytes()])?;
+/// The keyword that the first word of a statement was meant to be, if what follows it looks like it.
+pub fn meant_statement(word: &str, after: &str) -> Option<(&'static str, Kind)> {
     let near = nearest_statement(word)?;
-    let fits = if near.starts_with("allow") { after == "(" } else { is_word(after) || after.starts_with('"') };
-    let fits = fits || matches!(near, "assert" | "prefer") && !after.starts_with(['.', '[', '<', '=', ':']);
-    fits.then(|| STATEMENTS.iter().find(|(s, _)| *s == near).map(|(_, kind)| *kind))?
+    let fits = match near {
+        "assert" | "prefer" => !after.is_empty() && !after.starts_with(['.', '[', '<', '=', ':']),
+        allow if allow.starts_with("allow") => after == "(",
+        _ => is_word(after) || after.starts_with('"'),
+    };
+    STATEMENTS.iter().find(|(statement, _)| fits && *statement == near).copied()
 }
+
+/// What is said of a condition that is neither asserted nor preferred.
+const UNASSERTED: &str = "a condition alone says nothing: assert it, or prefer it";
 
 /// `@req` without its sentence, or without a statement behind it.
 pub fn attribute(site: &Site<'_>) -> Option<Finding> {
@@ -96,7 +100,6 @@ pub fn reserved_name(site: &Site<'_>) -> Option<Finding> {
     if !site.wanted.has(Wanted::NAME) || kind == Kind::Ident || !is_word(word) {
         return None;
     }
-    // Before a parameter's name there is its type, so a type may be all there is.
     let message = format!("{} is a reserved word and cannot be a name", site.quoted(site.at));
     let diagnostic = Diagnostic::new(E0110, site.range(site.at), message);
     let other = format!("{word}_");
@@ -146,94 +149,106 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
             }
         }
         Kind::Arrow | Kind::ArrowSign | Kind::Eq | Kind::Define => {
-            let diagnostic = Diagnostic::new(E0110, place, "a declaration gives no value: assign it in a statement of its own");
+            let diagnostic =
+                Diagnostic::new(E0110, place, "a declaration gives no value: assign it in a statement of its own");
             if is_type_word(keyword) {
                 let title = format!("write `{word} {name}; {name} <- …`");
-                diagnostic.fix(Applicability::Safe, title, site.behind(site.at - 1).cover(place), format!("; {name} <-"))
+                diagnostic.fix(
+                    Applicability::Safe,
+                    title,
+                    site.behind(site.at - 1).cover(place),
+                    format!("; {name} <-"),
+                )
             } else {
                 diagnostic
             }
         }
         Kind::Ident => {
             let message = format!("expected `;` after the name `{name}`, found {}", site.name_of(site.at));
-            let diagnostic = Diagnostic::new(E0110, place, message).note("a name is one word, and a declaration declares one");
+            let diagnostic =
+                Diagnostic::new(E0110, place, message).note("a name is one word, and a declaration declares one");
             let both = format!("{name}_{}", site.slice(site.at));
             let joined = site.range(site.at - 1).cover(place);
             let diagnostic = diagnostic.fix(Applicability::Unsafe, format!("join them: `{both}`"), joined, both);
-            let second = TextRange::empty(place.start);
-            diagnostic.fix(Applicability::Unsafe, "declare both", second, format!("; {word} "))
+            let between = TextRange { start: site.range(site.at - 1).end, end: place.start };
+            diagnostic.fix(Applicability::Unsafe, "declare both", between, format!("; {word} "))
         }
         _ => return None,
     };
     Some(diagnostic)
 }
 
-/// A statement that begins with a name, and is no assignment.
+/// Whether the statement begins with a name, and an arrow could follow here.
+fn assigns(site: &Site<'_>) -> bool {
+    site.kind(site.head) == Some(Kind::Ident) && site.wanted.has(Wanted::ARROW)
+}
+
+/// A fix that asserts a condition which stands alone.
+fn assert_it(diagnostic: Finding, condition: TextRange) -> Finding {
+    diagnostic.fix(Applicability::Unsafe, "assert it", TextRange::empty(condition.start), "assert ")
+}
+
+/// `lamp.pos = …` and the like: an assignment with another sign.
 pub fn assignment(site: &Site<'_>) -> Option<Finding> {
-    if site.kind(site.head) != Some(Kind::Ident) || !site.wanted.has(Wanted::ARROW) {
-        return None;
-    }
     let place = site.range(site.at);
-    let head = site.range(site.head);
-    let target = head.cover(site.range(site.at - 1));
-    let target = super::quote(&site.text[target.bytes()]);
-    let asserted = Fix {
-        title: "assert it".to_owned(),
-        edits: vec![Edit { place: TextRange::empty(head.start), text: "assert ".to_owned() }],
-        applicability: Applicability::Unsafe,
-    };
-    match site.found() {
-        Some(Kind::Eq) => {
+    match site.found().filter(|_| assigns(site))? {
+        Kind::Eq => {
             let diagnostic = Diagnostic::new(E0110, place, "`=` compares two values; to assign one write `<-`");
             let assigned = diagnostic.fix(Applicability::Unsafe, "assign: write `<-`", place, "<-");
-            Some(Diagnostic { fixes: [assigned.fixes.clone(), vec![asserted]].concat(), ..assigned })
+            Some(assert_it(assigned, site.range(site.head)))
         }
-        Some(Kind::Define | Kind::Colon) => {
+        Kind::Define | Kind::Colon => {
             let message = format!("a value is assigned by `<-`, not by {}", site.quoted(site.at));
             Some(Diagnostic::new(E0110, place, message).fix(Applicability::Safe, "write `<-`", place, "<-"))
         }
-        _ => misspelt_or_condition(site, &target, asserted),
+        _ => None,
     }
 }
 
-/// A first word that is followed by something else than an arrow: a misspelt keyword, or a condition that nobody asserts.
-fn misspelt_or_condition(site: &Site<'_>, target: &str, asserted: Fix<TextRange>) -> Option<Finding> {
-    let head = site.range(site.head);
-    let word = site.slice(site.head);
-    let next = site.found();
-    let worded = next.is_some_and(|_| is_word(site.slice(site.at))) || next == Some(Kind::Str);
-    let directly = site.at == site.head + 1;
-    let words = Words { kinds: site.kinds.to_vec(), ranges: site.ranges.to_vec(), head: site.head, split_arrows: Vec::new() };
-    if directly && meant_statement(site.text, &words).is_some() {
-        let near = nearest_statement(word)?;
-        let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
-        return Some(
-            diagnostic
-                .label(format!("did you mean `{near}`?"))
-                .fix(Applicability::Unsafe, format!("write `{near}`"), head, near),
-        );
+/// A first word that is no keyword, but nearly one; or followed by another word, as only a keyword could be.
+pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
+    let next = site.found().filter(|_| assigns(site) && site.at == site.head + 1)?;
+    let (head, after) = (site.range(site.head), site.slice(site.at));
+    let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
+    match meant_statement(site.slice(site.head), after) {
+        Some((near, _)) => Some(diagnostic.label(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("write `{near}`"),
+            head,
+            near,
+        )),
+        None if is_word(after) || next == Kind::Str => Some(diagnostic.note(
+            "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), \
+             or begins with `assert`, `prefer`, `allow…`, `predicate` or `import`",
+        )),
+        None => None,
     }
-    if directly && worded {
-        let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
-        return Some(diagnostic.note(
-            "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), or begins with `assert`, `prefer`, `allow…`, `predicate` or `import`",
-        ));
+}
+
+/// A condition that nobody asserts, a name that stands alone, a target without its arrow.
+pub fn no_arrow(site: &Site<'_>) -> Option<Finding> {
+    if !assigns(site) {
+        return None;
     }
-    let Some(next) = next else {
+    let (head, place) = (site.range(site.head), site.range(site.at));
+    let target = super::quote(&site.text[head.cover(site.range(site.at - 1)).bytes()]);
+    let Some(next) = site.found() else {
         let message = format!("{target} alone says nothing: assign it, or assert something about it");
-        return Some(Diagnostic::new(E0110, site.range(site.at), message).label("expected `<-` and a value"));
+        return Some(Diagnostic::new(E0110, place, message).label("expected `<-` and a value"));
     };
-    let diagnostic = match next {
-        Kind::LParen | Kind::Ne | Kind::Lt | Kind::Le | Kind::Gt | Kind::Ge | Kind::And | Kind::Or | Kind::Implies => {
-            Diagnostic::new(E0110, head, "a condition alone says nothing: assert it, or prefer it")
+    use Kind::*;
+    if matches!(next, LParen | Ne | Lt | Le | Gt | Ge | And | Or | Implies) {
+        return Some(assert_it(Diagnostic::new(E0110, head, UNASSERTED), head));
+    }
+    let message = format!("expected `<-` after {target}, found {}", site.name_of(site.at));
+    let diagnostic = Diagnostic::new(E0110, place, message);
+    match next {
+        Plus | Minus | Star | Slash => Some(diagnostic),
+        _ if is_constructor(next) || matches!(next, Number | Str | Ident) => {
+            Some(diagnostic.fix(Applicability::Unsafe, "insert `<-`", site.behind(site.at - 1), " <-"))
         }
-        Kind::Plus | Kind::Minus | Kind::Star | Kind::Slash => {
-            Diagnostic::new(E0110, site.range(site.at), format!("expected `<-` after {target}, found {}", site.name_of(site.at)))
-        }
-        _ => return None,
-    };
-    let condition = diagnostic.primary.as_ref().is_some_and(|p| p.place == head);
-    Some(if condition { Diagnostic { fixes: vec![asserted], ..diagnostic } } else { diagnostic })
+        _ => None,
+    }
 }
 
 /// The head of a predicate: its parameters and `:=`.
@@ -243,7 +258,11 @@ pub fn predicate(site: &Site<'_>) -> Option<Finding> {
     }
     let place = site.range(site.at);
     if site.wanted.has(Wanted::DEFINE) {
-        let diagnostic = Diagnostic::new(E0110, place, format!("expected `:=` before the condition, found {}", site.name_of(site.at)));
+        let diagnostic = Diagnostic::new(
+            E0110,
+            place,
+            format!("expected `:=` before the condition, found {}", site.name_of(site.at)),
+        );
         let wrong = matches!(site.found(), Some(Kind::Eq | Kind::Arrow | Kind::ArrowSign | Kind::Colon));
         return Some(match wrong {
             true => diagnostic.fix(Applicability::Safe, "write `:=`", place, ":="),
@@ -253,27 +272,51 @@ pub fn predicate(site: &Site<'_>) -> Option<Finding> {
     if !site.wanted.has(Wanted::TYPE) || site.at <= site.head + 2 {
         return None;
     }
-    let types = ["Object", "Region", "Objects", "Number", "Degree", "Bool", "Vector3", "Rotation", "Color", "Material", "String"];
+    let types = [
+        "Object", "Region", "Objects", "Number", "Degree", "Bool", "Vector3", "Rotation", "Color", "Material", "String",
+    ];
     let word = site.slice(site.at);
     let note = "a parameter is a type and a name: `Object a`, `Region r`, `Number d`";
     if site.found().is_some_and(|k| k == Kind::Ident || starts_statement(k)) {
         let typed = site.kind(site.at + 1) == Some(Kind::Ident);
-        let diagnostic = Diagnostic::new(E0110, place, match typed {
-            true => format!("{} is not a type of parameters", site.quoted(site.at)),
-            false => format!("the parameter {} has no type", site.quoted(site.at)),
-        });
+        let diagnostic = Diagnostic::new(
+            E0110,
+            place,
+            match typed {
+                true => format!("{} is not a type of parameters", site.quoted(site.at)),
+                false => format!("the parameter {} has no type", site.quoted(site.at)),
+            },
+        );
         return Some(match nearest(word, types).filter(|_| typed) {
-            Some(near) => diagnostic
-                .label(format!("did you mean `{near}`?"))
-                .fix(Applicability::Unsafe, format!("write `{near}`"), place, near),
+            Some(near) => diagnostic.label(format!("did you mean `{near}`?")).fix(
+                Applicability::Unsafe,
+                format!("write `{near}`"),
+                place,
+                near,
+            ),
             None if typed => diagnostic.note(note),
-            None => diagnostic
-                .note(note)
-                .fix(Applicability::Unsafe, "make it an object", TextRange::empty(place.start), "Object "),
+            None => diagnostic.note(note).fix(
+                Applicability::Unsafe,
+                "make it an object",
+                TextRange::empty(place.start),
+                "Object ",
+            ),
         });
     }
     let message = format!("expected a parameter, found {}", site.name_of(site.at));
     Some(Diagnostic::new(E0112, place, message).note(note))
+}
+
+/// An allowance without parentheses.
+pub fn allowance(site: &Site<'_>) -> Option<Finding> {
+    let allows = matches!(site.kind(site.head)?, Kind::AllowCollide | Kind::AllowOutside | Kind::AllowFloat);
+    if !allows || site.at != site.head + 1 {
+        return None;
+    }
+    let word = site.slice(site.head);
+    let message = format!("expected `(` after `{word}`, found {}", site.name_of(site.at));
+    let arguments = if word == "allowCollide" { "a, b" } else { "a" };
+    Some(Diagnostic::new(E0110, site.range(site.at), message).note(format!("write `{word}({arguments});`")))
 }
 
 /// The path of an import.
@@ -298,12 +341,13 @@ pub fn first_word(site: &Site<'_>) -> Option<Finding> {
         || matches!(found, Kind::True | Kind::False | Kind::Number | Kind::Minus | Kind::Objects)
         || is_constructor(found);
     if condition {
-        let diagnostic = Diagnostic::new(E0110, place, "a condition alone says nothing: assert it, or prefer it");
-        return Some(diagnostic.fix(Applicability::Unsafe, "assert it", TextRange::empty(place.start), "assert "));
+        return Some(assert_it(Diagnostic::new(E0110, place, UNASSERTED), place));
     }
     let diagnostic = Diagnostic::new(E0115, place, format!("a statement cannot begin with {}", site.name_of(site.at)));
     Some(match site.after {
-        After::Semicolon(_) if site.at + 1 == site.kinds.len() => diagnostic.fix(Applicability::Unsafe, "remove it", place, ""),
+        After::Semicolon(_) if site.at + 1 == site.kinds.len() => {
+            diagnostic.fix(Applicability::Unsafe, "remove it", place, "")
+        }
         _ => diagnostic,
     })
 }

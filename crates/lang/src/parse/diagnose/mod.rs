@@ -52,7 +52,10 @@ const RULES: &[fn(&Site<'_>) -> Option<Finding>] = &[
     heads::reserved_name,
     heads::declaration,
     heads::assignment,
+    heads::misspelt,
+    heads::no_arrow,
     heads::predicate,
+    heads::allowance,
     heads::import,
     heads::first_word,
     operands::property,
@@ -150,7 +153,9 @@ impl<'t> Site<'t> {
     fn plain(&self) -> Finding {
         let found = self.name_of(self.at);
         let diagnostic = match self.expectation() {
-            expected if expected.is_empty() => Diagnostic::new(E0110, self.range(self.at), format!("{found} cannot stand here")),
+            expected if expected.is_empty() => {
+                Diagnostic::new(E0110, self.range(self.at), format!("{found} cannot stand here"))
+            }
             expected => Diagnostic::new(E0110, self.range(self.at), format!("expected {expected}, found {found}")),
         };
         match self.innermost_open() {

@@ -109,7 +109,9 @@ pub fn missing(site: &Site<'_>) -> Option<Finding> {
     }
     let what = if site.wanted.has(Wanted::CONDITION) { "a condition" } else { "a value" };
     let what = match site.before() {
-        Some(Kind::Arrow | Kind::ArrowSign | Kind::Weight | Kind::LBracket | Kind::LParen | Kind::Comma | Kind::In) => "a value",
+        Some(Kind::Arrow | Kind::ArrowSign | Kind::Weight | Kind::LBracket | Kind::LParen | Kind::Comma | Kind::In) => {
+            "a value"
+        }
         _ => what,
     };
     let found = site.found();

@@ -105,9 +105,12 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             let diagnostic = Diagnostic::new(E0110, place, "`weight` belongs to `prefer`");
             let keyword = site.range(site.head);
             Some(match site.kind(site.head) {
-                Some(Kind::Assert) => diagnostic
-                    .related(keyword, "everything that is asserted is hard")
-                    .fix(Applicability::Unsafe, "prefer it instead", keyword, "prefer"),
+                Some(Kind::Assert) => diagnostic.related(keyword, "everything that is asserted is hard").fix(
+                    Applicability::Unsafe,
+                    "prefer it instead",
+                    keyword,
+                    "prefer",
+                ),
                 _ => diagnostic,
             })
         }
@@ -120,9 +123,10 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             let diagnostic = Diagnostic::new(E0110, place, "an operator is missing before `(`");
             Some(diagnostic.note("a product is written with `*`"))
         }
-        Kind::Colon if site.innermost_open().is_none() && !site.wanted.has(Wanted::COLON) => {
-            Some(Diagnostic::new(E0110, place, "`:` stands only behind the set of a quantifier").note("as in `forall c in chair: …`"))
-        }
+        Kind::Colon if site.innermost_open().is_none() && !site.wanted.has(Wanted::COLON) => Some(
+            Diagnostic::new(E0110, place, "`:` stands only behind the set of a quantifier")
+                .note("as in `forall c in chair: …`"),
+        ),
         _ => None,
     }
 }
@@ -138,7 +142,8 @@ pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
         return Some(diagnostic.fix(Applicability::Unsafe, "insert a variable", place, "x "));
     }
     if site.wanted.has(Wanted::IN) {
-        let message = format!("expected `in` and a set after {}, found {}", site.quoted(site.at - 1), site.name_of(site.at));
+        let message =
+            format!("expected `in` and a set after {}, found {}", site.quoted(site.at - 1), site.name_of(site.at));
         let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
         return Some(match site.found() {
             Some(Kind::Ident | Kind::Objects | Kind::Number) => {
@@ -167,7 +172,8 @@ pub fn argument(site: &Site<'_>) -> Option<Finding> {
     let open = site.innermost_open()?;
     let behind = site.behind(site.at - 1);
     let message = format!("a comma is missing before {}", site.name_of(site.at));
-    let diagnostic = Diagnostic::new(E0110, site.range(site.at), message).related(site.range(open), "in the list that opens here");
+    let diagnostic =
+        Diagnostic::new(E0110, site.range(site.at), message).related(site.range(open), "in the list that opens here");
     Some(diagnostic.fix(Applicability::Safe, "insert `,`", behind, ","))
 }
 

@@ -1,0 +1,183 @@
+//! Toilets, baths and showers: backs at −z.
+
+use super::kitchen::tap;
+use crate::ask::Ask;
+use crate::block::{block, pieces};
+use crate::looks::{shade, stuff};
+use crate::model::Model;
+use scenelang_layout::Vec3;
+
+/// A bowl with a closed lid (the support surface) and a cistern behind it.
+pub(super) fn toilet(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::CERAMIC);
+    let seat = 0.43_f64.min(0.56 * a.h);
+    m.surface = Some(seat);
+    let tank = 0.27 * a.d;
+    let lid = 0.06 * seat;
+    let behind = b.z(b.min.z..b.min.z + tank);
+    m.solid(behind);
+    m.mesh.rounded(behind.y(0.78 * seat..a.h - 0.05 * a.h), 0.03, 3, &main);
+    m.mesh.rounded(behind.y(a.h - 0.05 * a.h..a.h), 0.01, 2, &main);
+    m.mesh.board(behind.inset(0.22 * a.w, 0.0, 0.0).y(0.0..0.8 * seat), &main);
+    m.mesh.drum(
+        block(-0.03 * a.w..0.03 * a.w, a.h - 0.01 * a.h..a.h, b.min.z + 0.4 * tank..b.min.z + 0.6 * tank),
+        &stuff::CHROME.surface(),
+    );
+    let bowl = b.inset(0.04 * a.w, 0.0, 0.0).z(b.min.z + 0.7 * tank..b.max.z);
+    m.solid_drum(bowl.y(0.0..seat));
+    m.mesh.lathe(
+        bowl.y(0.0..seat - lid),
+        &[(0.55, 0.0), (0.56, 0.08), (0.52, 0.45), (0.8, 0.72), (0.98, 0.92), (1.0, 1.0)],
+        24,
+        &main,
+    );
+    m.mesh.lathe(bowl.y(seat - lid..seat), &[(0.97, 0.0), (1.0, 0.2), (1.0, 0.7), (0.94, 1.0)], 24, &shade(&main, 1.2));
+    m
+}
+
+/// A bowl on the wall.
+pub(super) fn urinal(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::CERAMIC);
+    m.solid(b);
+    m.mesh.rounded(b.z(b.min.z..b.min.z + 0.35 * a.d), 0.05, 3, &main);
+    let bowl = b.inset(0.05 * a.w, 0.0, 0.0).y(0.0..0.4 * a.h).z(b.min.z + 0.05 * a.d..b.max.z);
+    m.mesh.lathe(bowl, &[(0.3, 0.0), (0.7, 0.15), (0.95, 0.6), (1.0, 1.0), (0.85, 1.0), (0.75, 0.6)], 24, &main);
+    let pipe =
+        block(-0.03 * a.w..0.03 * a.w, 0.85 * a.h..a.h, b.min.z + 0.4 * a.d..b.min.z + 0.4 * a.d + 0.06 * a.w.min(a.d));
+    m.mesh.drum(pipe, &stuff::CHROME.surface());
+    m
+}
+
+/// A bath: four walls and a floor, a tap at the left end.
+pub(super) fn bathtub(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::CERAMIC);
+    let inner = shade(&main, 0.95);
+    let rim = 0.075_f64.min(0.14 * a.w.min(a.d));
+    let floor = 0.22 * a.h;
+    m.solid(b.y(0.0..floor));
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let walls = [
+        b.x(-x..-x + rim),
+        b.x(x - rim..x),
+        b.inset(rim, 0.0, 0.0).z(-z..-z + rim),
+        b.inset(rim, 0.0, 0.0).z(z - rim..z),
+    ];
+    for wall in walls {
+        m.solid(wall.y(floor..a.h));
+        m.mesh.rounded(wall, 0.025, 3, &main);
+    }
+    m.mesh.rounded(b.inset(0.8 * rim, 0.0, 0.8 * rim).y(0.0..floor), 0.02, 2, &inner);
+    // The slope to lean on, at the right end.
+    let slope = [(floor, x - rim), (a.h - 0.1 * a.h, x - rim), (floor, x - rim - 0.16 * a.w)].map(|(y, x)| (x, y));
+    m.mesh.extrude(2, &slope, -z + rim..z - rim, &inner);
+    let r = 0.025_f64.min(0.1 * a.w).min(0.1 * a.d);
+    m.mesh.drum(block(-0.3 * a.w - r..-0.3 * a.w + r, floor..floor + 0.01 * a.h, -r..r), &stuff::CHROME.surface());
+    let spout = block(-x + 0.2 * rim..-x + 0.9 * rim, 0.9 * a.h..a.h, -0.5 * rim..0.5 * rim);
+    m.mesh.rounded(spout, 0.01, 2, &stuff::CHROME.surface());
+    m
+}
+
+/// A tray, two panes of glass, a column with a rose.
+pub(super) fn shower(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::CERAMIC);
+    let chrome = stuff::CHROME.surface();
+    let tray = 0.08_f64.min(0.1 * a.h);
+    let t = 0.012_f64.min(0.05 * a.w).min(0.05 * a.d);
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    m.rounded(b.y(0.0..tray), 0.015, &main);
+    for pane in [b.x(x - t..x), b.x(-x..-x + 0.55 * a.w).z(z - t..z)] {
+        m.solid(pane.y(tray..a.h));
+        m.mesh.crisp(pane.y(tray..a.h - 0.02 * a.h), &stuff::GLASS.surface());
+        m.mesh.board(pane.y(a.h - 0.02 * a.h..a.h), &chrome);
+    }
+    let r = 0.012_f64.min(0.04 * a.w).min(0.04 * a.d).min(0.025 * a.h);
+    let back = -z + 3.0 * r;
+    m.solid(block(-2.0 * r..2.0 * r, tray..0.97 * a.h, -z..-z + 4.0 * r));
+    let at = |y: f64, z: f64| Vec3::new(0.0, y * a.h, z);
+    m.mesh.tube(&[at(0.4, back), at(0.93, back), at(0.97, back + 3.0 * r), at(0.97, 0.0)], r, &chrome);
+    let rose = block(-0.13 * a.w..0.13 * a.w, 0.93 * a.h..0.965 * a.h, -0.13 * a.d..0.13 * a.d);
+    m.mesh.drum(rose, &chrome);
+    m.solid(rose.z(-z + 4.0 * r..0.13 * a.d));
+    m.mesh.board(block(-0.05 * a.w..0.05 * a.w, 0.48 * a.h..0.51 * a.h, -z + 2.0 * r..-z + 5.0 * r), &chrome);
+    m
+}
+
+/// Bars between two rails on the wall, a towel over them.
+pub(super) fn towel_rail(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let metal = a.main(stuff::CHROME);
+    m.solid(b);
+    let t = 0.03_f64.min(0.1 * a.w);
+    for side in b.x(b.min.x..b.min.x + t).both_sides() {
+        m.mesh.board(side.z(b.min.z..b.max.z), &metal);
+    }
+    let n = pieces(a.h, 0.09, 1, 16);
+    for bar in b.inset(0.8 * t, 0.0, 0.0).split(1, n, 0.0) {
+        let (c, r) = (bar.center().y, 0.25 * bar.size().y.min(0.4 * a.d));
+        m.mesh.rod(Vec3::new(bar.min.x, c, 0.1 * a.d), Vec3::new(bar.max.x, c, 0.1 * a.d), r, &metal);
+    }
+    if a.h > 0.3 {
+        let towel = block(-0.3 * a.w..0.25 * a.w, 0.35 * a.h..0.86 * a.h, 0.15 * a.d..b.max.z);
+        m.mesh.rounded(towel, 0.3 * towel.size().z, 3, &a.second(stuff::LINEN));
+    }
+    m
+}
+
+/// A pillar with a rose and a pull, and a basin for the eyes: for laboratories.
+pub(super) fn emergency_shower(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let yellow = a.main(crate::looks::Stuff(crate::looks::Finish::Paint, 0xe5b82e));
+    let green = stuff::GREEN_LIGHT.surface();
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let r = 0.025_f64.min(0.06 * a.w).min(0.06 * a.d);
+    let foot = 0.02_f64.min(0.05 * a.h);
+    if a.h < 1.3 {
+        // An eyewash alone: a basin at the top of a column.
+        m.drum(b.y(0.0..foot).inset(0.25 * a.w, 0.0, 0.25 * a.d), &yellow);
+        m.drum(block(-r..r, foot..0.75 * a.h, -r..r), &yellow);
+        m.lathe(
+            b.y(0.75 * a.h..a.h),
+            &[(0.3, 0.0), (0.8, 0.3), (1.0, 0.8), (1.0, 1.0), (0.88, 1.0), (0.6, 0.5)],
+            &green,
+        );
+        return m;
+    }
+    m.drum(b.y(0.0..foot), &yellow);
+    let back = -z + 0.25 * a.d;
+    m.drum(block(-r..r, foot..0.95 * a.h, back - r..back + r), &yellow);
+    m.board(block(-r..r, 0.95 * a.h..a.h, back - r..z - 0.25 * a.d), &yellow);
+    let rose = b.y(0.88 * a.h..0.95 * a.h).inset(0.2 * a.w, 0.0, 0.0).z(-0.3 * z..z);
+    m.lathe(rose, &[(1.0, 0.0), (0.95, 0.35), (0.3, 1.0)], &green);
+    let basin = b.y(0.4 * a.h..0.47 * a.h).z(back..z - 0.1 * a.d);
+    m.lathe(basin, &[(0.3, 0.0), (0.8, 0.3), (1.0, 1.0), (0.9, 1.0), (0.6, 0.5)], &green);
+    m.mesh.rod(Vec3::new(0.3 * x, 0.66 * a.h, 0.2 * z), Vec3::new(0.3 * x, 0.89 * a.h, 0.2 * z), 0.4 * r, &yellow);
+    m.solid(block(0.3 * x - r..0.3 * x + r, 0.66 * a.h..0.88 * a.h, 0.2 * z - r..0.2 * z + r));
+    let sign = b.inset(0.3 * a.w, 0.0, 0.0).y(0.7 * a.h..0.82 * a.h).z(back - 1.6 * r..back - r);
+    m.board(sign, &green);
+    m
+}
+
+/// A soap or paper dispenser, a hand dryer: a rounded case on the wall.
+pub(super) fn dispenser(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::PLASTIC);
+    m.solid(b);
+    m.mesh.rounded(b.y(0.08 * a.h..a.h), 0.03, 3, &main);
+    m.mesh.board(b.inset(0.12 * a.w, 0.0, 0.1 * a.d).y(0.0..0.12 * a.h), &stuff::DARK_PLASTIC.surface());
+    if a.says(&["tap", "soap"]) {
+        tap(&mut m, b.inset(0.4 * a.w, 0.0, 0.0).y(0.0..0.3 * a.h), &stuff::CHROME.surface());
+        m.parts.truncate(1);
+    }
+    m
+}

@@ -1,0 +1,237 @@
+//! Flat things: on walls (facing +z, back flush at −z), and on the floor.
+
+use super::openings::frame;
+use crate::ask::Ask;
+use crate::block::{Block, block, pieces};
+use crate::looks::{Finish, Stuff, shade, stuff};
+use crate::mesh::Surface;
+use crate::model::Model;
+
+/// A framed face; on feet where it is too deep to hang. Returns the space in front of the face, inside the frame.
+fn panel(m: &mut Model, a: &Ask, face: &Surface, edge: &Surface, rim: f64) -> Block {
+    let b = a.whole();
+    let stands = a.d > 0.25 && a.h > 0.9;
+    let rim = rim.min(0.1 * a.w).min(0.1 * a.h);
+    let board = if stands {
+        let t = 0.05_f64.min(0.1 * a.w);
+        let foot = 0.05_f64.min(0.05 * a.h);
+        for side in b.x(b.min.x..b.min.x + t).both_sides() {
+            m.board(side.y(0.0..foot), edge);
+            m.board(side.y(foot..a.h).z(-0.5 * t..0.5 * t), edge);
+        }
+        b.x(b.min.x + t..b.max.x - t).y(0.42 * a.h..a.h).z(-0.5 * t..0.5 * t)
+    } else {
+        b
+    };
+    m.solid(board);
+    let deep = board.size().z;
+    if rim > 0.0 {
+        frame(m, board, rim, rim, rim, edge);
+    }
+    m.mesh.crisp(board.inset(rim, rim, 0.0).z(board.min.z..board.max.z - 0.4 * deep), face);
+    board.inset(rim, rim, 0.0).z(board.max.z - 0.4 * deep..board.max.z)
+}
+
+/// Boards to write on or pin to, with a tray.
+pub(super) fn board(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let dark = a.says(&["blackboard", "chalkboard", "chalk"]);
+    let cork = a.says(&["cork", "corkboard", "notice", "bulletin", "pinboard", "noticeboard"]);
+    let (usual, rim) = match (dark, cork) {
+        (true, _) => (Stuff(Finish::Paint, 0x2f4a3e), stuff::OAK),
+        (_, true) => (Stuff(Finish::Fabric, 0xc69c6d), stuff::OAK),
+        _ => (Stuff(Finish::Plastic, 0xfbfbfa), stuff::STEEL),
+    };
+    let rim = a.second(rim);
+    let face = panel(&mut m, a, &a.tinted(usual), &rim, 0.03);
+    let size = face.size();
+    let tray = face.inset(0.25 * size.x, 0.0, 0.0).y(face.min.y..face.min.y + 0.02 * size.y);
+    if cork {
+        let mut dice = a.dice();
+        for cell in face.split(0, pieces(size.x, 0.35, 2, 8), 0.1) {
+            let high = dice.between(0.25, 0.4) * size.y;
+            let low = face.min.y + dice.between(0.15, 0.55) * size.y;
+            let s = Stuff(Finish::Paper, *dice.pick(&[0xf8f4e8, 0xf6e58d, 0xbfe3d0, 0xf4c2c2])).surface();
+            m.mesh.crisp(cell.y(low..low + high).z(face.min.z..face.min.z + 0.3 * size.z), &s);
+        }
+    } else {
+        m.mesh.board(tray, &rim);
+        for (k, color) in [0x2f62b0, 0xc23b33, 0x2a2b2d].into_iter().enumerate() {
+            let x = -0.1 * size.x + 0.07 * size.x * k as f64;
+            let t = 0.012 * size.y;
+            let pen = block(x..x + 0.05 * size.x, tray.max.y..tray.max.y + t, face.min.z..face.max.z);
+            m.mesh.crisp(pen, &Stuff(Finish::Plastic, if dark { 0xf4f0e6 } else { color }).surface());
+        }
+    }
+    m
+}
+
+/// Pictures: a few fields of colour from the object's own dice; posters have no frame, maps blue and green.
+pub(super) fn picture(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let mut dice = a.dice();
+    let poster = a.says(&["poster", "map", "banner", "menu", "sign", "canvas"]);
+    let paper = a.tinted(Stuff(Finish::Paper, 0xf3eee3));
+    let edge = if poster { shade(&paper, 0.9) } else { a.second(stuff::BLACK_STEEL) };
+    let face = panel(&mut m, a, &paper, &edge, if poster { 0.004 } else { 0.025 });
+    let size = face.size();
+    let art = face.inset(0.09 * size.x.min(size.y), 0.09 * size.x.min(size.y), 0.0);
+    let layer = |k: u32| face.min.z + size.z * 0.2 * f64::from(k)..face.min.z + size.z * 0.2 * f64::from(k + 1);
+    if a.says(&["map"]) {
+        m.mesh.crisp(art.z(layer(0)), &Stuff(Finish::Paper, 0x9cc3d9).surface());
+        let s = art.size();
+        for (x, y, r, color) in [
+            (-0.28, 0.62, 0.17, 0x7fa65a),
+            (-0.2, 0.3, 0.11, 0xa8b56b),
+            (0.02, 0.66, 0.1, 0xc9b27c),
+            (0.06, 0.38, 0.13, 0xd2b068),
+            (0.26, 0.66, 0.18, 0x8fae63),
+            (0.36, 0.28, 0.09, 0xcf9f5f),
+        ] {
+            // Seen from the front, +x is on the left.
+            let corner = |k: u32| {
+                let (sin, cos) = (f64::from(k) / 8.0 * std::f64::consts::TAU).sin_cos();
+                let r = r * dice.between(0.85, 1.0);
+                (-x * s.x + r * s.x * cos, art.min.y + (y + 1.1 * r * sin) * s.y)
+            };
+            let land: Vec<_> = (0..8).map(corner).collect();
+            m.mesh.extrude(2, &land, layer(1), &Stuff(Finish::Paper, color).surface());
+        }
+        return m;
+    }
+    if a.says(&["menu", "sign"]) {
+        for (k, line) in art.split(1, 7, 0.0).enumerate() {
+            let s = line.size();
+            let short = if k == 6 { 0.35 * s.x } else { dice.between(0.02, 0.3) * s.x };
+            let text = line.x(line.min.x + short..line.max.x).inset(0.0, 0.32 * s.y, 0.0);
+            m.mesh.crisp(text.z(layer(0)), &shade(&paper, if paper.color[0] > 0.5 { 0.3 } else { 3.0 }));
+        }
+        return m;
+    }
+    const SETS: [[u32; 4]; 5] = [
+        [0x24415f, 0xe0a458, 0xd8e2dc, 0xb5523b],
+        [0x2f5d50, 0xe9d8a6, 0xca6702, 0x94a89a],
+        [0x3d405b, 0xf2cc8f, 0x81b29a, 0xe07a5f],
+        [0x6d597a, 0xeaac8b, 0x355070, 0xe56b6f],
+        [0x1d3557, 0xa8dadc, 0xe63946, 0xf1faee],
+    ];
+    let colors = *dice.pick(&SETS);
+    let field = |hex: u32| Stuff(Finish::Paper, hex).surface();
+    let horizon = dice.between(0.3, 0.5);
+    let s = art.size();
+    m.mesh.crisp(art.z(layer(0)), &field(colors[2]));
+    m.mesh.crisp(art.y(art.min.y..art.min.y + horizon * s.y).z(layer(1)), &field(colors[0]));
+    let (r, x) = (dice.between(0.12, 0.2) * s.x.min(s.y), dice.between(-0.25, 0.25) * s.x);
+    let y = art.min.y + dice.between(0.6, 0.78) * s.y;
+    let disc: Vec<_> = (0..20)
+        .map(|k| (f64::from(k) / 20.0 * std::f64::consts::TAU).sin_cos())
+        .map(|(v, u)| (x + r * u, y + r * v))
+        .collect();
+    let z = layer(1);
+    m.mesh.extrude(2, &disc, z, &field(colors[1]));
+    let (peak, foot) = (dice.between(-0.2, 0.3) * s.x, dice.between(0.2, 0.35) * s.x);
+    let base = art.min.y + 0.6 * horizon * s.y;
+    let hill = [
+        ((peak - foot).max(art.min.x), base),
+        ((peak + foot).min(art.max.x), base),
+        (peak.clamp(art.min.x, art.max.x), base + 0.33 * s.y),
+    ];
+    m.mesh.extrude(2, &hill, layer(2), &field(colors[3]));
+    m
+}
+
+/// Silvered glass in a slim frame.
+pub(super) fn mirror(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let edge = a.main(stuff::BRASS);
+    if a.says(&["round", "oval", "circular"]) {
+        disc(&mut m, a.whole(), &edge, &stuff::MIRROR.surface());
+    } else {
+        panel(&mut m, a, &stuff::MIRROR.surface(), &edge, 0.02);
+    }
+    m
+}
+
+/// A disc that looks to +z: a rim and a face set back in it.
+pub(super) fn disc(m: &mut Model, b: Block, edge: &Surface, face: &Surface) {
+    m.solid(b);
+    m.mesh.stretch(b, |mesh| {
+        mesh.place(scenelang_layout::Vec3::zeros(), [90.0, 0.0, 0.0], |mesh| {
+            mesh.lathe(
+                block(-1.0..1.0, 0.0..1.0, -1.0..1.0),
+                &[(1.0, 0.0), (1.0, 0.9), (0.95, 1.0), (0.9, 1.0), (0.9, 0.5)],
+                32,
+                edge,
+            );
+            mesh.lathe(block(-0.9..0.9, 0.5..0.6, -0.9..0.9), &[(1.0, 0.0), (1.0, 1.0)], 32, face);
+        });
+    });
+}
+
+/// A screen to project on, or a sign that shines.
+pub(super) fn screen(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    if a.d > 0.25 && a.h > 0.9 {
+        panel(&mut m, a, &stuff::SHEET.surface(), &a.second(stuff::BLACK_STEEL), 0.03);
+        return m;
+    }
+    m.solid(b);
+    let case = a.second(stuff::WHITE);
+    let head = 0.08_f64.min(0.1 * a.h);
+    m.mesh.rounded(b.y(a.h - head..a.h), 0.02, 2, &case);
+    let sheet = b.inset(0.03 * a.w, 0.0, 0.35 * a.d).y(0.02 * a.h..a.h - head);
+    m.mesh.crisp(sheet, &stuff::BLACK_STEEL.surface());
+    let picture = sheet.inset(0.03 * a.w, 0.03 * a.h, 0.0).z(sheet.max.z..sheet.max.z + 0.05 * a.d);
+    m.mesh.crisp(picture, &a.tinted(Stuff(Finish::Paper, 0xf6f6f4)));
+    m.mesh.rounded(b.y(0.0..0.025 * a.h).inset(0.02 * a.w, 0.0, 0.3 * a.d), 0.01, 2, &case);
+    m
+}
+
+/// Rugs and mats: a border and a field, the top level; round ones by their word.
+pub(super) fn rug(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(Stuff(Finish::Carpet, 0xa9a296));
+    let main = if crate::looks::is(&main, Finish::Fabric) { a.tinted(Stuff(Finish::Carpet, 0xa9a296)) } else { main };
+    let edge = a.second(Stuff(Finish::Carpet, 0));
+    let edge = if edge.color == [0.0; 3] { shade(&main, 0.78) } else { edge };
+    let rim = 0.08 * a.w.min(a.d);
+    if a.says(&["round", "circular", "oval"]) {
+        m.solid_drum(b);
+        m.mesh.drum(b.y(0.0..0.9 * a.h), &edge);
+        m.mesh.drum(b.inset(rim, 0.0, rim).y(0.0..a.h), &main);
+    } else {
+        m.solid(b);
+        m.mesh.board(b.y(0.0..0.88 * a.h), &edge);
+        m.mesh.board(b.inset(rim, 0.0, rim).y(0.0..0.94 * a.h), &main);
+        let line = b.inset(1.6 * rim, 0.0, 1.6 * rim);
+        m.mesh.board(line.y(0.0..0.97 * a.h), &shade(&main, 1.25));
+        m.mesh.board(line.inset(0.18 * rim, 0.0, 0.18 * rim).y(0.0..a.h), &main);
+    }
+    m
+}
+
+/// A stand with three legs: easels, music stands, tripods, flip charts.
+pub(super) fn easel(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let mut dice = a.dice();
+    let main = a.main(stuff::OAK);
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let t = 0.04_f64.min(0.08 * a.w).min(0.1 * a.d);
+    let top = block(-t / 2.0..t / 2.0, a.h - t.min(0.1 * a.h)..a.h, -t / 2.0..t / 2.0);
+    for (px, pz) in [(-x, z - t), (x - t, z - t), (-t / 2.0, -z)] {
+        let foot = block(px..px + t, 0.0..0.01 * a.h, pz..pz + t);
+        m.taper(foot, top, &main);
+    }
+    let board = block(-0.9 * x..0.9 * x, 0.42 * a.h..0.94 * a.h, 0.5 * z..0.5 * z + 0.03_f64.min(0.1 * a.d));
+    m.solid(board);
+    m.mesh.board(board, &stuff::PAPER.surface());
+    let ledge = block(-0.9 * x..0.9 * x, 0.4 * a.h..0.42 * a.h, 0.4 * z..0.75 * z);
+    m.board(ledge, &main);
+    let s = board.size();
+    let mark = Stuff(Finish::Paper, *dice.pick(&[0xe07a5f, 0x3d405b, 0x81b29a])).surface();
+    let front = board.inset(0.2 * s.x, 0.2 * s.y, 0.0).z(board.max.z..board.max.z + 0.1 * s.z);
+    m.mesh.crisp(front, &mark);
+    m
+}

@@ -1,0 +1,302 @@
+//! Tables, desks and counters: a level top exactly at the height of the box, room for knees where people sit.
+
+use crate::ask::Ask;
+use crate::block::{Block, block, pieces};
+use crate::looks::{Finish, Stuff, shade, stuff};
+use crate::mesh::Surface;
+use crate::model::Model;
+
+/// A handle bar across the front of a drawer or door that faces +z; `front` is the free space it may fill.
+pub(super) fn handle(m: &mut Model, front: Block, s: &Surface) {
+    m.mesh.rounded(front, 0.004, 1, s);
+}
+
+/// A stack of drawer fronts that fill a face looking to +z: the casing ends `deep` behind the face.
+pub(super) fn drawers(m: &mut Model, face: Block, rows: usize, deep: f64, front: &Surface, grip: &Surface) {
+    for f in face.z(face.max.z - deep..face.max.z - 0.45 * deep).split(1, rows, 0.006) {
+        let f = f.inset(0.004, 0.0, 0.0);
+        m.mesh.board(f, front);
+        let (size, c) = (f.size(), f.center());
+        let half = (0.07_f64).min(0.25 * size.x);
+        let thin = 0.007_f64.min(0.12 * size.y);
+        handle(m, block(c.x - half..c.x + half, c.y - thin..c.y + thin, f.max.z..face.max.z), grip);
+    }
+}
+
+/// Dining, side, coffee and conference tables, by words and size.
+pub(super) fn table(a: &Ask) -> Model {
+    let b = a.whole();
+    let main = a.main(stuff::OAK);
+    let legs = a.legs(&main);
+    let round = a.says(&["round", "circular", "oval", "pedestal", "bistro"]);
+    let large = a.w.min(a.d) > 0.8 && a.w.max(a.d) > 2.0;
+    let mut m = Model::default();
+    let thick = if large { 0.05 } else { 0.035_f64 }.min(0.12 * a.h);
+    let under = a.h - thick;
+    if round && !(large && a.w.max(a.d) > 1.7 * a.w.min(a.d)) {
+        m.drum(b.y(under..a.h), &main);
+        let foot = 0.035_f64.min(0.1 * a.h);
+        let (fx, fz) = (0.3 * a.w, 0.3 * a.d);
+        m.lathe(block(-fx..fx, 0.0..foot, -fz..fz), &[(0.98, 0.0), (1.0, 0.3), (0.9, 0.6), (0.3, 1.0)], &legs);
+        let r = (0.07 * a.w.min(a.d)).min(0.06);
+        m.solid_drum(block(-r..r, foot..under, -r..r));
+        let column = [(1.0, 0.0), (0.75, 0.12), (0.7, 0.5), (0.75, 0.85), (1.0, 1.0)];
+        m.mesh.lathe(block(-r..r, foot..under, -r..r), &column, 24, &legs);
+        return m;
+    }
+    if round {
+        m.drum(b.y(under..a.h), &main);
+    } else {
+        m.rounded(b.y(under..a.h), 0.012, &main);
+    }
+    if large || a.says(&["conference", "meeting", "boardroom"]) {
+        trestles(&mut m, b.y(0.0..under), &legs);
+        return m;
+    }
+    let t = 0.055_f64.min(0.1 * a.w).min(0.1 * a.d);
+    let stand = b.inset(0.025, 0.0, 0.025);
+    m.legs(stand.y(0.0..under), t, &legs);
+    // A rail under the top; the solid fills what it encloses.
+    let rail = stand.inset(0.6 * t, 0.0, 0.6 * t).y(under - 0.045_f64.min(0.1 * a.h)..under);
+    m.solid(rail);
+    let (dark, size) = (shade(&legs, 0.94), rail.size());
+    for side in rail.x(rail.min.x..rail.min.x + 0.02_f64.min(0.3 * size.x)).both_sides() {
+        m.mesh.board(side, &dark);
+    }
+    for side in rail.z(rail.min.z..rail.min.z + 0.02_f64.min(0.3 * size.z)).four_corners().into_iter().step_by(2) {
+        m.mesh.board(side, &dark);
+    }
+    if a.h < 0.55 && a.h > 0.3 && a.w > 0.7 && a.says(&["coffee", "living", "low"]) {
+        m.board(stand.inset(0.5 * t, 0.0, 0.5 * t).y(0.28 * a.h..0.28 * a.h + 0.6 * thick), &main);
+    }
+    m
+}
+
+/// Two panels on feet and a beam, across the longer side: the long sides stay free for knees.
+fn trestles(m: &mut Model, b: Block, s: &Surface) {
+    let size = b.size();
+    let long = usize::from(size.z > size.x) * 2;
+    let cross = 2 - long;
+    let cut = |b: Block, lo: f64, hi: f64, half: f64| {
+        let mut b = b;
+        (b.min[long], b.max[long]) = (lo, hi);
+        (b.min[cross], b.max[cross]) = (-half, half);
+        b
+    };
+    let (at, thick) = (0.3 * size[long], 0.07_f64.min(0.08 * size[long]));
+    let foot = 0.05_f64.min(0.12 * size.y);
+    for side in [-1.0, 1.0] {
+        let (lo, hi) = (side * at - thick / 2.0, side * at + thick / 2.0);
+        m.board(cut(b, lo, hi, 0.13 * size[cross]).y(foot..b.max.y - foot), s);
+        m.board(cut(b, lo - 0.2 * thick, hi + 0.2 * thick, 0.34 * size[cross]).y(b.min.y..b.min.y + foot), s);
+        m.board(cut(b, lo - 0.2 * thick, hi + 0.2 * thick, 0.38 * size[cross]).y(b.max.y - foot..b.max.y), s);
+    }
+    m.board(
+        cut(b, -at + thick / 2.0, at - thick / 2.0, 0.015_f64.max(0.02 * size[cross])).y(0.72 * size.y..0.84 * size.y),
+        s,
+    );
+}
+
+/// A desk; its user sits at +z. Wide ones have drawers on the right; `standing` ones two lifting columns, school desks four
+/// legs.
+pub(super) fn desk(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::OAK);
+    let thick = 0.03_f64.min(0.1 * a.h);
+    let under = a.h - thick;
+    m.rounded(b.y(under..a.h), 0.008, &main);
+    if a.says(&["standing", "adjustable", "electric", "sit", "motorized"]) {
+        let steel = a.second(stuff::GRAY);
+        let t = 0.08_f64.min(0.1 * a.w);
+        for side in b.x(b.min.x + 0.1 * a.w..b.min.x + 0.1 * a.w + t).both_sides() {
+            m.rounded(side.y(0.0..0.03_f64.min(0.1 * a.h)).inset(0.0, 0.0, 0.05 * a.d), 0.01, &steel);
+            let column = side.inset(0.1 * t, 0.0, 0.0).z(-0.07 * a.d..0.03 * a.d);
+            m.solid(column.y(0.03_f64.min(0.1 * a.h)..under));
+            m.mesh.board(column.y(0.03_f64.min(0.1 * a.h)..0.55 * under), &steel);
+            m.mesh.board(column.inset(0.01, 0.0, 0.01).y(0.55 * under..under), &shade(&steel, 0.85));
+        }
+        m.board(
+            b.inset(0.1 * a.w + t, 0.0, 0.0).y(under - 0.05_f64.min(0.1 * a.h)..under).z(-0.07 * a.d..0.03 * a.d),
+            &steel,
+        );
+        return m;
+    }
+    let legs = if a.says(&["student", "school", "pupil"]) { a.second(stuff::STEEL) } else { a.legs(&main) };
+    if a.w < 1.0 || a.says(&["student", "school", "pupil", "writing"]) {
+        m.legs(b.inset(0.02, 0.0, 0.02).y(0.0..under), 0.04, &legs);
+        m.board(
+            b.inset(0.07 * a.w, 0.0, 0.0).y(under - 0.16 * a.h..under).z(b.min.z + 0.02..b.min.z + 0.02 + 0.015),
+            &main,
+        );
+        return m;
+    }
+    let side = 0.035_f64.min(0.1 * a.w);
+    m.board(b.x(b.min.x + 0.01..b.min.x + 0.01 + side).y(0.0..under).inset(0.0, 0.0, 0.03 * a.d), &main);
+    let right = b.max.x - 0.01;
+    let chest = b.x(right - 0.4_f64.min(0.3 * a.w)..right).y(0.0..under).inset(0.0, 0.0, 0.03 * a.d);
+    m.solid(chest);
+    let deep = 0.04_f64.min(0.1 * a.d);
+    m.mesh.board(chest.z(chest.min.z..chest.max.z - deep), &main);
+    drawers(
+        &mut m,
+        chest.y(0.03..under).inset(0.0, 0.002, 0.0),
+        3,
+        deep,
+        &shade(&main, 1.12),
+        &stuff::BLACK_STEEL.surface(),
+    );
+    let back = b
+        .x(b.min.x + 0.01 + side..chest.min.x)
+        .y(0.45 * under..under)
+        .z(b.min.z + 0.06 * a.d..b.min.z + 0.06 * a.d + 0.018_f64.min(0.1 * a.d));
+    m.board(back, &main);
+    m
+}
+
+/// Counters of every trade: a body with a top that overhangs to the front, where the customer stands.
+pub(super) fn counter(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::WHITE);
+    let thick = 0.04_f64.min(0.15 * a.h);
+    let under = a.h - thick;
+    let top = a.second(if a.made_of(&[Finish::Metal, Finish::Stone]) {
+        stuff::STEEL
+    } else if a.says(&["lab", "laboratory", "chemistry"]) {
+        Stuff(Finish::Stone, 0x5a6066)
+    } else {
+        stuff::OAK
+    });
+    m.rounded(b.y(under..a.h), 0.008, &top);
+    let plinth = 0.09_f64.min(0.15 * a.h);
+    let overhang = if a.says(&["bar", "breakfast"]) { 0.22 } else { 0.04 } * a.d;
+    let body = b.inset(0.01, 0.0, 0.01).y(plinth..under).z(b.min.z + 0.01 * a.d..b.max.z - overhang);
+    m.solid(body.y(0.0..under));
+    m.mesh.board(body.inset(0.03, 0.0, 0.03).y(0.0..plinth), &stuff::BLACK_STEEL.surface());
+    let skin = 0.022_f64.min(0.2 * a.d);
+    m.mesh.board(body.z(body.min.z..body.max.z - skin), &main);
+    let face = body.z(body.max.z - skin..body.max.z);
+    if a.says(&["kitchen", "island", "vanity", "base", "lab", "laboratory", "pantry", "worktop"]) {
+        let doors = pieces(a.w, 0.5, 1, 12);
+        for door in face.split(0, doors, 0.006) {
+            m.mesh.board(door.inset(0.002, 0.002, 0.0).z(face.min.z..face.max.z - 0.4 * skin), &shade(&main, 1.1));
+            let size = door.size();
+            let grip = door.inset(0.3 * size.x, 0.0, 0.0).y(door.max.y - 0.09 * size.y..door.max.y - 0.07 * size.y);
+            handle(&mut m, grip.z(face.max.z - 0.4 * skin..face.max.z), &stuff::STEEL.surface());
+        }
+    } else {
+        let slats = pieces(a.w, 0.09, 2, 60);
+        for slat in face.split(0, slats, 0.02) {
+            m.mesh.crisp(slat, &main);
+        }
+    }
+    if a.says(&["bar", "pub"]) && a.h > 0.6 {
+        let y = 0.2 * a.h;
+        let z = (body.max.z + 0.6 * overhang).min(b.max.z - 0.02 * a.d);
+        let r = 0.015_f64.min(0.2 * overhang);
+        let rail = block(body.min.x..body.max.x, y - r..y + r, z - r..z + r);
+        m.solid(rail);
+        m.mesh.rounded(rail, r, 2, &stuff::BRASS.surface());
+    }
+    m
+}
+
+/// A thick top on four strong legs with a shelf below; laboratories have cupboards instead.
+pub(super) fn workbench(a: &Ask) -> Model {
+    if a.says(&["lab", "laboratory", "chemistry", "demonstration"]) {
+        return counter(a);
+    }
+    let mut m = Model::default();
+    let b = a.whole();
+    let top = a.main(stuff::BIRCH);
+    let frame = a.second(stuff::BLACK_STEEL);
+    let thick = 0.05_f64.min(0.15 * a.h);
+    let under = a.h - thick;
+    m.rounded(b.y(under..a.h), 0.006, &top);
+    let t = 0.06_f64.min(0.12 * a.w).min(0.12 * a.d);
+    let stand = b.inset(0.03, 0.0, 0.03).y(0.0..under);
+    for leg in stand.x(stand.min.x..stand.min.x + t).z(stand.min.z..stand.min.z + t).four_corners() {
+        m.board(leg, &frame);
+    }
+    m.board(stand.inset(0.2 * t, 0.0, 0.2 * t).y(0.18 * a.h..0.18 * a.h + 0.6 * thick), &top);
+    let rail = stand.inset(0.2 * t, 0.0, 0.2 * t).y(under - 1.2 * thick..under);
+    m.board(rail, &frame);
+    if a.w > 1.1 && a.h > 0.6 {
+        let chest = stand
+            .x(stand.max.x - t - 0.4 * a.w..stand.max.x - t)
+            .y(under - 0.32 * a.h..under - 1.2 * thick)
+            .inset(0.0, 0.0, 0.3 * t);
+        m.solid(chest);
+        let deep = 0.03_f64.min(0.1 * a.d);
+        m.mesh.board(chest.z(chest.min.z..chest.max.z - deep), &frame);
+        drawers(&mut m, chest.inset(0.003, 0.003, 0.0), 2, deep, &stuff::RED.surface(), &stuff::STEEL.surface());
+    }
+    m
+}
+
+/// A slanted board on a column: the audience is at +z, the speaker behind.
+pub(super) fn lectern(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::WALNUT);
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let foot = 0.04_f64.min(0.1 * a.h);
+    let low = a.h - 0.16_f64.min(0.3 * a.h);
+    m.rounded(b.y(0.0..foot).inset(0.06 * a.w, 0.0, 0.03 * a.d), 0.01, &main);
+    m.board(block(-0.32 * a.w..0.32 * a.w, foot..low, -0.28 * a.d..0.3 * a.d), &main);
+    m.mesh.board(
+        block(-0.26 * a.w..0.26 * a.w, foot + 0.06 * a.h..low - 0.06 * a.h, 0.3 * a.d..0.315 * a.d),
+        &shade(&main, 1.2),
+    );
+    let thick = 0.03_f64.min(0.08 * a.h);
+    m.extrude(0, &[(low, -z), (low, z), (a.h, z), (low + thick, -z)], -x..x, &shade(&main, 1.1));
+    m
+}
+
+/// A low platform with an edge.
+pub(super) fn platform(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::OAK);
+    let floor = 0.03_f64.min(0.3 * a.h);
+    m.solid(b);
+    m.mesh.board(b.inset(0.02, 0.0, 0.02).y(0.0..a.h - floor), &stuff::BLACK_STEEL.surface());
+    let planks = pieces(a.d, 0.2, 1, 30);
+    for p in b.y(a.h - floor..a.h).split(2, planks, 0.004) {
+        m.mesh.crisp(p, &main);
+    }
+    m
+}
+
+/// Green cloth between wooden rails, on thick legs; ping-pong tables have a net.
+pub(super) fn game_table(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    if a.says(&["pong", "tennis"]) {
+        let main = a.tinted(Stuff(Finish::Paint, 0x2b5d8c));
+        let play = a.h - 0.15_f64.min(0.2 * a.h);
+        let thick = 0.03_f64.min(0.1 * a.h);
+        m.surface = Some(play);
+        m.board(b.y(play - thick..play), &main);
+        let net = block(-0.003..0.003, play..a.h, b.min.z..b.max.z);
+        m.board(net, &stuff::WHITE.surface());
+        m.legs(b.y(0.0..play - thick).inset(0.12 * a.w, 0.0, 0.05 * a.d), 0.06, &stuff::BLACK_STEEL.surface());
+        return m;
+    }
+    let wood = a.second(stuff::WALNUT);
+    let cloth = a.tinted(Stuff(Finish::Carpet, 0x2c7a4b));
+    let rim = 0.12_f64.min(0.12 * a.w.min(a.d));
+    let box_low = a.h - 0.22 * a.h;
+    m.solid(b.y(box_low..a.h));
+    m.mesh.board(b.inset(0.03, 0.0, 0.03).y(box_low..a.h - 0.03 * a.h), &shade(&wood, 0.8));
+    m.mesh.board(b.inset(rim, 0.0, rim).y(a.h - 0.06 * a.h..a.h - 0.02 * a.h), &cloth);
+    for long in b.y(a.h - 0.09 * a.h..a.h).z(b.min.z..b.min.z + rim).four_corners().into_iter().step_by(2) {
+        m.mesh.rounded(long, 0.015, 2, &wood);
+    }
+    for short in b.y(a.h - 0.09 * a.h..a.h).x(b.min.x..b.min.x + rim).inset(0.0, 0.0, rim).both_sides() {
+        m.mesh.rounded(short, 0.015, 2, &wood);
+    }
+    m.legs(b.inset(0.1, 0.0, 0.1).y(0.0..box_low), 0.14, &wood);
+    m
+}

@@ -1,0 +1,101 @@
+//! Which family a noun belongs to: an alias table and the rule of the head noun ("wooden book shelf" is a shelf for
+//! books, "shelf with lamp" still a shelf).
+
+use crate::families::maker;
+use crate::words::words;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// Alias, blanks taken out → family.
+static ALIASES: LazyLock<BTreeMap<String, &'static str>> =
+    LazyLock::new(|| aliases().filter_map(|(family, alias)| Some((words(alias).concat(), maker(family)?.0))).collect());
+
+/// The lines of the table as (family, alias).
+fn aliases() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let mut family = "";
+    include_str!("lexicon.txt").lines().filter(|l| !l.starts_with('#')).flat_map(move |line| {
+        let list = line.split_once(':').map_or(line, |(name, list)| {
+            family = name;
+            list
+        });
+        let of = family;
+        list.split(',').map(str::trim).filter(|a| !a.is_empty()).map(move |alias| (of, alias))
+    })
+}
+
+/// Words that end the head of a phrase: what follows describes.
+const ENDS: &str = "of with for in on at from near by under above without to beside";
+/// Words that count things: after them and "of" the head begins.
+const COUNTERS: &str = "set pair stack pile group row piece bunch bundle";
+/// Words that may follow the noun in a name without changing what it is.
+const TAILS: &str = "left right front back rear main north south east west center centre middle top bottom upper lower \
+                     inner outer near far new old big small large unit set furniture object item one two three first \
+                     second third station system equipment area model";
+
+fn among(word: &str, list: &str) -> bool {
+    list.split_whitespace().any(|w| w == word)
+}
+
+/// The family that draws a thing of this category, or else of this name; `None`: nobody knows it.
+///
+/// The category decides if it is known; a name that says more about the same thing is heard (category "lamp", name
+/// `ceilingLamp`).
+pub fn family_of(category: &str, name: &str) -> Option<&'static str> {
+    match (family_of_phrase(category), family_of_phrase(name)) {
+        (Some("lamp"), Some(named)) if ["lamp", "light"].iter().any(|l| named.contains(l)) || named == "pendant" => {
+            Some(named)
+        }
+        (Some(by_category), _) => Some(by_category),
+        (None, by_name) => by_name,
+    }
+}
+
+fn family_of_phrase(phrase: &str) -> Option<&'static str> {
+    let all = words(phrase);
+    let end = all.iter().position(|w| among(w, ENDS)).unwrap_or(all.len());
+    // An alias may reach over the end of the head: a "chest of drawers".
+    if let Some(found) = ends_with_alias(&all, end) {
+        return Some(found);
+    }
+    // "stack of books" is books; "rack of books" is a rack.
+    let (mut head, tail) = all.split_at(end);
+    if head.last().is_some_and(|w| among(w, COUNTERS)) && tail.len() > 1 {
+        head = &tail[1..];
+    }
+    loop {
+        if let Some(found) = ends_with_alias(head, head.len()) {
+            return Some(found);
+        }
+        match head.split_last() {
+            Some((last, rest)) if last.chars().count() == 1 || among(last, TAILS) => head = rest,
+            _ => return None,
+        }
+    }
+}
+
+/// The family of the longest alias (of six words at most) that ends these words and starts before `limit`.
+fn ends_with_alias(words: &[String], limit: usize) -> Option<&'static str> {
+    (words.len().saturating_sub(6)..limit).find_map(|start| ALIASES.get(&words[start..].concat()).copied())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::families::FAMILIES;
+
+    #[test]
+    fn every_family_has_aliases_and_no_alias_has_two_families() {
+        let mut seen = BTreeMap::new();
+        for (family, alias) in aliases() {
+            assert!(maker(family).is_some(), "no such family: {family}");
+            if let Some(other) = seen.insert(words(alias).concat(), family) {
+                assert_eq!(other, family, "{alias}");
+            }
+        }
+        for (family, _) in FAMILIES {
+            assert!(seen.values().any(|f| f == family), "{family} has no alias");
+            let phrase = family.replace('_', " ");
+            assert_eq!(family_of(&phrase, ""), Some(*family));
+        }
+    }
+}

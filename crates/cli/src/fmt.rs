@@ -1,0 +1,62 @@
+//! `scenelang fmt`: programs in the standard form.
+
+use crate::args::Fmt;
+use crate::{FAILED, FINDINGS, GOOD};
+use scenelang_base::SourceMap;
+use scenelang_lang::fmt::{FormatOptions, format};
+use scenelang_lang::sources::{Disk, Loader, decode, plain};
+use std::io::{Read, Write};
+use std::path::Path;
+
+/// Formats each file in place (or says that it would); the worst exit code.
+pub fn run(args: &Fmt) -> u8 {
+    let options = FormatOptions { width: usize::from(args.width) };
+    args.files.iter().map(|file| one(file, args.check, &options)).max().unwrap_or(GOOD)
+}
+
+fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
+    let stdin = path == Path::new("-");
+    let name = if stdin { "<stdin>".to_owned() } else { path.display().to_string() };
+    let bytes = if stdin {
+        let mut bytes = Vec::new();
+        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        Disk.load(path)
+    };
+    let bytes = match bytes {
+        Ok(bytes) => bytes,
+        Err(e) => return fail(&format!("cannot read {name}: {}", plain(&e))),
+    };
+    let mut sources = SourceMap::new();
+    let id = match decode(&name, path, bytes, &mut sources) {
+        Ok(id) => id,
+        Err((_, d)) => return fail(&d.message),
+    };
+    let text = sources.get(id).text();
+    let formatted = format(text, options);
+    if check {
+        if formatted == text {
+            return GOOD;
+        }
+        let line = text.lines().zip(formatted.lines()).position(|(a, b)| a != b).unwrap_or(text.lines().count().min(formatted.lines().count()));
+        eprintln!("{name}:{}: not in the standard form; `scenelang fmt {name}` writes it", line + 1);
+        return FINDINGS;
+    }
+    if stdin {
+        return match std::io::stdout().write_all(formatted.as_bytes()) {
+            Ok(()) => GOOD,
+            Err(e) => fail(&format!("cannot write: {e}")),
+        };
+    }
+    if formatted != text
+        && let Err(e) = scenelang_base::fs::write_whole(path, formatted.as_bytes())
+    {
+        return fail(&e.to_string());
+    }
+    GOOD
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
+}

@@ -1,0 +1,51 @@
+//! A line of progress on a terminal; nothing in a pipe.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::Duration;
+
+/// A spinner with a sentence, on standard error.
+pub struct Progress(ProgressBar);
+
+impl Progress {
+    /// Starts with a sentence. It shows itself only on a terminal.
+    pub fn new(what: impl Into<String>) -> Self {
+        let bar = ProgressBar::new_spinner();
+        if std::io::stderr().is_terminal() {
+            if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} ({elapsed})") {
+                bar.set_style(style);
+            }
+            bar.enable_steady_tick(Duration::from_millis(100));
+        } else {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        }
+        bar.set_message(what.into());
+        Self(bar)
+    }
+    /// Says what is being done now.
+    pub fn say(&self, what: impl Into<String>) {
+        self.0.set_message(what.into());
+    }
+    /// Prints a line above the spinner (on a terminal only).
+    pub fn done(&self, line: impl AsRef<str>) {
+        self.0.println(line);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
+/// The solver's progress in words.
+pub fn solving(p: &scenelang_solve::Progress) -> String {
+    use scenelang_solve::Phase;
+    let phase = match p.phase {
+        Phase::InitialPlacement => "placing",
+        Phase::PhysicsRelaxation => "relaxing",
+        Phase::Repair => "repairing",
+        Phase::Preferences => "improving",
+    };
+    format!("{phase}: {} of {} terms hold, round {}", p.held, p.total, p.iteration)
+}

@@ -1,0 +1,110 @@
+//! `scenelang solve`: a layout for a program.
+
+use crate::args::Solve;
+use crate::check::{color, options};
+use crate::progress::Progress;
+use crate::{FAILED, INTERRUPTED, interrupt};
+use scenelang_synth::{Failure, Observer, Request, Stage, save_layout};
+use scenelang_verify::exit_code;
+use scenelang_verify::report::{self, Human};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
+pub fn run(args: &Solve) -> u8 {
+    interrupt::listen();
+    let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));
+    let start = match &args.layout {
+        None => None,
+        Some(path) => match read(path) {
+            Ok(text) => Some((path.display().to_string(), text)),
+            Err(message) => return fail(&message),
+        },
+    };
+    let member = relative(&args.scene, &output);
+    let request = Request {
+        name: &args.scene.display().to_string(),
+        path: &args.scene,
+        start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
+        layout_path: &output,
+        scene_member: &member,
+        seed: args.seed,
+        judge: options(args.judging),
+    };
+    let mut watch = Watch { progress: Progress::new("reading") };
+    let solved = match scenelang_synth::solve(&request, &mut watch) {
+        Ok(solved) => solved,
+        Err(failure) => return explain(&failure),
+    };
+    drop(watch);
+    eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
+    if let Err(e) = save_layout(&solved, &output) {
+        return fail(&e.to_string());
+    }
+    let code = exit_code(&solved.checked.report);
+    print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+    println!("{} written after {} rounds", output.display(), solved.outcome.iterations);
+    code
+}
+
+/// Says why there is no layout.
+pub fn explain(failure: &Failure) -> u8 {
+    match failure {
+        Failure::Interrupted => {
+            eprintln!("interrupted; nothing was written");
+            INTERRUPTED
+        }
+        Failure::Input(sources, diagnostics) => {
+            eprint!("{}", report::diagnostics(diagnostics, sources, color_err()));
+            FAILED
+        }
+    }
+}
+
+/// The path of `scene` seen from the folder of `layout`: relative where the two share a start, else as it is.
+pub fn relative(scene: &Path, layout: &Path) -> String {
+    let absolute = |p: &Path| std::path::absolute(p).unwrap_or_else(|_| p.to_path_buf());
+    let (scene, folder) = (absolute(scene), absolute(layout));
+    let folder = folder.parent().map(Path::to_path_buf).unwrap_or_default();
+    let (a, b): (Vec<_>, Vec<_>) = (scene.components().collect(), folder.components().collect());
+    let shared = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
+    let mut out = PathBuf::new();
+    for _ in shared..b.len() {
+        out.push("..");
+    }
+    out.extend(&a[shared..]);
+    out.to_string_lossy().replace('\\', "/")
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let bytes = std::fs::read(path)
+        .map_err(|e| format!("cannot read {}: {}", path.display(), scenelang_lang::sources::plain(&e)))?;
+    scenelang_layout::file::decode(bytes).map_err(|d| format!("{}: {}", path.display(), d.message))
+}
+
+/// Whether standard error takes colours.
+pub fn color_err() -> bool {
+    use std::io::IsTerminal;
+    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
+}
+
+/// Shows the stage, ends the work on Ctrl-C.
+struct Watch {
+    progress: Progress,
+}
+
+impl Observer for Watch {
+    fn enter(&mut self, stage: Stage) {
+        self.progress.say(stage.name());
+    }
+    fn leave(&mut self, _stage: Stage) {}
+    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+        self.progress.say(crate::progress::solving(p));
+        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}

@@ -1,0 +1,153 @@
+//! `scenelang synth`: the whole corridor, with a summary at the end.
+
+use crate::args::{Pipeline, SummaryFormat, Synth};
+use crate::check::color;
+use crate::progress::{Progress, solving};
+use crate::solve::{color_err, explain};
+use crate::table::Table;
+use crate::{FAILED, interrupt};
+use scenelang_export::{Exporter, exporters, unity};
+use scenelang_synth::{Observer, Request, Solved, Stage, Written, export};
+use scenelang_verify::exit_code;
+use scenelang_verify::report::{self, Human};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Builds the scene; 0 if all hard constraints hold.
+pub fn run(args: &Synth) -> u8 {
+    let path = PathBuf::from(&args.request);
+    if path.extension().is_none_or(|e| e != "scene") {
+        eprintln!("error: \"{}\" is no .scene file, and requests in plain words are not understood yet", args.request);
+        eprintln!("  write the request as a program; examples/meeting-room.scene is one to start from");
+        return FAILED;
+    }
+    interrupt::listen();
+    let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
+    let request = Request {
+        name: &args.request,
+        path: &path,
+        start: None,
+        layout_path: &args.output.join(format!("{stem}.layout.json")),
+        scene_member: &format!("{stem}.scene"),
+        seed: args.seed,
+        judge: scenelang_verify::Options::default(),
+    };
+    let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
+    let solved = match scenelang_synth::solve(&request, &mut stages) {
+        Ok(solved) => solved,
+        Err(failure) => return explain(&failure),
+    };
+    stages.enter(Stage::Export);
+    if interrupt::asked() {
+        return explain(&scenelang_synth::Failure::Interrupted);
+    }
+    let written = match export(&solved, &stem, &args.output, &chosen(args.pipeline)) {
+        Ok(written) => written,
+        Err(e) => {
+            drop(stages);
+            eprintln!("error: {e}");
+            return FAILED;
+        }
+    };
+    stages.leave(Stage::Export);
+    let seconds = std::mem::take(&mut stages.seconds);
+    drop(stages);
+    match args.format {
+        SummaryFormat::Human => human(&solved, &written, &seconds, &args.output),
+        SummaryFormat::Json => println!("{}", json(&solved, &written, &seconds)),
+    }
+    exit_code(&solved.checked.report)
+}
+
+/// The usual exporters, Unity's for the pipeline asked for.
+fn chosen(pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
+    let pipeline = match pipeline {
+        Pipeline::Builtin => unity::Pipeline::BuiltIn,
+        Pipeline::Urp => unity::Pipeline::Urp,
+    };
+    let unity: Box<dyn Exporter> = Box::new(unity::Unity { pipeline });
+    let name = unity.name();
+    std::iter::once(unity).chain(exporters().into_iter().filter(|e| e.name() != name)).collect()
+}
+
+fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], folder: &Path) {
+    let report = &solved.checked.report;
+    eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
+    if exit_code(report) != 0 {
+        print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+    }
+    let summary = &report.summary;
+    let mut held = Table::new(&["what", "held", "of"]);
+    for (what, tally) in [
+        ("assertions", summary.assertions),
+        ("preferences", summary.preferences),
+        ("physical rules", summary.physical),
+        ("pins", summary.pins),
+    ] {
+        held.row([what.into(), tally.satisfied.to_string(), tally.total.to_string()]);
+    }
+    let mut times = Table::new(&["stage", "seconds"]);
+    for (stage, time) in seconds {
+        times.row([stage.name().into(), format!("{:.2}", time.as_secs_f64())]);
+    }
+    println!("{} objects in {} regions\n", solved.layout.objects.len(), solved.layout.regions.len());
+    println!("{}\n{}", held.render(), times.render());
+    for path in shown(written, folder) {
+        println!("  {}", path.display());
+    }
+    if let Some(page) = written.paths.iter().find(|p| p.ends_with("preview.html")) {
+        println!("\nopen {} to look around", page.display());
+    }
+}
+
+/// Files directly in the output folder, and folders in it, each once.
+fn shown(written: &Written, folder: &Path) -> Vec<PathBuf> {
+    let mut out: Vec<PathBuf> = Vec::new();
+    for path in &written.paths {
+        let first = path.strip_prefix(folder).ok().and_then(|p| p.components().next());
+        let top = first.map_or_else(|| path.clone(), |c| folder.join(c));
+        if !out.contains(&top) {
+            out.push(top);
+        }
+    }
+    out
+}
+
+fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> serde_json::Value {
+    let stages: serde_json::Map<String, serde_json::Value> =
+        seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
+    serde_json::json!({
+        "format": "scenelang.synthesis/1",
+        "ok": solved.checked.report.ok,
+        "objects": solved.layout.objects.len(),
+        "regions": solved.layout.regions.len(),
+        "summary": solved.checked.report.summary,
+        "warnings": solved.warnings.iter().map(|d| &d.message).collect::<Vec<_>>(),
+        "seconds": stages,
+        "files": written.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
+    })
+}
+
+/// Times the stages and shows them on a terminal.
+struct Stages {
+    progress: Progress,
+    begun: Instant,
+    seconds: Vec<(Stage, Duration)>,
+}
+
+impl Observer for Stages {
+    fn enter(&mut self, stage: Stage) {
+        self.begun = Instant::now();
+        self.progress.say(stage.name());
+    }
+    fn leave(&mut self, stage: Stage) {
+        let time = self.begun.elapsed();
+        self.progress.done(format!("  {:<8} {:>6.2} s", stage.name(), time.as_secs_f64()));
+        self.seconds.push((stage, time));
+    }
+    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+        self.progress.say(solving(p));
+        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}

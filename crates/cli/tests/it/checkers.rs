@@ -1,0 +1,78 @@
+//! What `synth` writes, judged by programs that are not ours: Khronos' glTF validator, a Unity parser, a physics engine,
+//! a browser. The scripts that call them are in `tests/oracles/`.
+
+use crate::support::{browser, folder_with, for_each_example, has_node_package, python, root, run, scenelang, skip};
+use scenelang_lang::{Options, Program, compile_file};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Makes all files of an example; the folder they are in.
+fn synth(folder: &Path, scene: &Path) -> PathBuf {
+    let out = folder.join("out");
+    let ended = scenelang(folder, ["synth", &scene.display().to_string(), "-o", &out.display().to_string()]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    out
+}
+
+fn oracle(name: &str) -> PathBuf {
+    root().join("tests/oracles").join(name)
+}
+
+/// Runs a checker; what it found, if it found something.
+fn judge(what: &str, command: &mut Command) -> Option<String> {
+    let ended = run(command, b"");
+    (ended.code != 0).then(|| format!("{what} (exit {}):\n{}{}", ended.code, ended.stdout, ended.stderr))
+}
+
+/// What a physics engine has to know of a program: what is held, and what may overlap.
+fn facts(program: &Program) -> serde_json::Value {
+    let allow = &program.allow;
+    let name = |id: &scenelang_lang::program::ObjectId| program.objects[id.0 as usize].name.as_str();
+    let mounted = allow.mounts.iter().map(|m| &m.object);
+    let doors = allow.doors.iter().map(|d| &d.object);
+    let held: Vec<_> = mounted.chain(doors).chain(&allow.float).map(name).collect();
+    let overlap: Vec<_> = allow.collide.iter().chain(&allow.contents).map(|(a, b)| [name(a), name(b)]).collect();
+    json!({ "held": held, "overlap": overlap })
+}
+
+mod agree_on_every_example {
+    use super::*;
+
+    fn hold(name: &str) {
+        let (folder, scene) = folder_with(name);
+        let out = synth(folder.path(), &scene);
+        let mut found = Vec::new();
+
+        if has_node_package("gltf-validator") {
+            let glb = out.join(format!("{name}.glb"));
+            found.extend(judge("glTF validator", Command::new("node").arg(oracle("gltf.mjs")).arg(glb)));
+        } else {
+            skip("GLB not validated: no gltf-validator (Node and tests/oracles/node_modules)");
+        }
+        if let Some(python) = python() {
+            let project = out.join("unity");
+            found.extend(judge("Unity project", Command::new(&python).arg(oracle("unity.py")).arg(project)));
+
+            let program = compile_file(name, &scene, Options::default()).program.expect("it was solved");
+            let facts_file = folder.path().join("facts.json");
+            std::fs::write(&facts_file, facts(&program).to_string()).unwrap();
+            let layout = out.join(format!("{name}.layout.json"));
+            let command = &mut Command::new(&python);
+            found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(facts_file)));
+        } else {
+            skip("Unity project and physics not checked: no .venv");
+        }
+        match browser() {
+            Some(browser) if root().join("viewer/dist/viewer.js").exists() => {
+                let command = &mut Command::new("node");
+                command.env("CHROMIUM", browser).env("PREVIEW", out.join("preview.html"));
+                let test = root().join("viewer/test/browser.test.mjs");
+                found.extend(judge("browser", command.arg("--test").arg(test)));
+            }
+            _ => skip("preview.html not opened: no browser, or no viewer/dist (Node)"),
+        }
+        assert!(found.is_empty(), "{}", found.join("\n"));
+    }
+    for_each_example!(hold);
+}

@@ -1,0 +1,11 @@
+//! Tests of the whole: the binary from end to end, other people's checkers on what it writes, hostile input, the rules
+//! of the house (layering, licences), and what the documents claim.
+
+mod checkers;
+mod cli;
+mod documents;
+mod examples;
+mod hostile;
+mod layering;
+mod licences;
+mod support;

@@ -1,0 +1,83 @@
+//! What an exporter is, the list of them, and the one function that writes their files.
+
+use crate::{Scene, glb, picture, plan, preview, unity};
+use scenelang_base::fs::write_whole;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutFile {
+    /// Relative to the output folder, `/` between the parts.
+    pub path: PathBuf,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+impl OutFile {
+    /// A file.
+    pub fn new(path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { path: path.into(), bytes: bytes.into() }
+    }
+}
+
+/// Writes a scene in one format. The same scene gives the same bytes.
+pub trait Exporter: fmt::Debug {
+    /// Its name on the command line: `unity`.
+    fn name(&self) -> &'static str;
+    /// Its files.
+    ///
+    /// # Errors
+    /// The scene has something that the format cannot say.
+    fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError>;
+}
+
+/// Why nothing, or not everything, was written.
+#[derive(Debug)]
+pub enum ExportError {
+    /// The format cannot hold this scene; why.
+    Format(&'static str, String),
+    /// The file system refused; the message names the path.
+    Write(std::io::Error),
+}
+
+impl fmt::Display for ExportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Format(exporter, why) => write!(f, "{exporter}: {why}"),
+            Self::Write(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for ExportError {}
+
+/// All exporters with their usual options, in the order in which they run.
+pub fn exporters() -> Vec<Box<dyn Exporter>> {
+    vec![
+        Box::new(unity::Unity::default()),
+        Box::new(glb::Glb),
+        Box::new(plan::Plan),
+        Box::new(picture::Picture),
+        Box::new(preview::Preview),
+    ]
+}
+
+/// Writes what some exporters make of a scene below `dir`, and says which files. Nothing is written unless all
+/// exporters succeed; each file is written whole or not at all.
+///
+/// # Errors
+/// The first exporter that fails, or the first file that cannot be written.
+pub fn write_all(scene: &Scene, dir: &Path, exporters: &[Box<dyn Exporter>]) -> Result<Vec<PathBuf>, ExportError> {
+    let mut files = Vec::new();
+    for exporter in exporters {
+        files.extend(exporter.files(scene)?);
+    }
+    let mut written = Vec::with_capacity(files.len());
+    for file in files {
+        let path = dir.join(&file.path);
+        write_whole(&path, &file.bytes).map_err(ExportError::Write)?;
+        written.push(path);
+    }
+    Ok(written)
+}

@@ -1,0 +1,54 @@
+//! File names from object names: safe on every system, each once.
+
+use std::collections::BTreeSet;
+
+/// Hands out file stems.
+#[derive(Debug, Default)]
+pub(crate) struct Stems {
+    taken: BTreeSet<String>,
+}
+
+impl Stems {
+    /// A stem for a name: `chair[0]` becomes `chair_0`. Names that differ only by case, or only in letters that file
+    /// systems mind, get numbers.
+    pub fn take(&mut self, name: &str) -> String {
+        let mut stem = String::new();
+        for c in name.chars() {
+            if c.is_ascii_alphanumeric() || c == '-' {
+                stem.push(c);
+            } else if !stem.ends_with('_') && c != ']' {
+                stem.push('_');
+            }
+        }
+        if reserved(&stem) || stem.is_empty() {
+            stem.push('_');
+        }
+        let mut candidate = stem.clone();
+        let mut n = 2;
+        while !self.taken.insert(candidate.to_ascii_lowercase()) {
+            candidate = format!("{stem}-{n}");
+            n += 1;
+        }
+        candidate
+    }
+}
+
+/// Names that Windows keeps for devices.
+fn reserved(stem: &str) -> bool {
+    let lower = stem.to_ascii_lowercase();
+    ["con", "prn", "aux", "nul"].contains(&lower.as_str())
+        || (lower.len() == 4 && (lower.starts_with("com") || lower.starts_with("lpt")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stems_are_safe_and_unique_where_case_does_not_count() {
+        let mut stems = Stems::default();
+        let taken: Vec<String> =
+            ["chair[0]", "chair[10]", "Chair[0]", "con", "lämp", "l_mp", "灯", "chair_0"].map(|n| stems.take(n)).into();
+        assert_eq!(taken, ["chair_0", "chair_10", "Chair_0-2", "con_", "l_mp", "l_mp-2", "_", "chair_0-3"]);
+    }
+}

@@ -1,0 +1,281 @@
+//! Light: a sun with soft shadows, a sky, and the dimness of corners; then the pixels.
+
+use super::raster::{Buffer, Lens, NOTHING, blend, cover, depths, dot, draw, sub, unit};
+use super::stage::{Look, Stage};
+use crate::scene::View;
+use nalgebra::Matrix3;
+use scenelang_layout::Vec3;
+
+/// Samples per pixel along each axis.
+const FINE: usize = 2;
+/// Side of the shadow map, pixels.
+const SHADOW: usize = 2048;
+/// Radius of a shadow's soft edge, pixels of the map and steps.
+const SOFT: i32 = 2;
+/// How far corners darken, metres.
+const REACH: f32 = 0.4;
+
+const SUN: [f32; 3] = [0.74, 0.70, 0.63];
+const SKY: [f32; 3] = [0.44, 0.46, 0.49];
+const GROUND: [f32; 3] = [0.32, 0.31, 0.29];
+/// From the other side, without shadows, so that what the sun does not reach keeps its form.
+const FILL: [f32; 3] = [0.15, 0.16, 0.18];
+/// Background at the top and at the bottom, linear.
+const BACKDROP: [[f32; 3]; 2] = [[0.80, 0.84, 0.88], [0.93, 0.94, 0.94]];
+
+/// Renders to RGB bytes, row by row.
+pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2]) -> Vec<u8> {
+    let lens = camera(view, size.map(|s| s * FINE));
+    let opaque = |t: &&super::stage::Triangle| stage.looks[t.look as usize].opacity >= 1.0;
+    let buffer = draw(&lens, stage.triangles.iter().filter(opaque));
+    let corners = Occlusion::of(&buffer, &lens);
+    let sun = Sun::new(stage, view);
+    let mut light: Vec<[f32; 3]> = (0..buffer.depth.len())
+        .map(|at| {
+            let [x, y] = [at % lens.size[0], at / lens.size[0]];
+            if buffer.look[at] == NOTHING {
+                return backdrop(stage, &lens, x, y);
+            }
+            let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
+            let look = &stage.looks[buffer.look[at] as usize];
+            shade(look, place, buffer.normal[at], lens.eye, &sun, corners.at(x, y))
+        })
+        .collect();
+    glaze(stage, &lens, &buffer, &sun, &mut light);
+    develop(&light, lens.size, size)
+}
+
+/// A pale sheet that darkens where the building stands on it.
+fn backdrop(stage: &Stage, lens: &Lens, x: usize, y: usize) -> [f32; 3] {
+    let t = y as f32 / lens.size[1] as f32;
+    let sheet: [f32; 3] = std::array::from_fn(|i| BACKDROP[0][i] + (BACKDROP[1][i] - BACKDROP[0][i]) * t);
+    let way = sub(lens.world([x as f32 + 0.5, y as f32 + 0.5], 1.0), lens.eye);
+    if way[1] >= -1e-3 {
+        return sheet;
+    }
+    let far = (stage.ground - lens.eye[1]) / way[1];
+    let away = stage.distance_to_footprint([lens.eye[0] + way[0] * far, lens.eye[2] + way[2] * far]);
+    let dim = 1.0 - 0.2 * (-away / 0.16).exp() - 0.1 * (-away / 0.8).exp();
+    sheet.map(|v| v * dim)
+}
+
+fn camera(view: &View, size: [usize; 2]) -> Lens {
+    let half = (view.fov / 2.0).to_radians().tan();
+    Lens {
+        eye: narrow(view.eye),
+        axes: rows(&view.axes()),
+        focal: (size[1] as f64 / 2.0 / half) as f32,
+        zoom: 0.0,
+        size,
+    }
+}
+
+fn rows(axes: &Matrix3<f64>) -> [[f32; 3]; 3] {
+    std::array::from_fn(|k| narrow(axes.column(k).into()))
+}
+
+fn narrow(v: Vec3) -> [f32; 3] {
+    [v.x as f32, v.y as f32, v.z as f32]
+}
+
+/// Parallel light from over the viewer's left shoulder, and what it reaches.
+struct Sun {
+    lens: Lens,
+    /// Towards the sun.
+    way: [f32; 3],
+    /// Towards the weaker light on the other side.
+    fill: [f32; 3],
+    depths: Vec<f32>,
+}
+
+impl Sun {
+    fn new(stage: &Stage, view: &View) -> Self {
+        let axes = view.axes();
+        let level = |v: Vec3| Vec3::new(v.x, 0.0, v.z).normalize();
+        let (right, ahead) = (level(axes.column(0).into()), level(axes.column(2).into()));
+        let way = (Vec3::y() * 1.2 - right * 0.55 - ahead * 0.6).normalize();
+        let fill = (Vec3::y() * 0.3 + right - ahead * 0.7).normalize();
+        let sight = View { eye: way, target: Vec3::zeros(), fov: 0.0 }.axes();
+        let mut lens = Lens { eye: [0.0; 3], axes: rows(&sight), focal: 0.0, zoom: 1.0, size: [SHADOW, SHADOW] };
+        // The map is centred on what throws shadows and just large enough for it.
+        let casters = || stage.triangles.iter().filter(|t| t.shadow);
+        let (mut lo, mut hi) = ([f32::MAX; 3], [f32::MIN; 3]);
+        for p in casters().flat_map(|t| t.points).map(|p| lens.seen(p)) {
+            lo = std::array::from_fn(|i| lo[i].min(p[i]));
+            hi = std::array::from_fn(|i| hi[i].max(p[i]));
+        }
+        if lo[0] <= hi[0] {
+            let middle: [f32; 3] = std::array::from_fn(|i| (lo[i] + hi[i]) / 2.0);
+            let [r, u, f] = lens.axes;
+            lens.eye = std::array::from_fn(|i| r[i] * middle[0] + u[i] * middle[1] + f[i] * middle[2]);
+            lens.zoom = (SHADOW as f32 - 16.0) / (hi[0] - lo[0]).max(hi[1] - lo[1]).max(0.1);
+        }
+        let depths = depths(&lens, casters());
+        Self { lens, way: narrow(way), fill: narrow(fill), depths }
+    }
+
+    /// The share of the sun that is seen from a place, 0 to 1.
+    fn seen_from(&self, place: [f32; 3], normal: [f32; 3]) -> f32 {
+        // A little off the surface, more so where it is grazed, lest it shade itself.
+        let slant = 1.0 - dot(normal, self.way).clamp(0.0, 1.0);
+        let off = 0.006 + 0.02 * slant;
+        let eye = self.lens.seen(std::array::from_fn(|i| place[i] + normal[i] * off));
+        let [x, y] = self.lens.pixel(eye);
+        let mut open = 0.0;
+        let mut all = 0.0;
+        for dy in -SOFT..=SOFT {
+            for dx in -SOFT..=SOFT {
+                let (u, v) = (x + dx as f32 * 2.0, y + dy as f32 * 2.0);
+                let inside = u >= 0.0 && v >= 0.0 && u < SHADOW as f32 && v < SHADOW as f32;
+                let blocked = inside && self.depths[v as usize * SHADOW + u as usize] < eye[2] - 0.004;
+                all += 1.0;
+                open += if blocked { 0.0 } else { 1.0 };
+            }
+        }
+        open / all
+    }
+}
+
+/// What leaves a surface towards the eye.
+fn shade(look: &Look, place: [f32; 3], normal: [f32; 3], eye: [f32; 3], sun: &Sun, open: f32) -> [f32; 3] {
+    let facing = dot(normal, sun.way).max(0.0);
+    let direct = if facing > 0.0 { facing * sun.seen_from(place, normal) } else { 0.0 };
+    let filled = dot(normal, sun.fill).max(0.0);
+    let up = normal[1] * 0.5 + 0.5;
+    let way = unit(sub(eye, place));
+    let half = unit(std::array::from_fn(|i| way[i] + sun.way[i]));
+    let sharp = 4.0 + 120.0 * (1.0 - look.roughness).powi(3);
+    let gloss = (1.0 - look.roughness).powi(2) * 0.9 * dot(normal, half).max(0.0).powf(sharp) * direct;
+    // Smooth things mirror the sky towards their rim.
+    let rim = (1.0 - dot(normal, way).max(0.0)).powi(4) * (1.0 - look.roughness) * 0.35 * open;
+    let tone = look.pattern.shade(place, normal);
+    std::array::from_fn(|i| {
+        let sky = (GROUND[i] + (SKY[i] - GROUND[i]) * up + FILL[i] * filled) * open;
+        let color = look.color[i] * tone;
+        let tint = 1.0 + (color - 1.0) * look.metallic;
+        color * (sky + SUN[i] * direct) + gloss * SUN[i] * tint + rim * SKY[i] * tint + look.glow[i] * 0.7
+    })
+}
+
+/// How open to the sky each pixel's surroundings are: looked up in the depths around it, at half the fineness.
+struct Occlusion {
+    size: [usize; 2],
+    open: Vec<f32>,
+}
+
+impl Occlusion {
+    fn of(buffer: &Buffer, lens: &Lens) -> Self {
+        let size = lens.size.map(|s| s / FINE);
+        let raw: Vec<f32> = (0..size[0] * size[1])
+            .map(|at| Self::sample(buffer, lens, [at % size[0] * FINE, at / size[0] * FINE]))
+            .collect();
+        // The samples of a pixel are turned against those of its neighbours; the mean over 4 × 4 has them all.
+        let depth = |x: usize, y: usize| buffer.depth[y * FINE * lens.size[0] + x * FINE];
+        let open = (0..raw.len())
+            .map(|at| {
+                let (x, y) = (at % size[0], at / size[0]);
+                let own = depth(x, y);
+                let (mut sum, mut weight) = (0.0, 0.0);
+                for v in y.saturating_sub(2)..(y + 2).min(size[1]) {
+                    for u in x.saturating_sub(2)..(x + 2).min(size[0]) {
+                        if (depth(u, v) - own).abs() < 0.08 || (u, v) == (x, y) {
+                            sum += raw[v * size[0] + u];
+                            weight += 1.0;
+                        }
+                    }
+                }
+                if weight > 0.0 { sum / weight } else { 1.0 }
+            })
+            .collect();
+        Self { size, open }
+    }
+
+    fn sample(buffer: &Buffer, lens: &Lens, [x, y]: [usize; 2]) -> f32 {
+        const SAMPLES: usize = 14;
+        let at = y * lens.size[0] + x;
+        if buffer.look[at] == NOTHING {
+            return 1.0;
+        }
+        let normal = buffer.normal[at];
+        let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
+        let turn = ((x / FINE % 4) * 4 + y / FINE % 4) as f32 * 0.39;
+        let mut hidden = 0.0;
+        for i in 0..SAMPLES {
+            // Points on a spiral over the hemisphere, nearer ones more often.
+            let t = (i as f32 + 0.5) / SAMPLES as f32;
+            let angle = i as f32 * 2.399_963 + turn;
+            let rise = 1.0 - t;
+            let flat = (1.0 - rise * rise).sqrt();
+            let (s, c) = angle.sin_cos();
+            let mut d = [c * flat, rise, s * flat];
+            let along = dot(d, normal);
+            if along < 0.0 {
+                d = std::array::from_fn(|k| d[k] - 2.0 * along * normal[k]);
+            }
+            let far = REACH * (0.12 + 0.88 * ((i * 5) % SAMPLES) as f32 / SAMPLES as f32);
+            let probe: [f32; 3] = std::array::from_fn(|k| place[k] + normal[k] * 0.01 + d[k] * far);
+            let eye = lens.seen(probe);
+            let [px, py] = lens.pixel(eye);
+            if px < 0.0 || py < 0.0 || px >= lens.size[0] as f32 || py >= lens.size[1] as f32 {
+                continue;
+            }
+            let front = eye[2] - buffer.depth[py as usize * lens.size[0] + px as usize];
+            // Something just in front hides the sky; something far in front is another thing altogether.
+            if front > 0.012 {
+                hidden += (1.0 - (front - far * 1.5).max(0.0) / REACH).clamp(0.0, 1.0);
+            }
+        }
+        1.0 - 0.85 * hidden / SAMPLES as f32
+    }
+
+    fn at(&self, x: usize, y: usize) -> f32 {
+        let (x, y) = ((x / FINE).min(self.size[0] - 1), (y / FINE).min(self.size[1] - 1));
+        self.open[y * self.size[0] + x]
+    }
+}
+
+/// Draws what is not opaque over what is, farther things first.
+fn glaze(stage: &Stage, lens: &Lens, buffer: &Buffer, sun: &Sun, light: &mut [[f32; 3]]) {
+    let mut clear: Vec<_> = stage.triangles.iter().filter(|t| stage.looks[t.look as usize].opacity < 1.0).collect();
+    let far = |t: &super::stage::Triangle| t.points.iter().map(|p| lens.seen(*p)[2]).sum::<f32>();
+    clear.sort_by(|a, b| far(b).total_cmp(&far(a)));
+    for triangle in clear {
+        let look = &stage.looks[triangle.look as usize];
+        cover(lens, triangle, |hit| {
+            if hit.depth < buffer.depth[hit.at] {
+                let normal = blend(triangle.normals, hit.weights);
+                let p = [(hit.at % lens.size[0]) as f32 + 0.5, (hit.at / lens.size[0]) as f32 + 0.5];
+                let own = shade(look, lens.world(p, hit.depth), normal, lens.eye, sun, 1.0);
+                let under = light[hit.at];
+                light[hit.at] = std::array::from_fn(|i| under[i] + (own[i] - under[i]) * look.opacity);
+            }
+        });
+    }
+}
+
+/// Light to sRGB bytes: bright parts are rolled off, then samples are averaged.
+fn develop(light: &[[f32; 3]], from: [usize; 2], to: [usize; 2]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(to[0] * to[1] * 3);
+    for y in 0..to[1] {
+        for x in 0..to[0] {
+            let mut sum = [0.0; 3];
+            for k in 0..FINE * FINE {
+                let sample = light[(y * FINE + k / FINE) * from[0] + x * FINE + k % FINE];
+                sum = std::array::from_fn(|i| sum[i] + shoulder(sample[i]));
+            }
+            out.extend(sum.map(|v| (encoded(v / (FINE * FINE) as f32) * 255.0).round() as u8));
+        }
+    }
+    out
+}
+
+/// Straight up to a point, then bent so that it never passes 1.
+fn shoulder(v: f32) -> f32 {
+    const KNEE: f32 = 0.7;
+    if v <= KNEE { v.max(0.0) } else { KNEE + (1.0 - KNEE) * (1.0 - (-(v - KNEE) / (1.0 - KNEE)).exp()) }
+}
+
+/// An sRGB component from linear light.
+fn encoded(v: f32) -> f32 {
+    if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
+}

@@ -1,0 +1,139 @@
+//! One page that needs nothing else: the room in 3D (or, where the viewer was not built, its plan) beside every
+//! constraint with its margin.
+//!
+//! The viewer is a script of its own (the `viewer` folder) that the build embeds where it is there; page and viewer
+//! agree on the data only: `scenelang.preview/1`.
+
+use crate::{ExportError, Exporter, OutFile, Scene, glb, plan};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use scenelang_layout::Vec3;
+use serde_json::{Value, json};
+
+/// `preview.html`.
+#[derive(Clone, Copy, Debug)]
+pub struct Preview;
+
+/// The viewer's bundle; empty where it was not built.
+const VIEWER: &str = include_str!(concat!(env!("OUT_DIR"), "/viewer.js"));
+const FALLBACK: &str = include_str!("../web/fallback.js");
+const TEMPLATE: &str = include_str!("../web/preview.html");
+const STYLE: &str = include_str!("../web/preview.css");
+
+impl Exporter for Preview {
+    fn name(&self) -> &'static str {
+        "preview"
+    }
+    fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
+        let viewer = (!VIEWER.is_empty()).then_some(VIEWER);
+        Ok(vec![OutFile::new("preview.html", page(scene, viewer)?)])
+    }
+}
+
+/// Whether pages show the room in 3D: whether the viewer was there when this program was built.
+pub fn has_viewer() -> bool {
+    !VIEWER.is_empty()
+}
+
+/// The page, with the viewer's script or without.
+fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
+    // Only the viewer needs the geometry.
+    let glb = if viewer.is_some() { STANDARD.encode(glb::bytes(scene)?) } else { String::new() };
+    // In a script element `<` could begin its end; in JSON it can be written otherwise.
+    let data = data(scene, &glb).to_string().replace('<', "\\u003c");
+    let script = viewer.unwrap_or(FALLBACK).replace("</script", "<\\/script");
+    let title = scene.name.replace('&', "&amp;").replace('<', "&lt;");
+    let style = if viewer.is_some() { "" } else { STYLE };
+    let mut out = String::with_capacity(data.len() + script.len() + 4096);
+    let mut rest = TEMPLATE;
+    for (mark, content) in [("{{title}}", &*title), ("{{style}}", style), ("{{data}}", &data), ("{{script}}", &script)]
+    {
+        let Some((before, after)) = rest.split_once(mark) else { continue };
+        out.push_str(before);
+        out.push_str(content);
+        rest = after;
+    }
+    out.push_str(rest);
+    Ok(out)
+}
+
+/// What the page is told: `scenelang.preview/1`. Places are in the layout's frame; `constraints` are rows of the report.
+fn data(scene: &Scene, glb: &str) -> Value {
+    let triple = |v: Vec3| [v.x, v.y, v.z];
+    let objects: Vec<Value> = scene
+        .objects
+        .iter()
+        .map(|o| {
+            json!({
+                "name": o.name, "label": o.label, "category": o.category,
+                "pos": triple(o.place.pos), "rot": triple(o.place.rot), "scale": triple(o.place.scale),
+                "constraints": o.rows,
+            })
+        })
+        .collect();
+    let regions: Vec<Value> = scene
+        .regions
+        .iter()
+        .map(|r| {
+            let vertices: Vec<[f64; 2]> = r.prism.polygon.corners().iter().map(|c| [c.x, c.y]).collect();
+            json!({ "name": r.name, "vertices": vertices, "floor": r.prism.floor, "ceiling": r.prism.ceiling })
+        })
+        .collect();
+    json!({
+        "format": "scenelang.preview/1", "name": scene.name, "glb": glb, "plan": plan::svg(scene),
+        "report": scene.report, "objects": objects, "regions": regions,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SceneInput;
+    use scenelang_base::SourceMap;
+    use scenelang_lang::Program;
+    use scenelang_layout::Layout;
+
+    fn scene() -> Scene {
+        let report = json!({
+            "ok": true, "constraints": [], "diagnostics": [{ "message": "</script><b>", "severity": "warning" }]
+        });
+        Scene::build(&SceneInput {
+            name: "a<b>&c",
+            program: &Program::default(),
+            sources: &SourceMap::new(),
+            files: &[],
+            layout: &Layout::default(),
+            layout_text: "{}",
+            report: &report,
+        })
+        .unwrap()
+    }
+
+    /// What the page's script will read.
+    fn carried(page: &str) -> Value {
+        let start = page.split("id=\"scenelang-data\">").nth(1).unwrap();
+        serde_json::from_str(start.split("</script>").next().unwrap()).unwrap()
+    }
+
+    #[test]
+    fn data_survives_whatever_it_says() {
+        let page = page(&scene(), None).unwrap();
+        assert_eq!(page.matches("</script>").count(), 2, "nothing in the data ends its element");
+        let data = carried(&page);
+        assert_eq!(data["report"]["diagnostics"][0]["message"], "</script><b>");
+        assert_eq!(data["name"], "a<b>&c");
+        assert!(page.contains("<title>a&lt;b>&amp;c</title>"));
+        assert!(data["plan"].as_str().unwrap().starts_with("<svg"));
+    }
+
+    #[test]
+    fn the_viewer_gets_the_geometry_and_the_page_without_it_says_how_to_get_it() {
+        let with = page(&scene(), Some("start('</script>')")).unwrap();
+        assert!(with.contains("start('<\\/script>')"));
+        let glb = STANDARD.decode(carried(&with)["glb"].as_str().unwrap()).unwrap();
+        assert!(glb.starts_with(b"glTF"));
+        let without = page(&scene(), None).unwrap();
+        assert_eq!(carried(&without)["glb"], "");
+        assert!(without.contains("npm ci && npm run build"));
+    }
+}

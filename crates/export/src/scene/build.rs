@@ -1,0 +1,296 @@
+//! From program, layout and report to a [`Scene`].
+
+use super::dress::{Dresser, Wardrobe};
+use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
+use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene};
+use crate::geometry::mesh::{Group, enclosed};
+use crate::names::Stems;
+use scenelang_base::{FileId, SourceMap, Span};
+use scenelang_lang::program::{self, Program};
+use scenelang_layout::{Aabb, Convex, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, convex, rotation};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What a scene is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneInput<'a> {
+    /// What to call it: the stem of the program's file name.
+    pub name: &'a str,
+    /// The compiled program.
+    pub program: &'a Program,
+    /// Where its spans point.
+    pub sources: &'a SourceMap,
+    /// Its files: main first, then imports.
+    pub files: &'a [FileId],
+    /// Where everything is.
+    pub layout: &'a Layout,
+    /// The layout file's text.
+    pub layout_text: &'a str,
+    /// The report of the layout, as JSON.
+    pub report: &'a Value,
+}
+
+/// Why a scene cannot be drawn up.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BuildError {
+    /// The layout has no such object.
+    MissingObject(String),
+    /// The layout has no such region.
+    MissingRegion(String),
+    /// The floor of this region is no simple polygon.
+    Floor(String, NotSimple),
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MissingObject(name) => write!(f, "the layout does not place the object `{name}`"),
+            Self::MissingRegion(name) => write!(f, "the layout does not place the region `{name}`"),
+            Self::Floor(name, why) => write!(f, "region `{name}`: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for BuildError {}
+
+/// Kilograms per cubic metre of solid: furniture is mostly wood and air.
+const DENSITY: f64 = 250.0;
+
+pub(super) fn build(input: &SceneInput<'_>) -> Result<Scene, BuildError> {
+    let mut wardrobe = Wardrobe::default();
+    let (rows, mentions) = rows(input);
+    let regions = regions(input)?;
+    let mut stems = Stems::default();
+    let mut objects = Vec::with_capacity(input.program.objects.len());
+    for (id, declared) in input.program.objects.iter().enumerate() {
+        objects.push(object(input, id, declared, &regions, &mut wardrobe, &mut stems)?);
+    }
+    for object in &mut objects {
+        object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
+        object.violated = object.rows.iter().any(|&r| rows[r].violated());
+    }
+    let wall = input.report["eta"].as_f64().filter(|eta| *eta > 0.0).unwrap_or(USUAL_WALL);
+    let openers = openers(input.program, &objects, wall);
+    let mut shells = Vec::new();
+    let mut lamps = Vec::new();
+    for (region, declared) in regions.iter().zip(&input.program.regions) {
+        shells.extend(enclose(region, declared, wall, &openers, &mut wardrobe));
+        if region.kind == RegionKind::Room {
+            lamps.push(lamp(region));
+        }
+    }
+    if regions.is_empty() {
+        shells.push(ground(&objects, wall, &mut wardrobe));
+    }
+    let file = |&id: &FileId| (input.sources.get(id).name().to_owned(), input.sources.get(id).text().to_owned());
+    Ok(Scene {
+        name: input.name.to_owned(),
+        program: input.files.iter().map(file).collect(),
+        layout_text: input.layout_text.to_owned(),
+        report: input.report.clone(),
+        rows,
+        surfaces: wardrobe.into_surfaces(),
+        objects,
+        regions,
+        shells,
+        lamps,
+    })
+}
+
+/// The rows of the report, and which of them mention each object by name.
+fn rows(input: &SceneInput<'_>) -> (Vec<Row>, BTreeMap<String, Vec<usize>>) {
+    let program = input.program;
+    // The report names the deciding instance only; the program knows all the objects that a statement reads.
+    let stated: BTreeMap<String, &program::Constraint> =
+        program.constraints.iter().map(|c| (statement_key(input.sources, c.span), c)).collect();
+    let mut mentions: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    let mut rows = Vec::new();
+    let text = |row: &Value, key: &str| row[key].as_str().unwrap_or_default().to_owned();
+    for (index, row) in input.report["constraints"].as_array().into_iter().flatten().enumerate() {
+        let id = text(row, "id");
+        let mut names: Vec<&str> = row["objects"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        if let Some(constraint) = stated.get(file_name(&id)) {
+            names.extend(constraint.formula.objects().iter().map(|o| program.objects[o.0 as usize].name.as_str()));
+        }
+        for object in &program.objects {
+            let array = object.array.as_ref().map(|(name, _)| name.as_str());
+            if names.iter().any(|&n| n == object.name || Some(n) == array) {
+                mentions.entry(object.name.to_string()).or_default().push(index);
+            }
+        }
+        rows.push(Row { id, kind: text(row, "kind"), satisfied: row["satisfied"].as_bool() });
+    }
+    (rows, mentions)
+}
+
+/// A statement's id in reports without the folder of its file, which depends on who judged: `room.scene:12:1`.
+fn statement_key(sources: &SourceMap, span: Span) -> String {
+    let (start, _) = sources.lines(span);
+    format!("{}:{}:{}", file_name(sources.get(span.file).name()), start.line, start.column)
+}
+
+/// What comes after the last slash.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+fn regions(input: &SceneInput<'_>) -> Result<Vec<Region>, BuildError> {
+    let mut out: Vec<Region> = Vec::new();
+    for declared in &input.program.regions {
+        let name = declared.name.to_string();
+        let Some(place) = input.layout.region(&name) else { return Err(BuildError::MissingRegion(name)) };
+        let prism = Prism::from_placement(place).map_err(|why| BuildError::Floor(name.clone(), why))?;
+        let outdoor = declared.text("features").to_lowercase().contains("outdoor");
+        let kind = if outdoor { RegionKind::Outdoor } else { RegionKind::Room };
+        out.push(Region { name, kind, prism });
+    }
+    let zones: Vec<bool> = (0..out.len()).map(|i| (0..out.len()).any(|j| i != j && within(&out, i, j))).collect();
+    for (region, zone) in out.iter_mut().zip(zones) {
+        if zone {
+            region.kind = RegionKind::Zone;
+        }
+    }
+    Ok(out)
+}
+
+/// Whether region `i` lies inside region `j` (of two equal ones: the later in the earlier).
+fn within(regions: &[Region], i: usize, j: usize) -> bool {
+    const SLACK: f64 = 1e-3;
+    let (inner, outer) = (&regions[i].prism, &regions[j].prism);
+    let inside = |a: &Prism, b: &Prism| {
+        a.floor >= b.floor - SLACK
+            && a.ceiling <= b.ceiling + SLACK
+            && a.polygon.corners().iter().all(|&p| b.polygon.clearance_of_point(p).value >= -SLACK)
+            && b.polygon.contains(a.polygon.centroid())
+    };
+    inside(inner, outer) && (i > j || !inside(outer, inner))
+}
+
+fn object(
+    input: &SceneInput<'_>,
+    id: usize,
+    declared: &program::Object,
+    regions: &[Region],
+    wardrobe: &mut Wardrobe,
+    stems: &mut Stems,
+) -> Result<Object, BuildError> {
+    let name = declared.name.to_string();
+    let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
+    let solid = convex::local_solid(place, Geometry::Parts);
+    let dressed = wardrobe.furnish(declared, place, &solid);
+    let axes = rotation::matrix(place.rot);
+    let allow = &input.program.allow;
+    let is = |other: &program::ObjectId| other.0 as usize == id;
+    let over_floor = regions.iter().any(|r| r.prism.polygon.contains(Vec2::new(place.pos.x, place.pos.z)));
+    let body = if allow.doors.iter().any(|d| is(&d.object)) {
+        Body::Static
+    } else if allow.float.iter().any(is)
+        || allow.mounts.iter().any(|m| is(&m.object))
+        || (!regions.is_empty() && !over_floor)
+    {
+        Body::Held
+    } else {
+        Body::Free
+    };
+    Ok(Object {
+        stem: stems.take(&name),
+        label: if declared.category.is_empty() { name.clone() } else { declared.category.clone() },
+        category: declared.category.clone(),
+        family: dressed.family,
+        place: place.clone(),
+        axes,
+        mesh: dressed.mesh,
+        mass: (solid_volume(&solid) * DENSITY).clamp(0.1, 500.0),
+        solid,
+        body,
+        declaration: declaration(input.sources, declared.span),
+        rows: Vec::new(),
+        violated: false,
+        name,
+    })
+}
+
+fn solid_volume(solid: &[Convex]) -> f64 {
+    solid
+        .iter()
+        .map(|body| {
+            let mut group = Group::new(0);
+            group.solid(body);
+            enclosed(&group)
+        })
+        .sum()
+}
+
+/// `object chair[6];` — from the word before the declared name to the statement's end.
+fn declaration(sources: &SourceMap, name: Span) -> String {
+    let text = sources.get(name.file).text();
+    let (before, rest) = text.split_at(name.range.start as usize);
+    let keyword = before.split_whitespace().next_back().unwrap_or_default();
+    let rest = rest.split_inclusive(';').next().unwrap_or_default();
+    format!("{keyword} {}", rest.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// Objects that cut holes into walls: doors asserted by `connects`, and windows that stand in or on a wall.
+fn openers(program: &Program, objects: &[Object], wall: f64) -> Vec<Opener> {
+    let mut out = Vec::new();
+    for (index, object) in objects.iter().enumerate() {
+        let door = program.allow.doors.iter().any(|d| d.object.0 as usize == index);
+        // `connects` lets a door be off the wall by this much; a window counts as in it when it all but touches.
+        let reach = if door { 2.0 * wall + 0.01 } else { 0.02 };
+        let front = Vec2::new(object.axes[(0, 2)], object.axes[(2, 2)]);
+        if let Some(front) = front.try_normalize(0.5)
+            && (door || object.family == "window")
+        {
+            let corners = Obb::from_placement(&object.place).corners().to_vec();
+            out.push(Opener { object: index, corners, front, reach, wall });
+        }
+    }
+    out
+}
+
+fn enclose(
+    region: &Region,
+    declared: &program::Region,
+    wall: f64,
+    openers: &[Opener],
+    wardrobe: &mut Wardrobe,
+) -> Vec<Shell> {
+    let dresser = Dresser::of(declared, region.kind);
+    let floor = wardrobe.add(dresser.floor());
+    if region.kind != RegionKind::Room {
+        return vec![shell::open(&region.name, &region.prism, wall, region.kind == RegionKind::Zone, floor)];
+    }
+    let surfaces = Surfaces { floor, wall: wardrobe.add(dresser.wall()), ceiling: wardrobe.add(dresser.ceiling()) };
+    shell::room(&region.name, &region.prism, wall, openers, surfaces)
+}
+
+fn lamp(region: &Region) -> Lamp {
+    let prism = &region.prism;
+    let center = prism.center();
+    // A concave room's centroid may be outside of it: then above the middle of its first triangle.
+    let corners = prism.polygon.corners();
+    let at = if prism.polygon.contains(center.xz()) {
+        center.xz()
+    } else {
+        crate::geometry::polygon::triangles(corners)
+            .first()
+            .map_or(corners[0], |t| t.iter().map(|&i| corners[i]).sum::<Vec2>() / 3.0)
+    };
+    let range = corners.iter().map(|c| (c - at).norm()).fold(0.0, f64::max) + (prism.ceiling - prism.floor);
+    let height = (prism.ceiling - 0.3).max((prism.floor + prism.ceiling) / 2.0);
+    Lamp { name: format!("{}/lamp", region.name), pos: Vec3::new(at.x, height, at.y), range }
+}
+
+/// Without regions the floor is y = 0, so there it is drawn, a little beyond everything.
+fn ground(objects: &[Object], thickness: f64, wardrobe: &mut Wardrobe) -> Shell {
+    let reach = |o: &Object| Obb::from_placement(&o.place).aabb();
+    let all = objects.iter().map(reach).reduce(|a, b| a.cover(&b));
+    let Aabb { min, max } = all.unwrap_or(Aabb { min: Vec3::zeros(), max: Vec3::zeros() });
+    let center = (min + max) / 2.0;
+    let size = (max - min).xz() + Vec2::new(2.0, 2.0);
+    let polygon = Polygon::rectangle(center.xz(), size, 0.0);
+    let prism = Prism { polygon, floor: 0.0, ceiling: max.y.max(0.0) };
+    let surface = wardrobe.add(Dresser::ground());
+    Shell { name: "ground".into(), region: None, ..shell::open("ground", &prism, thickness, false, surface) }
+}

@@ -1,0 +1,163 @@
+//! Everything an exporter needs, worked out once: placed and furnished objects, rooms with their walls, and what the
+//! report says about each. Exporters only write it down.
+//!
+//! Frame: the language's own (left-handed, y up, metres, degrees).
+
+mod build;
+mod dress;
+pub mod shell;
+pub mod view;
+
+pub use build::{BuildError, SceneInput};
+pub use shell::{Role, Shell};
+pub use view::View;
+
+use crate::geometry::mesh::Group;
+use nalgebra::Matrix3;
+use scenelang_assets::Surface;
+use scenelang_layout::{Convex, Placement, Prism, Vec3, rotation};
+
+/// A scene ready to be written in any format.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The stem of the program's file name: `meeting_room`.
+    pub name: String,
+    /// Name and text of the program's files, main first, then imports.
+    pub program: Vec<(String, String)>,
+    /// The layout file, whole.
+    pub layout_text: String,
+    /// The report on it (language book: JSON report), as it came.
+    pub report: serde_json::Value,
+    /// What exporters need of the report's rows, in its order.
+    pub rows: Vec<Row>,
+    /// All surfaces, each once; groups refer to them by index.
+    pub surfaces: Vec<Surface>,
+    /// In order of declaration.
+    pub objects: Vec<Object>,
+    /// In order of declaration.
+    pub regions: Vec<Region>,
+    /// Floors, ceilings, walls and tints, region by region. Without any region: the ground.
+    pub shells: Vec<Shell>,
+    /// One lamp for each room.
+    pub lamps: Vec<Lamp>,
+}
+
+/// A row of the report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// `room.scene:12:1`, `P-COLLIDE:a:b`.
+    pub id: String,
+    /// `assert`, `prefer`, `pin`, `collision`, …
+    pub kind: String,
+    /// `None` where it could not be judged.
+    pub satisfied: Option<bool>,
+}
+
+impl Row {
+    /// Whether something that must hold fails (a preference may).
+    pub fn violated(&self) -> bool {
+        self.satisfied == Some(false) && self.kind != "prefer"
+    }
+}
+
+/// How an object takes part in physics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Body {
+    /// Part of the building: doors, windows in walls.
+    Static,
+    /// Stays where it is put: on a wall, under a ceiling, floating, or where there is no floor.
+    Held,
+    /// Rests on what is below it.
+    Free,
+}
+
+/// A placed and furnished object.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// `lamp`, `chair[0]`.
+    pub name: String,
+    /// `name` as a file name: ASCII letters, digits, `_` and `-`, unlike that of any other object even where case does not count.
+    pub stem: String,
+    /// What to write on it: the category where there is one, else the name.
+    pub label: String,
+    /// Assigned text, or empty.
+    pub category: String,
+    /// The furniture family that draws it: `chair`.
+    pub family: String,
+    /// Where it is.
+    pub place: Placement,
+    /// Its orientation: columns are its right, up and front.
+    pub axes: Matrix3<f64>,
+    /// Its triangles by surface, in its own frame.
+    pub mesh: Vec<Group>,
+    /// Its convex parts, or its box, in its own frame: what the verifier judged.
+    pub solid: Vec<Convex>,
+    /// How it takes part in physics.
+    pub body: Body,
+    /// Kilograms, an estimate from its volume.
+    pub mass: f64,
+    /// The statement that declares it.
+    pub declaration: String,
+    /// Rows of the report that speak of it.
+    pub rows: Vec<usize>,
+    /// Whether one of them is violated.
+    pub violated: bool,
+}
+
+impl Object {
+    /// A point of its own frame in the world.
+    pub fn at(&self, local: Vec3) -> Vec3 {
+        self.place.pos + self.axes * local
+    }
+    /// Its orientation as a unit quaternion x, y, z, w.
+    pub fn quaternion(&self) -> [f64; 4] {
+        rotation::quaternion(&self.axes)
+    }
+    /// Its solid in the world.
+    pub fn world_solid(&self) -> impl Iterator<Item = Convex> + '_ {
+        self.solid.iter().map(|c| c.moved(&self.axes, &self.place.pos))
+    }
+}
+
+/// A region.
+#[derive(Clone, Debug)]
+pub struct Region {
+    /// As in the program.
+    pub name: String,
+    /// Room, zone or outdoors.
+    pub kind: RegionKind,
+    /// Its floor polygon and heights.
+    pub prism: Prism,
+}
+
+/// What a region is to a builder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RegionKind {
+    /// Has floor, walls and ceiling.
+    Room,
+    /// Lies inside another region: no walls.
+    Zone,
+    /// "outdoor" is among its features: a floor only.
+    Outdoor,
+}
+
+/// A light without a body, under a room's ceiling.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lamp {
+    /// `office/lamp`.
+    pub name: String,
+    /// Where it hangs.
+    pub pos: Vec3,
+    /// How far it shines, metres.
+    pub range: f64,
+}
+
+impl Scene {
+    /// Draws up a scene.
+    ///
+    /// # Errors
+    /// Something is not placed, or a floor is no polygon.
+    pub fn build(input: &SceneInput<'_>) -> Result<Self, BuildError> {
+        build::build(input)
+    }
+}

@@ -1,0 +1,136 @@
+//! Where to look from: a raised corner, from which most of the furniture shows its front.
+
+use super::{Object, RegionKind, Scene};
+use nalgebra::Matrix3;
+use scenelang_layout::{Obb, Vec2, Vec3};
+
+/// A camera that looks at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where it stands.
+    pub eye: Vec3,
+    /// What is in the middle of the picture.
+    pub target: Vec3,
+    /// Vertical angle of view, degrees.
+    pub fov: f64,
+}
+
+/// The way sunlight goes, not of unit length.
+pub const SUN: Vec3 = Vec3::new(-0.35, -0.85, 0.4);
+
+/// Directions tried, degrees about y from +z; corners first, so that a bare room is seen from one.
+const AZIMUTHS: [f64; 8] = [215.0, 145.0, 325.0, 35.0, 235.0, 125.0, 305.0, 55.0];
+/// How steeply the camera looks down, degrees.
+const ELEVATION: f64 = 42.0;
+
+impl View {
+    /// Its axes as columns: right, up, forward.
+    pub fn axes(&self) -> Matrix3<f64> {
+        let forward = (self.target - self.eye).normalize();
+        let right = Vec3::y().cross(&forward).normalize();
+        Matrix3::from_columns(&[right, forward.cross(&right), forward])
+    }
+
+    /// The best corner view of a scene in a picture of this width by height.
+    pub fn of(scene: &Scene, aspect: f64) -> Self {
+        let points = outline(scene);
+        let views = AZIMUTHS.map(|azimuth| Self::towards(&points, direction(azimuth), aspect));
+        let distance = |v: &Self| (v.eye - v.target).norm();
+        let nearest = views.iter().map(distance).fold(f64::INFINITY, f64::min);
+        // Fronts count, and so does a picture that is filled.
+        let value = |v: &Self| fronts_seen(scene, (v.eye - v.target).normalize()) - (distance(v) / nearest - 1.0);
+        views.into_iter().reduce(|best, v| if value(&v) > value(&best) + 1e-6 { v } else { best }).unwrap_or(views[0])
+    }
+
+    /// The view of some points from a direction, as near as they allow.
+    fn towards(points: &[Vec3], way: Vec3, aspect: f64) -> Self {
+        let middle = points.iter().sum::<Vec3>() / points.len().max(1) as f64;
+        let mut view = Self { eye: middle + way, target: middle, fov: 28.0 };
+        // The right distance moves what is in the middle, and that the right distance: a few rounds settle it.
+        for _ in 0..8 {
+            view.frame(points, way, aspect);
+        }
+        view
+    }
+
+    /// A view from a corner of the first room, as someone who has just come in and looks across it. Without a room:
+    /// the view from outside.
+    pub fn within(scene: &Scene) -> Self {
+        let Some(room) = scene.regions.iter().find(|r| r.kind == RegionKind::Room) else { return Self::of(scene, 1.6) };
+        let prism = &room.prism;
+        let middle = prism.center();
+        let height = prism.ceiling - prism.floor;
+        let seen = |corner: &Vec2| {
+            let back = Vec3::new(corner.x - middle.x, 0.0, corner.y - middle.z);
+            fronts_seen(scene, back.normalize())
+        };
+        let corners = prism.polygon.corners();
+        let corner = corners.iter().copied().reduce(|best, c| if seen(&c) > seen(&best) + 1e-6 { c } else { best });
+        let corner = corner.unwrap_or(middle.xz());
+        let inwards = (middle.xz() - corner).try_normalize(1e-9).unwrap_or(Vec2::x()) * 0.35;
+        Self {
+            eye: Vec3::new(corner.x + inwards.x, prism.floor + 0.72 * height, corner.y + inwards.y),
+            target: Vec3::new(middle.x, prism.floor + 0.25 * height, middle.z),
+            fov: 70.0,
+        }
+    }
+
+    /// Centres the points and backs off until they fit.
+    fn frame(&mut self, points: &[Vec3], way: Vec3, aspect: f64) {
+        self.eye = self.target + way;
+        let axes = self.axes();
+        let slope_y = (self.fov / 2.0).to_radians().tan() * 0.94;
+        let slope_x = slope_y * aspect;
+        let seen = |p: &Vec3| axes.tr_mul(&(p - self.target));
+        let distance =
+            points.iter().map(seen).map(|p| (p.x.abs() / slope_x).max(p.y.abs() / slope_y) - p.z).fold(1.0, f64::max);
+        let spread = |axis: usize| {
+            let slopes = points.iter().map(seen).map(|p| p[axis] / (p.z + distance));
+            let (lo, hi) = slopes.fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+            (lo + hi) / 2.0 * distance
+        };
+        if !points.is_empty() {
+            self.target += axes.column(0) * spread(0) + axes.column(1) * spread(1);
+        }
+        self.eye = self.target + way * distance;
+    }
+}
+
+/// From the scene towards the eye.
+fn direction(azimuth: f64) -> Vec3 {
+    let (a, e) = (azimuth.to_radians(), ELEVATION.to_radians());
+    Vec3::new(a.sin() * e.cos(), e.sin(), a.cos() * e.cos())
+}
+
+/// Families that look alike from all sides, or whose front says nothing.
+const FRONTLESS: [&str; 9] = ["table", "desk", "door", "window", "plant", "lamp", "rug", "stool", "box"];
+
+/// How well an eye in this direction sees the objects: their fronts, large ones counting more, and large things rather
+/// behind small ones than before them. Between about −1 and 1.
+fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
+    let count = scene.objects.len().max(1) as f64;
+    let middle = scene.objects.iter().map(|o| o.place.pos).sum::<Vec3>() / count;
+    let spread = scene.objects.iter().map(|o| (o.place.pos - middle).norm()).fold(1.0, f64::max);
+    let face = |o: &Object| o.place.scale.x * o.place.scale.y;
+    let value = |o: &Object| {
+        let front = if FRONTLESS.contains(&o.family.as_str()) { 0.0 } else { o.axes.column(2).dot(&way) };
+        let nearness = (o.place.pos - middle).dot(&way) / spread;
+        face(o) * (front - 0.7 * nearness)
+    };
+    scene.objects.iter().map(value).sum::<f64>() / scene.objects.iter().map(face).sum::<f64>().max(1e-9)
+}
+
+/// Points that must be in the picture.
+fn outline(scene: &Scene) -> Vec<Vec3> {
+    let mut out = Vec::new();
+    for region in &scene.regions {
+        let walls = if region.kind == RegionKind::Room { region.prism.ceiling } else { region.prism.floor };
+        for c in region.prism.polygon.corners() {
+            out.extend([region.prism.floor, walls].map(|y| Vec3::new(c.x, y, c.y)));
+        }
+    }
+    for object in &scene.objects {
+        out.extend(Obb::from_placement(&object.place).corners());
+    }
+    out
+}

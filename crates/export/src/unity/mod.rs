@@ -1,0 +1,87 @@
+//! A Unity 2022.3 project as text: scene, meshes, materials, colliders, lights, and the program with its layout and
+//! report as text assets. Opens without packages from elsewhere and without a first import by hand.
+
+mod component;
+mod ids;
+mod material;
+mod mesh_obj;
+mod project;
+mod scene;
+mod tree;
+mod yaml;
+
+use crate::names::Stems;
+use crate::{ExportError, Exporter, OutFile, Scene};
+use project::Project;
+
+/// The `unity/` folder.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unity {
+    /// Which shaders materials use.
+    pub pipeline: Pipeline,
+}
+
+/// A render pipeline.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pipeline {
+    /// The built-in one: nothing to install.
+    #[default]
+    BuiltIn,
+    /// The Universal one: for a project that has its package.
+    Urp,
+}
+
+impl Exporter for Unity {
+    fn name(&self) -> &'static str {
+        "unity"
+    }
+
+    fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
+        let mut project = Project::default();
+        let materials = self.materials(scene, &mut project);
+        let text =
+            |files: &[(String, String)]| files.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join("\n");
+        let texts = scene::Texts {
+            spec: project.asset("Assets/Scenelang/spec.scene.txt", text(&scene.program)),
+            layout: project.asset("Assets/Scenelang/layout.json", scene.layout_text.as_str()),
+            report: project.asset("Assets/Scenelang/report.json", format!("{:#}\n", scene.report)),
+        };
+        let scripts = scene::Scripts {
+            scene: project.asset("Assets/Scenelang/Scripts/ScenelangScene.cs", SCENE_SCRIPT),
+            object: project.asset("Assets/Scenelang/Scripts/ScenelangObject.cs", OBJECT_SCRIPT),
+        };
+        project.asset("Assets/Editor/ScenelangSelfTest.cs", SELF_TEST);
+        let mut writer = scene::Writer { scene, project: &mut project, materials: &materials, stems: Stems::default() };
+        let bytes = writer.write(&texts, &scripts);
+        let name = Stems::default().take(&scene.name);
+        project.asset(&format!("Assets/Scenes/{name}.unity"), bytes);
+        Ok(project.finish(&name, self.pipeline))
+    }
+}
+
+const SCENE_SCRIPT: &str = include_str!("../../unity/ScenelangScene.cs");
+const OBJECT_SCRIPT: &str = include_str!("../../unity/ScenelangObject.cs");
+const SELF_TEST: &str = include_str!("../../unity/ScenelangSelfTest.cs");
+
+/// A material of the project.
+struct Material {
+    /// Its file's stem, which meshes also call it by.
+    name: String,
+    guid: String,
+}
+
+impl Unity {
+    fn materials(self, scene: &Scene, project: &mut Project) -> Vec<Material> {
+        let mut stems = Stems::default();
+        scene
+            .surfaces
+            .iter()
+            .map(|surface| {
+                let name = stems.take(&surface.name);
+                let bytes = material::material(surface, &name, self.pipeline);
+                let guid = project.asset(&format!("Assets/Scenelang/Materials/{name}.mat"), bytes);
+                Material { name, guid }
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,168 @@
+//! The project around the scene: a `.meta` file beside every asset and folder, the package list, the settings.
+
+use super::yaml::{Map, Stream, Yaml, asset, map, none};
+use super::{Pipeline, ids};
+use crate::OutFile;
+use std::collections::BTreeSet;
+
+/// The folder that the project is written to.
+const ROOT: &str = "unity";
+/// The editor that the files are written for.
+const EDITOR: &str = "2022.3.16f1";
+
+/// Files as they come together.
+#[derive(Default)]
+pub(super) struct Project {
+    files: Vec<OutFile>,
+    folders: BTreeSet<String>,
+}
+
+impl Project {
+    /// Adds an asset (its path starts with `Assets/`) with its `.meta`, and those of its folders; returns its GUID.
+    pub fn asset(&mut self, path: &str, bytes: impl Into<Vec<u8>>) -> String {
+        for (i, _) in path.match_indices('/').skip(1) {
+            if self.folders.insert(path[..i].to_owned()) {
+                self.meta(&path[..i], &importer(None));
+            }
+        }
+        let extension = path.rsplit('.').next();
+        self.files.push(OutFile::new(format!("{ROOT}/{path}"), bytes));
+        self.meta(path, &importer(extension))
+    }
+
+    /// All files of the project, with the list of packages and the settings.
+    pub fn finish(mut self, scene: &str, pipeline: Pipeline) -> Vec<OutFile> {
+        let scene = format!("Assets/Scenes/{scene}.unity");
+        for (path, bytes) in [
+            ("Packages/manifest.json", packages(pipeline).into_bytes()),
+            ("ProjectSettings/ProjectVersion.txt", format!("m_EditorVersion: {EDITOR}\n").into_bytes()),
+            ("ProjectSettings/EditorSettings.asset", editor_settings()),
+            ("ProjectSettings/EditorBuildSettings.asset", build_settings(&scene)),
+        ] {
+            self.files.push(OutFile::new(format!("{ROOT}/{path}"), bytes));
+        }
+        self.files
+    }
+
+    fn meta(&mut self, path: &str, importer: &Map) -> String {
+        let guid = ids::guid(path);
+        let mut fields = map! { "fileFormatVersion" => 2, "guid" => Yaml::Word(guid.clone()) };
+        fields.extend(importer.iter().cloned());
+        self.files.push(OutFile::new(format!("{ROOT}/{path}.meta"), Stream::meta(&fields)));
+        guid
+    }
+}
+
+/// What a `.meta` file says of the importer, by extension; `None`: a folder.
+fn importer(extension: Option<&str>) -> Map {
+    let with = |kind: &str, mut fields: Map| {
+        fields.extend(map! { "userData" => "", "assetBundleName" => "", "assetBundleVariant" => "" });
+        map! { kind => fields }
+    };
+    let plain = || map! { "externalObjects" => Map::new() };
+    match extension {
+        None => {
+            let mut fields = map! { "folderAsset" => "yes" };
+            fields.extend(with("DefaultImporter", plain()));
+            fields
+        }
+        Some("unity") => with("DefaultImporter", plain()),
+        Some("mat") => {
+            let mut fields = plain();
+            fields.extend(map! { "mainObjectFileID" => 2_100_000 });
+            with("NativeFormatImporter", fields)
+        }
+        Some("cs") => {
+            let mut fields = plain();
+            fields.extend(map! {
+                "serializedVersion" => 2, "defaultReferences" => Vec::<Yaml>::new(), "executionOrder" => 0, "icon" => none(),
+            });
+            with("MonoImporter", fields)
+        }
+        Some("obj") => with("ModelImporter", model()),
+        Some(_) => with("TextScriptImporter", plain()),
+    }
+}
+
+/// Meshes come in metres, as they are, readable, without materials of their own.
+fn model() -> Map {
+    map! {
+        "serializedVersion" => 22200,
+        "internalIDToNameTable" => Vec::<Yaml>::new(),
+        "externalObjects" => Map::new(),
+        "materials" => map! {
+            "materialImportMode" => 0, "materialName" => 0, "materialSearch" => 1, "materialLocation" => 1,
+        },
+        "meshes" => map! {
+            "lODScreenPercentages" => Vec::<Yaml>::new(),
+            "globalScale" => 1,
+            "meshCompression" => 0,
+            "addColliders" => 0,
+            "importVisibility" => 1,
+            "importBlendShapes" => 0,
+            "importCameras" => 0,
+            "importLights" => 0,
+            "fileIdsGeneration" => 2,
+            "swapUVChannels" => 0,
+            "generateSecondaryUV" => 0,
+            "useFileUnits" => 1,
+            "keepQuads" => 0,
+            "weldVertices" => 1,
+            "bakeAxisConversion" => 0,
+            "preserveHierarchy" => 0,
+            "indexFormat" => 0,
+            "useFileScale" => 1,
+            "isReadable" => 1,
+        },
+        "tangentSpace" => map! {
+            "normalSmoothAngle" => 60, "normalImportMode" => 0, "tangentImportMode" => 3, "normalCalculationMode" => 4,
+        },
+        "importAnimation" => 0,
+        "animationType" => 0,
+    }
+}
+
+fn packages(pipeline: Pipeline) -> String {
+    let mut wanted = vec![
+        ("com.unity.modules.ai", "1.0.0"),
+        ("com.unity.modules.jsonserialize", "1.0.0"),
+        ("com.unity.modules.physics", "1.0.0"),
+    ];
+    if pipeline == Pipeline::Urp {
+        wanted.push(("com.unity.render-pipelines.universal", "14.0.9"));
+    }
+    let list: serde_json::Map<String, serde_json::Value> =
+        wanted.into_iter().map(|(name, version)| (name.to_owned(), version.into())).collect();
+    format!("{:#}\n", serde_json::json!({ "dependencies": list }))
+}
+
+/// Text serialisation, so that whatever the editor saves stays readable and comparable.
+fn editor_settings() -> Vec<u8> {
+    let mut stream = Stream::new();
+    let fields = map! {
+        "m_ObjectHideFlags" => 0,
+        "serializedVersion" => 11,
+        "m_SerializationMode" => 2,
+        "m_LineEndingsForNewScripts" => 0,
+    };
+    stream.document(159, 1, "EditorSettings", &fields);
+    stream.into_bytes()
+}
+
+fn build_settings(scene: &str) -> Vec<u8> {
+    let guid = Yaml::Word(ids::guid(scene));
+    let mut stream = Stream::new();
+    let fields = map! {
+        "m_ObjectHideFlags" => 0,
+        "serializedVersion" => 2,
+        "m_Scenes" => vec![Yaml::from(map! { "enabled" => 1, "path" => scene, "guid" => guid })],
+        "m_configObjects" => Map::new(),
+    };
+    stream.document(1045, 1, "EditorBuildSettings", &fields);
+    stream.into_bytes()
+}
+
+/// The mesh of an OBJ file.
+pub(super) fn mesh_of(guid: &str) -> Yaml {
+    asset(ids::obj_mesh(), guid, 3)
+}

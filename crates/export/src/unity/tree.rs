@@ -1,0 +1,141 @@
+//! Game objects and their components as a tree, and the tree as documents that refer to each other.
+
+use super::ids::anchor;
+use super::yaml::{Map, Stream, Yaml, local, map, none, quaternion, vector};
+use crate::geometry::frame::unity_euler;
+use nalgebra::Matrix3;
+use scenelang_layout::{Vec3, rotation};
+
+/// A game object.
+pub(super) struct Node {
+    /// What its identities are made from; unique in the scene.
+    pub key: String,
+    /// As shown in the editor.
+    pub name: String,
+    /// Relative to its parent.
+    pub pos: Vec3,
+    /// Relative to its parent.
+    pub axes: Matrix3<f64>,
+    /// Besides its transform.
+    pub components: Vec<Component>,
+    /// Below it.
+    pub children: Vec<Node>,
+    /// Never moves.
+    pub fixed: bool,
+    /// `Untagged`, `MainCamera`.
+    pub tag: &'static str,
+}
+
+/// A component.
+pub(super) struct Component {
+    /// Unity's number of its class.
+    pub class: u32,
+    /// Unity's name of its class.
+    pub kind: &'static str,
+    /// Tells components of one object apart: `BoxCollider2`.
+    pub key: String,
+    /// Its own fields.
+    pub fields: Map,
+}
+
+impl Node {
+    /// An object at the origin, without components.
+    pub fn new(key: impl Into<String>, name: impl Into<String>) -> Self {
+        Self {
+            key: key.into(),
+            name: name.into(),
+            pos: Vec3::zeros(),
+            axes: Matrix3::identity(),
+            components: Vec::new(),
+            children: Vec::new(),
+            fixed: false,
+            tag: "Untagged",
+        }
+    }
+
+    /// Adds a component; the second of a kind gets a number.
+    pub fn add(&mut self, class: u32, kind: &'static str, fields: Map) {
+        let before = self.components.iter().filter(|c| c.class == class).count();
+        let key = if before == 0 { kind.to_owned() } else { format!("{kind}{}", before + 1) };
+        self.components.push(Component { class, kind, key, fields });
+    }
+
+    /// The anchor of its transform.
+    pub fn transform(&self) -> i64 {
+        anchor(&self.key, "Transform")
+    }
+
+    /// Adds its documents and those of all below it.
+    pub fn write(&self, stream: &mut Stream, father: i64) {
+        let own = anchor(&self.key, "GameObject");
+        let ids: Vec<i64> = self.components.iter().map(|c| anchor(&self.key, &c.key)).collect();
+        let listed = std::iter::once(self.transform()).chain(ids.iter().copied());
+        let mut fields = hidden();
+        fields.extend(map! {
+            "serializedVersion" => 6,
+            "m_Component" => listed.map(|id| map! { "component" => local(id) }.into()).collect::<Vec<Yaml>>(),
+            "m_Layer" => 0,
+            "m_Name" => self.name.as_str(),
+            "m_TagString" => self.tag,
+            "m_Icon" => none(),
+            "m_NavMeshLayer" => 0,
+            "m_StaticEditorFlags" => if self.fixed { 2_147_483_647 } else { 0 },
+            "m_IsActive" => 1,
+        });
+        stream.document(1, own, "GameObject", &fields);
+        let q = rotation::quaternion(&self.axes);
+        let mut fields = prefix(own);
+        fields.extend(map! {
+            "serializedVersion" => 2,
+            "m_LocalRotation" => quaternion(q.map(|v| v as f32)),
+            "m_LocalPosition" => vector(narrow(self.pos)),
+            "m_LocalScale" => vector([1.0; 3]),
+            "m_ConstrainProportionsScale" => 0,
+            "m_Children" => self.children.iter().map(|c| local(c.transform())).collect::<Vec<_>>(),
+            "m_Father" => local(father),
+            "m_LocalEulerAnglesHint" => vector(unity_euler(&self.axes).map(|v| v as f32)),
+        });
+        stream.document(4, self.transform(), "Transform", &fields);
+        for (component, id) in self.components.iter().zip(ids) {
+            let mut fields = prefix(own);
+            fields.extend(component.fields.iter().cloned());
+            stream.document(component.class, id, component.kind, &fields);
+        }
+        for child in &self.children {
+            child.write(stream, self.transform());
+        }
+    }
+}
+
+/// The scene file: settings, the trees, and the list of their roots.
+pub(super) fn scene_file(settings: impl FnOnce(&mut Stream), roots: &[Node]) -> Vec<u8> {
+    let mut stream = Stream::new();
+    settings(&mut stream);
+    for root in roots {
+        root.write(&mut stream, 0);
+    }
+    let all: Vec<Yaml> = roots.iter().map(|r| local(r.transform())).collect();
+    stream.document(1_660_057_539, i64::MAX, "SceneRoots", &map! { "m_ObjectHideFlags" => 0, "m_Roots" => all });
+    stream.into_bytes()
+}
+
+fn hidden() -> Map {
+    map! {
+        "m_ObjectHideFlags" => 0,
+        "m_CorrespondingSourceObject" => none(),
+        "m_PrefabInstance" => none(),
+        "m_PrefabAsset" => none(),
+    }
+}
+
+/// What every component begins with.
+fn prefix(owner: i64) -> Map {
+    let mut fields = hidden();
+    fields.extend(map! { "m_GameObject" => local(owner) });
+    fields
+}
+
+/// As Unity stores it.
+pub(super) fn narrow(v: Vec3) -> [f32; 3] {
+    [v.x as f32, v.y as f32, v.z as f32]
+}

@@ -1,0 +1,64 @@
+//! Plan and picture.
+
+use crate::fixture::{named, scene};
+use scenelang_export::{Exporter, Scene, picture::Picture, plan};
+use std::collections::BTreeSet;
+
+fn png(bytes: &[u8]) -> image::RgbaImage {
+    image::load_from_memory(bytes).unwrap().to_rgba8()
+}
+
+fn file(exporter: &dyn Exporter, scene: &Scene, name: &str) -> Vec<u8> {
+    exporter.files(scene).unwrap().into_iter().find(|f| f.path.to_str() == Some(name)).unwrap().bytes
+}
+
+#[test]
+fn the_plan_shows_every_object_and_region_by_name() {
+    let scene = scene();
+    let svg = plan::svg(&scene);
+    for object in &scene.objects {
+        assert!(svg.contains(&format!("data-object=\"{}\"", object.name)), "{}", object.name);
+    }
+    for region in &scene.regions {
+        assert!(svg.contains(&format!("data-region=\"{}\"", region.name)), "{}", region.name);
+    }
+    assert_eq!(svg.matches("data-violated").count(), svg.matches("data-object=\"table\"").count());
+    assert!(svg.contains(">4.00 m<") && svg.contains(">2.00 m<"), "rooms are measured");
+    assert!(svg.contains("8 objects, 1 of 2 listed constraints hold"));
+    assert!(svg.matches(" A ").count() == 1, "the door swings");
+}
+
+#[test]
+fn the_plan_as_pixels_has_its_text_without_fonts_of_the_system() {
+    let scene = scene();
+    let picture = png(&file(&plan::Plan, &scene, "plan.png"));
+    let dark = |x: u32, y: u32| picture.get_pixel(x, y).0[..3].iter().all(|&c| c < 90);
+    // The title stands at the upper left, where nothing else does.
+    let title = (45..150).flat_map(|x| (20..55).map(move |y| (x, y))).filter(|&(x, y)| dark(x, y)).count();
+    assert!(title > 100, "{title} dark pixels");
+}
+
+#[test]
+fn names_cannot_break_out_of_the_plan() {
+    let mut parts = crate::fixture::parts();
+    parts.program.regions[2].name = "a\"><b>&".into();
+    parts.layout.regions[2].0 = "a\"><b>&".into();
+    let svg = plan::svg(&parts.build().unwrap());
+    assert!(svg.contains("a&quot;&gt;&lt;b&gt;&amp;") && !svg.contains("<b>"));
+    // Whatever script a name is in, the drawing is well-formed.
+    plan::Plan.files(&named("größe灯").build().unwrap()).unwrap();
+}
+
+#[test]
+fn the_picture_shows_a_lit_room_on_a_pale_ground() {
+    let picture = png(&file(&Picture, &scene(), "picture.png"));
+    assert_eq!(picture.dimensions(), (1280, 800));
+    let colors: BTreeSet<[u8; 4]> = picture.pixels().map(|p| p.0).collect();
+    assert!(colors.len() > 2000, "{} colours", colors.len());
+    let corner = picture.get_pixel(2, 2).0;
+    assert!(corner[..3].iter().all(|&c| c > 200), "{corner:?}");
+    let blue = picture.pixels().filter(|p| p.0[2] > 40 && p.0[2] > 2 * p.0[0].max(p.0[1])).count();
+    assert!(blue > 300, "the navy chairs are seen: {blue} pixels");
+    let middle = picture.pixels().filter(|p| p.0[..3].iter().all(|&c| c < 250)).count();
+    assert!(middle > 200_000, "the room fills the picture: {middle} pixels");
+}

@@ -1,0 +1,106 @@
+//! The scene itself: bodies, rows, walls, and what cannot be drawn.
+
+use crate::fixture::{parts, scene};
+use scenelang_export::BuildError;
+use scenelang_export::scene::{Body, RegionKind, Role};
+use scenelang_layout::Vec2;
+
+#[test]
+fn bodies_follow_what_the_program_allows() {
+    use Body::{Free, Held, Static};
+    let found: Vec<(String, Body)> = scene().objects.into_iter().map(|o| (o.name, o.body)).collect();
+    let want = [
+        ("table", Free),
+        ("chair[0]", Free),
+        ("chair[1]", Free),
+        ("balloon", Held),
+        ("picture", Held),
+        ("door", Static),
+        ("window", Static),
+        ("crate", Free),
+    ];
+    assert_eq!(found, want.map(|(n, b)| (n.to_owned(), b)));
+}
+
+#[test]
+fn rows_reach_all_objects_a_statement_reads_not_only_the_deciding_ones() {
+    let scene = scene();
+    let rows = |name: &str| scene.objects.iter().find(|o| o.name == name).unwrap().rows.clone();
+    assert_eq!(rows("chair[0]"), [0]);
+    assert_eq!(rows("chair[1]"), [0]);
+    assert_eq!(rows("table"), [0, 1]);
+    let violated: Vec<&str> = scene.objects.iter().filter(|o| o.violated).map(|o| o.name.as_str()).collect();
+    assert_eq!(violated, ["table"], "a preference that fails is no violation");
+}
+
+#[test]
+fn declarations_are_quoted_from_the_program() {
+    let found: Vec<String> = scene().objects.into_iter().map(|o| o.declaration).collect();
+    assert_eq!(found[1], "object chair[2];");
+    assert_eq!(found[2], "object chair[2];");
+    assert_eq!(found[5], "object door;");
+}
+
+#[test]
+fn rooms_have_walls_with_holes_and_zones_only_a_tint() {
+    let scene = scene();
+    let kinds: Vec<RegionKind> = scene.regions.iter().map(|r| r.kind).collect();
+    assert_eq!(kinds, [RegionKind::Room, RegionKind::Room, RegionKind::Zone]);
+    let walls: Vec<(&str, usize)> = scene
+        .shells
+        .iter()
+        .filter(|s| matches!(s.role, Role::Wall { .. }))
+        .map(|s| (s.name.as_str(), s.pieces.len()))
+        .collect();
+    // The window leaves four pieces (sides, sill, lintel), the door three in the walls of both rooms.
+    assert_eq!(
+        walls,
+        [
+            ("hall/wall0", 4),
+            ("hall/wall1", 3),
+            ("hall/wall2", 1),
+            ("hall/wall3", 1),
+            ("den/wall0", 1),
+            ("den/wall1", 1),
+            ("den/wall2", 1),
+            ("den/wall3", 3),
+        ]
+    );
+    let corner: Vec<&Role> = scene.shells.iter().filter(|s| s.name.starts_with("corner")).map(|s| &s.role).collect();
+    assert_eq!(corner, [&Role::Tint]);
+}
+
+#[test]
+fn walls_stand_outside_their_floor() {
+    let scene = scene();
+    for shell in scene.shells.iter().filter(|s| matches!(s.role, Role::Wall { .. })) {
+        let region = scene.regions.iter().find(|r| shell.region.as_deref() == Some(&r.name)).unwrap();
+        for piece in &shell.pieces {
+            let middle = piece.polygon.iter().sum::<Vec2>() / piece.polygon.len() as f64;
+            let inside = region.prism.polygon.clearance_of_point(middle).value;
+            assert!((inside + 0.015).abs() < 1e-9, "{}: {inside}", shell.name);
+        }
+    }
+}
+
+#[test]
+fn parts_of_the_layouts_own_are_what_is_drawn() {
+    let scene = scene();
+    let own = scene.objects.iter().find(|o| o.name == "crate").unwrap();
+    assert_eq!(own.solid.len(), 3);
+    assert_eq!(own.mesh.len(), 1);
+    assert_eq!(own.mesh[0].indices.len() / 3, 12 + 12 + (24 * 2 + 22 * 2));
+}
+
+#[test]
+fn what_is_not_placed_is_named() {
+    let mut missing = parts();
+    missing.layout.objects.retain(|(n, _)| n != "chair[1]");
+    assert_eq!(missing.build().unwrap_err(), BuildError::MissingObject("chair[1]".into()));
+    let mut missing = parts();
+    missing.layout.regions.retain(|(n, _)| n != "den");
+    assert_eq!(missing.build().unwrap_err(), BuildError::MissingRegion("den".into()));
+    let mut flat = parts();
+    flat.layout.regions[0].1.vertices = Some(vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]);
+    assert!(matches!(flat.build().unwrap_err(), BuildError::Floor(name, _) if name == "hall"));
+}

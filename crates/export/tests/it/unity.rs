@@ -1,0 +1,166 @@
+//! The Unity project, read line by line.
+
+use crate::fixture::{named, scene};
+use scenelang_export::unity::{Pipeline, Unity};
+use scenelang_export::{Exporter, Scene};
+use std::collections::{BTreeMap, BTreeSet};
+
+fn project(scene: &Scene, pipeline: Pipeline) -> BTreeMap<String, String> {
+    let files = Unity { pipeline }.files(scene).unwrap();
+    let count = files.len();
+    let out: BTreeMap<String, String> =
+        files.into_iter().map(|f| (f.path.to_str().unwrap().to_owned(), String::from_utf8(f.bytes).unwrap())).collect();
+    assert_eq!(out.len(), count, "no file is written twice");
+    out
+}
+
+fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
+    text.lines().find_map(|l| l.trim_start().strip_prefix(key)?.strip_prefix(": "))
+}
+
+/// The documents of a file: class, anchor, text.
+fn documents(text: &str) -> Vec<(u32, i64, &str)> {
+    text.split("--- !u!")
+        .skip(1)
+        .map(|d| {
+            let (head, body) = d.split_once('\n').unwrap();
+            let (class, anchor) = head.split_once(" &").unwrap();
+            (class.parse().unwrap(), anchor.parse().unwrap(), body)
+        })
+        .collect()
+}
+
+#[test]
+fn every_asset_and_folder_has_a_meta_file_with_its_own_guid() {
+    let files = project(&scene(), Pipeline::BuiltIn);
+    let mut expected = BTreeSet::new();
+    for path in files.keys().filter(|p| p.starts_with("unity/Assets/") && !p.ends_with(".meta")) {
+        let path = path.strip_prefix("unity/").unwrap();
+        expected.insert(path.to_owned());
+        expected.extend(path.match_indices('/').skip(1).map(|(i, _)| path[..i].to_owned()));
+    }
+    expected.insert("Assets/Scenes".into());
+    let found: BTreeSet<String> =
+        files.keys().filter_map(|p| p.strip_prefix("unity/")?.strip_suffix(".meta")).map(str::to_owned).collect();
+    assert_eq!(found, expected);
+    let guids: BTreeSet<&str> =
+        files.iter().filter(|(p, _)| p.ends_with(".meta")).map(|(_, t)| value(t, "guid").unwrap()).collect();
+    assert_eq!(guids.len(), found.len());
+    assert!(guids.iter().all(|g| g.len() == 32));
+}
+
+#[test]
+fn all_references_lead_somewhere() {
+    let files = project(&scene(), Pipeline::BuiltIn);
+    let guids: BTreeSet<&str> =
+        files.iter().filter(|(p, _)| p.ends_with(".meta")).filter_map(|(_, t)| value(t, "guid")).collect();
+    for (path, text) in files.iter().filter(|(p, _)| p.ends_with(".unity") || p.ends_with(".mat")) {
+        let anchors: BTreeSet<i64> = documents(text).iter().map(|d| d.1).collect();
+        assert_eq!(anchors.len(), documents(text).len(), "{path}: an anchor is used twice");
+        // Long references are broken after a comma.
+        let flat = text.replace(",\n", ",").split_whitespace().collect::<Vec<_>>().join(" ");
+        for reference in flat.split("{fileID: ").skip(1) {
+            let body = reference.split('}').next().unwrap();
+            let id: i64 = body.split(',').next().unwrap().parse().unwrap();
+            match body.split("guid: ").nth(1).map(|g| &g[..32]) {
+                None => assert!(id == 0 || anchors.contains(&id), "{path}: {body}"),
+                Some(guid) => assert!(guid.starts_with("0000000000000000") || guids.contains(guid), "{path}: {body}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_scene_has_the_components_it_needs() {
+    let files = project(&scene(), Pipeline::BuiltIn);
+    let mut classes = BTreeMap::new();
+    for (class, _, _) in documents(&files["unity/Assets/Scenes/room.unity"]) {
+        *classes.entry(class).or_insert(0) += 1;
+    }
+    let count = |class: u32| classes.get(&class).copied().unwrap_or(0);
+    assert_eq!(count(1), count(4), "a transform each");
+    assert_eq!(count(114), 8 + 1, "a script on each object, one on the root");
+    assert_eq!(count(54), 6, "doors and windows have no rigid body");
+    assert_eq!(count(108), 3, "sun and two lamps");
+    assert_eq!([count(20), count(29), count(104), count(157), count(196), count(1_660_057_539)], [1; 6]);
+    assert_eq!(count(23), 8 + 2 * (2 + 4) + 1, "objects; floor, ceiling and four walls for each room; a tint");
+    assert_eq!(count(23), count(33));
+    let text = &files["unity/Assets/Scenes/room.unity"];
+    assert!(documents(text).last().unwrap().0 == 1_660_057_539, "the list of roots comes last");
+    assert!(text.contains("  id: \"chair[1]\"\n") && text.contains("  declaration: \"object chair[2];\"\n"));
+    assert_eq!(text.matches("m_IsKinematic: 1").count(), 2);
+    // The crate: one upright box on itself, one turned box on a child, a cylinder as a convex mesh.
+    assert!(text.contains("m_Name: part1\n"));
+    assert!(files.contains_key("unity/Assets/Scenelang/Meshes/Objects/crate.hull2.obj"));
+    assert_eq!(
+        text.matches("m_Convex: 1").count(),
+        files.keys().filter(|p| p.contains(".hull") && p.ends_with(".obj")).count()
+    );
+}
+
+#[test]
+fn meshes_come_mirrored_with_one_submesh_for_each_material() {
+    let scene = scene();
+    let files = project(&scene, Pipeline::BuiltIn);
+    for object in &scene.objects {
+        let text = &files[&format!("unity/Assets/Scenelang/Meshes/Objects/{}.obj", object.stem)];
+        assert!(!text.lines().any(|l| l.starts_with("g ") || l.starts_with("o ")));
+        assert_eq!(text.lines().filter(|l| l.starts_with("usemtl ")).count(), object.mesh.len());
+        let vertices: Vec<Vec<f32>> = text
+            .lines()
+            .filter_map(|l| l.strip_prefix("v "))
+            .map(|l| l.split(' ').map(|n| n.parse().unwrap()).collect())
+            .collect();
+        let originals = object.mesh.iter().flat_map(|g| &g.positions);
+        for (v, p) in vertices.iter().zip(originals) {
+            assert_eq!([-v[0], v[1], v[2]], *p, "{}", object.name);
+        }
+        // In the file's right-handed frame triangles run counterclockwise seen from outside.
+        let volume: f32 = text
+            .lines()
+            .filter_map(|l| l.strip_prefix("f "))
+            .map(|l| {
+                let [a, b, c] = [0, 1, 2].map(|i| {
+                    let index: usize = l.split(' ').nth(i).unwrap().split('/').next().unwrap().parse().unwrap();
+                    &vertices[index - 1]
+                });
+                a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                    + a[2] * (b[0] * c[1] - b[1] * c[0])
+            })
+            .sum();
+        assert!(volume > 0.0, "{}: {volume}", object.name);
+    }
+}
+
+#[test]
+fn materials_follow_the_pipeline_and_keep_both_sets_of_names() {
+    let scene = scene();
+    for (pipeline, shader) in [(Pipeline::BuiltIn, "fileID: 46,"), (Pipeline::Urp, "fileID: 4800000,")] {
+        let files = project(&scene, pipeline);
+        let materials: Vec<&String> = files.iter().filter(|(p, _)| p.ends_with(".mat")).map(|(_, t)| t).collect();
+        assert_eq!(materials.len(), scene.surfaces.len());
+        for text in materials {
+            assert!(text.contains(shader) && text.contains("    - _Color: {") && text.contains("    - _BaseColor: {"));
+        }
+        assert_eq!(files["unity/Packages/manifest.json"].contains("universal"), pipeline == Pipeline::Urp);
+    }
+}
+
+#[test]
+fn program_layout_and_report_travel_with_the_project() {
+    let scene = scene();
+    let files = project(&scene, Pipeline::BuiltIn);
+    assert_eq!(files["unity/Assets/Scenelang/spec.scene.txt"], scene.program[0].1);
+    assert_eq!(files["unity/Assets/Scenelang/layout.json"], scene.layout_text);
+    let report: serde_json::Value = serde_json::from_str(&files["unity/Assets/Scenelang/report.json"]).unwrap();
+    assert_eq!(report, scene.report);
+}
+
+#[test]
+fn names_of_any_script_become_safe_files_and_escaped_texts() {
+    let scene = named("größe灯").build().unwrap();
+    let files = project(&scene, Pipeline::BuiltIn);
+    assert!(files.contains_key("unity/Assets/Scenelang/Meshes/Objects/gr_e_.obj"));
+    assert!(files["unity/Assets/Scenes/room.unity"].contains("m_Name: \"gr\\xF6\\xDFe\\u706F\"\n"));
+    assert!(files.keys().all(|p| p.is_ascii()));
+}

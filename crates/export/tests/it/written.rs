@@ -1,0 +1,47 @@
+//! All exporters together: what is written, and that it is the same each time.
+
+use crate::fixture::scene;
+use scenelang_export::{ExportError, Exporter, OutFile, Scene, exporters, write_all};
+use std::path::Path;
+
+#[test]
+fn the_same_scene_gives_the_same_bytes() {
+    // The picture has a test of its own; twice is long without optimisation.
+    for exporter in exporters().iter().filter(|e| e.name() != "picture") {
+        assert_eq!(exporter.files(&scene()).unwrap(), exporter.files(&scene()).unwrap(), "{}", exporter.name());
+    }
+}
+
+#[test]
+fn paths_are_relative_and_below_the_output_folder() {
+    let dir = tempfile::tempdir().unwrap();
+    let some: Vec<Box<dyn Exporter>> = exporters().into_iter().filter(|e| e.name() != "picture").collect();
+    let written = write_all(&scene(), dir.path(), &some).unwrap();
+    assert!(written.iter().all(|p| p.starts_with(dir.path()) && p.is_file()));
+    for name in ["scene.glb", "plan.svg", "plan.png", "preview.html", "unity/Assets/Scenes/room.unity"] {
+        assert!(written.contains(&dir.path().join(name)), "{name}");
+    }
+}
+
+#[derive(Debug)]
+struct Refuses;
+
+impl Exporter for Refuses {
+    fn name(&self) -> &'static str {
+        "refuses"
+    }
+    fn files(&self, _: &Scene) -> Result<Vec<OutFile>, ExportError> {
+        Err(ExportError::Format("refuses", "no".into()))
+    }
+}
+
+#[test]
+fn nothing_is_written_unless_all_succeed() {
+    let dir = tempfile::tempdir().unwrap();
+    let both: Vec<Box<dyn Exporter>> = vec![Box::new(scenelang_export::glb::Glb), Box::new(Refuses)];
+    assert_eq!(write_all(&scene(), dir.path(), &both).unwrap_err().to_string(), "refuses: no");
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+    let error =
+        write_all(&scene(), Path::new("/proc/nowhere"), &[Box::new(scenelang_export::glb::Glb) as Box<dyn Exporter>]);
+    assert!(error.unwrap_err().to_string().contains("nowhere"));
+}

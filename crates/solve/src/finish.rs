@@ -1,0 +1,93 @@
+//! After the search: the layout with clean numbers, and what does not hold in it.
+
+use crate::problem::{Unsatisfied, What};
+use crate::setup::Setup;
+use crate::state::State;
+use crate::tidy::round_to;
+use scenelang_lang::program::{ConstraintKind, RegionId};
+use scenelang_layout::{Layout, Value, Vec3};
+use scenelang_verify::{Options, Truth, World, judge, rules};
+
+/// Digits that are written (metres and degrees).
+const DIGITS: f64 = 1e-6;
+
+/// The layout of a state; numbers are cut to six digits where that does no harm.
+pub(crate) fn layout(setup: &Setup<'_>, state: &State<'_>, options: &Options) -> (Layout, Vec<Unsatisfied>) {
+    let exact = compose(setup, state, |x| x);
+    let short = compose(setup, state, |x| round_to(x, DIGITS));
+    let (a, b) = (unsatisfied(setup, &exact, options), unsatisfied(setup, &short, options));
+    if b.len() <= a.len() { (short, b) } else { (exact, a) }
+}
+
+fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
+    let mut layout = setup.layout.clone();
+    let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
+    for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
+        let (pose, pins) = (state.pose(id), state.frame.pins[id.0 as usize]);
+        placement.pos = vec(pose.pos, pins.pos);
+        placement.rot = vec(pose.rot, pins.rot);
+        // Parts are made for one size.
+        placement.scale = pose.scale;
+    }
+    for (index, (_, placement)) in layout.regions.iter_mut().enumerate() {
+        let (pose, pins) = (state.region_pose(RegionId(index as u32)), state.frame.region_pins[index]);
+        placement.pos = vec(pose.pos, pins.pos);
+        placement.rot = vec(pose.rot, pins.rot);
+        placement.scale = vec(pose.scale, pins.scale);
+    }
+    for (id, (_, value)) in crate::frame::variables(state.frame.program).zip(&mut layout.variables) {
+        *value = match state.world.variable(id) {
+            Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
+            Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => Value::Triple(v.0.map(cut)),
+            Ok(scenelang_verify::Value::Truth(t)) => Value::Bool(t.holds),
+            Err(_) => *value,
+        };
+    }
+    layout
+}
+
+/// What does not hold in a layout: stated constraints in order, then physical rules.
+fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> Vec<Unsatisfied> {
+    let program = setup.frame.program;
+    let world = World::<f64>::new(program, layout, options);
+    let mut found = Vec::new();
+    let mut note = |what: What, truth: Option<Truth<f64>>| {
+        if truth.is_none_or(|t| !t.holds) {
+            found.push(Unsatisfied { what, margin: truth.map(|t| t.margin).filter(|m| m.is_finite()) });
+        }
+    };
+    for (index, constraint) in program.constraints.iter().enumerate() {
+        note(What::Stated(index), judge(&constraint.formula, &world).ok());
+    }
+    if let Some(scope) = &setup.frame.scope {
+        let name = |id| setup.frame.name(id).into();
+        for (a, b) in rules::pairs_within(&world, 0.0) {
+            if scope.collide(a, b) {
+                note(What::Collision(name(a), name(b)), rules::collide::pair(&world, a, b).ok());
+            }
+        }
+        for id in setup.frame.objects() {
+            if scope.bounds(id) && !program.regions.is_empty() {
+                note(What::Bounds(name(id)), rules::bounds::object(&world, id).ok());
+            }
+            match scope.support(id) {
+                rules::Support::Rests => note(What::Support(name(id)), rules::support::object(&world, id).ok()),
+                rules::Support::Mounted => {
+                    for mount in rules::mounts(&program.allow, id) {
+                        note(What::Support(name(id)), judge(&mount.formula, &world).ok());
+                    }
+                }
+                rules::Support::Lifted | rules::Support::Held => {}
+            }
+        }
+    }
+    found
+}
+
+/// Whether all of it is preferences.
+pub(crate) fn is_soft(setup: &Setup<'_>, all: &[Unsatisfied]) -> bool {
+    all.iter().all(|u| match u.what {
+        What::Stated(index) => matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }),
+        _ => false,
+    })
+}

@@ -1,0 +1,65 @@
+//! InitialPlacement: one object after the other, each at the best of many candidates given what is there already.
+//!
+//! First what the program fixes, then what is in walls, then by how determined and how large an object is: a table
+//! before its chairs, a shelf before what stands on it.
+
+use crate::frame::{Frame, Hold};
+use crate::pool::{Breadth, Chance};
+use crate::search::Search;
+use crate::state::{Change, State};
+use rand_chacha::ChaCha8Rng;
+use scenelang_lang::program::ObjectId;
+
+/// Comes before everything that is to be found.
+const FIXED: f64 = 100.0;
+/// Comes before everything that stands in a room.
+const IN_WALLS: f64 = 10.0;
+/// How much chance there is in the order.
+const LUCK: f64 = 0.15;
+
+/// Which objects come first, no two alike: by what they are, by how much trouble they made before, and by chance.
+pub(crate) fn priorities(state: &State<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
+    let frame = state.frame;
+    let own = |id: ObjectId| priority(frame, state, id) + trouble[id.0 as usize];
+    frame.objects().map(|id| own(id) + LUCK * chance.unit()).collect()
+}
+
+fn priority(frame: &Frame<'_>, state: &State<'_>, id: ObjectId) -> f64 {
+    if !frame.is_movable(id) {
+        return FIXED;
+    }
+    let size = state.pose(id).scale;
+    let volume: f64 = size.iter().product();
+    let large = ((volume.max(1e-9).log10() + 3.0) / 3.5).clamp(0.0, 1.2);
+    let (mut alone, mut all) = (0.0, 0.5);
+    for term in frame.terms_of[id.0 as usize].iter().map(|&t| &frame.terms[t]).filter(|t| t.is_hard()) {
+        let others = term.objects.len() - 1;
+        let weight = 1.0 / others.max(1) as f64;
+        all += weight;
+        if others == 0 {
+            alone += weight;
+        }
+    }
+    let pins = frame.pins[id.0 as usize];
+    let fixed = if pins.pos { 5.0 } else { 0.0 };
+    let wall = if matches!(frame.hold(id), Hold::Door(..)) { IN_WALLS } else { 0.0 };
+    wall + fixed + 1.5 * alone / all + 1.3 * large
+}
+
+/// Places everything that has no place yet.
+pub(crate) fn initial(search: &mut Search<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
+    for &(id, pose) in given {
+        let pose = pose.unwrap_or_else(|| search.state.pose(id));
+        if search.state.attempt(&[Change::Object(id, pose)], f64::INFINITY).is_some() {
+            search.state.keep();
+        }
+    }
+    let mut waiting: Vec<ObjectId> = search.state.frame.objects().filter(|o| !search.state.is_placed(*o)).collect();
+    let rank = |o: &ObjectId| search.priority[o.0 as usize];
+    waiting.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.cmp(b)));
+    while !waiting.is_empty() {
+        let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
+        let id = waiting.remove(ready);
+        search.place(id, Breadth::All, &[], false);
+    }
+}

@@ -1,0 +1,149 @@
+//! What the solver is given and what it gives back, as values.
+
+use scenelang_lang::Program;
+use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::Layout;
+use smol_str::SmolStr;
+
+/// A scene to be laid out.
+#[derive(Clone, Debug)]
+pub struct Problem<'a> {
+    /// What must hold.
+    pub program: &'a Program,
+    /// Sizes, parts and support surfaces of the objects (those of the assets), and whatever else is known.
+    /// An object that is missing here is a cube of 0.5 m, unless the program assigns its size.
+    pub start: Layout,
+    /// Which poses of `start` mean something: the solver starts from these.
+    pub placed: Placed,
+}
+
+/// Which objects and regions of the layout to start from are where they belong already.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Placed {
+    /// None: a new scene.
+    #[default]
+    None,
+    /// All that the layout has: solving again after an edit.
+    All,
+    /// These.
+    Some {
+        /// Objects.
+        objects: Vec<ObjectId>,
+        /// Regions.
+        regions: Vec<RegionId>,
+    },
+}
+
+impl Placed {
+    /// Whether the pose of an object that the layout has counts.
+    pub fn object(&self, id: ObjectId) -> bool {
+        match self {
+            Self::None => false,
+            Self::All => true,
+            Self::Some { objects, .. } => objects.contains(&id),
+        }
+    }
+    /// Whether the place of a region that the layout has counts.
+    pub fn region(&self, id: RegionId) -> bool {
+        match self {
+            Self::None => false,
+            Self::All => true,
+            Self::Some { regions, .. } => regions.contains(&id),
+        }
+    }
+}
+
+/// How to solve. Budgets count work, not seconds, so that a result does not depend on the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Fixes draws and every random choice.
+    pub seed: u64,
+    /// How many violated constraints are taken up at a time.
+    pub batch: usize,
+    /// At most so many rounds of the loop for each initial placement.
+    pub rounds: usize,
+    /// At most so much work in all; a unit is about ten nanoseconds.
+    pub budget: u64,
+    /// At most this part of the budget goes into preferences and looks once all that must hold does.
+    pub polish: f64,
+    /// Tolerances, η, what a solid is, whether the physical rules apply.
+    pub judge: scenelang_verify::Options,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            seed: 0,
+            batch: 3,
+            rounds: 400,
+            budget: 1_000_000_000,
+            polish: 0.2,
+            judge: scenelang_verify::Options::default(),
+        }
+    }
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The best layout found: every object, region, variable and draw of the program. No object is ever dropped.
+    pub layout: Layout,
+    /// Whether all that must hold does.
+    pub converged: bool,
+    /// Rounds of the loop in all.
+    pub iterations: usize,
+    /// Work done, see [`Options::budget`].
+    pub work: u64,
+    /// What does not hold, preferences included.
+    pub unsatisfied: Vec<Unsatisfied>,
+    /// What the user should know: sizes changed, a budget spent, a draw without bounds.
+    pub warnings: Vec<String>,
+}
+
+/// Something that does not hold in the layout found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unsatisfied {
+    /// What.
+    pub what: What,
+    /// By how much it fails: negative, metres or degrees; `None`: it has no metres, or cannot be judged.
+    pub margin: Option<f64>,
+}
+
+/// A constraint of the program, or a physical rule with what it speaks of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum What {
+    /// An index into [`Program::constraints`]: an assertion, a pin, or a preference.
+    Stated(usize),
+    /// P-COLLIDE of two objects.
+    Collision(SmolStr, SmolStr),
+    /// P-BOUNDS of an object.
+    Bounds(SmolStr),
+    /// P-SUPPORT of an object.
+    Support(SmolStr),
+}
+
+/// A step of the solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Finding a first place for everything.
+    InitialPlacement,
+    /// Pushing overlapping solids apart.
+    PhysicsRelaxation,
+    /// Repairing batches of violated constraints.
+    Repair,
+    /// Improving what holds already: preferences, round numbers.
+    Preferences,
+}
+
+/// How far the solver is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// The current step.
+    pub phase: Phase,
+    /// Rounds of the loop so far.
+    pub iteration: usize,
+    /// How many of the terms that must hold do.
+    pub held: usize,
+    /// How many there are.
+    pub total: usize,
+}

@@ -1,0 +1,140 @@
+//! The whole procedure: set up, place, relax, repair; again from another placement if need be; then preferences.
+
+use crate::place;
+use crate::polish::Polisher;
+use crate::problem::{Options, Outcome, Phase, Problem, Progress};
+use crate::search::{Best, Search};
+use crate::setup::{Setup, setup};
+use crate::state::State;
+use crate::{finish, regions, relax, tidy, wishes};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use scenelang_lang::program::RegionId;
+use std::ops::ControlFlow;
+
+/// How much earlier an object is placed for each time it was in trouble.
+const TROUBLE: f64 = 0.3;
+/// How much larger open regions are made when a placement fails.
+const GROWTH: f64 = 1.15;
+
+/// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
+///
+/// The same problem, options and seed give the same outcome, to the byte, unless `progress` ends the search.
+pub fn solve(
+    problem: &Problem<'_>,
+    options: &Options,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Outcome {
+    let setup = setup(problem, options);
+    let mut run = Run { setup: &setup, problem, options, best: None, bonus: vec![0.0; setup.frame.pins.len()], iterations: 0, work: 0 };
+    let mut attempt = 0;
+    let mut state = loop {
+        let (state, going) = run.attempt(attempt, progress);
+        attempt += 1;
+        let solved = run.best.as_ref().is_some_and(|b| b.hard.0 == 0);
+        if solved || going.is_break() || run.work >= options.budget || setup.frame.program.objects.is_empty() {
+            break state;
+        }
+    };
+    if let Some(best) = &run.best {
+        state = run.at(&best.snapshot, state);
+    }
+    let (layout, unsatisfied) = finish::layout(&setup, &state, &options.judge);
+    let converged = finish::is_soft(&setup, &unsatisfied);
+    let mut warnings = setup.warnings.clone();
+    if !converged && run.work >= options.budget {
+        warnings.push(format!("the budget of {} units of work is spent", options.budget));
+    }
+    Outcome { layout, converged, iterations: run.iterations, work: run.work, unsatisfied, warnings }
+}
+
+/// What attempts share.
+struct Run<'r, 'a> {
+    setup: &'r Setup<'a>,
+    problem: &'r Problem<'a>,
+    options: &'r Options,
+    best: Option<Best>,
+    bonus: Vec<f64>,
+    iterations: usize,
+    work: u64,
+}
+
+impl<'r, 'a> Run<'r, 'a> {
+    /// One placement with its repair; if that succeeds, preferences.
+    fn attempt(
+        &mut self,
+        attempt: u64,
+        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> (State<'r>, ControlFlow<()>) {
+        let mut search = self.search(attempt);
+        let going = self.run(&mut search, attempt, progress);
+        self.work = search.state.work;
+        let better = |new: &Best, old: &Option<Best>| {
+            old.as_ref().is_none_or(|old| Best::is_better((new.hard, new.soft), (old.hard, old.soft)))
+        };
+        if let Some(new) = search.best.take().filter(|new| better(new, &self.best)) {
+            self.best = Some(new);
+        }
+        (search.state, going)
+    }
+
+    fn search(&self, attempt: u64) -> Search<'r> {
+        let mut state = State::new(&self.setup.frame, self.setup.world.clone());
+        state.work = self.work;
+        let polisher = Polisher::new(&state);
+        let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
+        chance.set_stream(attempt);
+        let priority = place::priorities(&state, &self.bonus, &mut chance);
+        Search { state, polisher, chance, options: self.options, priority, best: None }
+    }
+
+    fn run(
+        &mut self,
+        search: &mut Search<'_>,
+        attempt: u64,
+        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let known = |id: RegionId| {
+            let name = &self.setup.frame.program.regions[id.0 as usize].name;
+            self.problem.placed.region(id) && self.problem.start.region(name).is_some()
+        };
+        regions::arrange(search, GROWTH.powi(attempt as i32), &known);
+        progress(search.progress(Phase::InitialPlacement, self.iterations))?;
+        place::initial(search, &self.setup.given);
+        progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
+        relax::relax(search);
+        search.state.look_at_ways();
+        search.note();
+        let solved = search.repair(self.options.rounds, &mut self.iterations, progress)?;
+        if let Some(best) = search.best.as_ref().map(|b| b.snapshot.clone()) {
+            search.restore(&best);
+            search.state.look_at_ways();
+        }
+        if solved {
+            progress(search.progress(Phase::Preferences, self.iterations))?;
+            let spent = search.state.work as f64 / self.options.budget as f64;
+            wishes::improve(search, (spent + self.options.polish).min(1.0));
+            for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
+                tidy::object(&mut search.state, id);
+            }
+            search.state.look_at_ways();
+            search.note();
+        } else {
+            for check in search.violated() {
+                for id in search.state.objects_of(check) {
+                    self.bonus[id.0 as usize] += TROUBLE;
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// A state that shows a layout.
+    fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
+        let polisher = Polisher::new(&old);
+        let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
+        let mut search = Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
+        search.restore(snapshot);
+        search.state
+    }
+}

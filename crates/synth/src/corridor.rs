@@ -1,0 +1,171 @@
+//! From a program file to a judged layout: stages I to III.
+
+use crate::furnish::{Furnished, furnish};
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
+use scenelang_lang::sources::Disk;
+use scenelang_lang::{Compiled, compile_file};
+use scenelang_layout::{Layout, ReadLayout, file as layout_file};
+use scenelang_solve::{Outcome, Placed, Problem, Progress};
+use scenelang_verify::{Checked, check_layout_text};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// What to lay out.
+#[derive(Clone, Copy, Debug)]
+pub struct Request<'a> {
+    /// How the program is called in messages.
+    pub name: &'a str,
+    /// The program's file.
+    pub path: &'a Path,
+    /// A layout to start from: its name and its text.
+    pub start: Option<(&'a str, &'a str)>,
+    /// Where the layout will be written; its `scene` member says where the program is from there.
+    pub layout_path: &'a Path,
+    /// What the `scene` member of the layout will say.
+    pub scene_member: &'a str,
+    /// Fixes draws and every random choice.
+    pub seed: u64,
+    /// Tolerances, η, what a solid is, whether the physical rules apply.
+    pub judge: scenelang_verify::Options,
+}
+
+/// The stages of the corridor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// I: the program is read and compiled.
+    Program,
+    /// II: every object gets a size and parts.
+    Assets,
+    /// III: every object gets a place.
+    Layout,
+    /// IV: files are written.
+    Export,
+}
+
+impl Stage {
+    /// As shown to people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Program => "program",
+            Self::Assets => "assets",
+            Self::Layout => "layout",
+            Self::Export => "export",
+        }
+    }
+}
+
+/// Someone who wants to know how far it is, and may end it.
+pub trait Observer {
+    /// A stage begins.
+    fn enter(&mut self, stage: Stage);
+    /// A stage ends.
+    fn leave(&mut self, stage: Stage);
+    /// How far the solver is; `Break` ends everything without a result.
+    fn solving(&mut self, progress: &Progress) -> ControlFlow<()>;
+}
+
+/// A layout, judged.
+#[derive(Debug)]
+pub struct Solved {
+    /// The program.
+    pub compiled: Compiled,
+    /// Where everything is.
+    pub layout: Layout,
+    /// The layout file.
+    pub layout_text: String,
+    /// How the solver got there.
+    pub outcome: Outcome,
+    /// The judgement of that file, by the same code as `scenelang check`.
+    pub checked: Checked,
+    /// What had no asset or no usual size.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Why there is no layout.
+#[derive(Debug)]
+pub enum Failure {
+    /// The program, or the layout to start from, has errors.
+    Input(SourceMap, Vec<Diagnostic>),
+    /// The observer ended it.
+    Interrupted,
+}
+
+/// Compiles, furnishes, solves and judges. A layout that breaks a hard constraint is a result, too: the judgement says
+/// which.
+///
+/// # Errors
+/// The program does not compile, the layout to start from cannot be read, or the observer ends it.
+pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
+    observer.enter(Stage::Program);
+    let compiled = compile_file(request.name, request.path, scenelang_lang::Options::default());
+    let Some(program) = &compiled.program else {
+        return Err(Failure::Input(compiled.sources, compiled.diagnostics));
+    };
+    let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
+    observer.leave(Stage::Program);
+
+    observer.enter(Stage::Assets);
+    let draws = scenelang_solve::draws(program, request.seed);
+    let previous = start.as_ref().map(|s| &s.layout);
+    let Furnished { layout, warnings } = furnish(program, draws, previous, &request.judge);
+    observer.leave(Stage::Assets);
+
+    observer.enter(Stage::Layout);
+    let problem = Problem { program, placed: placed(program, previous), start: layout };
+    let options = scenelang_solve::Options { seed: request.seed, judge: request.judge, ..Default::default() };
+    let mut ended = false;
+    let mut outcome = scenelang_solve::solve(&problem, &options, &mut |progress: Progress| {
+        let flow = observer.solving(&progress);
+        ended |= flow.is_break();
+        flow
+    });
+    if ended {
+        return Err(Failure::Interrupted);
+    }
+    outcome.layout.scene = Some(request.scene_member.to_owned());
+    outcome.layout.seed = Some(request.seed);
+    let layout_text = layout_file::to_json(&outcome.layout, start.as_ref().map(|s| &s.document));
+    let checked = check_layout_text(
+        &request.layout_path.display().to_string(),
+        &beside(request),
+        layout_text.clone(),
+        &request.judge,
+        scenelang_lang::Options::default(),
+        &Disk,
+    );
+    observer.leave(Stage::Layout);
+    Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, checked, warnings, compiled })
+}
+
+/// The place from which `scene_member` leads to the program as it is now, which need not be where the layout goes.
+fn beside(request: &Request<'_>) -> PathBuf {
+    let depth = Path::new(request.scene_member).components().count();
+    let mut folder = request.path.to_path_buf();
+    for _ in 0..depth {
+        folder.pop();
+    }
+    let file = request.layout_path.file_name().unwrap_or(request.layout_path.as_os_str());
+    folder.join(file)
+}
+
+fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {
+    let mut sources = SourceMap::new();
+    let file: FileId = sources.add(SourceFile::new(name, name, text));
+    let read = layout_file::read(text, file);
+    if read.usable && !read.diagnostics.iter().any(Diagnostic::is_error) {
+        return Ok(read);
+    }
+    Err(Failure::Input(sources, read.diagnostics))
+}
+
+/// What the layout to start from has places for.
+fn placed(program: &scenelang_lang::Program, previous: Option<&Layout>) -> Placed {
+    let Some(previous) = previous else { return Placed::None };
+    let ids = |has: &dyn Fn(usize) -> bool, n: usize| (0..n).filter(|i| has(*i)).map(|i| i as u32).collect::<Vec<_>>();
+    let objects = ids(&|i| previous.object(&program.objects[i].name).is_some(), program.objects.len());
+    let regions = ids(&|i| previous.region(&program.regions[i].name).is_some(), program.regions.len());
+    Placed::Some {
+        objects: objects.into_iter().map(scenelang_lang::program::ObjectId).collect(),
+        regions: regions.into_iter().map(scenelang_lang::program::RegionId).collect(),
+    }
+}

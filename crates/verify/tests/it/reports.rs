@@ -1,0 +1,140 @@
+//! Reports in their formats: what people read, SARIF, JUnit, and JSON that comes back as it went.
+
+use crate::cases::{judged, layout};
+use scenelang_verify::report::{Human, human, json, junit, model::Report, sarif};
+use scenelang_verify::{Checked, Options};
+use serde_json::Value;
+
+const SCENE: &str = "\
+object bed;
+object nightstand;
+@req(\"the lamp is <above> the table\")
+assert nightstand.pos.x > 2.5;
+assert not collides(bed, nightstand);
+prefer nightstand.rot.y = 90 weight 2;
+bed.pos <- vec3(1, 0, 2);
+";
+
+const LAYOUT: &str = "object bed 1 0 2 | 2 0.55 1.6
+object nightstand 2.13 0 2 | 0.4 0.5 0.4";
+
+fn bedroom() -> Checked {
+    judged(SCENE, &layout(LAYOUT), &Options::default())
+}
+
+#[test]
+fn people_read_both_sides_and_the_measured_values() {
+    insta::assert_snapshot!(human(&bedroom(), Human::default()), @r##"
+    [V0101] Error: `nightstand.pos.x` is 2.13, must be more than 2.5
+       ╭─[ room.scene:4:1 ]
+       │
+     2 │ object nightstand;
+       │        ─────┬────
+       │             ╰────── `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m
+       │
+     4 │ assert nightstand.pos.x > 2.5;
+       │ ──────────────┬──────────────
+       │               ╰──────────────── fails in room.layout.json: margin -0.37 m
+       │
+       │ Note: asked for by "the lamp is <above> the table"
+    ───╯
+    [V0101] Error: `bed` overlaps `nightstand` by 0.07 m
+       ╭─[ room.scene:5:1 ]
+       │
+     1 │ object bed;
+       │        ─┬─
+       │         ╰─── `bed` is at (1, 0, 2), 2.00 × 0.55 × 1.60 m
+     2 │ object nightstand;
+       │        ─────┬────
+       │             ╰────── `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m
+       │
+     5 │ assert not collides(bed, nightstand);
+       │ ──────────────────┬─────────────────
+       │                   ╰─────────────────── fails in room.layout.json: margin -0.069 m
+    ───╯
+    [V0106] Advice: `nightstand.rot.y` is 0°, must be equal to 90°
+       ╭─[ room.scene:6:1 ]
+       │
+     2 │ object nightstand;
+       │        ─────┬────
+       │             ╰────── `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m
+       │
+     6 │ prefer nightstand.rot.y = 90 weight 2;
+       │ ──────────────────┬──────────────────
+       │                   ╰──────────────────── not met in room.layout.json: margin -89.9°
+    ───╯
+    [V0102] Error: `bed` overlaps `nightstand` by 0.07 m
+       ╭─[ room.scene:1:8 ]
+       │
+     1 │ object bed;
+       │        ─┬─
+       │         ╰─── `bed` is at (1, 0, 2), 2.00 × 0.55 × 1.60 m
+     2 │ object nightstand;
+       │        ─────┬────
+       │             ╰────── `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m
+       │
+       │ Note: P-COLLIDE applies to every program
+    ───╯
+    room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
+    "##);
+}
+
+#[test]
+fn what_people_read_has_colours_only_if_asked() {
+    let color = human(&bedroom(), Human { color: true, all: false });
+    assert!(color.contains("\u{1b}["));
+    assert!(!human(&bedroom(), Human::default()).contains('\u{1b}'));
+}
+
+#[test]
+fn a_finding_in_a_very_long_line_is_named_not_shown() {
+    let scene = format!("object a; assert {} 1 > ;\n", "1 + ".repeat(5000));
+    let text = human(&judged(&scene, &layout("object a 0 0 0"), &Options::default()), Human::default());
+    assert!(text.len() < 1500 && text.contains("room.scene:1:"), "{text}");
+}
+
+#[test]
+fn json_comes_back_as_it_went() {
+    let report = bedroom().report;
+    let line = json(&report);
+    assert!(!line.contains('\n'));
+    assert_eq!(serde_json::from_str::<Report>(&line).unwrap(), report);
+    let keys: Vec<String> =
+        serde_json::from_str::<serde_json::Map<String, Value>>(&line).unwrap().keys().cloned().collect();
+    assert_eq!(keys, ["format", "file", "ok", "summary", "constraints", "diagnostics", "tolerances", "eta"]);
+}
+
+fn line(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).expect("made of strings and numbers")
+}
+
+#[test]
+fn rows_say_what_they_should() {
+    let report = bedroom().report;
+    insta::assert_snapshot!(line(&report.constraints[0]), @r##"{"id":"room.scene:4:1","kind":"assert","rule":null,"code":"V0101","satisfied":false,"margin":-0.3700000000000001,"unit":"m","objects":["nightstand"],"text":"nightstand.pos.x > 2.5","message":"`nightstand.pos.x` is 2.13, must be more than 2.5; `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[4,1],"end":[4,30]},"requirements":["the lamp is <above> the table"]}"##);
+    insta::assert_snapshot!(line(&report.constraints[3]), @r##"{"id":"room.scene:7:1","kind":"pin","rule":null,"code":null,"satisfied":true,"margin":0.001,"unit":"m","objects":["bed"],"text":"bed.pos <- vec3(1, 0, 2)","message":"`bed.pos` is (1, 0, 2), against (1, 0, 2)","span":{"file":"room.scene","start":[7,1],"end":[7,25]}}"##);
+    insta::assert_snapshot!(line(&report.constraints[4]), @r##"{"id":"P-COLLIDE:bed:nightstand","kind":"collision","rule":"P-COLLIDE","code":"V0102","satisfied":false,"margin":-0.06900000000000012,"unit":"m","objects":["bed","nightstand"],"text":"`bed` and `nightstand` do not collide","message":"`bed` overlaps `nightstand` by 0.07 m; `bed` is at (1, 0, 2), 2.00 × 0.55 × 1.60 m; `nightstand` is at (2.13, 0, 2), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[1,8],"end":[1,11]}}"##);
+    insta::assert_snapshot!(line(&report.summary), @r##"{"assertions":{"total":2,"satisfied":0},"preferences":{"total":1,"satisfied":0},"physical":{"total":3,"satisfied":2},"pins":{"total":1,"satisfied":1}}"##);
+}
+
+#[test]
+fn sarif_has_a_result_per_violation_and_diagnostic() {
+    let log: Value = serde_json::from_str(&sarif(&[bedroom().report])).unwrap();
+    let results = log["runs"][0]["results"].as_array().unwrap();
+    let ids: Vec<&str> = results.iter().map(|r| r["ruleId"].as_str().unwrap()).collect();
+    assert_eq!(ids, ["V0101", "V0101", "V0106", "V0102"]);
+    assert_eq!(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 4);
+    assert_eq!(results[2]["level"], "note");
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
+    let log: Value = serde_json::from_str(&sarif(&[broken])).unwrap();
+    assert_eq!(log["runs"][0]["results"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn junit_escapes_and_counts() {
+    let text = junit(&[bedroom().report]);
+    assert_eq!(text.matches("<failure ").count(), 3);
+    assert_eq!(text.matches("<skipped ").count(), 1);
+    assert!(text.contains("failures=\"3\"") && text.contains("tests=\"5\""), "{text}");
+    assert!(text.contains("nightstand.pos.x &gt; 2.5") && !text.contains("<above>"), "{text}");
+}

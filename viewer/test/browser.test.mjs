@@ -1,0 +1,289 @@
+// The page in a real browser: the file that PREVIEW names, or else the fixture; and how it bears what is broken.
+// Skipped where there is no Chromium (CHROMIUM names another than /usr/bin/chromium), which fails in CI.
+import assert from "node:assert/strict";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import puppeteer from "puppeteer-core";
+import { bundle, fixtureData, page as pageOf } from "./fixture.mjs";
+
+const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const missing = existsSync(chromium) ? false : `no browser at ${chromium}; set CHROMIUM to one`;
+const FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const PATIENCE = { timeout: 60_000 };
+
+let browser;
+let folder;
+/** A blank page that reads pictures for the tests. */
+let reader;
+
+before(async () => {
+  if (missing) return;
+  folder = mkdtempSync(join(tmpdir(), "scenelang-viewer-"));
+  browser = await puppeteer.launch({ executablePath: chromium, headless: true, args: FLAGS, userDataDir: join(folder, "profile") });
+  reader = await browser.newPage();
+});
+after(async () => {
+  await browser?.close();
+  if (folder !== undefined) rmSync(folder, { recursive: true, force: true });
+});
+
+/** A test with a page of its own; nothing it loads may log an error. */
+function check(name, run) {
+  test(name, { skip: process.env.CI === "true" ? false : missing }, async () => {
+    if (missing) assert.fail(missing);
+    const page = await browser.newPage();
+    const errors = [];
+    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    page.on("pageerror", (error) => errors.push(String(error)));
+    page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || errors.push(`asked for ${request.url()}`));
+    await page.setViewport({ width: 1280, height: 800 });
+    try {
+      await run(page);
+      assert.deepEqual(errors, []);
+    } finally {
+      await page.close();
+    }
+  });
+}
+
+async function open(page, data) {
+  let path = process.env.PREVIEW === undefined ? undefined : resolve(process.env.PREVIEW);
+  if (data !== undefined || path === undefined) {
+    path = join(folder, "page.html");
+    writeFileSync(path, pageOf(data ?? fixtureData(), bundle()));
+  }
+  await page.goto(pathToFileURL(path).href);
+  await page.waitForFunction(() => document.querySelector('#scenelang:is([data-state="ready"], [data-state="error"])') !== null, PATIENCE);
+  const json = /<script[^>]*id="scenelang-data"[^>]*>([\s\S]*?)<\/script>/.exec(readFileSync(path, "utf8"));
+  return JSON.parse(json[1]);
+}
+
+/** Takes a picture of the room alone, without words and buttons; the reader keeps it under the number that is returned. */
+async function shoot(page) {
+  const clip = await (await page.$(".stage")).boundingBox();
+  const show = (shown) => page.$$eval(".labels, .tip, .toolbar, .hint", (over, shown) => over.forEach((e) => (e.style.visibility = shown ? "" : "hidden")), shown);
+  await show(false);
+  const image = await page.screenshot({ encoding: "base64", clip });
+  await show(true);
+  return reader.evaluate(async (source) => {
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    window.shots ??= [];
+    return window.shots.push(context.getImageData(0, 0, image.width, image.height).data) - 1;
+  }, `data:image/png;base64,${image}`);
+}
+
+/** How many different colours, in steps of 16, at least one pixel in a thousand has: a blank or broken picture has few. */
+function colours(shot) {
+  return reader.evaluate((shot) => {
+    const data = window.shots[shot];
+    const found = new Map();
+    for (let i = 0; i < data.length; i += 4) {
+      const key = ((data[i] >> 4) << 8) | ((data[i + 1] >> 4) << 4) | (data[i + 2] >> 4);
+      found.set(key, (found.get(key) ?? 0) + 1);
+    }
+    return [...found.values()].filter((count) => count * 4000 > data.length).length;
+  }, shot);
+}
+
+/** The share of pixels that clearly differ. */
+function difference(a, b) {
+  return reader.evaluate((a, b) => {
+    const [one, other] = [window.shots[a], window.shots[b]];
+    let count = 0;
+    for (let i = 0; i < one.length; i += 4) if (Math.max(...[0, 1, 2].map((k) => Math.abs(one[i + k] - other[i + k]))) > 24) count += 1;
+    return (count * 4) / one.length;
+  }, a, b);
+}
+
+/** Waits until the picture stands still: flights end, walls come to rest. */
+const settle = (page) => page.waitForFunction(() => !window.scenelang.moving(), PATIENCE);
+
+const rowsOf = (page) => page.$$eval("button.row[data-row]", (rows) => rows.map((row) => ({ index: Number(row.dataset.row), text: row.querySelector(".text").textContent, margin: row.querySelector(".margin").textContent, verdict: ["holds", "fails", "unknown"].find((name) => row.classList.contains(name)) })));
+const selected = (page) => page.evaluate(() => window.scenelang.selected());
+
+check("the room is shown, and every constraint is listed", async (page) => {
+  const data = await open(page);
+  const title = /^(.*) — READY (\d+)$/.exec(await page.title());
+  assert.ok(title, await page.title());
+  assert.equal(title[1], data.name);
+  assert.ok(Number(title[2]) > 100, title[0]);
+  assert.equal(await page.$("#fallback"), null);
+
+  const { constraints, summary } = data.report;
+  const rows = await rowsOf(page);
+  assert.deepEqual(rows.map(({ index }) => index).sort((a, b) => a - b), constraints.map((_, i) => i));
+  for (const { index, text, margin, verdict } of rows) {
+    const row = constraints[index];
+    assert.equal(text, row.text);
+    assert.equal(margin === "", row.margin === null, `row ${index}: ${margin}`);
+    assert.equal(verdict, row.satisfied === null ? "unknown" : row.satisfied ? "holds" : "fails");
+  }
+  const headline = await page.$eval(".headline", (e) => e.textContent);
+  if (summary.assertions.total > 0) assert.ok(headline.startsWith(`${summary.assertions.satisfied} of ${summary.assertions.total} assertion`), headline);
+  assert.ok((await colours(await shoot(page))) >= 12);
+});
+
+check("pressing a constraint highlights its objects, and again lets go", async (page) => {
+  const data = await open(page);
+  const index = data.report.constraints.findIndex(({ objects }) => objects.some((name) => data.objects.some((o) => o.name === name)));
+  const before = await shoot(page);
+  await page.click(`button.row[data-row="${index}"]`);
+  await settle(page);
+  const names = await selected(page);
+  assert.ok(names.length > 0);
+  for (const name of data.report.constraints[index].objects) if (data.objects.some((o) => o.name === name)) assert.ok(names.includes(name), name);
+  assert.equal(await page.$eval('button.row[aria-current="true"]', (row) => row.dataset.row), String(index));
+  const tags = await page.$$eval(".tag.name", (tags) => tags.map((tag) => tag.textContent));
+  assert.deepEqual(tags, names.filter((name) => data.objects.some((o) => o.name === name)).slice(0, 10));
+  assert.ok((await difference(before, await shoot(page))) > 0.01);
+
+  // Where the camera now is, the outlines alone are the difference.
+  const marked = await shoot(page);
+  await page.click(`button.row[data-row="${index}"]`);
+  await settle(page);
+  assert.deepEqual(await selected(page), []);
+  assert.ok((await difference(marked, await shoot(page))) > 0.0005);
+});
+
+check("pressing an object lists its constraints alone; Escape lists all again", async (page) => {
+  const data = await open(page);
+  const area = await (await page.$("canvas")).boundingBox();
+  let names = [];
+  for (let i = 0; names.length === 0 && i < 77; i += 1) {
+    await page.mouse.click(area.x + area.width * (0.25 + 0.05 * (i % 11)), area.y + area.height * (0.3 + 0.06 * Math.floor(i / 11)));
+    names = await selected(page);
+  }
+  assert.equal(names.length, 1, "somewhere in the middle of the picture there is an object");
+  const object = data.objects.find(({ name }) => name === names[0]);
+  const own = data.report.constraints.flatMap(({ objects }, i) => (object.constraints.includes(i) || objects.includes(object.name) ? [i] : []));
+  assert.deepEqual((await rowsOf(page)).map(({ index }) => index).sort((a, b) => a - b), own);
+  assert.equal(await page.$eval(".scope-name", (e) => e.textContent), object.name);
+  await page.keyboard.press("Escape");
+  assert.equal((await rowsOf(page)).length, data.report.constraints.length);
+});
+
+check("the pointer over an object tells its name, size and place", async (page) => {
+  await open(page);
+  const area = await (await page.$("canvas")).boundingBox();
+  let tip = null;
+  for (let i = 0; tip === null && i < 77; i += 1) {
+    await page.mouse.move(area.x + area.width * (0.25 + 0.05 * (i % 11)), area.y + area.height * (0.3 + 0.06 * Math.floor(i / 11)));
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    tip = await page.$eval(".tip", (e) => (e.hidden ? null : e.textContent));
+  }
+  assert.match(tip ?? "", /\d\.\d\d × \d+\.\d\d × \d+\.\d\d m.*at \(/);
+});
+
+check("chips, words and keys narrow the list", async (page) => {
+  const { report } = await open(page);
+  for (const [chip, keeps] of [["violated", ({ satisfied }) => satisfied === false], ["assert", ({ kind }) => kind === "assert"], ["all", () => true]]) {
+    if ((await page.$(`[data-filter="${chip}"]`)) === null) continue;
+    await page.click(`[data-filter="${chip}"]`);
+    assert.deepEqual((await rowsOf(page)).map(({ index }) => index).sort((a, b) => a - b), report.constraints.flatMap((row, i) => (keeps(row) ? [i] : [])));
+  }
+  await page.keyboard.press("/");
+  await page.keyboard.type(report.constraints[0].text);
+  const rows = await rowsOf(page);
+  assert.ok(rows.some(({ index }) => index === 0));
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.$eval('button.row[aria-current="true"]', (row) => row.dataset.row), String(rows[0].index));
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.row), String(rows[0].index));
+  await page.keyboard.press("Escape");
+  assert.deepEqual(await selected(page), []);
+  await page.keyboard.press("Escape");
+  assert.equal((await rowsOf(page)).length, report.constraints.length);
+});
+
+check("the plan shows the room from straight above, named; back again, and reset", async (page) => {
+  const { regions } = await open(page);
+  const before = await shoot(page);
+  const [, plan] = await page.$$(".toolbar .group:first-child button");
+  await plan.click();
+  await settle(page);
+  assert.equal(await plan.evaluate((e) => e.getAttribute("aria-pressed")), "true");
+  assert.deepEqual(await page.$$eval(".tag.region", (tags) => tags.map((tag) => tag.textContent)), regions.map(({ name }) => name));
+  const above = await shoot(page);
+  assert.ok((await colours(above)) >= 8);
+  assert.ok((await difference(before, above)) > 0.05);
+  await page.keyboard.press("p");
+  await settle(page);
+  assert.ok((await difference(before, await shoot(page))) < 0.01, "the first view is found again");
+});
+
+check("the plan is not mirrored: x runs to the right, z up", async (page) => {
+  const { objects } = await open(page);
+  await page.keyboard.press("p");
+  await settle(page);
+  const place = async ({ name }) => {
+    await page.evaluate((name) => window.scenelang.select(name), name);
+    await settle(page);
+    return page.$eval(".tag.name", (tag) => ((box) => [box.x + box.width / 2, box.bottom])(tag.getBoundingClientRect()));
+  };
+  for (const [axis, k, sign] of [["x", 0, 1], ["z", 2, -1]]) {
+    const along = [...objects].sort((a, b) => a.pos[k] - b.pos[k]);
+    const [low, high] = [await place(along[0]), await place(along.at(-1))];
+    assert.ok((high[k / 2] - low[k / 2]) * sign > 50, `${axis}: ${along[0].name} at ${low}, ${along.at(-1).name} at ${high}`);
+  }
+});
+
+check("a message replaces the room", async (page) => {
+  await open(page, fixtureData());
+  const next = fixtureData();
+  next.name = "another";
+  next.objects = next.objects.slice(0, 3);
+  for (const object of next.objects) object.constraints = object.constraints.filter((row) => row < 2);
+  next.report.constraints.length = 2;
+  await page.evaluate((data) => window.postMessage({ type: "scenelang-data", data }, "*"), next);
+  await page.waitForFunction(() => document.title.startsWith("another — READY"), PATIENCE);
+  assert.equal((await rowsOf(page)).length, 2);
+  // Data that cannot be read leaves what is shown, and says so.
+  await page.evaluate(() => window.postMessage({ type: "scenelang-data", data: { format: "else" } }, "*"));
+  await page.waitForFunction(() => !document.querySelector(".notice").hidden, PATIENCE);
+  assert.match(await page.$eval(".notice", (e) => e.textContent), /format: expected/);
+  assert.equal((await rowsOf(page)).length, 2);
+});
+
+check("without WebGL there are the plan, the list, and the reason", async (page) => {
+  await page.evaluateOnNewDocument(() => (HTMLCanvasElement.prototype.getContext = () => null));
+  const data = await open(page);
+  assert.equal(await page.title(), `${data.name} — READY 0`);
+  assert.match(await page.$eval(".notice", (e) => e.textContent), /WebGL/);
+  assert.ok(await page.$eval("img.flat", (image) => image.decode().then(() => image.naturalWidth > 0)));
+  assert.equal((await rowsOf(page)).length, data.report.constraints.length);
+  await page.click("button.row");
+  assert.equal((await page.$$('button.row[aria-current="true"]')).length, 1);
+});
+
+check("a GLB that cannot be read leaves the plan", async (page) => {
+  const data = await open(page, { ...fixtureData(), glb: "bm90IGEgZ2xi" });
+  assert.equal(await page.title(), "meeting — READY 0");
+  assert.ok(await page.$("img.flat"));
+  assert.equal((await rowsOf(page)).length, data.report.constraints.length);
+});
+
+check("data that breaks the contract is named, and nothing else is shown", async (page) => {
+  const data = fixtureData();
+  data.report.constraints[3].margin = "much";
+  await open(page, data);
+  assert.match(await page.$eval(".notice", (e) => e.textContent), /report\.constraints\[3\]\.margin: expected a finite number, found string/);
+  assert.equal(await page.$eval(".panel", (e) => getComputedStyle(e).display), "none");
+});
+
+check("names are text, whatever they contain", async (page) => {
+  const data = fixtureData();
+  data.name = '</script><img src=x onerror="document.title=1">';
+  data.objects[0].category = "<b>bold</b>";
+  data.report.constraints[0].message = "<script>document.title = 2</script>";
+  data.report.constraints[0].satisfied = false;
+  await open(page, data);
+  assert.ok((await page.title()).startsWith("</script><img"));
+  assert.equal(await page.$("#scenelang img, #scenelang b, #scenelang script"), null);
+});
