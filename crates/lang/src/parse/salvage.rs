@@ -8,7 +8,7 @@ use super::builder::Builder;
 use super::depth;
 use super::diagnose::meant_statement;
 use super::grammar;
-use super::words::{self, Words, declares, is_type_word};
+use super::words::{self, Words, declares, is_constructor, is_type_word};
 use crate::ast::{Expr, ExprId, ExprKind, Name, StmtKind};
 use crate::token::{Kind, Token};
 use scenelang_base::TextRange;
@@ -115,6 +115,7 @@ fn predicate(text: &str, words: &Words) -> Option<Kept> {
     if let Some(kept) = draft.parse(text) {
         return Some(kept);
     }
+    words.kinds.get(words.head + 1).filter(|k| **k == Kind::Ident || is_constructor(**k))?;
     let name = words.ranges.get(words.head + 1)?;
     let name = Name { text: text[name.bytes()].into(), range: *name };
     let body = ExprId(0);

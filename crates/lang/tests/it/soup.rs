@@ -39,7 +39,7 @@ fn expression() -> impl Strategy<Value = String> {
                     .boxed(),
             ),
             (1, inner.clone().prop_map(|f| format!("exists in in 0..5: {f}")).boxed()),
-            (1, inner.clone().prop_map(|f| format!("count(c in chair where .color = \"red\": {f}) >= 2")).boxed()),
+            (1, inner.prop_map(|f| format!("count(c in chair where .color = \"red\": {f}) >= 2")).boxed()),
         ])
     })
 }

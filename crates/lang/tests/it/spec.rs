@@ -109,7 +109,8 @@ fn what_programs_become_is_as_they_say() {
         for (i, block) in page.blocks.iter().enumerate() {
             let made = match block.info.as_str() {
                 "text constraints" => {
-                    let compiled = compiled(&page.blocks[i - 1], page);
+                    let scene = page.blocks[..i].iter().rfind(|b| b.is_scene()).expect("a program before it");
+                    let compiled = compiled(scene, page);
                     compiled.program.as_ref().map_or(String::new(), |p| {
                         p.constraints.iter().map(|c| format!("{}\n", Printed(p, &c.formula))).collect()
                     })
@@ -134,10 +135,10 @@ fn every_block_is_executed() {
             let after = |wanted: fn(&Block) -> bool| before.is_some_and(wanted);
             let judged: fn(&Block) -> bool = |b| b.is_scene() || b.info.starts_with("json layout");
             let known = match block.words().as_slice() {
-                ["scene", "formatted"] | ["text", "constraints"] => after(Block::is_scene),
+                ["scene", "formatted"] => after(Block::is_scene),
                 ["scene", rest @ ..] => rest.iter().all(|w| *w == "core" || w.starts_with("name=")),
-                // These are for the verifier's tests.
-                ["json", "layout", ..] => {
+                // Layouts and reports are for the verifier's tests.
+                ["text", "constraints"] | ["json", "layout", ..] => {
                     page.blocks.iter().take_while(|b| b.line < block.line).any(Block::is_scene)
                 }
                 ["json", "report"] | ["text", "report"] => after(judged) || after(|b| b.info.ends_with(" report")),

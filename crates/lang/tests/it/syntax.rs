@@ -1,6 +1,7 @@
 //! The parser: trees of what parses, messages for what does not, and promises that hold for any text.
 //!
 //! Each `syntax/*.scene` holds broken statements; what is said of them stands in `snapshots/`.
+#![allow(clippy::unwrap_used)] // the helpers of tests may fail as tests do
 
 use crate::shape;
 use crate::soup;

@@ -2,8 +2,8 @@
 //!
 //! `draw=NAME` asks for `pictures/NAME.svg`; `view=side` looks along +z, `view=end` along −x; `zone=lamp` shades where
 //! the centre of `lamp` may be so that the first statement about it holds, all else staying as it is; `room=0.5` leaves
-//! so many metres around. The object that a statement is about (its first argument) is green where it holds, and red
-//! where it fails.
+//! so many metres around. The object that a statement is about (its first argument) is green where all of
+//! these hold, and red where all fail.
 
 use super::blocks::Block;
 use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
@@ -71,7 +71,7 @@ fn round(x: f64) -> f64 {
 
 const STYLE: &str = "path{stroke:#57606a;stroke-width:1.5;stroke-linejoin:round}.w{fill:#f6f8fa;stroke-width:4}\
                      .z{fill:#b6e3ff;stroke:none}.n{fill:#d0d7de}.g{fill:#aceebb}.b{fill:#ffcecb}.f{fill:#57606a;stroke:none}\
-                     text{font:12px system-ui,sans-serif;text-anchor:middle;fill:#1f2328}";
+                     text{font:12px system-ui,sans-serif;fill:#1f2328}";
 
 fn draw(block: &Block, checked: &Checked, program: &Program, layout: &Layout) -> String {
     let view = match block.setting("view") {
@@ -129,19 +129,27 @@ fn draw(block: &Block, checked: &Checked, program: &Program, layout: &Layout) ->
             let _ = writeln!(svg, "<path class=\"f\" d=\"{}\"/>", paper.path(&nose.map(|p| view.of(&p))));
         }
     }
-    for (id, _) in &order {
-        let body = &world.object(*id).expect("only those that are there").body;
-        let (name, at) = (&program.objects[id.0 as usize].name, view.of(&body.obb.center));
-        let (y, wide) = (paper.y(at.y) + 4.0, body.aabb().max[view.across] - body.aabb().min[view.across]);
-        let needed = name.chars().count() as f64 * 6.8 + 6.0;
-        if needed <= wide * scale {
-            let _ = writeln!(svg, "<text x=\"{}\" y=\"{y}\">{name}</text>", paper.x(at.x));
-        } else {
-            let x = round(paper.x(at.x + wide / 2.0) + 4.0);
-            let _ = writeln!(svg, "<text style=\"text-anchor:start\" x=\"{x}\" y=\"{y}\">{name}</text>");
-        }
-    }
     let (width, height) = (paper.x(greatest.x).ceil(), paper.y(least.y).ceil());
+    for (id, _) in &order {
+        let span = world.object(*id).expect("only those that are there").body.aabb();
+        let name = &program.objects[id.0 as usize].name;
+        let (low, high) = (view.of(&span.min), view.of(&span.max));
+        let (left, right, top, bottom) = (paper.x(low.x), paper.x(high.x), paper.y(high.y), paper.y(low.y));
+        let needed = name.chars().count() as f64 * 6.8 + 6.0;
+        let middle = (top + bottom) / 2.0 + 4.0;
+        let (x, y, anchor) = if needed > right - left && right + needed <= width {
+            (right + 4.0, middle, "start")
+        } else if needed > right - left {
+            (left - 4.0, middle, "end")
+        } else if bottom - top >= 14.0 {
+            ((left + right) / 2.0, middle, "middle")
+        } else if bottom + 16.0 <= height {
+            ((left + right) / 2.0, bottom + 13.0, "middle")
+        } else {
+            ((left + right) / 2.0, top - 5.0, "middle")
+        };
+        let _ = writeln!(svg, "<text style=\"text-anchor:{anchor}\" x=\"{}\" y=\"{}\">{name}</text>", round(x), round(y));
+    }
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n\
          <style>{STYLE}</style><path style=\"fill:#fff;stroke:none\" d=\"M0 0H{width}V{height}H0z\"/>\n{svg}</svg>\n"
@@ -170,7 +178,8 @@ fn look(checked: &Checked, name: &str) -> &'static str {
     match verdicts.as_slice() {
         [] => "n",
         all if all.iter().all(|v| *v == Some(true)) => "g",
-        _ => "b",
+        all if all.iter().all(|v| *v == Some(false)) => "b",
+        _ => "n",
     }
 }
 
