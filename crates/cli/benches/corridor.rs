@@ -102,12 +102,12 @@ fn solve(c: &mut Criterion) {
     group.sample_size(10);
     for scene in &scenes {
         let file = scene.file_name().expect("a file has a name").to_string_lossy().into_owned();
-        let layout_path = scene.with_extension("layout.json");
+        let layout_name = scene.with_extension("layout.json").display().to_string();
         let request = Request {
             name: &file,
             path: scene,
             start: None,
-            layout_path: &layout_path,
+            layout_name: &layout_name,
             scene_member: &file,
             seed: 0,
             judge: scenelang_verify::Options::default(),

@@ -26,7 +26,7 @@ pub fn run(args: &Solve) -> u8 {
         name: &args.scene.display().to_string(),
         path: &args.scene,
         start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
-        layout_path: &output,
+        layout_name: &output.display().to_string(),
         scene_member: &member,
         seed: args.seed,
         judge: options(args.judging),

@@ -28,7 +28,8 @@ pub fn run(args: &Synth) -> u8 {
         name: &args.request,
         path: &path,
         start: None,
-        layout_path: &args.output.join(format!("{stem}.layout.json")),
+        // As seen from the output folder, so that what is written does not depend on where that is.
+        layout_name: &format!("{stem}.layout.json"),
         scene_member: &format!("{stem}.scene"),
         seed: args.seed,
         judge: scenelang_verify::Options::default(),

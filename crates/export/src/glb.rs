@@ -11,7 +11,7 @@ use scenelang_assets::Surface;
 use scenelang_layout::Vec3;
 use serde_json::{Map, Value, json};
 
-/// `scene.glb`.
+/// `NAME.glb`: the one file that travels alone, so it carries the name of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Glb;
 
@@ -20,7 +20,7 @@ impl Exporter for Glb {
         "glb"
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        Ok(vec![OutFile::new("scene.glb", bytes(scene)?)])
+        Ok(vec![OutFile::new(format!("{}.glb", scene.name), bytes(scene)?)])
     }
 }
 

@@ -133,7 +133,12 @@ pub struct PredicateHead {
     pub params: Vec<(Ty, SmolStr)>,
     /// Whether it is of the library.
     pub library: bool,
+    /// Whether its definition did not parse: then its calls are not judged.
+    pub broken: bool,
 }
+
+/// The size of an array whose size is wrong: large enough that its elements are not reported, too.
+const UNKNOWN_SIZE: u32 = 10_000;
 
 /// All that is declared in a program.
 #[derive(Debug, Default)]
@@ -200,7 +205,7 @@ impl<'a> Items<'a> {
                         Ok(n) => ItemKind::Array(n),
                         Err(message) => {
                             out.push(Diagnostic::new(codes::E0304, at(stmt.expr(*size).range), message));
-                            ItemKind::Array(1)
+                            ItemKind::Array(UNKNOWN_SIZE)
                         }
                     },
                     (TypeWord::Object, None) => ItemKind::Object,
@@ -315,7 +320,8 @@ impl Names for Items<'_> {
     fn predicate(&self, name: &str, from_library: bool) -> Option<PredicateHead> {
         let p = Items::predicate(self, name, from_library)?;
         let params = p.params.iter().map(|x| (Ty::of(x.ty), x.name.text.clone())).collect();
-        Some(PredicateHead { params, library: p.is_library() })
+        let broken = matches!(p.place.stmt.expr(p.body).kind, ExprKind::Error);
+        Some(PredicateHead { params, library: p.is_library(), broken })
     }
     fn declared(&self) -> Vec<SmolStr> {
         self.order.clone()
@@ -336,7 +342,7 @@ pub fn whole_number(stmt: &Stmt, id: crate::ast::ExprId) -> Option<f64> {
 fn array_size(stmt: &Stmt, id: crate::ast::ExprId) -> Result<u32, String> {
     let literal = match &stmt.expr(id).kind {
         ExprKind::Number(n, None) => Some(*n),
-        ExprKind::Error => Some(1.0), // reported by the parser
+        ExprKind::Error => Some(f64::from(UNKNOWN_SIZE)), // reported by the parser
         _ => None,
     };
     match literal {

@@ -109,6 +109,8 @@ impl Reader<'_> {
                 StmtKind::Import { path, range } => Some((path.clone(), range.shifted(*offset).in_file(file))),
                 _ => None,
             })
+            // A path without quotation marks has been reported.
+            .filter(|(_, place)| self.sources.text(*place).starts_with('"'))
             .collect();
         self.out.units.push(Unit { file, parsed, prefix: prefix.clone() });
         self.open.push(path.clone());

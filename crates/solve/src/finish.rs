@@ -4,7 +4,7 @@ use crate::problem::{Unsatisfied, What};
 use crate::setup::Setup;
 use crate::state::State;
 use crate::tidy::round_to;
-use scenelang_lang::program::{ConstraintKind, RegionId};
+use scenelang_lang::program::{ConstraintKind, Owner, Pinned, RegionId};
 use scenelang_layout::{Layout, Value, Vec3};
 use scenelang_verify::{Options, Truth, World, judge, rules};
 
@@ -23,9 +23,10 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
     let mut layout = setup.layout.clone();
     let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
     for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
-        let (pose, pins) = (state.pose(id), state.frame.pins[id.0 as usize]);
-        placement.pos = vec(pose.pos, pins.pos);
-        placement.rot = vec(pose.rot, pins.rot);
+        let pose = state.pose(id);
+        let pinned = |property| state.frame.program.pins.iter().any(|p| p.owner == Owner::Object(id) && p.property == property);
+        placement.pos = vec(pose.pos, pinned(Pinned::Pos));
+        placement.rot = vec(pose.rot, pinned(Pinned::Rot));
         // Parts are made for one size.
         placement.scale = pose.scale;
     }

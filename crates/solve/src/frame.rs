@@ -1,24 +1,25 @@
-//! What stays the same during a search: terms, pins and their order, how each object is held, who has to do with whom.
+//! What stays the same during a search: terms, rules, how each object is held, who has to do with whom.
 
-use crate::terms::{Reads, Term};
+use crate::rules::{self, Fixed, Rules, Source};
+use crate::terms::Term;
+use crate::{equations, place};
 use rustc_hash::FxHashMap;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
-    Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pin, Pinned, RegionId, VariableId,
+    Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, RegionId, VariableId,
 };
+use scenelang_layout::Vec3;
 use scenelang_verify::rules::{Scope, Support};
 
-/// Which properties of an object or a region the program assigns.
+/// Which properties of a region the program assigns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pins {
     /// `pos`.
     pub pos: bool,
     /// `rot`.
     pub rot: bool,
-    /// `scale` (or `dimensions`).
+    /// `scale`.
     pub scale: bool,
-    /// `vertices`.
-    pub vertices: bool,
 }
 
 /// What keeps an object where it is.
@@ -48,24 +49,22 @@ pub(crate) struct Frame<'a> {
     pub scope: Option<Scope>,
     /// By object.
     pub holds: Vec<Hold>,
-    /// By object.
-    pub pins: Vec<Pins>,
+    /// By object: which come first in a placement.
+    pub priority: Vec<f64>,
     /// By region.
     pub region_pins: Vec<Pins>,
-    /// Indices into `Program::pins`, each after those it depends on.
-    pub pin_order: Vec<usize>,
-    /// By object: its own pins, in order.
-    pub own_pins: Vec<Vec<usize>>,
-    /// By object: pins that read it, directly or through others, in order: what they fix moves along.
+    /// What the program fixes of objects, given the rest.
+    pub rules: Rules,
+    /// By object: rules to be obeyed again when it moves, in order.
     pub followers: Vec<Vec<usize>>,
     /// By region, as `followers`.
     pub region_followers: Vec<Vec<usize>>,
     /// By decision variable, as `followers`.
     pub variable_followers: Vec<Vec<usize>>,
+    /// By object: objects that its rules read.
+    pub sources: Vec<Vec<ObjectId>>,
     /// By object: whether the program speaks of its tilt; all others stay upright.
     pub tilts: Vec<bool>,
-    /// By object: objects that its pins read.
-    pub sources: Vec<Vec<ObjectId>>,
     /// By object: other objects that share a term with it, and how much it has to do with them; greatest first.
     pub related: Vec<Vec<(ObjectId, f64)>>,
     /// By object: regions that its terms read.
@@ -83,21 +82,18 @@ pub(crate) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Of a program, once it is known which containers are solid boxes.
-    pub fn new(program: &'a Program, terms: Vec<Term>, scope: Option<Scope>) -> Self {
+    /// Of a program, once it is known which containers are solid boxes and how large things are.
+    pub fn new(program: &'a Program, terms: Vec<Term>, scope: Option<Scope>, size: impl Fn(ObjectId) -> Vec3) -> Self {
         let n = program.objects.len();
-        let mut pins = vec![Pins::default(); n];
         let mut region_pins = vec![Pins::default(); program.regions.len()];
         for pin in &program.pins {
-            let of = match pin.owner {
-                Owner::Object(id) => &mut pins[id.0 as usize],
-                Owner::Region(id) => &mut region_pins[id.0 as usize],
-            };
+            let Owner::Region(id) = pin.owner else { continue };
+            let of = &mut region_pins[id.0 as usize];
             match pin.property {
                 Pinned::Pos => of.pos = true,
                 Pinned::Rot => of.rot = true,
                 Pinned::Scale => of.scale = true,
-                Pinned::Vertices => of.vertices = true,
+                Pinned::Vertices => {}
             }
         }
         let mut terms_of = vec![Vec::new(); n];
@@ -108,29 +104,30 @@ impl<'a> Frame<'a> {
             term.regions.iter().for_each(|r| terms_of_region[r.0 as usize].push(index));
             term.variables.iter().for_each(|v| terms_of_variable[v.0 as usize].push(index));
         }
-        let pin_order = pin_order(program);
-        let follow = Follow::new(program);
         let objects = (0..n as u32).map(ObjectId);
+        let holds: Vec<Hold> = objects.clone().map(|o| hold(program, scope.as_ref(), o)).collect();
+        let priority: Vec<f64> = objects
+            .clone()
+            .map(|o| place::priority(terms_of[o.0 as usize].iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
+            .collect();
+        let rules = equations::add(Rules::new(rules::pins(program), n), program, &terms, &priority);
         let regions = (0..n).map(|o| regions_of(&terms, &terms_of[o])).collect();
         Self {
-            holds: (0..n).map(|i| hold(program, scope.as_ref(), ObjectId(i as u32))).collect(),
+            holds,
+            priority,
             onlookers: (0..terms.len()).filter(|&t| terms[t].sees_all && !terms[t].walks).collect(),
             walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
             related: related(&terms, n),
-            followers: objects.clone().map(|o| follow.after(&pin_order, Read::Object(o))).collect(),
-            region_followers: (0..program.regions.len() as u32)
-                .map(|r| follow.after(&pin_order, Read::Region(RegionId(r))))
-                .collect(),
-            variable_followers: variables(program).map(|v| follow.after(&pin_order, Read::Variable(v))).collect(),
-            own_pins: objects.clone().map(|o| pins_of(program, &pin_order, o)).collect(),
-            sources: objects.map(|o| follow.sources(o)).collect(),
+            followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
+            region_followers: (0..program.regions.len() as u32).map(|r| rules.after(Source::Region(RegionId(r)))).collect(),
+            variable_followers: variables(program).map(|v| rules.after(Source::Variable(v))).collect(),
+            sources: objects.map(|o| rules.sources(o)).collect(),
+            rules,
             tilts: tilts(&terms, n),
             program,
             terms,
             scope,
-            pins,
             region_pins,
-            pin_order,
             regions,
             terms_of,
             terms_of_region,
@@ -142,10 +139,13 @@ impl<'a> Frame<'a> {
     pub fn objects(&self) -> impl Iterator<Item = ObjectId> + use<> {
         (0..self.program.objects.len() as u32).map(ObjectId)
     }
+    /// What rules set of an object.
+    pub fn fixed(&self, id: ObjectId) -> Fixed {
+        self.rules.fixed[id.0 as usize]
+    }
     /// Whether the search may move or turn an object.
     pub fn is_movable(&self, id: ObjectId) -> bool {
-        let pins = self.pins[id.0 as usize];
-        !(pins.pos && pins.rot)
+        !self.fixed(id).is_all()
     }
     /// What keeps an object where it is.
     pub fn hold(&self, id: ObjectId) -> Hold {
@@ -172,106 +172,6 @@ fn hold(program: &Program, scope: Option<&Scope>, id: ObjectId) -> Hold {
         Some(Support::Held) => container.map_or(Hold::Rests, Hold::Container),
         Some(Support::Lifted) => Hold::Floats,
         _ => Hold::Rests,
-    }
-}
-
-/// Pins in an order in which each comes after those whose owner it reads.
-fn pin_order(program: &Program) -> Vec<usize> {
-    let mut of: FxHashMap<Owner, Vec<usize>> = FxHashMap::default();
-    for (index, pin) in program.pins.iter().enumerate() {
-        of.entry(pin.owner).or_default().push(index);
-    }
-    let before = |pin: &Pin| -> Vec<usize> {
-        let mut list = Vec::new();
-        for reads in pin.values.iter().map(Reads::of) {
-            let owners = reads.objects.into_iter().map(Owner::Object);
-            let owners = owners.chain(reads.regions.into_iter().map(Owner::Region));
-            list.extend(owners.filter_map(|o| of.get(&o)).flatten().copied());
-        }
-        list
-    };
-    let mut order = Vec::with_capacity(program.pins.len());
-    let mut state = vec![0u8; program.pins.len()];
-    // Depth first, without recursion. A circle of properties is an error of the front end; one of owners only (a.rot
-    // reads b.pos, b.pos reads a.pos) is broken where it closes.
-    for start in 0..program.pins.len() {
-        let mut stack = vec![(start, false)];
-        while let Some((pin, done)) = stack.pop() {
-            if done {
-                order.push(pin);
-                state[pin] = 2;
-            } else if state[pin] == 0 {
-                state[pin] = 1;
-                stack.push((pin, true));
-                stack.extend(before(&program.pins[pin]).into_iter().filter(|&b| state[b] == 0).map(|b| (b, false)));
-            }
-        }
-    }
-    order
-}
-
-fn pins_of(program: &Program, order: &[usize], id: ObjectId) -> Vec<usize> {
-    order.iter().copied().filter(|&p| program.pins[p].owner == Owner::Object(id)).collect()
-}
-
-/// Something that a pin can read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Read {
-    Object(ObjectId),
-    Region(RegionId),
-    Variable(VariableId),
-}
-
-/// What pins read.
-struct Follow {
-    /// By pin.
-    reads: Vec<Vec<Read>>,
-    owners: Vec<Owner>,
-}
-
-impl Follow {
-    fn new(program: &Program) -> Self {
-        let reads = program.pins.iter().map(|pin| {
-            let reads = pin.values.iter().map(Reads::of);
-            let each = reads.flat_map(|r| {
-                let objects = r.objects.into_iter().map(Read::Object);
-                let regions = r.regions.into_iter().map(Read::Region);
-                objects.chain(regions).chain(r.variables.into_iter().map(Read::Variable)).collect::<Vec<_>>()
-            });
-            each.collect()
-        });
-        Self { reads: reads.collect(), owners: program.pins.iter().map(|p| p.owner).collect() }
-    }
-
-    /// Pins that must be set again when something changes, in order.
-    fn after(&self, order: &[usize], start: Read) -> Vec<usize> {
-        let mut changed = vec![start];
-        let mut list = Vec::new();
-        for &pin in order {
-            if self.reads[pin].iter().any(|r| changed.contains(r)) {
-                changed.push(match self.owners[pin] {
-                    Owner::Object(id) => Read::Object(id),
-                    Owner::Region(id) => Read::Region(id),
-                });
-                list.push(pin);
-            }
-        }
-        list
-    }
-
-    /// Other objects that the pins of one read.
-    fn sources(&self, id: ObjectId) -> Vec<ObjectId> {
-        let own = (0..self.owners.len()).filter(|&p| self.owners[p] == Owner::Object(id));
-        let mut list: Vec<ObjectId> = own
-            .flat_map(|p| &self.reads[p])
-            .filter_map(|r| match r {
-                Read::Object(o) if *o != id => Some(*o),
-                _ => None,
-            })
-            .collect();
-        list.sort_unstable();
-        list.dedup();
-        list
     }
 }
 

@@ -9,6 +9,7 @@
 mod bounds;
 mod checks;
 mod draws;
+mod equations;
 mod finish;
 mod frame;
 mod looks;
@@ -22,6 +23,7 @@ mod propose;
 mod regions;
 mod relax;
 mod repair;
+mod rules;
 mod search;
 mod select;
 mod setup;

@@ -59,7 +59,7 @@ pub(crate) fn cost(state: &State<'_>, id: ObjectId) -> f64 {
 
 /// Turned out of the directions of its room.
 fn askew(state: &State<'_>, id: ObjectId, pose: &Pose) -> f64 {
-    if state.frame.pins[id.0 as usize].rot {
+    if state.frame.fixed(id).rot {
         return 0.0;
     }
     let room = room_of(state, pose).map_or(0.0, |(_, yaw)| yaw);

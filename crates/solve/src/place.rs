@@ -6,7 +6,9 @@
 use crate::frame::{Frame, Hold};
 use crate::pool::{Breadth, Chance};
 use crate::search::Search;
-use crate::state::{Change, State};
+use crate::state::Change;
+use crate::terms::Term;
+use scenelang_layout::Vec3;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 
@@ -18,21 +20,17 @@ const IN_WALLS: f64 = 10.0;
 const LUCK: f64 = 0.15;
 
 /// Which objects come first, no two alike: by what they are, by how much trouble they made before, and by chance.
-pub(crate) fn priorities(state: &State<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
-    let frame = state.frame;
-    let own = |id: ObjectId| priority(frame, state, id) + trouble[id.0 as usize];
-    frame.objects().map(|id| own(id) + LUCK * chance.unit()).collect()
+pub(crate) fn priorities(frame: &Frame<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
+    let luck = |id: ObjectId| if frame.is_movable(id) { 0.0 } else { FIXED };
+    frame.objects().map(|id| luck(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + LUCK * chance.unit()).collect()
 }
 
-fn priority(frame: &Frame<'_>, state: &State<'_>, id: ObjectId) -> f64 {
-    if !frame.is_movable(id) {
-        return FIXED;
-    }
-    let size = state.pose(id).scale;
+/// How early an object comes, by its terms, what holds it, and its size.
+pub(crate) fn priority<'t>(terms: impl Iterator<Item = &'t Term>, hold: Hold, size: Vec3) -> f64 {
     let volume: f64 = size.iter().product();
     let large = ((volume.max(1e-9).log10() + 3.0) / 3.5).clamp(0.0, 1.2);
     let (mut alone, mut all) = (0.0, 0.5);
-    for term in frame.terms_of[id.0 as usize].iter().map(|&t| &frame.terms[t]).filter(|t| t.is_hard()) {
+    for term in terms.filter(|t| t.is_hard()) {
         let others = term.objects.len() - 1;
         let weight = 1.0 / others.max(1) as f64;
         all += weight;
@@ -40,10 +38,8 @@ fn priority(frame: &Frame<'_>, state: &State<'_>, id: ObjectId) -> f64 {
             alone += weight;
         }
     }
-    let pins = frame.pins[id.0 as usize];
-    let fixed = if pins.pos { 5.0 } else { 0.0 };
-    let wall = if matches!(frame.hold(id), Hold::Door(..)) { IN_WALLS } else { 0.0 };
-    wall + fixed + 1.5 * alone / all + 1.3 * large
+    let wall = if matches!(hold, Hold::Door(..)) { IN_WALLS } else { 0.0 };
+    wall + 1.5 * alone / all + 1.3 * large
 }
 
 /// Places everything that has no place yet.
@@ -60,6 +56,9 @@ pub(crate) fn initial(search: &mut Search<'_>, given: &[(ObjectId, Option<crate:
     while !waiting.is_empty() {
         let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
         let id = waiting.remove(ready);
+        if search.state.is_placed(id) {
+            continue;
+        }
         search.place(id, Breadth::All, &[], false);
     }
 }

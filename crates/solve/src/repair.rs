@@ -31,7 +31,7 @@ impl<'a> Search<'a> {
         let mut idle = 0;
         let mut kicks = 0;
         for _ in 0..rounds {
-            let violated = self.violated();
+            let violated = self.state.failing();
             if violated.is_empty() {
                 self.note();
                 return ControlFlow::Continue(true);
@@ -48,13 +48,13 @@ impl<'a> Search<'a> {
             } else {
                 self.round(&violated);
             }
-            idle = if self.note_quickly() { 0 } else { idle + 1 };
+            idle = if self.note() { 0 } else { idle + 1 };
             if idle == PATIENCE / 2 {
                 self.polish_all();
-                self.note_quickly();
+                self.note();
             }
         }
-        ControlFlow::Continue(self.violated().is_empty())
+        ControlFlow::Continue(self.state.failing().is_empty())
     }
 
     /// Moves everything at once a little.
@@ -67,7 +67,7 @@ impl<'a> Search<'a> {
     pub fn mend(&mut self, rounds: usize) {
         let weights = self.state.weight.clone();
         for _ in 0..rounds {
-            let violated = self.state.violated();
+            let violated = self.state.failing();
             if violated.is_empty() || self.is_spent(1.0) {
                 break;
             }
@@ -88,28 +88,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// What must hold and does not; ways over the floor are looked at only if all else holds.
-    pub fn violated(&mut self) -> Vec<usize> {
-        let walks = &self.state.frame.walks;
-        let cheap: Vec<usize> = self.state.violated().into_iter().filter(|c| !walks.contains(c)).collect();
-        if !cheap.is_empty() {
-            return cheap;
-        }
-        self.state.look_at_ways();
-        self.state.violated()
-    }
-
-    /// As [`Self::note`], but a layout that is clearly worse is not looked at closely.
-    fn note_quickly(&mut self) -> bool {
-        let walks = &self.state.frame.walks;
-        let cheap = self.state.violated().iter().filter(|c| !walks.contains(c)).count();
-        if self.best.as_ref().is_some_and(|b| cheap > b.hard.0) {
-            return false;
-        }
-        self.state.look_at_ways();
-        self.note()
-    }
-
     /// Goes back to the best layout, takes troubled objects out with what depends on them, and places them anew.
     fn kick(&mut self, violated: &[usize], kicks: usize) {
         if let Some(best) = self.best.as_ref().map(|b| b.snapshot.clone())
@@ -117,7 +95,7 @@ impl<'a> Search<'a> {
         {
             self.restore(&best);
         }
-        let violated = if self.violated().is_empty() { violated.to_vec() } else { self.violated() };
+        let violated = if self.state.failing().is_empty() { violated.to_vec() } else { self.state.failing() };
         let check = violated[self.chance.below(violated.len())];
         let mut seeds = self.blamed(check);
         self.chance.shuffle(&mut seeds);

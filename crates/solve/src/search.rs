@@ -126,7 +126,7 @@ impl<'a> Search<'a> {
     /// `improve` it stays where it is unless another place is better. Whether anything changed.
     pub fn place(&mut self, id: ObjectId, breadth: Breadth, group: &[ObjectId], improve: bool) -> bool {
         let start = improve.then(|| (self.state.total(), self.snapshot()));
-        let candidates = pool::candidates(&self.state, id, breadth, &mut self.chance);
+        let candidates = pool::candidates(&mut self.state, id, breadth, &mut self.chance);
         let mut ranked: Vec<(f64, Pose)> = Vec::with_capacity(POLISHED + 1);
         for pose in candidates {
             let limit = if ranked.len() < POLISHED { f64::INFINITY } else { ranked[POLISHED - 1].0 };
@@ -174,6 +174,10 @@ impl<'a> Search<'a> {
     fn ride(&self, id: ObjectId, pose: Pose, group: &[ObjectId]) -> Vec<Change> {
         let mut changes = self.state.with_riders(id, pose);
         let ride = Ride::new(&self.state.pose(id), &pose);
+        if !self.state.is_placed(id) {
+            // They take their places from their rules.
+            changes.extend(self.state.companions(id).into_iter().map(|o| Change::Object(o, self.state.pose(o))));
+        }
         for &other in group.iter().filter(|o| **o != id && self.state.is_placed(**o)) {
             if !changes.iter().any(|c| matches!(c, Change::Object(o, _) if *o == other)) {
                 changes.push(Change::Object(other, ride.apply(&self.state.pose(other))));
@@ -234,7 +238,8 @@ impl<'a> Search<'a> {
 
     /// Takes objects out and finds places for them anew, one after the other.
     pub fn recreate(&mut self, objects: &[ObjectId]) {
-        for &id in objects {
+        let objects = self.with_companions(objects);
+        for &id in &objects {
             self.state.banish(id);
         }
         let luck = |chance: &mut ChaCha8Rng| RECREATION_LUCK * chance.unit();
@@ -245,8 +250,25 @@ impl<'a> Search<'a> {
         while !waiting.is_empty() {
             let ready = waiting.iter().position(|&o| self.is_ready(o, &waiting)).unwrap_or(0);
             let id = waiting.remove(ready);
+            if self.state.is_placed(id) {
+                continue;
+            }
             self.place(id, Breadth::All, &[], false);
         }
+    }
+
+    /// Objects, and those whose places are fixed by theirs.
+    fn with_companions(&self, objects: &[ObjectId]) -> Vec<ObjectId> {
+        let frame = self.state.frame;
+        let mut all = objects.to_vec();
+        for id in objects {
+            for owner in frame.followers[id.0 as usize].iter().map(|&r| frame.rules.list[r].owner) {
+                if !all.contains(&owner) && frame.fixed(owner).is_all() {
+                    all.push(owner);
+                }
+            }
+        }
+        all
     }
 
     /// Whether nothing that an object's place is made of is still waiting for one.

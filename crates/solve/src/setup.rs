@@ -52,7 +52,7 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     size(program, &terms, &mut layout, options, &mut warnings);
     let world = World::<f64>::new(program, &layout, &options.judge);
     let scope = options.judge.physics.then(|| Scope::new(&world));
-    let frame = Frame::new(program, terms, scope);
+    let frame = Frame::new(program, terms, scope, |id| layout.objects[id.0 as usize].1.scale);
     let given = frame
         .objects()
         .filter(|id| problem.placed.object(*id))
@@ -141,7 +141,7 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
     if resized.is_empty() {
         return;
     }
-    let frame = Frame::new(program, speaking, None);
+    let frame = Frame::new(program, speaking, None, |id| layout.objects[id.0 as usize].1.scale);
     let world = World::<f64>::new(program, layout, &options.judge);
     let mut state = State::new(&frame, world);
     let all: Vec<Change> = frame.objects().map(|id| Change::Object(id, state.pose(id))).collect();

@@ -26,7 +26,7 @@ pub fn solve(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let setup = setup(problem, options);
-    let mut run = Run { setup: &setup, problem, options, best: None, bonus: vec![0.0; setup.frame.pins.len()], iterations: 0, work: 0 };
+    let mut run = Run { setup: &setup, problem, options, best: None, bonus: vec![0.0; setup.frame.program.objects.len()], iterations: 0, work: 0 };
     let mut attempt = 0;
     let mut state = loop {
         let (state, going) = run.attempt(attempt, progress);
@@ -84,7 +84,7 @@ impl<'r, 'a> Run<'r, 'a> {
         let polisher = Polisher::new(&state);
         let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
         chance.set_stream(attempt);
-        let priority = place::priorities(&state, &self.bonus, &mut chance);
+        let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
         Search { state, polisher, chance, options: self.options, priority, best: None }
     }
 
@@ -103,12 +103,10 @@ impl<'r, 'a> Run<'r, 'a> {
         place::initial(search, &self.setup.given);
         progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
         relax::relax(search);
-        search.state.look_at_ways();
         search.note();
         let solved = search.repair(self.options.rounds, &mut self.iterations, progress)?;
         if let Some(best) = search.best.as_ref().map(|b| b.snapshot.clone()) {
             search.restore(&best);
-            search.state.look_at_ways();
         }
         if solved {
             progress(search.progress(Phase::Preferences, self.iterations))?;
@@ -117,10 +115,9 @@ impl<'r, 'a> Run<'r, 'a> {
             for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
                 tidy::object(&mut search.state, id);
             }
-            search.state.look_at_ways();
             search.note();
         } else {
-            for check in search.violated() {
+            for check in search.state.failing() {
                 for id in search.state.objects_of(check) {
                     self.bonus[id.0 as usize] += TROUBLE;
                 }

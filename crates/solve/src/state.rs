@@ -9,9 +9,9 @@ use crate::looks;
 use crate::merit::{self, Merit};
 use crate::pose::{Pose, Ride};
 use crate::terms::Force;
-use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId};
+use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_layout::{Aabb, obb};
-use scenelang_verify::{Scratch, Truth, Value, World, evaluate, rules};
+use scenelang_verify::{Scratch, Truth, Value, World, rules};
 
 /// All preferences together cost at most about this, so that none is worth a violation.
 const WISHES: f64 = 0.05;
@@ -152,13 +152,31 @@ impl<'a> State<'a> {
     pub fn violated(&self) -> Vec<usize> {
         (0..self.cost.len()).filter(|&c| self.is_violated(c)).collect()
     }
-    /// All that must hold costs together, by plain weights; and how many do not hold.
-    pub fn hard(&self) -> (usize, f64) {
+    /// How many checks that must hold do not, and what all that must hold costs by plain weights. Ways over the floor
+    /// are looked at only where all else holds; before that all of them count as barred.
+    pub fn hard(&mut self) -> (usize, f64) {
+        let frame = self.frame;
         let mut sum = (0, 0.0);
-        for check in (0..self.cost.len()).filter(|&c| self.is_hard(c)) {
+        for check in (0..self.cost.len()).filter(|&c| self.is_hard(c) && !frame.terms.get(c).is_some_and(|t| t.walks)) {
             sum = (sum.0 + usize::from(!self.holds[check]), sum.1 + self.cost[check]);
         }
-        sum
+        let ways = frame.walks.iter().copied().filter(|&t| frame.terms[t].is_hard());
+        if sum.0 > 0 {
+            return (sum.0 + ways.count(), sum.1);
+        }
+        self.look_at_ways();
+        ways.fold(sum, |sum, t| (sum.0 + usize::from(!self.holds[t]), sum.1 + self.cost[t]))
+    }
+    /// What must hold and does not, ways over the floor as in [`Self::hard`].
+    pub fn failing(&mut self) -> Vec<usize> {
+        let frame = self.frame;
+        let cheap: Vec<usize> =
+            self.violated().into_iter().filter(|&c| !frame.terms.get(c).is_some_and(|t| t.walks)).collect();
+        if !cheap.is_empty() {
+            return cheap;
+        }
+        self.look_at_ways();
+        self.violated()
     }
     /// All that is wished for costs together, and all that looks odd.
     pub fn soft(&self) -> f64 {
@@ -246,7 +264,7 @@ impl<'a> State<'a> {
                 }
             }
         }
-        self.obey_pins(&mut objects, &mut swept, !regions.is_empty() || !variables.is_empty());
+        self.obey_rules(&mut objects, &mut swept, &regions, &variables);
         let touched = self.touched(&objects, &regions, &variables, &swept);
         let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>()
             + objects.iter().map(|o| self.looks[o.0 as usize]).sum::<f64>();
@@ -331,8 +349,7 @@ impl<'a> State<'a> {
         while let Some(base) = open.pop() {
             for rider in self.frame.objects() {
                 let rides = self.seats[rider.0 as usize] == Some(base) || self.frame.hold(rider) == Hold::Container(base);
-                let pins = self.frame.pins[rider.0 as usize];
-                if rides && rider != id && !found.contains(&rider) && !pins.pos && self.is_placed(rider) {
+                if rides && rider != id && !found.contains(&rider) && self.frame.is_movable(rider) && self.is_placed(rider) {
                     found.push(rider);
                     open.push(rider);
                 }
@@ -343,14 +360,24 @@ impl<'a> State<'a> {
 
     fn move_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
         // What the program assigns is not the search's to change.
-        let pins = self.frame.pins[id.0 as usize];
-        let old = if self.is_placed(id) { self.pose(id) } else { self.home(id) };
-        let pose = Pose {
-            pos: if pins.pos { old.pos } else { pose.pos },
-            rot: if pins.rot { old.rot } else { pose.rot },
-            scale: if pins.scale { old.scale } else { pose.scale },
+        let fixed = self.frame.fixed(id);
+        let old = self.pose(id);
+        let mut next = Pose {
+            pos: pose.pos,
+            rot: if fixed.rot { old.rot } else { pose.rot },
+            scale: if fixed.scale { old.scale } else { pose.scale },
         };
-        self.set_object(id, pose, objects, swept);
+        if self.is_placed(id) {
+            (0..3).filter(|&i| fixed.pos[i]).for_each(|i| next.pos[i] = old.pos[i]);
+        }
+        let waited = !self.is_placed(id);
+        self.set_object(id, next, objects, swept);
+        if waited {
+            // Rules have not been obeyed while it had no place.
+            for &rule in &self.frame.rules.own[id.0 as usize] {
+                self.obey(rule, objects, swept);
+            }
+        }
     }
 
     fn set_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
@@ -378,53 +405,61 @@ impl<'a> State<'a> {
         self.stale[id.0 as usize] = true;
     }
 
-    /// Sets what the program assigns and what depends on what has moved.
-    fn obey_pins(&mut self, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>, all: bool) {
+    /// Obeys the rules that depend on what has moved.
+    fn obey_rules(&mut self, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>, regions: &[RegionId], variables: &[VariableId]) {
         let frame = self.frame;
-        let mut pins: Vec<usize> = Vec::new();
-        if all {
-            pins.clone_from(&frame.pin_order);
-        } else {
-            for &id in objects.iter() {
-                for pin in &frame.followers[id.0 as usize] {
-                    if !pins.contains(pin) {
-                        pins.push(*pin);
-                    }
-                }
-            }
-            if objects.len() > 1 {
-                pins.sort_by_key(|pin| frame.pin_order.iter().position(|p| p == pin));
-            }
+        let of_objects = objects.iter().map(|o| &frame.followers[o.0 as usize]);
+        let of_regions = regions.iter().map(|r| &frame.region_followers[r.0 as usize]);
+        let lists = of_objects.chain(of_regions).chain(variables.iter().map(|v| &frame.variable_followers[v.0 as usize]));
+        let mut rules: Vec<usize> = lists.flatten().copied().collect();
+        rules.sort_unstable();
+        rules.dedup();
+        for rule in rules {
+            self.obey(rule, objects, swept);
         }
-        for pin in pins {
-            let Owner::Object(id) = frame.program.pins[pin].owner else { continue };
-            let Some(pose) = self.pinned(pin, &self.pose(id)) else { continue };
-            // An object that waits for a place is not brought in by its pins alone.
-            if self.is_placed(id) && pose != self.pose(id) {
-                self.set_object(id, pose, objects, swept);
+    }
+
+    fn obey(&mut self, rule: usize, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        let rule = &self.frame.rules.list[rule];
+        // An object that waits for a place is not brought in by its rules alone.
+        if !self.is_placed(rule.owner) {
+            return;
+        }
+        if let Some([pos, rot, scale]) = rule.apply(&self.world) {
+            let pose = Pose { pos: pos.value(), rot: rot.value(), scale: scale.value() };
+            if pose != self.pose(rule.owner) {
+                self.set_object(rule.owner, pose, objects, swept);
             }
         }
     }
 
-    /// Its pose with all that the program assigns as it says.
-    pub fn home(&self, id: ObjectId) -> Pose {
-        let pins = &self.frame.own_pins[id.0 as usize];
-        pins.iter().fold(self.pose(id), |pose, &pin| self.pinned(pin, &pose).unwrap_or(pose))
+    /// Its pose as the rules want it, for an object without a place.
+    pub fn home(&mut self, id: ObjectId) -> Pose {
+        let old = self.pose(id);
+        for &rule in &self.frame.rules.own[id.0 as usize] {
+            if let Some([pos, rot, scale]) = self.frame.rules.list[rule].apply(&self.world) {
+                self.world.place(id, pos, rot, scale);
+            }
+        }
+        let home = self.pose(id);
+        self.put(id, old);
+        home
     }
 
-    /// A pose with a pinned property as the program assigns it; `None` where that has no value.
-    pub fn pinned(&self, pin: usize, pose: &Pose) -> Option<Pose> {
-        let pin = &self.frame.program.pins[pin];
-        let value = match evaluate(pin.values.first()?, &self.world) {
-            Ok(Value::Vector(v) | Value::Rotation(v)) => v.value(),
-            _ => return None,
-        };
-        Some(match pin.property {
-            Pinned::Pos => Pose { pos: value, ..*pose },
-            Pinned::Rot => Pose { rot: value, ..*pose },
-            Pinned::Scale => Pose { scale: value, ..*pose },
-            Pinned::Vertices => return None,
-        })
+    /// Objects without a place that have one as soon as this one does: rules fix all of it.
+    pub fn companions(&self, id: ObjectId) -> Vec<ObjectId> {
+        let frame = self.frame;
+        let mut found = vec![id];
+        // Rules are in order, so that one pass is enough.
+        for rule in frame.followers[id.0 as usize].iter().map(|&r| &frame.rules.list[r]) {
+            let owner = rule.owner;
+            let ready = |o: &ObjectId| self.is_placed(*o) || found.contains(o);
+            if !found.contains(&owner) && !self.is_placed(owner) && frame.fixed(owner).is_all() && frame.sources[owner.0 as usize].iter().all(ready) {
+                found.push(owner);
+            }
+        }
+        found.remove(0);
+        found
     }
 
     /// Checks that may change with these, cheap and telling ones first.

@@ -14,18 +14,15 @@ const HARM: f64 = 1e-6;
 
 /// Rounds the pose of an object as far as nothing gets worse.
 pub(crate) fn object(state: &mut State<'_>, id: ObjectId) {
-    let pins = state.frame.pins[id.0 as usize];
-    if !pins.rot {
+    let fixed = state.frame.fixed(id);
+    if !fixed.rot {
         let yaw = state.pose(id).rot.y;
         let turned = TURNS.iter().map(|grid| (yaw / grid).round() * grid);
         let near = turned.filter(|t| (t - yaw).abs() < 3.0).map(round_turn);
         first(state, id, |pose, yaw| pose.facing(yaw), near.collect());
     }
-    if pins.pos {
-        return;
-    }
     let rests = state.frame.scope.is_some() && state.frame.hold(id) == Hold::Rests;
-    for axis in (0..3).filter(|a| *a != 1 || !rests) {
+    for axis in (0..3).filter(|&a| !fixed.pos[a] && (a != 1 || !rests)) {
         let value = state.pose(id).pos[axis];
         let rounded = LENGTHS.iter().map(|grid| round_to(value, *grid));
         first(state, id, |pose, v| with_axis(pose, axis, v), rounded.collect());

@@ -80,14 +80,9 @@ fn straighten(search: &mut Search<'_>, until: f64) -> bool {
 fn keep_if_better(search: &mut Search<'_>, act: impl FnOnce(&mut Search<'_>)) -> bool {
     let (snapshot, before) = (search.snapshot(), (search.state.hard(), search.state.soft()));
     act(search);
-    let cheap = search.state.hard();
-    if cheap.0 <= before.0.0 && search.snapshot() != snapshot {
-        search.state.look_at_ways();
-        if Best::is_better((search.state.hard(), search.state.soft()), before) {
-            return true;
-        }
+    if search.snapshot() != snapshot && Best::is_better((search.state.hard(), search.state.soft()), before) {
+        return true;
     }
     search.restore(&snapshot);
-    search.state.look_at_ways();
     false
 }

@@ -19,8 +19,8 @@ pub struct Request<'a> {
     pub path: &'a Path,
     /// A layout to start from: its name and its text.
     pub start: Option<(&'a str, &'a str)>,
-    /// Where the layout will be written; its `scene` member says where the program is from there.
-    pub layout_path: &'a Path,
+    /// How the layout is called in messages and in the report.
+    pub layout_name: &'a str,
     /// What the `scene` member of the layout will say.
     pub scene_member: &'a str,
     /// Fixes draws and every random choice.
@@ -126,7 +126,7 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
     outcome.layout.seed = Some(request.seed);
     let layout_text = layout_file::to_json(&outcome.layout, start.as_ref().map(|s| &s.document));
     let checked = check_layout_text(
-        &request.layout_path.display().to_string(),
+        request.layout_name,
         &beside(request),
         layout_text.clone(),
         &request.judge,
@@ -144,8 +144,7 @@ fn beside(request: &Request<'_>) -> PathBuf {
     for _ in 0..depth {
         folder.pop();
     }
-    let file = request.layout_path.file_name().unwrap_or(request.layout_path.as_os_str());
-    folder.join(file)
+    folder.join(Path::new(request.layout_name).file_name().unwrap_or_default())
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

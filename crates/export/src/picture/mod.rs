@@ -23,13 +23,21 @@ impl Exporter for Picture {
         "picture"
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        let view = View::of(scene, SIZE[0] as f64 / SIZE[1] as f64);
-        let stage = stage::Stage::new(scene, &view);
-        let pixels = light::render(&stage, &view, SIZE);
-        let mut png = Vec::new();
-        PngEncoder::new(&mut png)
-            .write_image(&pixels, SIZE[0] as u32, SIZE[1] as u32, ExtendedColorType::Rgb8)
-            .map_err(|e| ExportError::Format("picture", e.to_string()))?;
-        Ok(vec![OutFile::new("picture.png", png)])
+        Ok(vec![OutFile::new("picture.png", png(scene, SIZE)?)])
     }
+}
+
+/// The picture in a size of its own: width and height, pixels.
+///
+/// # Errors
+/// The picture cannot be encoded: a side is 0 or far too long.
+pub fn png(scene: &Scene, size: [usize; 2]) -> Result<Vec<u8>, ExportError> {
+    let view = View::of(scene, size[0] as f64 / size[1] as f64);
+    let stage = stage::Stage::new(scene, &view);
+    let pixels = light::render(&stage, &view, size);
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png)
+        .write_image(&pixels, size[0] as u32, size[1] as u32, ExtendedColorType::Rgb8)
+        .map_err(|e| ExportError::Format("picture", e.to_string()))?;
+    Ok(png)
 }

@@ -311,7 +311,7 @@ mod tests {
     fn a_door_leaves_two_sides_and_a_lintel_and_a_window_also_a_sill() {
         let door = box_opener(Vec3::new(1.0, 1.0, -0.03), Vec3::new(0.9, 2.0, 0.1), 0.07);
         let window = box_opener(Vec3::new(3.0, 1.5, 0.01), Vec3::new(1.0, 1.0, 0.1), 0.02);
-        let shells = room("r", &oblong(), 0.03, &[door.clone(), window.clone()], SURFACES);
+        let shells = room("r", &oblong(), 0.03, &[door.clone(), window], SURFACES);
         let south = &shells[2];
         assert_eq!(south.pieces.len(), 6, "side, lintel, pier, sill, lintel, side");
         assert!((face_area(south) - (4.0 * 2.5 - 0.9 * 2.0 - 1.0)).abs() < 1e-9);

@@ -9,27 +9,25 @@ use scenelang_layout::{Layout, file};
 use serde_json::{Value, json};
 use std::path::Path;
 
-const PROGRAM: &str = r#"
+const PROGRAM: &str = r##"
 region hall; hall.wallColor <- "white"; hall.floorMaterial <- "oak";
 region den;
 region corner;
 object table; table.category <- "table";
 /// Two of them.
-object chair[2]; chair.category <- "chair"; chair.color <- "navy";
+object chair[2]; chair.category <- "chair"; chair.color <- "#000080";
 object balloon;
 object picture; picture.category <- "painting";
 object door; door.category <- "door";
 object window; window.category <- "window";
-object "#;
-
-const REST: &str = r#"crate; crate.category <- "crate";
+object NAME; NAME.category <- "crate";
 allowFloat(balloon);
 assert wallMounted(picture, hall);
 assert connects(door, hall, den);
 assert connects(window, hall);
 assert forall c in chair: gap(c, table) >= 0;
 assert table.pos.x = 1;
-"#;
+"##;
 
 const LAYOUT: &str = r#"{
   "format": "scenelang.layout/1",
@@ -41,7 +39,7 @@ const LAYOUT: &str = r#"{
     "picture":  { "pos": [0, 1.4, 1.98], "rot": [0, 180, 0], "scale": [0.8, 0.6, 0.04] },
     "door":     { "pos": [2.03, 0, 0], "rot": [0, 90, 0], "scale": [0.9, 2, 0.08] },
     "window":   { "pos": [-0.5, 0.9, -2.015], "rot": [0, 0, 0], "scale": [1.2, 1.2, 0.06] },
-    "crate":    { "pos": [3, 0, 0], "rot": [0, 30, 0], "scale": [0.4, 0.4, 0.4],
+    "NAME":     { "pos": [3, 0, 0], "rot": [0, 30, 0], "scale": [0.4, 0.4, 0.4],
                   "asset": { "parts": [
                     { "shape": "box", "pos": [0, 0.1, 0], "size": [0.4, 0.2, 0.4] },
                     { "shape": "box", "pos": [0, 0.3, 0], "size": [0.1, 0.1, 0.1], "rot": [0, 45, 0] },
@@ -71,10 +69,10 @@ pub fn parts() -> Parts {
 
 /// With another name for the crate, to be written by exporters.
 pub fn named(name: &str) -> Parts {
-    let text = format!("{PROGRAM}{}", REST.replacen("crate", name, 1).replace("crate.", &format!("{name}.")));
+    let text = PROGRAM.replace("NAME", name);
     let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
     let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
-    let mut read = file::read(&LAYOUT.replace("\"crate\"", &format!("\"{name}\"")), FileId(0));
+    let mut read = file::read(&LAYOUT.replace("NAME", name), FileId(0));
     assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
     for (object, (_, place)) in program.objects.iter().zip(&mut read.layout.objects) {
         if place.parts.is_empty() && object.name != "balloon" {

@@ -1,7 +1,7 @@
 //! Plan and picture.
 
 use crate::fixture::{named, scene};
-use scenelang_export::{Exporter, Scene, picture::Picture, plan};
+use scenelang_export::{Exporter, Scene, picture, plan};
 use std::collections::BTreeSet;
 
 fn png(bytes: &[u8]) -> image::RgbaImage {
@@ -51,14 +51,18 @@ fn names_cannot_break_out_of_the_plan() {
 
 #[test]
 fn the_picture_shows_a_lit_room_on_a_pale_ground() {
-    let picture = png(&file(&Picture, &scene(), "picture.png"));
-    assert_eq!(picture.dimensions(), (1280, 800));
+    // A quarter of the usual size: without optimisation the whole takes long.
+    let bytes = picture::png(&scene(), [640, 400]).unwrap();
+    assert_eq!(bytes, picture::png(&scene(), [640, 400]).unwrap());
+    let picture = png(&bytes);
+    assert_eq!(picture.dimensions(), (640, 400));
     let colors: BTreeSet<[u8; 4]> = picture.pixels().map(|p| p.0).collect();
     assert!(colors.len() > 2000, "{} colours", colors.len());
     let corner = picture.get_pixel(2, 2).0;
     assert!(corner[..3].iter().all(|&c| c > 200), "{corner:?}");
-    let blue = picture.pixels().filter(|p| p.0[2] > 40 && p.0[2] > 2 * p.0[0].max(p.0[1])).count();
-    assert!(blue > 300, "the navy chairs are seen: {blue} pixels");
+    let blue =
+        picture.pixels().filter(|p| p.0[2] > 40 && u32::from(p.0[2]) > 2 * u32::from(p.0[0].max(p.0[1]))).count();
+    assert!(blue > 100, "the blue chairs are seen: {blue} pixels");
     let middle = picture.pixels().filter(|p| p.0[..3].iter().all(|&c| c < 250)).count();
-    assert!(middle > 200_000, "the room fills the picture: {middle} pixels");
+    assert!(middle > 50_000, "the room fills the picture: {middle} pixels");
 }

@@ -18,7 +18,7 @@ fn paths_are_relative_and_below_the_output_folder() {
     let some: Vec<Box<dyn Exporter>> = exporters().into_iter().filter(|e| e.name() != "picture").collect();
     let written = write_all(&scene(), dir.path(), &some).unwrap();
     assert!(written.iter().all(|p| p.starts_with(dir.path()) && p.is_file()));
-    for name in ["scene.glb", "plan.svg", "plan.png", "preview.html", "unity/Assets/Scenes/room.unity"] {
+    for name in ["room.glb", "plan.svg", "plan.png", "preview.html", "unity/Assets/Scenes/room.unity"] {
         assert!(written.contains(&dir.path().join(name)), "{name}");
     }
 }

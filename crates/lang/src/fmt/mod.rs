@@ -8,6 +8,7 @@ mod doc;
 mod spelling;
 mod statement;
 
+use crate::ast::StmtKind;
 use crate::chunk::{self, Chunk, has_line_break};
 use crate::parse::parse_statement;
 use crate::token::{Kind, Token, lex};
@@ -52,7 +53,8 @@ pub fn format(text: &str, options: &FormatOptions) -> String {
 fn statement(text: &str, chunk: &Chunk, tokens: &[Token], options: &FormatOptions) -> String {
     let own = &text[chunk.range.bytes()];
     let (statements, diagnostics) = parse_statement(own);
-    let whole = matches!(statements.as_slice(), [_]) && !diagnostics.iter().any(Diagnostic::is_error);
+    let stated = matches!(statements.as_slice(), [stmt] if stmt.kind != StmtKind::Empty);
+    let whole = stated && !diagnostics.iter().any(Diagnostic::is_error);
     let shifted: Vec<Token> = tokens[chunk.tokens.clone()]
         .iter()
         .map(|t| Token {

@@ -44,6 +44,14 @@ impl<'t> Builder<'t> {
         self.exprs.push(Expr { kind, range });
         ExprId(self.exprs.len() as u32 - 1)
     }
+    /// Adds a string; one that does not close has no value, for who knows where it should have ended.
+    pub fn push_string(&mut self, token: SimpleSpan) -> ExprId {
+        let kind = match literals::is_closed(self.slice(token)) {
+            true => ExprKind::Text(self.string(token)),
+            false => ExprKind::Error,
+        };
+        self.push(token, kind)
+    }
     /// Adds a number.
     pub fn push_number(&mut self, token: SimpleSpan) -> ExprId {
         let kind = match literals::number_value(self.slice(token)) {

@@ -1,6 +1,6 @@
 //! `--core`: what a statement uses beyond the published grammar. The outermost construct is reported, once.
 
-use super::for_each_child;
+use super::depth::for_each_child;
 use crate::ast::{Allow, BinaryOp, ExprId, ExprKind, Name, Quantifier, Stmt, StmtKind};
 use scenelang_base::codes::E0002;
 use scenelang_base::{Diagnostic, TextRange};

@@ -11,7 +11,7 @@ use scenelang_base::codes::E0004;
 use scenelang_base::{Diagnostic, TextRange};
 
 /// The greatest nesting of brackets, prefixes and operators that is read.
-pub const LIMIT: u32 = 1000;
+const LIMIT: u32 = 1000;
 
 /// What one pair of brackets holds open.
 #[derive(Clone, Copy, Default)]

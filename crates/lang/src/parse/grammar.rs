@@ -177,7 +177,7 @@ fn part<'t>(
 
     let literal = select! {
         Kind::Number = e => number(e),
-        Kind::Str = e => { let text = text(e); push(e, ExprKind::Text(text)) },
+        Kind::Str = e => string(e),
         Kind::True = e => push(e, ExprKind::Bool(true)),
         Kind::False = e => push(e, ExprKind::Bool(false)),
         Kind::Objects = e => push(e, ExprKind::Objects),
@@ -287,6 +287,11 @@ fn slice<'t>(e: &mut Extras<'t, '_>) -> &'t str {
 fn text(e: &mut Extras<'_, '_>) -> String {
     let span = e.span();
     e.state().string(span)
+}
+
+fn string(e: &mut Extras<'_, '_>) -> ExprId {
+    let span = e.span();
+    e.state().push_string(span)
 }
 
 fn number(e: &mut Extras<'_, '_>) -> ExprId {

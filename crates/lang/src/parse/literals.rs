@@ -41,12 +41,8 @@ pub fn split_unit(text: &str) -> (&str, &str) {
 /// The text that a string token stands for, its quotation marks of whatever kind taken off. Unknown escapes stay as
 /// they are written: they are reported elsewhere.
 pub fn string_value(token: &str) -> String {
-    let mut inner = token.chars();
-    inner.next();
-    let text = inner.as_str();
-    let closed = text.chars().next_back().is_some_and(|c| !c.is_alphanumeric() && is_quote(c));
-    // Only a straight string can end in an escaped quote, and then it is an open one.
-    let text = if closed && !ends_in_escape(text) { &text[..text.len() - last_len(text)] } else { text };
+    let text = without_first(token);
+    let text = if is_closed(token) { &text[..text.len() - last_len(text)] } else { text };
     let mut value = String::with_capacity(text.len());
     let mut at = 0;
     while let Some(found) = text[at..].find('\\') {
@@ -65,6 +61,14 @@ pub fn string_value(token: &str) -> String {
     }
     value.push_str(&text[at..]);
     value
+}
+
+/// Whether a string token ends in its quotation mark.
+pub fn is_closed(token: &str) -> bool {
+    let text = without_first(token);
+    let closes = |c: char| if token.starts_with('"') { c == '"' } else { is_quote(c) };
+    // Only a straight string can end in an escaped quote, and then it is an open one.
+    text.chars().next_back().is_some_and(closes) && !ends_in_escape(text)
 }
 
 /// The bytes of the first escape in a string token that is none.
@@ -117,6 +121,12 @@ fn unicode_escape(text: &str) -> Result<(char, usize), usize> {
     }
 }
 
+fn without_first(text: &str) -> &str {
+    let mut chars = text.chars();
+    chars.next();
+    chars.as_str()
+}
+
 fn is_quote(c: char) -> bool {
     matches!(c, '"' | '\'' | '`' | '“' | '”' | '„' | '‟' | '‘' | '’' | '‚' | '»')
 }
@@ -164,6 +174,7 @@ mod tests {
             (r#""open"#, "open"),
             (r#""open\""#, "open\""),
             ("\"", ""),
+            ("\"red”", "red”"),
             ("“red”", "red"),
             ("'red'", "red"),
         ];

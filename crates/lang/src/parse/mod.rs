@@ -42,8 +42,6 @@ use scenelang_base::{Applicability, Diagnostic, TextRange};
 use wanted::Failure;
 use words::Words;
 
-pub use depth::{LIMIT as NESTING_LIMIT, for_each_child};
-
 /// A parsed file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParsedFile {

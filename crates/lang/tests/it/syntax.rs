@@ -193,7 +193,7 @@ fn salvage() {
         ("asert a > 1;", &["assert (a Gt 1)"]),
         ("assert a > =1;", &["error"]),
         ("assert a => 1 and b = 'x' and c < 3kg;", &["assert (And (And (a Ge 1) (b Eq \"x\")) (c Lt ERROR))"]),
-        ("a.color <- \"red;\nb.color <- \"blue\";", &["a.color <- \"red;\"", "b.color <- \"blue\""]),
+        ("a.color <- \"red;\nb.color <- \"blue\";", &["a.color <- ERROR", "b.color <- \"blue\""]),
         ("/// doc\n@req(\"x\") object a", &["\"doc\" @\"x\" Object a"]),
         ("object a /// not b's\n/// doc of b\nobject b;", &["Object a", "\"doc of b\" Object b"]),
     ];

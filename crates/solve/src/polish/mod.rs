@@ -8,7 +8,7 @@ mod system;
 use crate::frame::Hold;
 use crate::pose::{Pose, round_turn};
 use crate::state::{Change, State};
-use scenelang_lang::program::{ObjectId, Owner, RegionId, VariableId, VariableKind};
+use scenelang_lang::program::{ObjectId, RegionId, VariableId, VariableKind};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Number, Scratch, Truth, Value, World};
 use system::System;
@@ -122,17 +122,15 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
     let frame = state.frame;
     let mut list = Vec::new();
     for &id in &targets.objects {
-        let pins = frame.pins[id.0 as usize];
+        let fixed = frame.fixed(id);
         let mut add = |index: usize| list.push(Unknown { entity: Entity::Object(id), index, angle: (3..6).contains(&index) });
-        if !pins.pos {
-            let rests = frame.scope.is_some() && frame.hold(id) == Hold::Rests;
-            [0, 1, 2].into_iter().filter(|i| *i != 1 || !rests).for_each(&mut add);
-        }
-        if !pins.rot {
+        let rests = frame.scope.is_some() && frame.hold(id) == Hold::Rests;
+        [0, 1, 2].into_iter().filter(|&i| !fixed.pos[i] && (i != 1 || !rests)).for_each(&mut add);
+        if !fixed.rot {
             let tilts = frame.tilts[id.0 as usize];
             [3, 4, 5].into_iter().filter(|i| *i == 4 || tilts).for_each(&mut add);
         }
-        if targets.sizes && !pins.scale {
+        if targets.sizes && !fixed.scale {
             (6..9).for_each(&mut add);
         }
     }
@@ -158,18 +156,19 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
     list
 }
 
-/// Objects that move with an entity: itself, and those whose pins follow it.
+/// Objects that move with an entity: itself, and those whose rules follow it.
 fn touched_objects(state: &State<'_>, entity: Entity) -> Vec<ObjectId> {
-    let own = if let Entity::Object(id) = entity { Some(id) } else { None };
-    let owners = pins_after(state, entity).iter().filter_map(|&pin| match state.frame.program.pins[pin].owner {
-        Owner::Object(owner) => Some(owner),
-        Owner::Region(_) => None,
-    });
-    own.into_iter().chain(owners).collect()
+    let mut list = if let Entity::Object(id) = entity { vec![id] } else { Vec::new() };
+    for owner in rules_after(state, entity).iter().map(|&r| state.frame.rules.list[r].owner) {
+        if !list.contains(&owner) {
+            list.push(owner);
+        }
+    }
+    list
 }
 
-/// Pins that follow an entity, in order.
-fn pins_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
+/// Rules that follow an entity, in order.
+fn rules_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
     match entity {
         Entity::Object(id) => &state.frame.followers[id.0 as usize],
         Entity::Region(id) => &state.frame.region_followers[id.0 as usize],

@@ -1,14 +1,14 @@
 //! The equations of a polish, and their solution by damped least squares (Levenberg and Marquardt).
 
-use super::{Entity, K, Slope, Unknown, numbers, pins_after, touched_objects, with_numbers};
+use super::{Entity, K, Slope, Unknown, numbers, rules_after, touched_objects, with_numbers};
 use crate::checks::Check;
 use crate::merit::Merit;
 use crate::pose::Pose;
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
-use scenelang_lang::program::{ObjectId, Owner, Pinned};
+use scenelang_lang::program::ObjectId;
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Dual, Number, Scratch, Value, World, evaluate, gap, rules};
+use scenelang_verify::{Dual, Number, Scratch, World, gap, rules};
 
 /// Pairs further apart than this are not looked at (metres).
 const NEAR: f64 = 0.25;
@@ -191,10 +191,10 @@ impl<'s, 'a> System<'s, 'a> {
         rows.extend(found.iter().map(|r| Row { value: r.value, weight, slopes: slopes(r, unknowns).collect() }));
     }
 
-    /// Gives the entities of some unknowns their values, differentiated by those of `by`; pins follow.
+    /// Gives the entities of some unknowns their values, differentiated by those of `by`; rules follow.
     fn seed(&mut self, unknowns: &[usize], by: &[usize]) {
         let mut done: Vec<Entity> = Vec::with_capacity(4);
-        let mut pins: Vec<usize> = Vec::new();
+        let mut rules: Vec<usize> = Vec::new();
         for &index in unknowns {
             let entity = self.unknowns[index].entity;
             if done.contains(&entity) {
@@ -229,29 +229,19 @@ impl<'s, 'a> System<'s, 'a> {
                     self.world.set_variable(id, super::lift(parts, old));
                 }
             }
-            pins.extend(pins_after(self.state, entity).iter().filter(|p| !pins.contains(p)).copied().collect::<Vec<_>>());
+            rules.extend(rules_after(self.state, entity));
         }
-        for pin in pins {
-            self.follow(pin);
+        rules.sort_unstable();
+        rules.dedup();
+        for rule in rules {
+            self.follow(rule);
         }
     }
 
     fn follow(&mut self, index: usize) {
-        let pin = &self.state.frame.program.pins[index];
-        let (Owner::Object(id), Some(formula)) = (pin.owner, pin.values.first()) else { return };
-        let (Ok(Value::Vector(v) | Value::Rotation(v)), Ok(thing)) = (evaluate(formula, self.world), self.world.object(id))
-        else {
-            return;
-        };
-        let (mut pos, mut rot, mut scale) = (thing.pos, thing.rot, thing.scale);
-        match pin.property {
-            Pinned::Pos => pos = v,
-            Pinned::Rot => rot = v,
-            Pinned::Scale => scale = v,
-            Pinned::Vertices => return,
-        }
-        if self.state.is_placed(id) {
-            self.world.place(id, pos, rot, scale);
+        let rule = &self.state.frame.rules.list[index];
+        if let Some([pos, rot, scale]) = rule.apply(self.world).filter(|_| self.state.is_placed(rule.owner)) {
+            self.world.place(rule.owner, pos, rot, scale);
         }
     }
 

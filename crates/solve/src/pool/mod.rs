@@ -68,11 +68,11 @@ struct Pool<'s, 'a> {
 }
 
 /// Candidates for an object; pinned properties are as they are. Never empty.
-pub(crate) fn candidates(state: &State<'_>, id: ObjectId, breadth: Breadth, chance: &mut ChaCha8Rng) -> Vec<Pose> {
-    let pins = state.frame.pins[id.0 as usize];
+pub(crate) fn candidates(state: &mut State<'_>, id: ObjectId, breadth: Breadth, chance: &mut ChaCha8Rng) -> Vec<Pose> {
+    let fixed = state.frame.fixed(id);
     let now = if state.is_placed(id) { state.pose(id) } else { state.home(id) };
-    let mut pool = Pool { state, id, now, turns: !pins.rot, chance, out: Vec::new() };
-    if pins.pos {
+    let mut pool = Pool { state, id, now, turns: !fixed.rot, chance, out: Vec::new() };
+    if fixed.pos == [true; 3] {
         pool.on_the_spot();
     } else {
         pool.elsewhere();

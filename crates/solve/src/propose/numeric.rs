@@ -109,12 +109,11 @@ fn exchange(search: &mut Search<'_>, id: ObjectId) -> bool {
 
 /// Moves what bars ways over the floor to places where everything else holds, until the ways are free.
 fn clear_ways(search: &mut Search<'_>, objects: &[ObjectId]) -> bool {
-    search.state.look_at_ways();
     let (start, violated) = (search.snapshot(), search.state.hard());
     for &id in objects {
         for _ in 0..3 {
             // Any place that is as good otherwise may free the way.
-            let candidates = crate::pool::candidates(&search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
+            let candidates = crate::pool::candidates(&mut search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
             let mut tried = 0;
             for pose in candidates {
                 let changes = search.state.with_riders(id, pose);
@@ -125,13 +124,11 @@ fn clear_ways(search: &mut Search<'_>, objects: &[ObjectId]) -> bool {
                 if search.is_troubled(id) {
                     search.polish(vec![id], STEPS[0]);
                 }
-                search.state.look_at_ways();
                 let now = search.state.hard();
                 if now.0 < violated.0 || now.0 == violated.0 && now.1 < violated.1 - 1e-9 {
                     return true;
                 }
                 search.restore(&start);
-                search.state.look_at_ways();
                 tried += 1;
                 if tried > 6 {
                     break;

@@ -18,7 +18,7 @@ pub struct Report {
     pub ok: bool,
     /// How many of each kind hold.
     pub summary: Summary,
-    /// All stated constraints in source order, then physical ones (those that fail or cannot be judged; all on request).
+    /// All stated constraints in source order, then physical ones: those that fail, or all on request.
     pub constraints: Vec<Row>,
     /// Findings about the files themselves.
     pub diagnostics: Vec<Finding>,

@@ -3,12 +3,13 @@
 //! `draw=NAME` asks for `pictures/NAME.svg`; `view=side` looks along +z, `view=end` along −x; `zone=lamp` shades where
 //! the centre of `lamp` may be so that the first statement about it holds, all else staying as it is; `room=0.5` leaves
 //! so many metres around. The object that a statement is about (its first argument) is green where all of
-//! these hold, and red where all fail.
+//! these hold, and red where all fail, or where it breaks a physical rule.
 
 use super::blocks::Block;
 use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::{Layout, Prism, Vec2, Vec3};
+use scenelang_verify::report::model::Row;
 use scenelang_verify::{Checked, Options, Value, World, evaluate};
 use std::fmt::Write;
 use std::fs;
@@ -148,7 +149,8 @@ fn draw(block: &Block, checked: &Checked, program: &Program, layout: &Layout) ->
         } else {
             ((left + right) / 2.0, top - 5.0, "middle")
         };
-        let _ = writeln!(svg, "<text style=\"text-anchor:{anchor}\" x=\"{}\" y=\"{}\">{name}</text>", round(x), round(y));
+        let _ =
+            writeln!(svg, "<text style=\"text-anchor:{anchor}\" x=\"{}\" y=\"{}\">{name}</text>", round(x), round(y));
     }
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n\
@@ -175,6 +177,10 @@ fn look(checked: &Checked, name: &str) -> &'static str {
         row.rule.is_none() && row.kind.as_str() == "assert" && (word == name || array)
     });
     let verdicts: Vec<Option<bool>> = about.map(|row| row.satisfied).collect();
+    let broken = |row: &&Row| row.rule.is_some() && row.is_violation() && row.objects[0] == name;
+    if checked.report.constraints.iter().any(|row| broken(&row)) {
+        return "b";
+    }
     match verdicts.as_slice() {
         [] => "n",
         all if all.iter().all(|v| *v == Some(true)) => "g",
