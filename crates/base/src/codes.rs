@@ -42,6 +42,11 @@ macro_rules! codes {
         $(#[doc = $title] pub const $name: Code = Code(stringify!($name));)*
         /// All codes with their titles, in the order of the table.
         pub const ALL: &[(Code, &str)] = &[$(($name, $title)),*];
+        /// The pages of all codes; a code without one does not compile.
+        pub(crate) const PAGES: &[(Code, &str)] = &[$((
+            $name,
+            include_str!(concat!("../../../spec/src/codes/", stringify!($name), ".md")),
+        )),*];
     };
 }
 

@@ -6,6 +6,7 @@
 pub mod codes;
 pub mod diagnostic;
 pub mod fs;
+mod pages;
 pub mod source;
 pub mod suggest;
 

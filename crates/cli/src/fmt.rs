@@ -2,9 +2,12 @@
 
 use crate::args::Fmt;
 use crate::{FAILED, FINDINGS, GOOD};
-use scenelang_base::SourceMap;
+use crate::solve::color_err;
+use scenelang_base::{Diagnostic, SourceMap, TextRange};
 use scenelang_lang::fmt::{FormatOptions, format};
+use scenelang_lang::parse::parse_file;
 use scenelang_lang::sources::{Disk, Loader, decode, plain};
+use scenelang_verify::report;
 use std::io::{Read, Write};
 use std::path::Path;
 
@@ -33,6 +36,16 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         Err((_, d)) => return fail(&d.message),
     };
     let text = sources.get(id).text();
+    let errors: Vec<Diagnostic> = parse_file(text)
+        .diagnostics
+        .into_iter()
+        .map(|d| d.map_places(|range: TextRange| range.in_file(id)))
+        .filter(Diagnostic::is_error)
+        .collect();
+    if !errors.is_empty() {
+        eprint!("{}", report::diagnostics(&errors, &sources, color_err()));
+        return fail(&format!("{name} does not parse and stays as it is"));
+    }
     let formatted = format(text, options);
     if check {
         if formatted == text {

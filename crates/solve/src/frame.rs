@@ -147,6 +147,12 @@ impl<'a> Frame<'a> {
     pub fn is_movable(&self, id: ObjectId) -> bool {
         !self.fixed(id).is_all()
     }
+    /// Whether rules and what holds it leave nothing to choose: it stands on the floor, or hangs from the ceiling.
+    pub fn is_settled(&self, id: ObjectId) -> bool {
+        let fixed = self.fixed(id);
+        let height = fixed.pos[1] || matches!(self.hold(id), Hold::Rests | Hold::Ceiling(_));
+        fixed.rot && fixed.pos[0] && fixed.pos[2] && height
+    }
     /// What keeps an object where it is.
     pub fn hold(&self, id: ObjectId) -> Hold {
         self.holds[id.0 as usize]

@@ -4,7 +4,7 @@
 //! before its chairs, a shelf before what stands on it.
 
 use crate::frame::{Frame, Hold};
-use crate::pool::{Breadth, Chance};
+use crate::pool::Chance;
 use crate::search::Search;
 use crate::state::Change;
 use crate::terms::Term;
@@ -56,9 +56,8 @@ pub(crate) fn initial(search: &mut Search<'_>, given: &[(ObjectId, Option<crate:
     while !waiting.is_empty() {
         let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
         let id = waiting.remove(ready);
-        if search.state.is_placed(id) {
-            continue;
+        if !search.state.is_placed(id) {
+            search.bring_in(id);
         }
-        search.place(id, Breadth::All, &[], false);
     }
 }

@@ -56,10 +56,6 @@ impl Fixed {
     pub fn is_all(&self) -> bool {
         self.rot && self.pos == [true; 3]
     }
-    /// Whether the position in plan is set.
-    pub fn in_plan(&self) -> bool {
-        self.pos[0] && self.pos[2]
-    }
 }
 
 impl Rule {

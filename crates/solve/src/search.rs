@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
         let ride = Ride::new(&self.state.pose(id), &pose);
         if !self.state.is_placed(id) {
             // They take their places from their rules.
-            changes.extend(self.state.companions(id).into_iter().map(|o| Change::Object(o, self.state.pose(o))));
+            changes.extend(self.state.companions(id).into_iter().map(Change::Join));
         }
         for &other in group.iter().filter(|o| **o != id && self.state.is_placed(**o)) {
             if !changes.iter().any(|c| matches!(c, Change::Object(o, _) if *o == other)) {
@@ -250,10 +250,9 @@ impl<'a> Search<'a> {
         while !waiting.is_empty() {
             let ready = waiting.iter().position(|&o| self.is_ready(o, &waiting)).unwrap_or(0);
             let id = waiting.remove(ready);
-            if self.state.is_placed(id) {
-                continue;
+            if !self.state.is_placed(id) {
+                self.bring_in(id);
             }
-            self.place(id, Breadth::All, &[], false);
         }
     }
 
@@ -263,12 +262,23 @@ impl<'a> Search<'a> {
         let mut all = objects.to_vec();
         for id in objects {
             for owner in frame.followers[id.0 as usize].iter().map(|&r| frame.rules.list[r].owner) {
-                if !all.contains(&owner) && frame.fixed(owner).is_all() {
+                if !all.contains(&owner) && frame.is_settled(owner) {
                     all.push(owner);
                 }
             }
         }
         all
+    }
+
+    /// Finds a place for an object that has none; those that come with it are looked at, too.
+    pub fn bring_in(&mut self, id: ObjectId) {
+        let companions = self.state.companions(id);
+        self.place(id, Breadth::All, &[], false);
+        for other in companions {
+            if self.is_troubled(other) {
+                self.place(other, Breadth::All, &[], true);
+            }
+        }
     }
 
     /// Whether nothing that an object's place is made of is still waiting for one.
@@ -297,9 +307,10 @@ impl<'a> Search<'a> {
                 anchor == Some(base)
             };
             let mut more: Vec<ObjectId> = self.state.riders(base);
+            more.extend(frame.followers[base.0 as usize].iter().map(|&r| frame.rules.list[r].owner));
             more.extend(frame.objects().filter(depends));
             for o in more {
-                if !found.contains(&o) && frame.is_movable(o) && found.len() < most {
+                if !found.contains(&o) && found.len() < most {
                     found.push(o);
                 }
             }

@@ -10,7 +10,7 @@ use crate::merit::{self, Merit};
 use crate::pose::{Pose, Ride};
 use crate::terms::Force;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
-use scenelang_layout::{Aabb, obb};
+use scenelang_layout::{Aabb, Vec2, obb};
 use scenelang_verify::{Scratch, Truth, Value, World, rules};
 
 /// All preferences together cost at most about this, so that none is worth a violation.
@@ -25,6 +25,8 @@ const LIMBO: f64 = -1e5;
 pub(crate) enum Change {
     /// An object goes elsewhere.
     Object(ObjectId, Pose),
+    /// An object without a place takes the one that its rules give it.
+    Join(ObjectId),
     /// A region changes place or size.
     Region(RegionId, Pose),
     /// A decision variable takes a value.
@@ -249,6 +251,7 @@ impl<'a> State<'a> {
                 Change::Object(id, pose) => {
                     self.move_object(id, pose, &mut objects, &mut swept);
                 }
+                Change::Join(id) => self.join(id, &mut objects, &mut swept),
                 Change::Region(id, pose) => {
                     self.journal.changes.push(Change::Region(id, self.region_pose(id)));
                     let [pos, rot, scale] = pose.constant();
@@ -311,6 +314,7 @@ impl<'a> State<'a> {
         for change in journal.changes.into_iter().rev() {
             match change {
                 Change::Object(id, pose) => self.put(id, pose),
+                Change::Join(_) => {}
                 Change::Region(id, pose) => {
                     let [pos, rot, scale] = pose.constant();
                     self.world.place_region(id, pos, rot, scale);
@@ -378,6 +382,19 @@ impl<'a> State<'a> {
                 self.obey(rule, objects, swept);
             }
         }
+    }
+
+    fn join(&mut self, id: ObjectId, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        let mut pose = self.home(id);
+        let here = Vec2::new(pose.pos.x, pose.pos.z);
+        let prism = self.world.prisms().map(|(_, p)| p).find(|p| p.polygon.contains(here));
+        if !self.frame.fixed(id).pos[1] {
+            pose.pos.y = match self.frame.hold(id) {
+                Hold::Ceiling(region) => self.world.region(region).map_or(0.0, |r| r.prism.ceiling - pose.scale.y),
+                _ => prism.map_or(0.0, |p| p.floor) + pose.depth_below(),
+            };
+        }
+        self.move_object(id, pose, objects, swept);
     }
 
     fn set_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
@@ -454,7 +471,7 @@ impl<'a> State<'a> {
         for rule in frame.followers[id.0 as usize].iter().map(|&r| &frame.rules.list[r]) {
             let owner = rule.owner;
             let ready = |o: &ObjectId| self.is_placed(*o) || found.contains(o);
-            if !found.contains(&owner) && !self.is_placed(owner) && frame.fixed(owner).is_all() && frame.sources[owner.0 as usize].iter().all(ready) {
+            if !found.contains(&owner) && !self.is_placed(owner) && frame.is_settled(owner) && frame.sources[owner.0 as usize].iter().all(ready) {
                 found.push(owner);
             }
         }

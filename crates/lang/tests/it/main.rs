@@ -52,7 +52,8 @@ fn cases() {
             let (found, wanted) = (found(&compiled), expected(&block.text));
             if !agree(&found, &wanted) {
                 let messages: Vec<_> = compiled.diagnostics.iter().map(|d| &d.message).collect();
-                wrong += &format!("{name}:{}: expected {wanted:?}\n    found {found:?}\n    {messages:?}\n", block.line);
+                wrong +=
+                    &format!("{name}:{}: expected {wanted:?}\n    found {found:?}\n    {messages:?}\n", block.line);
             }
             if let Some(text) = blocks.get(i + 1).filter(|b| b.info == "text") {
                 let rows = compiled.program.as_ref().map_or(String::new(), |p| {

@@ -57,16 +57,21 @@ struct Unknown {
     angle: bool,
 }
 
-/// The world of slopes, kept between uses.
+/// Two worlds to try things in, kept between uses: one of plain numbers, one of slopes.
 pub(crate) struct Polisher {
-    world: World<Slope>,
-    scratch: Scratch<Slope>,
+    plain: World<f64>,
+    slopes: World<Slope>,
+    scratch: (Scratch<f64>, Scratch<Slope>),
 }
 
 impl Polisher {
     /// For a state.
     pub fn new(state: &State<'_>) -> Self {
-        Self { world: state.world.constant(), scratch: Scratch::new() }
+        Self {
+            plain: state.world.clone(),
+            slopes: state.world.constant(),
+            scratch: (Scratch::new(), Scratch::new()),
+        }
     }
 
     /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
@@ -76,7 +81,7 @@ impl Polisher {
             return false;
         }
         self.catch_up(state);
-        let mut system = System::new(state, &mut self.world, &mut self.scratch, unknowns);
+        let mut system = System::new(state, self, unknowns);
         let start = system.values.clone();
         system.solve(iterations);
         let (values, unknowns, work) = (system.values, system.unknowns, system.work);
@@ -101,20 +106,33 @@ impl Polisher {
     fn catch_up(&mut self, state: &mut State<'_>) {
         for id in state.frame.objects() {
             if std::mem::replace(&mut state.stale[id.0 as usize], false) {
-                let [pos, rot, scale] = state.pose(id).constant();
-                self.world.place(id, pos, rot, scale);
+                let pose = state.pose(id);
+                place(&mut self.plain, id, &pose);
+                place(&mut self.slopes, id, &pose);
             }
         }
         for index in 0..state.frame.program.regions.len() as u32 {
-            let [pos, rot, scale] = state.region_pose(RegionId(index)).constant();
-            self.world.place_region(RegionId(index), pos, rot, scale);
+            let pose = state.region_pose(RegionId(index));
+            place_region(&mut self.plain, RegionId(index), &pose);
+            place_region(&mut self.slopes, RegionId(index), &pose);
         }
         for id in crate::frame::variables(state.frame.program) {
             if let Ok(value) = state.world.variable(id) {
-                self.world.set_variable(id, lift(numbers(value).map(Slope::constant), value));
+                self.plain.set_variable(id, value);
+                self.slopes.set_variable(id, lift(numbers(value).map(Slope::constant), value));
             }
         }
     }
+}
+
+fn place<N: Number>(world: &mut World<N>, id: ObjectId, pose: &Pose) {
+    let [pos, rot, scale] = pose.constant();
+    world.place(id, pos, rot, scale);
+}
+
+fn place_region<N: Number>(world: &mut World<N>, id: RegionId, pose: &Pose) {
+    let [pos, rot, scale] = pose.constant();
+    world.place_region(id, pos, rot, scale);
 }
 
 /// Which numbers are free.

@@ -1,6 +1,9 @@
 //! The equations of a polish, and their solution by damped least squares (Levenberg and Marquardt).
+//!
+//! Plain numbers say which checks miss something, and whether a step is one for the better; slopes are taken only of
+//! these.
 
-use super::{Entity, K, Slope, Unknown, numbers, rules_after, touched_objects, with_numbers};
+use super::{Entity, K, Polisher, Slope, Unknown, lift, numbers, place, place_region, rules_after, touched_objects, with_numbers};
 use crate::checks::Check;
 use crate::merit::Merit;
 use crate::pose::Pose;
@@ -16,6 +19,8 @@ const NEAR: f64 = 0.25;
 const APART: f64 = 2e-5;
 /// Longest step of a length (metres) and of an angle (degrees).
 const STEP: [f64; 2] = [1.0, 40.0];
+/// How often a step is shortened before the search ends.
+const TRIES: usize = 4;
 
 /// A residual: its value and its slopes by unknowns.
 struct Row {
@@ -24,32 +29,43 @@ struct Row {
     slopes: Vec<(usize, f64)>,
 }
 
+/// A check among the equations.
+struct Equation {
+    check: usize,
+    /// The unknowns that it depends on.
+    by: Vec<usize>,
+    /// How many residuals it has at the current values.
+    missing: usize,
+}
+
 /// The residuals of some checks as functions of some unknowns.
 pub(super) struct System<'s, 'a> {
     state: &'s State<'a>,
-    world: &'s mut World<Slope>,
-    scratch: &'s mut Scratch<Slope>,
+    worlds: &'s mut Polisher,
     /// What is to be found.
     pub unknowns: Vec<Unknown>,
     /// By unknown.
     pub values: Vec<f64>,
     /// Work done.
     pub work: u64,
-    /// Checks, each with the unknowns that it depends on.
-    checks: Vec<(usize, Vec<usize>)>,
+    entities: Vec<Entity>,
+    equations: Vec<Equation>,
+    /// Rules that follow the unknowns, in order.
+    rules: Vec<usize>,
 }
 
 impl<'s, 'a> System<'s, 'a> {
-    /// For a state and a world of slopes that agrees with it.
-    pub fn new(
-        state: &'s State<'a>,
-        world: &'s mut World<Slope>,
-        scratch: &'s mut Scratch<Slope>,
-        unknowns: Vec<Unknown>,
-    ) -> Self {
-        let mut system = Self { state, world, scratch, unknowns, values: Vec::new(), work: 0, checks: Vec::new() };
+    /// For a state and worlds that agree with it.
+    pub fn new(state: &'s State<'a>, worlds: &'s mut Polisher, unknowns: Vec<Unknown>) -> Self {
+        let mut entities: Vec<Entity> = unknowns.iter().map(|u| u.entity).collect();
+        entities.dedup();
+        let mut rules: Vec<usize> = entities.iter().flat_map(|e| rules_after(state, *e)).copied().collect();
+        rules.sort_unstable();
+        rules.dedup();
+        let (values, equations, work) = (Vec::new(), Vec::new(), 0);
+        let mut system = Self { state, worlds, unknowns, values, work, entities, equations, rules };
         system.values = system.unknowns.iter().map(|u| system.start(u)).collect();
-        system.find_checks();
+        system.find_equations();
         system
     }
 
@@ -66,33 +82,44 @@ impl<'s, 'a> System<'s, 'a> {
         }
     }
 
-    fn find_checks(&mut self) {
+    fn find_equations(&mut self) {
         let state = self.state;
         let frame = state.frame;
         // Which unknowns each moved object depends on.
         let mut moved: Vec<(ObjectId, Vec<usize>)> = Vec::new();
-        let mut checks: Vec<(usize, Vec<usize>)> = Vec::new();
-        let mut add = |check: usize, by: &[usize]| match checks.iter_mut().find(|(c, _)| *c == check) {
-            Some((_, list)) => list.extend(by.iter().filter(|u| !list.contains(u)).copied().collect::<Vec<_>>()),
-            None => checks.push((check, by.to_vec())),
+        let mut place_of = vec![usize::MAX; state.numbering.len()];
+        let mut equations: Vec<Equation> = Vec::new();
+        let mut add = |check: usize, by: &[usize]| {
+            if place_of[check] == usize::MAX {
+                place_of[check] = equations.len();
+                equations.push(Equation { check, by: by.to_vec(), missing: 0 });
+            } else {
+                let list = &mut equations[place_of[check]].by;
+                by.iter().for_each(|u| {
+                    if !list.contains(u) {
+                        list.push(*u);
+                    }
+                });
+            }
         };
-        for (index, unknown) in self.unknowns.iter().enumerate() {
-            for object in touched_objects(state, unknown.entity) {
+        for &entity in &self.entities {
+            let own: Vec<usize> = (0..self.unknowns.len()).filter(|&u| self.unknowns[u].entity == entity).collect();
+            for object in touched_objects(state, entity) {
                 match moved.iter_mut().find(|(o, _)| *o == object) {
-                    Some((_, list)) => list.push(index),
-                    None => moved.push((object, vec![index])),
+                    Some((_, list)) => list.extend(&own),
+                    None => moved.push((object, own.clone())),
                 }
             }
-            let terms = match unknown.entity {
+            let terms = match entity {
                 Entity::Object(_) => continue,
                 Entity::Region(id) => &frame.terms_of_region[id.0 as usize],
                 Entity::Variable(id) => &frame.terms_of_variable[id.0 as usize],
             };
-            terms.iter().for_each(|&t| add(t, &[index]));
+            terms.iter().for_each(|&t| add(t, &own));
         }
         for (object, by) in &moved {
             frame.terms_of[object.0 as usize].iter().for_each(|&t| add(t, by));
-            let Some(scope) = &frame.scope else { continue };
+            let Some(scope) = frame.scope.as_ref().filter(|_| state.is_placed(*object)) else { continue };
             if scope.bounds(*object) && !frame.program.regions.is_empty() {
                 add(state.numbering.bounds(*object), by);
             }
@@ -100,48 +127,90 @@ impl<'s, 'a> System<'s, 'a> {
             let near = state.placed().filter(|o| scope.collide(*object, *o) && state.span(*o).distance(span) < NEAR);
             near.for_each(|other| add(state.numbering.collide(*object, other), by));
         }
-        checks.retain(|(c, _)| frame.terms.get(*c).is_none_or(|t| !t.walks && state.is_active(*c)));
-        self.checks = checks;
+        equations.retain(|e| frame.terms.get(e.check).is_none_or(|t| !t.walks && state.is_active(e.check)));
+        self.equations = equations;
     }
 
     /// Steps towards less, at most so many.
     pub fn solve(&mut self, iterations: usize) {
-        let mut rows = self.rows();
-        let mut sum = total(&rows);
+        let mut sum = self.measure();
         let mut damping = 1e-3;
         for _ in 0..iterations {
             if sum < 1e-14 {
                 break;
             }
-            let (matrix, right) = self.normal(&rows);
+            let (matrix, right) = self.normal();
             let before = self.values.clone();
             let mut better = false;
-            for _ in 0..4 {
+            for _ in 0..TRIES {
                 let Some(step) = solve_damped(&matrix, &right, damping) else { break };
-                for ((value, unknown), (old, s)) in
-                    self.values.iter_mut().zip(&self.unknowns).zip(before.iter().zip(step.iter()))
-                {
+                let unknowns = self.unknowns.iter().zip(before.iter().zip(step.iter()));
+                for (value, (unknown, (old, s))) in self.values.iter_mut().zip(unknowns) {
                     let longest = STEP[usize::from(unknown.angle)];
                     *value = old + s.clamp(-longest, longest);
                 }
-                let next = self.rows();
-                let next_sum = total(&next);
-                if next_sum < sum * (1.0 - 1e-4) {
-                    (rows, sum, better) = (next, next_sum, true);
+                let next = self.measure();
+                if next < sum * (1.0 - 1e-4) {
+                    // What is nearly nothing less is not worth another step.
+                    better = next < sum * (1.0 - 1e-3) || sum > 1e-4;
+                    sum = next;
                     damping = (damping * 0.2).max(1e-9);
                     break;
                 }
+                self.values.clone_from(&before);
                 damping *= 8.0;
             }
             if !better {
-                self.values = before;
                 break;
             }
         }
     }
 
-    /// JᵀWJ and -JᵀWr.
-    fn normal(&self, rows: &[Row]) -> (DMatrix<f64>, DVector<f64>) {
+    /// The weighted sum of squares at the current values.
+    fn measure(&mut self) -> f64 {
+        self.work += 30 * (self.entities.len() + self.rules.len()) as u64;
+        for index in 0..self.entities.len() {
+            let entity = self.entities[index];
+            match entity {
+                Entity::Object(id) => {
+                    let pose = with_numbers(&self.state.pose(id), self.own(entity));
+                    place(&mut self.worlds.plain, id, &pose);
+                }
+                Entity::Region(id) => {
+                    let pose = with_numbers(&self.state.region_pose(id), self.own(entity));
+                    place_region(&mut self.worlds.plain, id, &pose);
+                }
+                Entity::Variable(id) => {
+                    let Ok(old) = self.state.world.variable(id) else { continue };
+                    let mut parts = numbers(old);
+                    self.own(entity).for_each(|(i, v)| parts[i] = v);
+                    self.worlds.plain.set_variable(id, lift(parts, old));
+                }
+            }
+        }
+        for &rule in &self.rules {
+            follow(self.state, rule, &mut self.worlds.plain);
+        }
+        let mut sum = 0.0;
+        let mut found: Vec<f64> = Vec::new();
+        for equation in &mut self.equations {
+            found.clear();
+            self.work += residuals(self.state, equation.check, &self.worlds.plain, &mut self.worlds.scratch.0, &mut found);
+            equation.missing = found.len();
+            sum += self.state.weight[equation.check] * found.iter().map(|r| r * r).sum::<f64>();
+        }
+        sum
+    }
+
+    /// The numbers of an entity at the current values.
+    fn own(&self, entity: Entity) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let all = self.unknowns.iter().zip(&self.values);
+        all.filter(move |(u, _)| u.entity == entity).map(|(u, v)| (u.index, *v))
+    }
+
+    /// JᵀWJ and -JᵀWr at the current values.
+    fn normal(&mut self) -> (DMatrix<f64>, DVector<f64>) {
+        let rows = self.rows();
         let n = self.unknowns.len();
         let (mut matrix, mut right) = (DMatrix::zeros(n, n), DVector::zeros(n));
         for row in rows {
@@ -155,78 +224,71 @@ impl<'s, 'a> System<'s, 'a> {
         (matrix, right)
     }
 
-    /// All residuals at the current values.
+    /// The residuals at the current values, with their slopes.
     fn rows(&mut self) -> Vec<Row> {
-        let mut rows = Vec::new();
+        let mut rows: Vec<Row> = Vec::new();
         let all: Vec<usize> = (0..self.unknowns.len()).collect();
         let at_once = all.len() <= K;
         self.seed(&all, if at_once { &all } else { &[] });
-        for index in 0..self.checks.len() {
-            let (check, by) = std::mem::take(&mut self.checks[index]);
-            let first = rows.len();
-            if at_once {
-                let found = self.residuals(check);
-                self.add(&mut rows, check, &found, &all);
-            } else {
-                for chunk in by.chunks(K) {
+        let mut found: Vec<Slope> = Vec::new();
+        for index in (0..self.equations.len()).filter(|&e| self.equations[e].missing > 0).collect::<Vec<_>>() {
+            let check = self.equations[index].check;
+            let by = if at_once { all.clone() } else { self.equations[index].by.clone() };
+            let (first, weight) = (rows.len(), self.state.weight[check]);
+            for chunk in by.chunks(K) {
+                if !at_once {
                     self.seed(chunk, chunk);
-                    let found = self.residuals(check);
-                    if rows.len() == first {
-                        self.add(&mut rows, check, &found, chunk);
-                    } else {
-                        for (row, found) in rows[first..].iter_mut().zip(&found) {
-                            row.slopes.extend(slopes(found, chunk));
-                        }
-                    }
+                }
+                found.clear();
+                self.work += 4 * residuals(self.state, check, &self.worlds.slopes, &mut self.worlds.scratch.1, &mut found);
+                if rows.len() == first {
+                    rows.extend(found.iter().map(|r| Row { value: r.value, weight, slopes: Vec::new() }));
+                }
+                for (row, found) in rows[first..].iter_mut().zip(&found) {
+                    row.slopes.extend(slopes(found, chunk));
+                }
+                if !at_once {
                     self.seed(chunk, &[]);
                 }
             }
-            self.checks[index] = (check, by);
         }
         rows
     }
 
-    fn add(&self, rows: &mut Vec<Row>, check: usize, found: &[Slope], unknowns: &[usize]) {
-        let weight = self.state.weight[check];
-        rows.extend(found.iter().map(|r| Row { value: r.value, weight, slopes: slopes(r, unknowns).collect() }));
-    }
-
     /// Gives the entities of some unknowns their values, differentiated by those of `by`; rules follow.
     fn seed(&mut self, unknowns: &[usize], by: &[usize]) {
-        let mut done: Vec<Entity> = Vec::with_capacity(4);
+        let mut entities: Vec<Entity> = unknowns.iter().map(|&u| self.unknowns[u].entity).collect();
+        entities.dedup();
         let mut rules: Vec<usize> = Vec::new();
-        for &index in unknowns {
-            let entity = self.unknowns[index].entity;
-            if done.contains(&entity) {
-                continue;
-            }
-            done.push(entity);
-            let own = (0..self.unknowns.len()).filter(|&u| self.unknowns[u].entity == entity);
-            let own: Vec<(usize, usize)> = own.map(|u| (u, self.unknowns[u].index)).collect();
+        self.work += 100 * entities.len() as u64;
+        for &entity in &entities {
+            let own: Vec<(usize, usize)> = (0..self.unknowns.len())
+                .filter(|&u| self.unknowns[u].entity == entity)
+                .map(|u| (u, self.unknowns[u].index))
+                .collect();
             let slope = |u: usize, value: f64| match by.iter().position(|b| *b == u) {
                 Some(place) => Dual::unknown(value, place),
                 None => Dual::constant(value),
             };
-            let lift = |pose: &Pose| {
+            let lifted = |pose: &Pose| {
                 let mut numbers: [V3<Slope>; 3] = pose.constant();
                 own.iter().for_each(|&(u, i)| numbers[i / 3].0[i % 3] = slope(u, numbers[i / 3].0[i % 3].value));
                 numbers
             };
-            let plain = || own.iter().map(|&(u, i)| (i, self.values[u]));
             match entity {
                 Entity::Object(id) => {
-                    let [pos, rot, scale] = lift(&with_numbers(&self.state.pose(id), plain()));
-                    self.world.place(id, pos, rot, scale);
+                    let [pos, rot, scale] = lifted(&with_numbers(&self.state.pose(id), self.own(entity)));
+                    self.worlds.slopes.place(id, pos, rot, scale);
                 }
                 Entity::Region(id) => {
-                    let [pos, rot, scale] = lift(&with_numbers(&self.state.region_pose(id), plain()));
-                    self.world.place_region(id, pos, rot, scale);
+                    let [pos, rot, scale] = lifted(&with_numbers(&self.state.region_pose(id), self.own(entity)));
+                    self.worlds.slopes.place_region(id, pos, rot, scale);
                 }
                 Entity::Variable(id) => {
                     let Ok(old) = self.state.world.variable(id) else { continue };
                     let mut parts = numbers(old).map(Slope::constant);
                     own.iter().for_each(|&(u, i)| parts[i] = slope(u, self.values[u]));
-                    self.world.set_variable(id, super::lift(parts, old));
+                    self.worlds.slopes.set_variable(id, lift(parts, old));
                 }
             }
             rules.extend(rules_after(self.state, entity));
@@ -234,56 +296,54 @@ impl<'s, 'a> System<'s, 'a> {
         rules.sort_unstable();
         rules.dedup();
         for rule in rules {
-            self.follow(rule);
+            follow(self.state, rule, &mut self.worlds.slopes);
         }
     }
+}
 
-    fn follow(&mut self, index: usize) {
-        let rule = &self.state.frame.rules.list[index];
-        if let Some([pos, rot, scale]) = rule.apply(self.world).filter(|_| self.state.is_placed(rule.owner)) {
-            self.world.place(rule.owner, pos, rot, scale);
-        }
+/// Obeys a rule in a world.
+fn follow<N: Number>(state: &State<'_>, index: usize, world: &mut World<N>) {
+    let rule = &state.frame.rules.list[index];
+    if let Some([pos, rot, scale]) = rule.apply(world).filter(|_| state.is_placed(rule.owner)) {
+        world.place(rule.owner, pos, rot, scale);
     }
+}
 
-    /// What a check misses, with slopes.
-    fn residuals(&mut self, index: usize) -> Vec<Slope> {
-        let mut out = Vec::new();
-        let tolerances = self.world.options.tolerances;
-        match self.state.numbering.check(index) {
-            Check::Term(t) => {
-                let formula = &self.state.frame.terms[t].formula;
-                self.work += 3 * formula.nodes.len() as u64;
-                if self.scratch.evaluate(formula, self.world).is_ok() {
-                    Merit { formula, values: self.scratch, tolerances: &tolerances }.residuals(&mut out);
-                }
+/// What a check misses in a world; the work of finding it.
+fn residuals<N: Number>(state: &State<'_>, index: usize, world: &World<N>, scratch: &mut Scratch<N>, out: &mut Vec<N>) -> u64 {
+    let tolerances = &world.options.tolerances;
+    let work = match state.numbering.check(index) {
+        Check::Term(t) => {
+            let formula = &state.frame.terms[t].formula;
+            if scratch.evaluate(formula, world).is_ok() {
+                Merit { formula, values: scratch, tolerances }.residuals(out);
             }
-            Check::Collide(a, b) => {
-                self.work += 100;
-                if let (Ok(x), Ok(y)) = (self.world.object(a), self.world.object(b)) {
-                    let gap = gap(x, y);
-                    out.extend((gap.value < 0.0).then(|| Slope::constant(APART) - gap));
-                }
-            }
-            Check::Bounds(id) => {
-                self.work += 50;
-                if let Ok(truth) = rules::bounds::object(self.world, id) {
-                    let missing = Slope::constant(tolerances.contact) - truth.margin;
-                    out.extend((missing.value > 0.0).then_some(missing));
-                }
-            }
-            Check::Support(_) => {}
+            formula.nodes.len() as u64
         }
-        out.retain(|r| r.value.is_finite() && r.slope.iter().all(|s| s.is_finite()));
-        out
-    }
+        Check::Collide(a, b) => {
+            if let (Ok(x), Ok(y)) = (world.object(a), world.object(b))
+                && x.body.obb.aabb().distance(&y.body.obb.aabb()) == 0.0
+            {
+                let gap = gap(x, y);
+                out.extend((gap.value() < 0.0).then(|| N::constant(APART) - gap));
+            }
+            50
+        }
+        Check::Bounds(id) => {
+            if let Ok(truth) = rules::bounds::object(world, id) {
+                let missing = N::constant(tolerances.contact) - truth.margin;
+                out.extend((missing.value() > 0.0).then_some(missing));
+            }
+            50
+        }
+        Check::Support(_) => 1,
+    };
+    out.retain(|r| r.value().is_finite());
+    work
 }
 
 fn slopes<'r>(residual: &'r Slope, unknowns: &'r [usize]) -> impl Iterator<Item = (usize, f64)> + 'r {
-    unknowns.iter().copied().zip(residual.slope).filter(|(_, s)| *s != 0.0)
-}
-
-fn total(rows: &[Row]) -> f64 {
-    rows.iter().map(|r| r.weight * r.value * r.value).sum()
+    unknowns.iter().copied().zip(residual.slope).filter(|(_, s)| *s != 0.0 && s.is_finite())
 }
 
 /// The step of a damped system; `None` where it has no solution.

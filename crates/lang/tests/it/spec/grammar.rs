@@ -446,7 +446,8 @@ fn what_the_grammars_make_parses() {
             }
             let parsed = parse_file(&text);
             // A number may be too large and an escape half a character: no matter of the grammar.
-            let errors = parsed.diagnostics.iter().filter(|d| d.is_error() && ![codes::E0103, codes::E0106].contains(&d.code));
+            let errors =
+                parsed.diagnostics.iter().filter(|d| d.is_error() && ![codes::E0103, codes::E0106].contains(&d.code));
             let errors: Vec<_> = errors.map(|d| &d.message).collect();
             assert!(errors.is_empty(), "{page} makes {text}\n{errors:?}");
             for (_, stmt) in parsed.statements.iter().filter(|_| is_core) {

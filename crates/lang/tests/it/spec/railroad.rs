@@ -21,7 +21,11 @@ struct Drawn {
 
 impl Drawn {
     fn shifted(&self, x: i32, y: i32) -> String {
-        if self.svg.is_empty() { String::new() } else { format!("<g transform=\"translate({x} {y})\">{}</g>", self.svg) }
+        if self.svg.is_empty() {
+            String::new()
+        } else {
+            format!("<g transform=\"translate({x} {y})\">{}</g>", self.svg)
+        }
     }
 }
 

@@ -133,10 +133,14 @@ fn draw(block: &Block, checked: &Checked, program: &Program, layout: &Layout) ->
     let (width, height) = (paper.x(greatest.x).ceil(), paper.y(least.y).ceil());
     for (id, _) in &order {
         let span = world.object(*id).expect("only those that are there").body.aabb();
-        let name = &program.objects[id.0 as usize].name;
+        let mut name = program.objects[id.0 as usize].name.as_str();
         let (low, high) = (view.of(&span.min), view.of(&span.max));
         let (left, right, top, bottom) = (paper.x(low.x), paper.x(high.x), paper.y(high.y), paper.y(low.y));
-        let needed = name.chars().count() as f64 * 6.8 + 6.0;
+        let room_for = |name: &str| name.chars().count() as f64 * 6.8 + 6.0;
+        if let Some(bracket) = name.find('[').filter(|_| room_for(name) > right - left) {
+            name = &name[bracket..];
+        }
+        let needed = room_for(name);
         let middle = (top + bottom) / 2.0 + 4.0;
         let (x, y, anchor) = if needed > right - left && right + needed <= width {
             (right + 4.0, middle, "start")
