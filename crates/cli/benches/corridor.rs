@@ -25,7 +25,8 @@ fn long_program(lines: usize) -> String {
         writeln!(text, "object thing{i};").expect("a string takes all");
         writeln!(text, "thing{i}.category <- \"chair\";").expect("a string takes all");
         writeln!(text, "thing{i}.dimensions <- vec3(0.5, 0.9, {});", 0.5 + (i % 7) as f64 / 100.0).expect("as above");
-        writeln!(text, "assert inside(thing{i}, room) and thing{i}.pos.x >= {} + 2 * (1 - 0.5);", i % 100).expect("as above");
+        writeln!(text, "assert inside(thing{i}, room) and thing{i}.pos.x >= {} + 2 * (1 - 0.5);", i % 100)
+            .expect("as above");
         writeln!(text, "assert near(thing{i}, thing{j}, 2) or leftOf(thing{i}, thing{j});").expect("as above");
     }
     text
@@ -59,8 +60,7 @@ fn grid(n: usize) -> (Program, Layout) {
         scale: Vec3::new(side, 3.0, side),
         vertices: None,
     };
-    let layout =
-        Layout { objects: objects.collect(), regions: vec![("hall".into(), hall)], ..Layout::default() };
+    let layout = Layout { objects: objects.collect(), regions: vec![("hall".into(), hall)], ..Layout::default() };
     (program, layout)
 }
 

@@ -1,8 +1,8 @@
 //! `scenelang fmt`: programs in the standard form.
 
 use crate::args::Fmt;
-use crate::{FAILED, FINDINGS, GOOD};
 use crate::solve::color_err;
+use crate::{FAILED, FINDINGS, GOOD};
 use scenelang_base::{Diagnostic, SourceMap, TextRange};
 use scenelang_lang::fmt::{FormatOptions, format};
 use scenelang_lang::parse::parse_file;
@@ -33,7 +33,7 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
     let mut sources = SourceMap::new();
     let id = match decode(&name, path, bytes, &mut sources) {
         Ok(id) => id,
-        Err((_, d)) => return fail(&d.message),
+        Err(refused) => return fail(&refused.1.message),
     };
     let text = sources.get(id).text();
     let errors: Vec<Diagnostic> = parse_file(text)
@@ -51,7 +51,11 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         if formatted == text {
             return GOOD;
         }
-        let line = text.lines().zip(formatted.lines()).position(|(a, b)| a != b).unwrap_or(text.lines().count().min(formatted.lines().count()));
+        let line = text
+            .lines()
+            .zip(formatted.lines())
+            .position(|(a, b)| a != b)
+            .unwrap_or(text.lines().count().min(formatted.lines().count()));
         eprintln!("{name}:{}: not in the standard form; `scenelang fmt {name}` writes it", line + 1);
         return FINDINGS;
     }

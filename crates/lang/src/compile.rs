@@ -66,7 +66,10 @@ pub fn compile_with(
             Compiled { sources, main, program: None, diagnostics: vec![d] }
         }
         Ok(bytes) => match decode(name, path, bytes, &mut sources) {
-            Err((main, d)) => Compiled { sources, main, program: None, diagnostics: vec![d] },
+            Err(refused) => {
+                let (main, d) = *refused;
+                Compiled { sources, main, program: None, diagnostics: vec![d] }
+            }
             Ok(main) => compile_main(main, options, loader, sources),
         },
     }
@@ -86,7 +89,9 @@ fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Prog
     let places: Vec<Place<'_>> = units
         .units
         .iter()
-        .flat_map(|u| u.parsed.statements.iter().map(|(offset, stmt)| Place { file: Some(u.file), offset: *offset, stmt }))
+        .flat_map(|u| {
+            u.parsed.statements.iter().map(|(offset, stmt)| Place { file: Some(u.file), offset: *offset, stmt })
+        })
         .collect();
     if options.core {
         for place in &places {

@@ -190,12 +190,7 @@ impl<'a> Items<'a> {
         (items, out)
     }
 
-    fn declare(
-        &mut self,
-        place: Place<'a>,
-        texts: &impl Fn(FileId, TextRange) -> &'a str,
-        out: &mut Vec<Diagnostic>,
-    ) {
+    fn declare(&mut self, place: Place<'a>, texts: &impl Fn(FileId, TextRange) -> &'a str, out: &mut Vec<Diagnostic>) {
         let (Some(file), stmt) = (place.file, place.stmt) else { return };
         let at = |range: TextRange| range.shifted(place.offset).in_file(file);
         match &stmt.kind {

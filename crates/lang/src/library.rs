@@ -31,7 +31,9 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// has ("oak dining table" is a dining table, "blue chair" a chair).
 pub fn usual_size(category: &str) -> Option<[f64; 3]> {
     let words = words(category);
-    (0..words.len()).find_map(|skip| lookup(&words[skip..].join("_"))).or_else(|| words.iter().rev().find_map(|w| lookup(w)))
+    (0..words.len())
+        .find_map(|skip| lookup(&words[skip..].join("_")))
+        .or_else(|| words.iter().rev().find_map(|w| lookup(w)))
 }
 
 /// Lower-case words of a category or a name: blanks, underscores, digits and humps separate.

@@ -54,11 +54,16 @@ pub struct Units {
 ///
 /// # Errors
 /// A diagnostic that says where the first bad byte is, or what the file seems to be.
-pub fn decode(name: &str, path: &Path, bytes: Vec<u8>, sources: &mut SourceMap) -> Result<FileId, (FileId, Diagnostic)> {
+pub fn decode(
+    name: &str,
+    path: &Path,
+    bytes: Vec<u8>,
+    sources: &mut SourceMap,
+) -> Result<FileId, Box<(FileId, Diagnostic)>> {
     if bytes.len() > MAX_FILE {
         let id = sources.add(SourceFile::new(name, path, ""));
         let message = format!("{name} has {} MB; more than {} MB is not read", bytes.len() >> 20, MAX_FILE >> 20);
-        return Err((id, Diagnostic::new(codes::E0006, TextRange::empty(0).in_file(id), message)));
+        return Err(Box::new((id, Diagnostic::new(codes::E0006, TextRange::empty(0).in_file(id), message))));
     }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(sources.add(SourceFile::new(name, path, text))),
@@ -76,16 +81,17 @@ pub fn decode(name: &str, path: &Path, bytes: Vec<u8>, sources: &mut SourceMap) 
             };
             let diagnostic = Diagnostic::new(codes::E0003, TextRange::empty(at as u32).in_file(id), message)
                 .note("save the file as UTF-8");
-            Err((id, diagnostic))
+            Err(Box::new((id, diagnostic)))
         }
     }
 }
 
 /// Reads and parses `main` (its text already in `sources`) and everything it imports.
 pub fn read_units(main: FileId, sources: &mut SourceMap, loader: &dyn Loader) -> Units {
-    let mut reader = Reader { sources, loader, out: Units { units: Vec::new(), diagnostics: Vec::new() }, open: Vec::new() };
+    let mut reader =
+        Reader { sources, loader, out: Units { units: Vec::new(), diagnostics: Vec::new() }, open: Vec::new() };
     let path = normal(reader.sources.get(main).path());
-    reader.read(main, path, String::new());
+    reader.read(main, &path, "");
     reader.out
 }
 
@@ -98,7 +104,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn read(&mut self, file: FileId, path: PathBuf, prefix: String) {
+    fn read(&mut self, file: FileId, path: &Path, prefix: &str) {
         let mut parsed = parse_file(self.sources.get(file).text());
         let found = std::mem::take(&mut parsed.diagnostics);
         self.out.diagnostics.extend(found.into_iter().map(|d| d.map_places(|r: TextRange| r.in_file(file))));
@@ -112,10 +118,10 @@ impl Reader<'_> {
             // A path without quotation marks has been reported.
             .filter(|(_, place)| self.sources.text(*place).starts_with('"'))
             .collect();
-        self.out.units.push(Unit { file, parsed, prefix: prefix.clone() });
-        self.open.push(path.clone());
+        self.out.units.push(Unit { file, parsed, prefix: prefix.to_owned() });
+        self.open.push(path.to_path_buf());
         for (written, place) in imports {
-            self.import(&path, &prefix, &written, place);
+            self.import(path, prefix, &written, place);
         }
         self.open.pop();
     }
@@ -147,10 +153,8 @@ impl Reader<'_> {
         let shown = self.sources.get(place.file).path().parent().unwrap_or(Path::new("")).join(written);
         match self.loader.load(&path) {
             Ok(bytes) => match decode(&normal(&shown).to_string_lossy(), &path, bytes, self.sources) {
-                Ok(file) => self.read(file, path, relative),
-                Err((_, diagnostic)) => {
-                    self.out.diagnostics.push(diagnostic.related(place, "imported here"));
-                }
+                Ok(file) => self.read(file, &path, &relative),
+                Err(refused) => self.out.diagnostics.push(refused.1.related(place, "imported here")),
             },
             Err(e) => {
                 let message = format!("cannot import `{written}`: {}", plain(&e));

@@ -12,8 +12,10 @@ const EASE: f64 = 1e-4;
 
 /// Brings movable objects back into their regions.
 pub(crate) fn enforce(state: &mut State<'_>) {
-    let outside: Vec<ObjectId> =
-        state.placed().filter(|&id| state.frame.is_movable(id) && state.is_violated(state.numbering.bounds(id))).collect();
+    let outside: Vec<ObjectId> = state
+        .placed()
+        .filter(|&id| state.frame.is_movable(id) && state.is_violated(state.numbering.bounds(id)))
+        .collect();
     for id in outside {
         let Ok((Some(region), _)) = rules::bounds::best(&state.world, id) else { continue };
         let mut pose = state.pose(id);

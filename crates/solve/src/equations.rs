@@ -144,8 +144,12 @@ fn slopes(program: &Program, formula: &Formula, owner: ObjectId) -> Vec<Option<S
         };
         let slope = match node {
             Node::Object(property, id) => Some(match (property, *id == owner) {
-                (ObjectProperty::Pos | ObjectProperty::Center | ObjectProperty::Min | ObjectProperty::Max, true) => ALONG,
-                (ObjectProperty::Top | ObjectProperty::Bottom | ObjectProperty::Surface, true) => Slope::Number([0.0, 1.0, 0.0]),
+                (ObjectProperty::Pos | ObjectProperty::Center | ObjectProperty::Min | ObjectProperty::Max, true) => {
+                    ALONG
+                }
+                (ObjectProperty::Top | ObjectProperty::Bottom | ObjectProperty::Surface, true) => {
+                    Slope::Number([0.0, 1.0, 0.0])
+                }
                 (ObjectProperty::Top | ObjectProperty::Bottom | ObjectProperty::Surface, false) => NONE,
                 _ => STILL,
             }),

@@ -24,7 +24,8 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
     let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
     for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
         let pose = state.pose(id);
-        let pinned = |property| state.frame.program.pins.iter().any(|p| p.owner == Owner::Object(id) && p.property == property);
+        let pinned =
+            |property| state.frame.program.pins.iter().any(|p| p.owner == Owner::Object(id) && p.property == property);
         placement.pos = vec(pose.pos, pinned(Pinned::Pos));
         placement.rot = vec(pose.rot, pinned(Pinned::Rot));
         // Parts are made for one size.
@@ -39,7 +40,9 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
     for (id, (_, value)) in crate::frame::variables(state.frame.program).zip(&mut layout.variables) {
         *value = match state.world.variable(id) {
             Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
-            Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => Value::Triple(v.0.map(cut)),
+            Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {
+                Value::Triple(v.0.map(cut))
+            }
             Ok(scenelang_verify::Value::Truth(t)) => Value::Bool(t.holds),
             Err(_) => *value,
         };

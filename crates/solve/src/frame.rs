@@ -119,7 +119,9 @@ impl<'a> Frame<'a> {
             walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
             related: related(&terms, n),
             followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
-            region_followers: (0..program.regions.len() as u32).map(|r| rules.after(Source::Region(RegionId(r)))).collect(),
+            region_followers: (0..program.regions.len() as u32)
+                .map(|r| rules.after(Source::Region(RegionId(r))))
+                .collect(),
             variable_followers: variables(program).map(|v| rules.after(Source::Variable(v))).collect(),
             sources: objects.map(|o| rules.sources(o)).collect(),
             rules,

@@ -49,7 +49,9 @@ pub(crate) fn cost(state: &State<'_>, id: ObjectId) -> f64 {
             cost += in_line(state, id, &pose);
         }
         Hold::Wall(_) => {
-            cost += OFF_HEIGHT * (pose.center().y - EYE_LEVEL).abs().min(2.0) + crowded(state, id, span) + in_line(state, id, &pose);
+            cost += OFF_HEIGHT * (pose.center().y - EYE_LEVEL).abs().min(2.0)
+                + crowded(state, id, span)
+                + in_line(state, id, &pose);
         }
         Hold::Door(..) => cost += OFF_HEIGHT * (span.max.y - LINTEL).abs().min(2.0) + kept_free(state, &pose, id),
         Hold::Ceiling(_) | Hold::Container(_) | Hold::Floats => cost += in_line(state, id, &pose),

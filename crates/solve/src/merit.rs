@@ -61,7 +61,9 @@ impl<N: Number> Merit<'_, N> {
 
     fn gather(&self, id: NodeId, want: bool, out: &mut Vec<N>) {
         match (self.formula.node(id), want) {
-            (Node::And(parts), true) | (Node::Or(parts), false) => parts.iter().for_each(|&p| self.gather(p, want, out)),
+            (Node::And(parts), true) | (Node::Or(parts), false) => {
+                parts.iter().for_each(|&p| self.gather(p, want, out))
+            }
             (Node::Or(parts), true) | (Node::And(parts), false) => {
                 let cost = |p: &&NodeId| self.of(**p, want);
                 if let Some(&best) = parts.iter().min_by(|a, b| cost(a).total_cmp(&cost(b))) {
@@ -75,7 +77,9 @@ impl<N: Number> Merit<'_, N> {
                 self.gather(*a, x, out);
                 self.gather(*b, y, out);
             }
-            (Node::AtLeast(..), _) => self.cheapest(id, want).iter().for_each(|(_, part)| self.gather(*part, want, out)),
+            (Node::AtLeast(..), _) => {
+                self.cheapest(id, want).iter().for_each(|(_, part)| self.gather(*part, want, out))
+            }
             _ => out.extend(self.atom(id, want).and_then(|a| a.residual())),
         }
     }
@@ -100,8 +104,10 @@ impl<N: Number> Merit<'_, N> {
     fn target(&self, id: NodeId, want: bool) -> f64 {
         let t = self.tolerances;
         match (self.formula.node(id), want) {
-            (Node::Compare(Comparison::Eq, Unit::Metre, ..), true) | (Node::Compare(Comparison::Ne, Unit::Metre, ..), false) => t.equal,
-            (Node::Compare(Comparison::Eq, Unit::Degree, ..), true) | (Node::Compare(Comparison::Ne, Unit::Degree, ..), false) => t.angle,
+            (Node::Compare(Comparison::Eq, Unit::Metre, ..), true)
+            | (Node::Compare(Comparison::Ne, Unit::Metre, ..), false) => t.equal,
+            (Node::Compare(Comparison::Eq, Unit::Degree, ..), true)
+            | (Node::Compare(Comparison::Ne, Unit::Degree, ..), false) => t.angle,
             (Node::Compare(_, Unit::Degree, ..), _) => EASE / PER_DEGREE,
             (Node::Same(..), true) => match self.values.get(id) {
                 Ok(Value::Truth(Truth { unit: Unit::Degree, .. })) => t.angle,

@@ -8,9 +8,9 @@ use crate::pool::Chance;
 use crate::search::Search;
 use crate::state::Change;
 use crate::terms::Term;
-use scenelang_layout::Vec3;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
+use scenelang_layout::Vec3;
 
 /// Comes before everything that is to be found.
 const FIXED: f64 = 100.0;
@@ -22,7 +22,10 @@ const LUCK: f64 = 0.15;
 /// Which objects come first, no two alike: by what they are, by how much trouble they made before, and by chance.
 pub(crate) fn priorities(frame: &Frame<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
     let luck = |id: ObjectId| if frame.is_movable(id) { 0.0 } else { FIXED };
-    frame.objects().map(|id| luck(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + LUCK * chance.unit()).collect()
+    frame
+        .objects()
+        .map(|id| luck(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + LUCK * chance.unit())
+        .collect()
 }
 
 /// How early an object comes, by its terms, what holds it, and its size.

@@ -36,8 +36,7 @@ pub(crate) fn arrange(search: &mut Search<'_>, growth: f64, kept: &dyn Fn(Region
         }
     }
     apply(&mut search.state, &changes);
-    let mut placed: Vec<RegionId> =
-        all.iter().copied().filter(|&id| is_fixed(&search.state, id) || kept(id)).collect();
+    let mut placed: Vec<RegionId> = all.iter().copied().filter(|&id| is_fixed(&search.state, id) || kept(id)).collect();
     for &id in &all {
         if !placed.contains(&id) {
             let pose = best_place(search, id, &placed);
@@ -47,7 +46,8 @@ pub(crate) fn arrange(search: &mut Search<'_>, growth: f64, kept: &dyn Fn(Region
     }
     search.state.measure_all();
     if search.state.total() > 0.0 {
-        let targets = Targets { regions: all, variables: crate::frame::variables(frame.program).collect(), ..Targets::default() };
+        let targets =
+            Targets { regions: all, variables: crate::frame::variables(frame.program).collect(), ..Targets::default() };
         search.polisher.polish(&mut search.state, &targets, STEPS[1]);
     }
 }
@@ -124,7 +124,8 @@ fn best_place(search: &mut Search<'_>, id: RegionId, placed: &[RegionId]) -> Pos
     }
     for (cost, pos) in places {
         let own = Aabb { min: pos - half, max: pos + half };
-        let overlaps = |b: &Aabb| (0..3).step_by(2).all(|i| own.min[i] < b.max[i] - 1e-9 && b.min[i] < own.max[i] - 1e-9);
+        let overlaps =
+            |b: &Aabb| (0..3).step_by(2).all(|i| own.min[i] < b.max[i] - 1e-9 && b.min[i] < own.max[i] - 1e-9);
         let meets = spans.iter().filter(|(_, span)| overlaps(span)).count() as f64;
         let next = Pose { pos, ..pose };
         let Some(stated) = state.attempt(&[Change::Region(id, next)], f64::INFINITY) else { continue };

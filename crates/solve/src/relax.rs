@@ -34,7 +34,8 @@ fn settle(search: &mut Search<'_>, id: ObjectId) -> bool {
     let state = &mut search.state;
     let pose = state.pose(id);
     let center = pose.center();
-    let floors = state.world.prisms().filter(|(_, p)| p.polygon.contains(scenelang_layout::Vec2::new(center.x, center.z)));
+    let floors =
+        state.world.prisms().filter(|(_, p)| p.polygon.contains(scenelang_layout::Vec2::new(center.x, center.z)));
     let mut levels: Vec<f64> = floors.map(|(_, p)| p.floor).collect();
     if levels.is_empty() {
         levels.push(0.0);

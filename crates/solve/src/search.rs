@@ -332,7 +332,9 @@ impl<'a> Search<'a> {
         }
         // What a pin puts somewhere moves with what the pin reads.
         for i in 0..list.len() {
-            list.extend(frame.sources[list[i].0 as usize].iter().filter(|o| !list.contains(o)).copied().collect::<Vec<_>>());
+            list.extend(
+                frame.sources[list[i].0 as usize].iter().filter(|o| !list.contains(o)).copied().collect::<Vec<_>>(),
+            );
         }
         list.retain(|o| frame.is_movable(*o));
         list

@@ -38,7 +38,11 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     let program = problem.program;
     let mut warnings = Vec::new();
     let (draws, refused) = draws::draw(program, options.seed);
-    warnings.extend(refused.into_iter().map(|key| format!("the bounds of the draw `{key}` have no value, or are in the wrong order")));
+    warnings.extend(
+        refused
+            .into_iter()
+            .map(|key| format!("the bounds of the draw `{key}` have no value, or are in the wrong order")),
+    );
     let mut layout = Layout {
         scene: problem.start.scene.clone(),
         seed: Some(options.seed),
@@ -158,7 +162,9 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
             let had_parts = !placement.parts.is_empty();
             stretch(placement, next);
             if had_parts && placement.parts.is_empty() {
-                warnings.push(format!("the size of `{name}` was changed; its parts do not stretch that way, so its box counts"));
+                warnings.push(format!(
+                    "the size of `{name}` was changed; its parts do not stretch that way, so its box counts"
+                ));
             }
         }
     }

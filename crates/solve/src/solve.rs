@@ -26,7 +26,15 @@ pub fn solve(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let setup = setup(problem, options);
-    let mut run = Run { setup: &setup, problem, options, best: None, bonus: vec![0.0; setup.frame.program.objects.len()], iterations: 0, work: 0 };
+    let mut run = Run {
+        setup: &setup,
+        problem,
+        options,
+        best: None,
+        bonus: vec![0.0; setup.frame.program.objects.len()],
+        iterations: 0,
+        work: 0,
+    };
     let mut attempt = 0;
     let mut state = loop {
         let (state, going) = run.attempt(attempt, progress);
@@ -130,7 +138,8 @@ impl<'r, 'a> Run<'r, 'a> {
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
         let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search = Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
+        let mut search =
+            Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
         search.restore(snapshot);
         search.state
     }

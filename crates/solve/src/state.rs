@@ -297,10 +297,15 @@ impl<'a> State<'a> {
 
     /// Keeps the trial.
     pub fn keep(&mut self) {
-        let moved: Vec<ObjectId> = self.journal.changes.iter().filter_map(|c| match c {
-            Change::Object(id, _) => Some(*id),
-            _ => None,
-        }).collect();
+        let moved: Vec<ObjectId> = self
+            .journal
+            .changes
+            .iter()
+            .filter_map(|c| match c {
+                Change::Object(id, _) => Some(*id),
+                _ => None,
+            })
+            .collect();
         self.journal = Journal::default();
         self.walks_stale = true;
         for id in moved {
@@ -352,8 +357,14 @@ impl<'a> State<'a> {
         let mut open = vec![id];
         while let Some(base) = open.pop() {
             for rider in self.frame.objects() {
-                let rides = self.seats[rider.0 as usize] == Some(base) || self.frame.hold(rider) == Hold::Container(base);
-                if rides && rider != id && !found.contains(&rider) && self.frame.is_movable(rider) && self.is_placed(rider) {
+                let rides =
+                    self.seats[rider.0 as usize] == Some(base) || self.frame.hold(rider) == Hold::Container(base);
+                if rides
+                    && rider != id
+                    && !found.contains(&rider)
+                    && self.frame.is_movable(rider)
+                    && self.is_placed(rider)
+                {
                     found.push(rider);
                     open.push(rider);
                 }
@@ -423,11 +434,18 @@ impl<'a> State<'a> {
     }
 
     /// Obeys the rules that depend on what has moved.
-    fn obey_rules(&mut self, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>, regions: &[RegionId], variables: &[VariableId]) {
+    fn obey_rules(
+        &mut self,
+        objects: &mut Vec<ObjectId>,
+        swept: &mut Vec<Aabb>,
+        regions: &[RegionId],
+        variables: &[VariableId],
+    ) {
         let frame = self.frame;
         let of_objects = objects.iter().map(|o| &frame.followers[o.0 as usize]);
         let of_regions = regions.iter().map(|r| &frame.region_followers[r.0 as usize]);
-        let lists = of_objects.chain(of_regions).chain(variables.iter().map(|v| &frame.variable_followers[v.0 as usize]));
+        let lists =
+            of_objects.chain(of_regions).chain(variables.iter().map(|v| &frame.variable_followers[v.0 as usize]));
         let mut rules: Vec<usize> = lists.flatten().copied().collect();
         rules.sort_unstable();
         rules.dedup();
@@ -471,7 +489,11 @@ impl<'a> State<'a> {
         for rule in frame.followers[id.0 as usize].iter().map(|&r| &frame.rules.list[r]) {
             let owner = rule.owner;
             let ready = |o: &ObjectId| self.is_placed(*o) || found.contains(o);
-            if !found.contains(&owner) && !self.is_placed(owner) && frame.is_settled(owner) && frame.sources[owner.0 as usize].iter().all(ready) {
+            if !found.contains(&owner)
+                && !self.is_placed(owner)
+                && frame.is_settled(owner)
+                && frame.sources[owner.0 as usize].iter().all(ready)
+            {
                 found.push(owner);
             }
         }
@@ -480,7 +502,13 @@ impl<'a> State<'a> {
     }
 
     /// Checks that may change with these, cheap and telling ones first.
-    fn touched(&mut self, objects: &[ObjectId], regions: &[RegionId], variables: &[VariableId], swept: &[Aabb]) -> Vec<usize> {
+    fn touched(
+        &mut self,
+        objects: &[ObjectId],
+        regions: &[RegionId],
+        variables: &[VariableId],
+        swept: &[Aabb],
+    ) -> Vec<usize> {
         self.now += 1;
         let (frame, numbering) = (self.frame, self.numbering);
         let mut list: Vec<usize> = Vec::with_capacity(64);
@@ -503,7 +531,8 @@ impl<'a> State<'a> {
             list.extend(objects.iter().map(|&id| numbering.support(id)));
             let above = |span: &Aabb| swept.iter().any(|s| overlap_in_plan(s, span));
             list.extend(
-                self.placed().filter(|id| self.seats[id.0 as usize].is_some() || !self.holds[numbering.support(*id)])
+                self.placed()
+                    .filter(|id| self.seats[id.0 as usize].is_some() || !self.holds[numbering.support(*id)])
                     .filter(|id| above(self.span(*id)))
                     .map(|id| numbering.support(id)),
             );
@@ -548,7 +577,8 @@ impl<'a> State<'a> {
                     return FINE;
                 }
                 self.work += 10;
-                rules::bounds::object(&self.world, id).map_or(FINE, |t| self.physical(t, self.world.options.tolerances.contact))
+                rules::bounds::object(&self.world, id)
+                    .map_or(FINE, |t| self.physical(t, self.world.options.tolerances.contact))
             }
             Check::Support(id) => {
                 let rests = self.frame.scope.as_ref().is_some_and(|s| s.support(id) == rules::Support::Rests);
@@ -562,7 +592,13 @@ impl<'a> State<'a> {
 
     fn term(&mut self, index: usize) -> (f64, bool) {
         let term = &self.frame.terms[index];
-        let dear = if term.walks { 150_000 } else if term.sees_all { 1_000 } else { 5 };
+        let dear = if term.walks {
+            150_000
+        } else if term.sees_all {
+            1_000
+        } else {
+            5
+        };
         self.work += dear + term.formula.nodes.len() as u64;
         let holds = match self.scratch.evaluate(&term.formula, &self.world) {
             Ok(Value::Truth(truth)) => truth.holds,
@@ -582,7 +618,8 @@ impl<'a> State<'a> {
         }
         if !x.body.has_parts() && !y.body.has_parts() {
             let contact = self.world.options.tolerances.contact;
-            return self.physical(Truth::metres(boxes + contact, self.world.options.tolerances.order), contact - TOUCHING);
+            return self
+                .physical(Truth::metres(boxes + contact, self.world.options.tolerances.order), contact - TOUCHING);
         }
         self.work += 300;
         let found = rules::collide::pair(&self.world, a, b);
@@ -674,5 +711,8 @@ impl<'a> State<'a> {
 
 /// Whether two upright boxes overlap, seen from above.
 pub(crate) fn overlap_in_plan(a: &Aabb, b: &Aabb) -> bool {
-    a.min.x < b.max.x - TOUCHING && b.min.x < a.max.x - TOUCHING && a.min.z < b.max.z - TOUCHING && b.min.z < a.max.z - TOUCHING
+    a.min.x < b.max.x - TOUCHING
+        && b.min.x < a.max.x - TOUCHING
+        && a.min.z < b.max.z - TOUCHING
+        && b.min.z < a.max.z - TOUCHING
 }

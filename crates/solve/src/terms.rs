@@ -124,7 +124,9 @@ pub(crate) fn split(program: &Program) -> Vec<Term> {
         match constraint.kind {
             ConstraintKind::Assert => {
                 let parts = conjuncts(&constraint.formula);
-                terms.extend(parts.into_iter().map(|root| Term::new(index, Force::Hard, extract(&constraint.formula, root))));
+                terms.extend(
+                    parts.into_iter().map(|root| Term::new(index, Force::Hard, extract(&constraint.formula, root))),
+                );
             }
             ConstraintKind::Prefer { weight } => {
                 let whole = extract(&constraint.formula, constraint.formula.root);

@@ -20,8 +20,9 @@ const ODD: f64 = 0.004;
 pub(crate) fn improve(search: &mut Search<'_>, until: f64) {
     for _ in 0..PASSES {
         let mut better = false;
-        let failing: Vec<usize> =
-            (0..search.state.frame.terms.len()).filter(|&t| !search.state.is_hard(t) && !search.state.does_hold(t)).collect();
+        let failing: Vec<usize> = (0..search.state.frame.terms.len())
+            .filter(|&t| !search.state.is_hard(t) && !search.state.does_hold(t))
+            .collect();
         for wish in failing {
             for attempt in 0..=RECREATIONS {
                 if search.is_spent(until) {

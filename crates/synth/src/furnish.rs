@@ -38,7 +38,12 @@ pub fn asset_of(object: &Object, size: Option<Vec3>) -> Asset {
 
 /// Chooses sizes and parts. What `previous` says of an object (place, size, parts) is kept where the program does not
 /// speak against it.
-pub fn furnish(program: &Program, draws: Vec<(String, f64)>, previous: Option<&Layout>, options: &Options) -> Furnished {
+pub fn furnish(
+    program: &Program,
+    draws: Vec<(String, f64)>,
+    previous: Option<&Layout>,
+    options: &Options,
+) -> Furnished {
     let mut layout = previous.cloned().unwrap_or_default();
     layout.draws = draws;
     let known: Vec<_> = std::mem::take(&mut layout.objects);

@@ -1,6 +1,6 @@
 //! The promise of `examples/`: each solves wholly from ten seeds, and a hand in the layout is noticed and named.
 
-use crate::support::{EXAMPLES, for_each_example, folder_with, read_json, scenelang};
+use crate::support::{EXAMPLES, folder_with, for_each_example, read_json, scenelang};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 

@@ -45,8 +45,34 @@ impl Dice {
 
 /// What a slip of the hand, or malice, puts into a program.
 const SPLINTERS: [&str; 28] = [
-    ";", "(", ")", "[", "]", "{", "\"", "/*", "*/", "//", "<-", "<", "=", "-", "..", ".", ",", "forall x in objects: ",
-    "not ", " where ", "1e999", "0/0", "\0", "\u{feff}", "é", "𝄞", "[99999999999]", "rand(1, 0)",
+    ";",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "\"",
+    "/*",
+    "*/",
+    "//",
+    "<-",
+    "<",
+    "=",
+    "-",
+    "..",
+    ".",
+    ",",
+    "forall x in objects: ",
+    "not ",
+    " where ",
+    "1e999",
+    "0/0",
+    "\0",
+    "\u{feff}",
+    "é",
+    "𝄞",
+    "[99999999999]",
+    "rand(1, 0)",
 ];
 
 fn mutated(text: &str, dice: &mut Dice) -> String {

@@ -77,11 +77,7 @@ pub fn scenelang<S: AsRef<OsStr>>(folder: &Path, args: impl IntoIterator<Item = 
 }
 
 /// Runs `scenelang` in `folder` with something to read.
-pub fn scenelang_with_input<S: AsRef<OsStr>>(
-    folder: &Path,
-    args: impl IntoIterator<Item = S>,
-    input: &[u8],
-) -> Ended {
+pub fn scenelang_with_input<S: AsRef<OsStr>>(folder: &Path, args: impl IntoIterator<Item = S>, input: &[u8]) -> Ended {
     run(Command::new(env!("CARGO_BIN_EXE_scenelang")).args(args).current_dir(folder), input)
 }
 

@@ -1,4 +1,5 @@
 //! What exporters write for one small scene, read back by hand.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod fixture;
 mod glb;

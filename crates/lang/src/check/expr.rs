@@ -236,8 +236,7 @@ impl<'n, 'a> Checker<'n, 'a> {
                 if let Some(p) = property(ty, &name.text) {
                     return p.ty;
                 }
-                let table =
-                    if ty == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
+                let table = if ty == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
                 table.iter().map(|p| p.name).collect()
             }
             Ty::Objects => {
@@ -252,9 +251,12 @@ impl<'n, 'a> Checker<'n, 'a> {
         let mut d =
             Diagnostic::new(codes::E0207, Where::Here(name.range), format!("{ty} has no property `{}`", name.text));
         d = match nearest(&name.text, known.iter().copied()) {
-            Some(near) => d
-                .label(format!("did you mean `{near}`?"))
-                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near),
+            Some(near) => d.label(format!("did you mean `{near}`?")).fix(
+                Applicability::Unsafe,
+                format!("did you mean `{near}`?"),
+                Where::Here(name.range),
+                near,
+            ),
             None => d.note(format!("it has: {}", known.join(", "))),
         };
         self.push(d);
@@ -266,9 +268,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         let range = self.range(at);
         let mut d = Diagnostic::new(codes::E0212, Where::Here(range), format!("this is a set of objects: {why}"));
         d = match &self.expr(at).kind {
-            ExprKind::Name(n) => {
-                d.note(format!("name one element, `{n}[0]`, or speak of each: `forall x in {n}: …`"))
-            }
+            ExprKind::Name(n) => d.note(format!("name one element, `{n}[0]`, or speak of each: `forall x in {n}: …`")),
             _ => d.note("speak of each of them: `forall x in …: …`"),
         };
         self.push(d);
@@ -382,13 +382,9 @@ impl<'n, 'a> Checker<'n, 'a> {
                 BinaryOp::Mul => "multiplied",
                 _ => "divided",
             };
-            let mut d = Diagnostic::new(
-                codes::E0301,
-                Where::Here(range),
-                format!("{a} and {b} cannot be {verb}"),
-            )
-            .related(Where::Here(self.range(l)), format!("this is {a}"))
-            .related(Where::Here(self.range(r)), format!("this is {b}"));
+            let mut d = Diagnostic::new(codes::E0301, Where::Here(range), format!("{a} and {b} cannot be {verb}"))
+                .related(Where::Here(self.range(l)), format!("this is {a}"))
+                .related(Where::Here(self.range(r)), format!("this is {b}"));
             if let Some(h) = hint(a, b).or_else(|| hint(b, a)) {
                 d = d.note(h);
             }
@@ -525,9 +521,12 @@ impl<'n, 'a> Checker<'n, 'a> {
         let message = format!("there is no function or predicate `{}`", name.text);
         let mut d = Diagnostic::new(codes::E0208, Where::Here(name.range), message);
         d = match nearest(&name.text, known) {
-            Some(near) => d
-                .label(format!("did you mean `{near}`?"))
-                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near),
+            Some(near) => d.label(format!("did you mean `{near}`?")).fix(
+                Applicability::Unsafe,
+                format!("did you mean `{near}`?"),
+                Where::Here(name.range),
+                near,
+            ),
             None => d.note(format!("define it: `predicate {}(Object a) := …;`", name.text)),
         };
         self.push(d);
@@ -537,11 +536,8 @@ impl<'n, 'a> Checker<'n, 'a> {
         let all: Vec<&Signature> = natives::overloads(&name.text).collect();
         let fitting: Vec<&Signature> = all.iter().copied().filter(|s| s.takes(args.len())).collect();
         let side_at = |i: usize| all.iter().any(|s| s.param(i) == Ty::Side);
-        let types: Vec<Ty> = args
-            .iter()
-            .enumerate()
-            .map(|(i, a)| if side_at(i) { self.side(*a) } else { self.ty(*a) })
-            .collect();
+        let types: Vec<Ty> =
+            args.iter().enumerate().map(|(i, a)| if side_at(i) { self.side(*a) } else { self.ty(*a) }).collect();
         if fitting.is_empty() {
             let forms: Vec<String> = all.iter().map(|s| format!("`{}({})`", s.name, s.names)).collect();
             let mut sizes: Vec<usize> = all.iter().map(|s| s.params.len()).collect();
@@ -550,7 +546,9 @@ impl<'n, 'a> Checker<'n, 'a> {
             let wanted = match (all[0].variadic, sizes.as_slice()) {
                 (true, [n, ..]) => format!("{n} arguments or more"),
                 (_, [n]) => count(*n),
-                (_, many) => format!("{} arguments", many.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ")),
+                (_, many) => {
+                    format!("{} arguments", many.iter().map(usize::to_string).collect::<Vec<_>>().join(" or "))
+                }
             };
             let d = Diagnostic::new(
                 codes::E0303,
@@ -568,9 +566,8 @@ impl<'n, 'a> Checker<'n, 'a> {
             return result_of(s, &types);
         }
         // Blame the first argument that no signature, chosen by the arguments before it, can take.
-        let bad = (0..types.len())
-            .find(|&i| !fitting.iter().any(|s| (0..=i).all(|j| fits_param(s, j, &types))))
-            .unwrap_or(0);
+        let bad =
+            (0..types.len()).find(|&i| !fitting.iter().any(|s| (0..=i).all(|j| fits_param(s, j, &types)))).unwrap_or(0);
         let mut wanted: Vec<Ty> = Vec::new();
         for s in fitting.iter().filter(|s| (0..bad).all(|j| fits_param(s, j, &types))) {
             if !wanted.contains(&s.param(bad)) {

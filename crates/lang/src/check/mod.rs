@@ -5,7 +5,7 @@ pub(crate) mod cycles;
 mod expr;
 
 use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind};
-use crate::items::{Items, ItemKind, Names, Place, whole_number};
+use crate::items::{ItemKind, Items, Names, Place, whole_number};
 use crate::natives::{self, property};
 use crate::types::Ty;
 use expr::Checker;
@@ -137,8 +137,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
                 checker.ty(*value);
             }
             None => {
-                let table =
-                    if owner == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
+                let table = if owner == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
                 let names = table.iter().filter(|p| p.assignable).map(|p| p.name);
                 let message = format!("{owner} has no property `{}` that can be assigned", prop.text);
                 let mut d = Diagnostic::new(codes::E0211, Where::Here(*target), message);

@@ -210,7 +210,13 @@ impl<'a> Lowerer<'a, '_> {
             "dimensions" => {
                 let (name, element) = self.object_key(id);
                 match self.items.assignments.get(&self.key(&name, element, "dimensions")).copied() {
-                    Some(a) => return self.assigned_value(a, format!("{}.dimensions", self.program.objects[id.0 as usize].name), range),
+                    Some(a) => {
+                        return self.assigned_value(
+                            a,
+                            format!("{}.dimensions", self.program.objects[id.0 as usize].name),
+                            range,
+                        );
+                    }
                     None => P::Scale,
                 }
             }
@@ -231,8 +237,7 @@ impl<'a> Lowerer<'a, '_> {
             return Err(Poison);
         }
         if let Some(at) = self.values_open.iter().position(|k| *k == key) {
-            let circle: Vec<String> =
-                self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
+            let circle: Vec<String> = self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
             let message = format!("definitions refer to each other in a circle: {}", circle.join(" → "));
             self.circle(a, message);
             return Err(Poison);

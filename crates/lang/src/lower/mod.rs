@@ -169,8 +169,10 @@ impl<'a> Lowerer<'a, '_> {
                 }
                 ItemKind::Region => {
                     let key = |p: &str| self.key(name, None, p);
-                    let (has_vertices, has_scale) =
-                        (items.assignments.contains_key(&key("vertices")), items.assignments.contains_key(&key("scale")));
+                    let (has_vertices, has_scale) = (
+                        items.assignments.contains_key(&key("vertices")),
+                        items.assignments.contains_key(&key("scale")),
+                    );
                     self.regions.insert(name.clone(), RegionId(self.program.regions.len() as u32));
                     self.program.regions.push(Region {
                         name: name.clone(),
@@ -228,7 +230,9 @@ impl<'a> Lowerer<'a, '_> {
         }
         for i in 0..self.program.objects.len() {
             let (name, element) = self.object_key(ObjectId(i as u32));
-            let Some(a) = self.items.assignments.get(&self.key(&name, element, "dimensions")).copied() else { continue };
+            let Some(a) = self.items.assignments.get(&self.key(&name, element, "dimensions")).copied() else {
+                continue;
+            };
             let key = format!("{}.dimensions", self.program.objects[i].name);
             self.values_open.push(key.clone());
             let value = self.in_frame(a.place, key, |l| {
@@ -260,8 +264,7 @@ impl<'a> Lowerer<'a, '_> {
         };
         let key = format!("{}.{property}", self.program.objects[id.0 as usize].name);
         if let Some(at) = self.values_open.iter().position(|k| *k == key) {
-            let circle: Vec<String> =
-                self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
+            let circle: Vec<String> = self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
             self.circle(a, format!("properties refer to each other in a circle: {}", circle.join(" → ")));
             return Err(Poison);
         }
@@ -379,8 +382,12 @@ impl<'a> Lowerer<'a, '_> {
         if !self.exhausted {
             self.exhausted = true;
             self.out.push(
-                Diagnostic::new(codes::E0005, span, "the program grows beyond what can be judged when it is expanded here")
-                    .note(format!("at most {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
+                Diagnostic::new(
+                    codes::E0005,
+                    span,
+                    "the program grows beyond what can be judged when it is expanded here",
+                )
+                .note(format!("at most {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
             );
         }
     }

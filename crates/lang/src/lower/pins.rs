@@ -141,9 +141,7 @@ pub(super) fn cycles(program: &Program, items: &Items<'_>) -> Vec<Diagnostic> {
             Some((b, i)) => (b, i.trim_end_matches(']').parse().ok()),
             None => (base, None),
         };
-        let find = |p: &str| {
-            items.assignments.get(&AssignKey { name: base.into(), element, property: p.into() })
-        };
+        let find = |p: &str| items.assignments.get(&AssignKey { name: base.into(), element, property: p.into() });
         let a = find(property).or_else(|| find("dimensions"))?;
         a.place.span(a.target)
     };

@@ -6,8 +6,13 @@
 //! before it becomes; `scene formatted` what the formatter makes of the program before it; `ebnf` a part of the grammar
 //! (see `grammar`). Layouts and reports are judged by the verifier's tests. Any other block is an error.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
+
+mod ebnf;
 mod grammar;
+mod make;
 mod railroad;
+mod recognise;
 
 use crate::blocks::{Block, PENDING, agree, blocks, expected, relevant};
 use crate::found;

@@ -67,11 +67,7 @@ pub(crate) struct Polisher {
 impl Polisher {
     /// For a state.
     pub fn new(state: &State<'_>) -> Self {
-        Self {
-            plain: state.world.clone(),
-            slopes: state.world.constant(),
-            scratch: (Scratch::new(), Scratch::new()),
-        }
+        Self { plain: state.world.clone(), slopes: state.world.constant(), scratch: (Scratch::new(), Scratch::new()) }
     }
 
     /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
@@ -141,7 +137,8 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
     let mut list = Vec::new();
     for &id in &targets.objects {
         let fixed = frame.fixed(id);
-        let mut add = |index: usize| list.push(Unknown { entity: Entity::Object(id), index, angle: (3..6).contains(&index) });
+        let mut add =
+            |index: usize| list.push(Unknown { entity: Entity::Object(id), index, angle: (3..6).contains(&index) });
         let rests = frame.scope.is_some() && frame.hold(id) == Hold::Rests;
         [0, 1, 2].into_iter().filter(|&i| !fixed.pos[i] && (i != 1 || !rests)).for_each(&mut add);
         if !fixed.rot {

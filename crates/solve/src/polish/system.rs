@@ -3,7 +3,9 @@
 //! Plain numbers say which checks miss something, and whether a step is one for the better; slopes are taken only of
 //! these.
 
-use super::{Entity, K, Polisher, Slope, Unknown, lift, numbers, place, place_region, rules_after, touched_objects, with_numbers};
+use super::{
+    Entity, K, Polisher, Slope, Unknown, lift, numbers, place, place_region, rules_after, touched_objects, with_numbers,
+};
 use crate::checks::Check;
 use crate::merit::Merit;
 use crate::pose::Pose;
@@ -195,7 +197,8 @@ impl<'s, 'a> System<'s, 'a> {
         let mut found: Vec<f64> = Vec::new();
         for equation in &mut self.equations {
             found.clear();
-            self.work += residuals(self.state, equation.check, &self.worlds.plain, &mut self.worlds.scratch.0, &mut found);
+            self.work +=
+                residuals(self.state, equation.check, &self.worlds.plain, &mut self.worlds.scratch.0, &mut found);
             equation.missing = found.len();
             sum += self.state.weight[equation.check] * found.iter().map(|r| r * r).sum::<f64>();
         }
@@ -240,7 +243,8 @@ impl<'s, 'a> System<'s, 'a> {
                     self.seed(chunk, chunk);
                 }
                 found.clear();
-                self.work += 4 * residuals(self.state, check, &self.worlds.slopes, &mut self.worlds.scratch.1, &mut found);
+                self.work +=
+                    4 * residuals(self.state, check, &self.worlds.slopes, &mut self.worlds.scratch.1, &mut found);
                 if rows.len() == first {
                     rows.extend(found.iter().map(|r| Row { value: r.value, weight, slopes: Vec::new() }));
                 }
@@ -310,7 +314,13 @@ fn follow<N: Number>(state: &State<'_>, index: usize, world: &mut World<N>) {
 }
 
 /// What a check misses in a world; the work of finding it.
-fn residuals<N: Number>(state: &State<'_>, index: usize, world: &World<N>, scratch: &mut Scratch<N>, out: &mut Vec<N>) -> u64 {
+fn residuals<N: Number>(
+    state: &State<'_>,
+    index: usize,
+    world: &World<N>,
+    scratch: &mut Scratch<N>,
+    out: &mut Vec<N>,
+) -> u64 {
     let tolerances = &world.options.tolerances;
     let work = match state.numbering.check(index) {
         Check::Term(t) => {

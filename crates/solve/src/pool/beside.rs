@@ -84,8 +84,7 @@ impl Pool<'_, '_> {
     /// Flush with things that it has nothing to do with: how full rooms are packed.
     pub(super) fn among_neighbours(&mut self) {
         let related = self.related();
-        let mut others: Vec<ObjectId> =
-            self.state.placed().filter(|o| *o != self.id && !related.contains(o)).collect();
+        let mut others: Vec<ObjectId> = self.state.placed().filter(|o| *o != self.id && !related.contains(o)).collect();
         self.chance.shuffle(&mut others);
         for other in others.into_iter().take(NEIGHBOURS) {
             let base = self.state.pose(other);

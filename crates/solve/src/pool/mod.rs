@@ -126,7 +126,10 @@ impl Pool<'_, '_> {
     fn on_floor(&self, pose: &Pose) -> f64 {
         let here = Vec2::new(pose.pos.x, pose.pos.z);
         let floors = self.state.world.prisms().filter(|(_, p)| p.polygon.contains(here));
-        floors.map(|(_, p)| p.floor).fold(None, |best: Option<f64>, f| Some(best.map_or(f, |b| b.max(f)))).unwrap_or(0.0)
+        floors
+            .map(|(_, p)| p.floor)
+            .fold(None, |best: Option<f64>, f| Some(best.map_or(f, |b| b.max(f))))
+            .unwrap_or(0.0)
             + pose.depth_below()
     }
 

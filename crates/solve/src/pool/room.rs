@@ -117,7 +117,7 @@ impl Pool<'_, '_> {
         let high = polygon.corners().iter().copied().reduce(|a, b| a.sup(&b)).unwrap_or_default();
         for i in 1..6 {
             for j in 1..6 {
-                let p = low + (high - low).component_mul(&Vec2::new(f64::from(i), f64::from(j)) ) / 6.0;
+                let p = low + (high - low).component_mul(&Vec2::new(f64::from(i), f64::from(j))) / 6.0;
                 if polygon.contains(p) {
                     let yaws = self.yaws(base);
                     let yaw = yaws[self.chance.below(yaws.len())];
@@ -188,7 +188,8 @@ impl Pool<'_, '_> {
         let middle = prism.polygon.centroid();
         let mut places = vec![middle];
         for i in 1..4 {
-            places.extend((1..4).map(|j| low + (high - low).component_mul(&Vec2::new(f64::from(i), f64::from(j))) / 4.0));
+            places
+                .extend((1..4).map(|j| low + (high - low).component_mul(&Vec2::new(f64::from(i), f64::from(j))) / 4.0));
         }
         for other in self.related() {
             let c = self.state.pose(other).center();

@@ -53,11 +53,8 @@ impl Pool<'_, '_> {
         for &other in related.iter().take(PARTNERS) {
             self.on_top_of(other, 4);
         }
-        let mut others: Vec<ObjectId> = self
-            .state
-            .placed()
-            .filter(|o| *o != self.id && !related.contains(o) && self.fits_on(*o))
-            .collect();
+        let mut others: Vec<ObjectId> =
+            self.state.placed().filter(|o| *o != self.id && !related.contains(o) && self.fits_on(*o)).collect();
         self.chance.shuffle(&mut others);
         for other in others.into_iter().take(OTHERS) {
             self.on_top_of(other, 1);

@@ -113,7 +113,8 @@ fn clear_ways(search: &mut Search<'_>, objects: &[ObjectId]) -> bool {
     for &id in objects {
         for _ in 0..3 {
             // Any place that is as good otherwise may free the way.
-            let candidates = crate::pool::candidates(&mut search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
+            let candidates =
+                crate::pool::candidates(&mut search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
             let mut tried = 0;
             for pose in candidates {
                 let changes = search.state.with_riders(id, pose);

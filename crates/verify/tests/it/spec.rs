@@ -11,6 +11,8 @@
 //! `json report` gives some members of the report on the block before it; `text report` some lines, in order, of what a
 //! person reads.
 
+#![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
+
 #[path = "../../../lang/tests/it/blocks.rs"]
 mod blocks;
 mod drawing;

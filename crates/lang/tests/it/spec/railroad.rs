@@ -1,7 +1,7 @@
 //! The grammar of the book as railroad pictures, one for each rule. `SPEC_UPDATE=1 cargo test` writes them anew.
 
 use super::book;
-use super::grammar::{Piece, Rules, of_page};
+use super::ebnf::{Piece, Rules, of_page};
 use std::fmt::Write;
 use std::fs;
 
