@@ -23,6 +23,12 @@ pub enum Command {
     Synth(Synth),
     /// Write programs in the standard form
     Fmt(Fmt),
+    /// Write a small commented program to start from
+    New(New),
+    /// Show the page of a code: what it says, why, an example, what to do
+    Explain(Explain),
+    /// Print what the statements of a program become
+    Constraints(Constraints),
 }
 
 /// `scenelang check`
@@ -148,4 +154,27 @@ pub struct Fmt {
     /// Longest line (characters)
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(40..=400))]
     pub width: u16,
+}
+
+/// `scenelang new`
+#[derive(ClapArgs, Debug)]
+pub struct New {
+    /// The file to write; one that is there already is left alone
+    #[arg(value_name = "FILE.scene")]
+    pub file: PathBuf,
+}
+
+/// `scenelang explain`
+#[derive(ClapArgs, Debug)]
+pub struct Explain {
+    /// A code such as E0201
+    pub code: String,
+}
+
+/// `scenelang constraints`
+#[derive(ClapArgs, Debug)]
+pub struct Constraints {
+    /// The program
+    #[arg(value_name = "FILE.scene")]
+    pub file: PathBuf,
 }

@@ -4,6 +4,7 @@ mod args;
 mod check;
 mod fmt;
 mod interrupt;
+mod look;
 mod progress;
 mod solve;
 mod synth;
@@ -29,6 +30,9 @@ fn main() -> ExitCode {
         Command::Solve(solve) => solve::run(&solve),
         Command::Synth(synth) => synth::run(&synth),
         Command::Fmt(fmt) => fmt::run(&fmt),
+        Command::New(new) => look::new(&new),
+        Command::Explain(explain) => look::explain(&explain),
+        Command::Constraints(constraints) => look::constraints(&constraints),
     };
     ExitCode::from(code)
 }

@@ -91,7 +91,7 @@ impl<'a> Search<'a> {
     /// Goes back to the best layout, takes troubled objects out with what depends on them, and places them anew.
     fn kick(&mut self, violated: &[usize], kicks: usize) {
         if let Some(best) = self.best.as_ref().map(|b| b.snapshot.clone())
-            && kicks % 3 != 0
+            && !kicks.is_multiple_of(3)
         {
             self.restore(&best);
         }

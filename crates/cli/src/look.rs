@@ -1,0 +1,78 @@
+//! Commands to look things up and to start: `explain`, `constraints`, `new`.
+
+use crate::args::{Constraints, Explain, New};
+use crate::solve::color_err;
+use crate::{FAILED, GOOD};
+use scenelang_base::{Code, codes, suggest};
+use scenelang_lang::print::Printed;
+use scenelang_lang::program::ConstraintKind;
+use scenelang_lang::{Options, compile_file};
+use scenelang_verify::report;
+
+/// Shows the page of a code.
+pub fn explain(args: &Explain) -> u8 {
+    if let Some(code) = Code::find(&args.code) {
+        print!("{}", code.page());
+        return GOOD;
+    }
+    eprintln!("error: there is no code `{}`", args.code);
+    let all = codes::ALL.iter().map(|(code, _)| code.as_str());
+    match suggest::nearest(&args.code.to_uppercase(), all) {
+        Some(near) => eprintln!("  did you mean `{near}`?"),
+        None => eprintln!("  codes look like E0201, W0302, V0101; reports and messages name them"),
+    }
+    FAILED
+}
+
+/// Prints what the statements of a program become: one line for each constraint.
+pub fn constraints(args: &Constraints) -> u8 {
+    let name = args.file.display().to_string();
+    let compiled = compile_file(&name, &args.file, Options::default());
+    eprint!("{}", report::diagnostics(&compiled.diagnostics, &compiled.sources, color_err()));
+    let Some(program) = &compiled.program else { return FAILED };
+    for c in &program.constraints {
+        let kind = match c.kind {
+            ConstraintKind::Assert => "assert".to_owned(),
+            ConstraintKind::Prefer { weight } => format!("prefer (weight {weight})"),
+            ConstraintKind::Pin => "pin".to_owned(),
+        };
+        let (start, _) = compiled.sources.lines(c.span);
+        let file = compiled.sources.get(c.span.file).name();
+        println!("{file}:{}:{}: {kind} {}", start.line, start.column, Printed(program, &c.formula));
+    }
+    GOOD
+}
+
+/// Writes a small program to start from; a file that is there already is left alone.
+pub fn new(args: &New) -> u8 {
+    if args.file.exists() {
+        eprintln!("error: {} is there already and is left alone", args.file.display());
+        return FAILED;
+    }
+    match scenelang_base::fs::write_whole(&args.file, TEMPLATE.as_bytes()) {
+        Ok(()) => {
+            println!("{} written; `scenelang synth {}` furnishes it", args.file.display(), args.file.display());
+            GOOD
+        }
+        Err(e) => {
+            eprintln!("error: {e}");
+            FAILED
+        }
+    }
+}
+
+/// What `scenelang new` writes.
+const TEMPLATE: &str = include_str!("new.scene");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn the_program_to_start_from_compiles_in_standard_form() {
+        let compiled = scenelang_lang::compile_text("new.scene", Path::new("new.scene"), TEMPLATE, Options::default());
+        assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
+        assert_eq!(scenelang_lang::fmt::format(TEMPLATE, &Default::default()), TEMPLATE);
+    }
+}
