@@ -67,6 +67,8 @@ pub(crate) struct Frame<'a> {
     pub tilts: Vec<bool>,
     /// By object: other objects that share a term with it, and how much it has to do with them; greatest first.
     pub related: Vec<Vec<(ObjectId, f64)>>,
+    /// By object: other elements of its array.
+    pub siblings: Vec<Vec<ObjectId>>,
     /// By object: regions that its terms read.
     pub regions: Vec<Vec<RegionId>>,
     /// By object, by region, by variable: the terms that read it.
@@ -118,6 +120,7 @@ impl<'a> Frame<'a> {
             onlookers: (0..terms.len()).filter(|&t| terms[t].sees_all && !terms[t].walks).collect(),
             walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
             related: related(&terms, n),
+            siblings: objects.clone().map(|o| siblings(program, o)).collect(),
             followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
             region_followers: (0..program.regions.len() as u32)
                 .map(|r| rules.after(Source::Region(RegionId(r))))
@@ -210,6 +213,13 @@ fn tilts(terms: &[Term], n: usize) -> Vec<bool> {
         }
     }
     found
+}
+
+fn siblings(program: &Program, id: ObjectId) -> Vec<ObjectId> {
+    let array = |i: usize| program.objects[i].array.as_ref().map(|(name, _)| name);
+    let Some(own) = array(id.0 as usize) else { return Vec::new() };
+    let all = (0..program.objects.len()).filter(|&i| i != id.0 as usize && array(i) == Some(own));
+    all.map(|i| ObjectId(i as u32)).collect()
 }
 
 /// Who shares terms with whom. A term of many objects says less about each pair.

@@ -26,6 +26,9 @@ const OUT_OF_LINE: f64 = 0.003;
 /// Cost of hanging a metre off the usual height.
 const OFF_HEIGHT: f64 = 0.005;
 
+/// Cost of standing half a metre off where its siblings would stand in its place.
+const UNLIKE: f64 = 0.004;
+
 /// Space that one likes to keep around things (metres).
 const AROUND: f64 = 0.3;
 /// Space that one likes to keep before doors and windows (metres).
@@ -46,7 +49,7 @@ pub(crate) fn cost(state: &State<'_>, id: ObjectId) -> f64 {
     match hold {
         Hold::Rests => {
             cost += by_the_wall(state, id, &pose) + crowded(state, id, span) + overhang(state, id, span);
-            cost += in_line(state, id, &pose);
+            cost += in_line(state, id, &pose) + unlike_siblings(state, id, &pose);
         }
         Hold::Wall(_) => {
             cost += OFF_HEIGHT * (pose.center().y - EYE_LEVEL).abs().min(2.0)
@@ -155,4 +158,10 @@ fn in_line(state: &State<'_>, id: ObjectId, pose: &Pose) -> f64 {
     let way = pose.center() - anchor.center();
     let off = way.dot(&anchor.right()).abs().min(way.dot(&anchor.front()).abs());
     OUT_OF_LINE * off.min(1.0)
+}
+
+/// Otherwise than its siblings stand to what they belong to.
+fn unlike_siblings(state: &State<'_>, id: ObjectId, pose: &Pose) -> f64 {
+    let away = state.as_siblings(id).into_iter().map(|p| (p.pos - pose.pos).norm()).fold(f64::INFINITY, f64::min);
+    if away.is_finite() { UNLIKE * (2.0 * away).min(1.0) } else { 0.0 }
 }

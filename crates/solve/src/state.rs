@@ -341,6 +341,21 @@ impl<'a> State<'a> {
         }
     }
 
+    /// What an object's place is chosen by: of the placed ones that come before it that which it has most to do with.
+    pub fn anchor(&self, id: ObjectId) -> Option<ObjectId> {
+        let priority = |o: ObjectId| self.frame.priority[o.0 as usize];
+        let related = self.frame.related[id.0 as usize].iter().map(|(o, _)| *o);
+        related.filter(|o| priority(*o) > priority(id)).find(|o| self.is_placed(*o))
+    }
+
+    /// Where an object would be if it stood to its anchor as each of its siblings does to its own.
+    pub fn as_siblings(&self, id: ObjectId) -> Vec<Pose> {
+        let Some(anchor) = self.anchor(id) else { return Vec::new() };
+        let siblings = self.frame.siblings[id.0 as usize].iter().copied().filter(|s| self.is_placed(*s));
+        let with_anchor = siblings.filter_map(|s| Some((s, self.anchor(s).filter(|a| *a != anchor)?)));
+        with_anchor.map(|(s, a)| Ride::new(&self.pose(a), &self.pose(anchor)).apply(&self.pose(s))).collect()
+    }
+
     /// The moves of an object with everything that stands on it, hangs in it, and so on.
     pub fn with_riders(&self, id: ObjectId, pose: Pose) -> Vec<Change> {
         let ride = Ride::new(&self.pose(id), &pose);

@@ -1,5 +1,6 @@
 //! Tests of the whole: the binary from end to end, other people's checkers on what it writes, hostile input, the rules
 //! of the house (layering, licences), and what the documents claim.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod checkers;
 mod cli;

@@ -4,6 +4,7 @@
 //! code starts on that line; `//~ CODE:COLUMN` fixes its column too; several are separated by blanks. Diagnostics and
 //! comments must match exactly. A block fenced by ```` ```scene core ```` is checked as core language. A block
 //! ```` ```text ```` after a program gives what its constraints become, one a line.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod blocks;
 mod format;

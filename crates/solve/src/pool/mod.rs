@@ -20,6 +20,9 @@ use scenelang_layout::{Prism, Vec2, Vec3};
 /// What stands along a wall keeps so far from it (metres): a skirting board.
 const SKIRTING: f64 = 0.01;
 
+/// How many siblings are looked at.
+const SIBLINGS: usize = 6;
+
 /// Random numbers from a stream that is the same everywhere.
 pub(crate) trait Chance {
     /// Uniform on [0, 1).
@@ -162,6 +165,7 @@ impl Pool<'_, '_> {
             Hold::Ceiling(region) => self.under_ceiling(region),
             Hold::Container(container) => self.within(container),
             Hold::Rests => {
+                self.like_siblings();
                 self.around_the_room();
                 self.by_the_others();
                 self.on_the_others();
@@ -174,6 +178,14 @@ impl Pool<'_, '_> {
                 self.afloat();
             }
         }
+    }
+
+    /// As its siblings stand to what they belong to.
+    fn like_siblings(&mut self) {
+        let now = self.now;
+        let mut alike: Vec<Pose> = self.state.as_siblings(self.id);
+        alike.truncate(SIBLINGS);
+        self.out.extend(alike.into_iter().map(|p| Pose { scale: now.scale, ..p }));
     }
 
     /// The same place with other heights.
