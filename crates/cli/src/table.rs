@@ -12,7 +12,7 @@ impl Table {
     }
     /// Adds a row.
     pub fn row<const N: usize>(&mut self, cells: [String; N]) {
-        self.rows.push(cells.to_vec());
+        self.rows.push(Vec::from(cells));
     }
     /// The text, each line indented by two blanks.
     pub fn render(&self) -> String {
