@@ -163,6 +163,16 @@ impl SourceMap {
         self.files.push(file);
         FileId(self.files.len() as u32 - 1)
     }
+    /// Adds a file, or replaces the one of the same path.
+    pub fn put(&mut self, file: SourceFile) -> FileId {
+        match self.files.iter().position(|f| f.path == file.path) {
+            Some(i) => {
+                self.files[i] = file;
+                FileId(i as u32)
+            }
+            None => self.add(file),
+        }
+    }
     /// The file of an id handed out by this map.
     pub fn get(&self, id: FileId) -> &SourceFile {
         &self.files[id.0 as usize]

@@ -28,10 +28,15 @@ pub struct Chunks {
 
 /// Cuts a file; offsets are `u32`, so the caller refuses files of 4 GB and more.
 pub fn cut(text: &str) -> Chunks {
+    cut_part(text, true)
+}
+
+/// Cuts a part of a file that begins with a statement, or a whole one: only there a byte order mark may stand.
+pub(crate) fn cut_part(text: &str, whole: bool) -> Chunks {
     let tokens = lex(text);
     let mut chunks = Vec::new();
     let mut at = 0;
-    while let Some(start) = next_start(text, &tokens, at) {
+    while let Some(start) = next_start(text, &tokens, at, whole) {
         let end = end_of_statement(&tokens, start);
         let range = TextRange { start: tokens[start].range.start, end: tokens[end - 1].range.end };
         chunks.push(Chunk { range, tokens: start..end });
@@ -41,12 +46,12 @@ pub fn cut(text: &str) -> Chunks {
 }
 
 /// The first token of the next statement: a `///` that begins its line, or the first that is no trivia.
-fn next_start(text: &str, tokens: &[Token], from: usize) -> Option<usize> {
+fn next_start(text: &str, tokens: &[Token], from: usize, whole: bool) -> Option<usize> {
     let mut doc = None;
     let mut new_line = from == 0;
     for (i, token) in tokens.iter().enumerate().skip(from) {
         match token.kind {
-            Kind::Bom if i == 0 => {}
+            Kind::Bom if whole && i == 0 => {}
             Kind::DocComment if new_line => doc = doc.or(Some(i)),
             kind if kind.is_trivia() => new_line |= has_line_break(&text[token.range.bytes()]),
             Kind::OpenComment => return Some(i),

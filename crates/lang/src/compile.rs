@@ -1,12 +1,9 @@
 //! The front end in one call: read, parse, resolve, check, lower.
 
-use crate::check::{self, cycles};
-use crate::items::{Items, Place};
-use crate::lower;
+use crate::db::Analysis;
 use crate::program::Program;
-use crate::sources::{Disk, Loader, Units, decode, plain, read_units};
-use rustc_hash::FxHashSet;
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, TextRange, codes};
+use crate::sources::{Disk, Loader, decode, plain};
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use std::path::Path;
 
 /// At most so many errors of a file are listed.
@@ -77,74 +74,8 @@ pub fn compile_with(
 
 /// Compiles a file that is in `sources` already.
 pub fn compile_main(main: FileId, options: Options, loader: &dyn Loader, mut sources: SourceMap) -> Compiled {
-    let units = read_units(main, &mut sources, loader);
-    let (program, diagnostics) = analyse(&units, &sources, options);
-    let diagnostics = listed(diagnostics);
-    let program = if diagnostics.iter().any(Diagnostic::is_error) { None } else { program };
+    let mut analysis = Analysis::new(options);
+    analysis.update(main, &mut sources, loader);
+    let (program, diagnostics) = analysis.program(&sources).expect("nobody else holds it, so nobody changes it");
     Compiled { sources, main, program, diagnostics }
-}
-
-fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Program>, Vec<Diagnostic>) {
-    let mut out = units.diagnostics.clone();
-    let places: Vec<Place<'_>> = units
-        .units
-        .iter()
-        .flat_map(|u| {
-            u.parsed.statements.iter().map(|(offset, stmt)| Place { file: Some(u.file), offset: *offset, stmt })
-        })
-        .collect();
-    if options.core {
-        for place in &places {
-            let Some(file) = place.file else { continue };
-            let found = crate::parse::core::check_core(place.stmt);
-            out.extend(found.into_iter().map(|d| d.map_places(|r| r.shifted(place.offset).in_file(file))));
-        }
-    }
-    let (items, found) = Items::collect(units, |file, range: TextRange| sources.get(file).slice(range));
-    out.extend(found);
-    out.extend(cycles::variable_cycles(&items));
-    out.extend(cycles::predicate_cycles(&items, &places));
-    for place in &places {
-        let Some(file) = place.file else { continue };
-        out.extend(check::statement(&items, *place).into_iter().map(|d| check::absolute(d, *place, file, &items)));
-    }
-    let bad = bad_statements(&out, &places);
-    let (program, found) = lower::lower(&items, units, sources, &bad);
-    out.extend(found);
-    (Some(program), out)
-}
-
-/// Statements that hold the primary place of an error, or take part in a circle.
-fn bad_statements(found: &[Diagnostic], places: &[Place<'_>]) -> FxHashSet<(FileId, u32)> {
-    let mut bad = FxHashSet::default();
-    for d in found.iter().filter(|d| d.is_error()) {
-        let circle = d.code == codes::E0204 || d.code == codes::E0210;
-        let related = d.related.iter().filter(|_| circle);
-        for label in d.primary.iter().chain(related) {
-            let span = label.place;
-            // Places stand in the order of their files and offsets.
-            let at = places.partition_point(|p| (p.file, p.offset) <= (Some(span.file), span.range.start));
-            if let Some(p) = at.checked_sub(1).and_then(|i| places.get(i)) {
-                bad.insert((span.file, p.offset));
-            }
-        }
-    }
-    bad
-}
-
-/// By file and place, with at most [`MAX_ERRORS`] errors of a file.
-fn listed(mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    all.sort_by_key(|d| d.primary.as_ref().map(|l| (l.place.file, l.place.range.start, d.code)));
-    let mut last = None;
-    let mut count = 0;
-    all.retain(|d| {
-        let file = d.primary.as_ref().map(|l| l.place.file);
-        if file != last {
-            last = file;
-            count = 0;
-        }
-        count += usize::from(d.is_error());
-        !d.is_error() || count <= MAX_ERRORS
-    });
-    all
 }

@@ -6,6 +6,7 @@ pub mod ast;
 pub mod check;
 pub mod chunk;
 pub mod compile;
+pub mod db;
 pub mod fmt;
 pub mod items;
 pub mod library;

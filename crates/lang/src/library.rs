@@ -1,7 +1,10 @@
 //! The standard library: predicates written in the language, shipped inside the binary, and the table of usual sizes.
 
 use crate::ast::StmtKind;
+use crate::items::{Place, Predicate, PredicateHead, head_of};
 use crate::parse::{ParsedFile, parse_file};
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use std::sync::OnceLock;
 
 /// The files of the library: name and text.
@@ -17,6 +20,22 @@ pub const FILES: &[(&str, &str)] = &[
 pub fn parsed() -> &'static [ParsedFile] {
     static PARSED: OnceLock<Vec<ParsedFile>> = OnceLock::new();
     PARSED.get_or_init(|| FILES.iter().map(|(_, text)| parse_file(text)).collect())
+}
+
+/// Its predicates by name.
+pub fn predicates() -> &'static FxHashMap<SmolStr, Predicate<'static>> {
+    static PREDICATES: OnceLock<FxHashMap<SmolStr, Predicate<'static>>> = OnceLock::new();
+    PREDICATES.get_or_init(|| {
+        let statements = parsed().iter().flat_map(|f| &f.statements);
+        let places = statements.map(|(offset, stmt)| Place { file: None, offset: *offset, stmt });
+        places.filter_map(Predicate::of).map(|p| (p.name.clone(), p)).collect()
+    })
+}
+
+/// What a call needs to know of one of its predicates.
+pub fn predicate_head(name: &str) -> Option<PredicateHead> {
+    let p = predicates().get(name)?;
+    Some(head_of(p.place.stmt, p.params, p.body, true))
 }
 
 /// Names of its predicates, in the order of the files.

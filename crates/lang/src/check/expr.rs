@@ -3,7 +3,7 @@
 use super::Where;
 use super::constant;
 use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt};
-use crate::items::{ItemKind, Names, Place, whole_number};
+use crate::items::{ItemKind, Names, whole_number};
 use crate::natives::{self, SIDES, Signature, property};
 use crate::program::Comparison;
 use crate::types::Ty;
@@ -14,7 +14,7 @@ use smol_str::SmolStr;
 /// Checks the expressions of one statement.
 pub(super) struct Checker<'n, 'a> {
     pub(super) names: &'n dyn Names,
-    place: Place<'a>,
+    stmt: &'a Stmt,
     scope: Vec<(SmolStr, Ty)>,
     /// Inside the condition of a `where`.
     filter: bool,
@@ -24,8 +24,8 @@ pub(super) struct Checker<'n, 'a> {
 }
 
 impl<'n, 'a> Checker<'n, 'a> {
-    pub(super) fn new(names: &'n dyn Names, place: Place<'a>) -> Self {
-        Self { names, place, scope: Vec::new(), filter: false, unknown: Vec::new(), out: Vec::new() }
+    pub(super) fn new(names: &'n dyn Names, stmt: &'a Stmt) -> Self {
+        Self { names, stmt, scope: Vec::new(), filter: false, unknown: Vec::new(), out: Vec::new() }
     }
 
     pub(super) fn finish(self) -> Vec<Diagnostic<Where>> {
@@ -48,12 +48,8 @@ impl<'n, 'a> Checker<'n, 'a> {
         self.expr(id).range
     }
 
-    fn stmt(&self) -> &'a Stmt {
-        self.place.stmt
-    }
-
     fn expr(&self, id: ExprId) -> &'a Expr {
-        self.stmt().expr(id)
+        self.stmt.expr(id)
     }
 
     /// Requires a condition.
@@ -173,7 +169,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.expr(id).kind,
             ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul | BinaryOp::Div, ..) | ExprKind::Call(..)
         );
-        if worth && !self.filter { constant::evaluate(self.stmt(), id, &|_| None).map(|_| ()) } else { Ok(()) }
+        if worth && !self.filter { constant::evaluate(self.stmt, id, &|_| None).map(|_| ()) } else { Ok(()) }
     }
 
     fn name(&mut self, name: &SmolStr, range: TextRange) -> Ty {
@@ -207,7 +203,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         let mut d = Diagnostic::new(codes::E0201, Where::Here(range), format!("`{name}` is not declared"));
         let declared = self.names.declared();
         let near = self.scope.iter().map(|(n, _)| n.as_str()).chain(declared.iter().map(SmolStr::as_str));
-        if natives::is_built_in(name) || self.names.predicate(name, false).is_some() {
+        if natives::is_built_in(name) || self.names.predicate(name).is_some() {
             d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
         } else if let Some(near) = nearest(name, near) {
             d = d
@@ -324,8 +320,8 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.error(codes::E0304, range, message);
             return Ty::Error;
         }
-        if let Some(i) = constant::number(self.stmt(), index)
-            && (whole_number(self.stmt(), index).is_none() || i < 0.0 || i >= f64::from(n))
+        if let Some(i) = constant::number(self.stmt, index)
+            && (whole_number(self.stmt, index).is_none() || i < 0.0 || i >= f64::from(n))
         {
             self.index_error(name, n, range);
             return Ty::Error;
@@ -453,7 +449,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         if natives::is_built_in(&name.text) {
             return self.built_in(name, args, range);
         }
-        let Some(predicate) = self.names.predicate(&name.text, self.place.file.is_none()) else {
+        let Some(predicate) = self.names.predicate(&name.text) else {
             for a in args {
                 self.ty(*a);
             }

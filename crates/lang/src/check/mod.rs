@@ -4,20 +4,19 @@ pub mod constant;
 pub(crate) mod cycles;
 mod expr;
 
-use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind};
-use crate::items::{ItemKind, Items, Names, Place, whole_number};
+use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind, TypeWord};
+use crate::items::{ItemKind, Names, array_size, whole_number};
 use crate::natives::{self, property};
 use crate::types::Ty;
 use expr::Checker;
 use scenelang_base::suggest::nearest;
-use scenelang_base::{Diagnostic, FileId, TextRange, codes};
+use scenelang_base::{Diagnostic, TextRange, codes};
 use smol_str::SmolStr;
 
 /// Checks one statement. What is found depends on the statement's text and on what `names` says of the names in it, not
 /// on where anything stands.
-pub fn statement(names: &dyn Names, place: Place<'_>) -> Vec<Diagnostic<Where>> {
-    let mut checker = Checker::new(names, place);
-    let stmt = place.stmt;
+pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
+    let mut checker = Checker::new(names, stmt);
     match &stmt.kind {
         StmtKind::Assert { formula } => checker.condition(*formula),
         StmtKind::Prefer { formula, weight } => {
@@ -28,6 +27,13 @@ pub fn statement(names: &dyn Names, place: Place<'_>) -> Vec<Diagnostic<Where>> 
         }
         StmtKind::Allow { rule, word, args } => check_allow(&mut checker, *rule, *word, args),
         StmtKind::Predicate { name, params, body } => {
+            if natives::is_built_in(&name.text) {
+                let message = format!("`{}` is built in and cannot be redefined", name.text);
+                checker.push(
+                    Diagnostic::new(codes::E0209, Where::Here(name.range), message)
+                        .note("give the predicate another name"),
+                );
+            }
             for (i, p) in params.iter().enumerate() {
                 if let Some(first) = params[..i].iter().find(|q| q.name.text == p.name.text) {
                     let message = format!("predicate `{}` has two parameters `{}`", name.text, p.name.text);
@@ -41,6 +47,14 @@ pub fn statement(names: &dyn Names, place: Place<'_>) -> Vec<Diagnostic<Where>> 
             checker.condition(*body);
         }
         StmtKind::Assign { .. } => check_assign(&mut checker, stmt),
+        StmtKind::Declare { ty, size: Some(size), .. } => {
+            let range = stmt.expr(*size).range;
+            if *ty != TypeWord::Object {
+                checker.error(codes::E0212, range, "only objects can be declared as an array");
+            } else if let Err(bad) = array_size(stmt, *size) {
+                checker.error(codes::E0304, range, bad.message);
+            }
+        }
         StmtKind::Declare { .. } | StmtKind::Import { .. } | StmtKind::Empty | StmtKind::Error => {}
     }
     checker.finish()
@@ -55,19 +69,6 @@ pub enum Where {
     Item(SmolStr),
     /// The definition of a predicate of the program.
     Predicate(SmolStr),
-}
-
-/// A diagnostic of a statement in a user's file, with its places made absolute.
-pub fn absolute(d: Diagnostic<Where>, place: Place<'_>, file: FileId, items: &Items<'_>) -> Diagnostic {
-    let here = |range: TextRange| range.shifted(place.offset).in_file(file);
-    d.map_places(|w| match w {
-        Where::Here(range) => here(range),
-        Where::Item(name) => items.names.get(&name).map_or(here(place.stmt.range), |i| i.span),
-        Where::Predicate(name) => {
-            let defined = items.predicates.get(&name).and_then(|p| p.place.span(p.place.stmt.range));
-            defined.unwrap_or(here(place.stmt.range))
-        }
-    })
 }
 
 fn check_weight(checker: &mut Checker<'_, '_>, stmt: &Stmt, weight: ExprId) {

@@ -689,7 +689,7 @@ impl<'a> Lowerer<'a, '_> {
         let range = root.stmt.range;
         let limit = self.f.b.number(0.01, range);
         let touching = match on {
-            MountedOn::Wall => self.items.library.get("backToWall").copied().and_then(|p| {
+            MountedOn::Wall => crate::library::predicates().get("backToWall").copied().and_then(|p| {
                 self.expand(p, vec![Val::Object(object), Val::Region(region), Val::Num(limit, Ty::Number)], range).ok()
             }),
             MountedOn::Ceiling => {

@@ -8,7 +8,7 @@ mod pins;
 use crate::ast::{Allow, ExprId, StmtKind};
 use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
 use crate::program::*;
-use crate::sources::Units;
+use crate::db::Unit;
 use crate::types::Ty;
 use builder::Builder;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -43,9 +43,9 @@ struct Poison;
 type Lowered<T> = Result<T, Poison>;
 
 /// Lowers all good statements. `bad` says which statements (file, offset) have errors of their own.
-pub fn lower<'a>(
+pub(crate) fn lower<'a>(
     items: &'a Items<'a>,
-    units: &'a Units,
+    units: &[Unit<'a>],
     sources: &'a SourceMap,
     bad: &FxHashSet<(FileId, u32)>,
 ) -> (Program, Vec<Diagnostic>) {
@@ -68,11 +68,10 @@ pub fn lower<'a>(
     };
     l.declare();
     l.texts_and_dimensions();
-    for unit in &units.units {
+    for unit in units {
         let (mut asserts, mut prefers) = (0, 0);
-        for (offset, stmt) in &unit.parsed.statements {
-            let place = Place { file: Some(unit.file), offset: *offset, stmt };
-            let counter = match &stmt.kind {
+        for place in unit.places() {
+            let counter = match &place.stmt.kind {
                 StmtKind::Assert { .. } => ("assert", &mut asserts),
                 StmtKind::Prefer { .. } => ("prefer", &mut prefers),
                 _ => ("", &mut 0),
@@ -80,7 +79,7 @@ pub fn lower<'a>(
             let prefix = if unit.prefix.is_empty() { String::new() } else { format!("{}:", unit.prefix) };
             let key = format!("{prefix}{}[{}]", counter.0, counter.1);
             *counter.1 += 1;
-            if !l.exhausted && !bad.contains(&(unit.file, *offset)) {
+            if !l.exhausted && !bad.contains(&(unit.file, place.offset)) {
                 let _ = l.statement(place, key);
             }
         }
@@ -131,7 +130,7 @@ struct Frame<'a> {
 impl<'a> Lowerer<'a, '_> {
     fn declare(&mut self) {
         let items = self.items;
-        for name in &items.order {
+        for name in items.order {
             let Some(item) = items.names.get(name) else { continue };
             let stmt = item.place.stmt;
             let doc = stmt.doc.clone();

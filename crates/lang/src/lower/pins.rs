@@ -2,11 +2,11 @@
 
 use super::{Lowered, Lowerer, Poison, Val};
 use crate::ast::StmtKind;
-use crate::check::cycles::report;
+use crate::check::cycles::{circles, report};
 use crate::items::{AssignKey, ItemKind, Items, Place, whole_number};
 use crate::program::*;
 use rustc_hash::{FxHashMap, FxHashSet};
-use scenelang_base::{Diagnostic, codes};
+use scenelang_base::{Diagnostic, Span, codes};
 use smol_str::{SmolStr, format_smolstr};
 
 impl<'a> Lowerer<'a, '_> {
@@ -117,24 +117,6 @@ pub(super) fn cycles(program: &Program, items: &Items<'_>) -> Vec<Diagnostic> {
         format_smolstr!("{owner}.{property}")
     };
     let assigned: FxHashSet<SmolStr> = program.pins.iter().map(|p| name(p.owner, p.property)).collect();
-    let mut order = Vec::new();
-    let mut edges: FxHashMap<SmolStr, Vec<SmolStr>> = FxHashMap::default();
-    for pin in &program.pins {
-        let mut reads = Vec::new();
-        for node in pin.values.iter().flat_map(|f| &f.nodes) {
-            for (owner, property) in reads_of(node) {
-                let n = name(owner, property);
-                if assigned.contains(&n) && !reads.contains(&n) {
-                    reads.push(n);
-                }
-            }
-        }
-        if !reads.is_empty() {
-            let n = name(pin.owner, pin.property);
-            order.push(n.clone());
-            edges.insert(n, reads);
-        }
-    }
     let place = |n: &SmolStr| {
         let (base, property) = n.rsplit_once('.')?;
         let (base, element) = match base.split_once('[') {
@@ -145,7 +127,31 @@ pub(super) fn cycles(program: &Program, items: &Items<'_>) -> Vec<Diagnostic> {
         let a = find(property).or_else(|| find("dimensions"))?;
         a.place.span(a.target)
     };
-    report(&order, |n| edges.get(n).cloned().unwrap_or_default(), place, codes::E0204, "properties")
+    let mut order = Vec::new();
+    let mut edges: Vec<Vec<SmolStr>> = Vec::new();
+    // Elements assigned by the name of their array share its place; the number tells them apart.
+    let mut defined: FxHashMap<SmolStr, (Span, usize)> = FxHashMap::default();
+    for pin in &program.pins {
+        let mut reads = Vec::new();
+        for node in pin.values.iter().flat_map(|f| &f.nodes) {
+            for (owner, property) in reads_of(node) {
+                let n = name(owner, property);
+                if assigned.contains(&n) && !reads.contains(&n) {
+                    reads.push(n);
+                }
+            }
+        }
+        let n = name(pin.owner, pin.property);
+        if let Some(span) = place(&n)
+            && !reads.is_empty()
+        {
+            defined.insert(n.clone(), (span, order.len()));
+            order.push(n);
+            edges.push(reads);
+        }
+    }
+    let found = circles(&order, |n| defined.get(n).copied(), |(_, i)| &edges[i]);
+    found.iter().filter_map(|c| report(c, |(span, _)| Some(span), codes::E0204, "properties")).collect()
 }
 
 /// The pinnable properties that a node depends on.

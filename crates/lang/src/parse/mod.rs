@@ -32,7 +32,7 @@ mod wording;
 pub(crate) mod words;
 
 use crate::ast::{Stmt, StmtKind};
-use crate::chunk::{self, has_line_break};
+use crate::chunk::{self, Chunks, has_line_break};
 use crate::token::{Kind, Token, lex};
 use builder::Builder;
 use diagnose::{After, Site};
@@ -53,8 +53,18 @@ pub struct ParsedFile {
 
 /// Parses a file. Files of 4 GB and more are refused by the caller.
 pub fn parse_file(text: &str) -> ParsedFile {
+    parse_chunks(text, chunk::cut(text))
+}
+
+/// Parses a run of statements cut out of a file; it begins with the first of them. What is said of them is what
+/// [`parse_file`] says, places apart.
+pub(crate) fn parse_run(text: &str) -> ParsedFile {
+    parse_chunks(text, chunk::cut_part(text, false))
+}
+
+fn parse_chunks(text: &str, chunks: Chunks) -> ParsedFile {
     let mut file = ParsedFile::default();
-    for chunk in chunk::cut(text).chunks {
+    for chunk in chunks.chunks {
         let offset = chunk.range.start;
         let (statements, diagnostics) = parse_statement(&text[chunk.range.bytes()]);
         file.statements.extend(statements.into_iter().map(|s| (offset, s)));

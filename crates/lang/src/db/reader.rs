@@ -1,0 +1,127 @@
+//! Reading the main file and what it imports, each file once, circles reported with their path.
+
+use super::Database;
+use super::names::{Head, outline};
+use super::runs::{File, parsed, placed_runs};
+use crate::ast::StmtKind;
+use crate::sources::{Loader, decode, file_name, normal, plain};
+use salsa::Setter;
+use scenelang_base::{Diagnostic, FileId, SourceMap, Span, codes};
+use std::path::{Path, PathBuf};
+
+/// A file of the program and where it came from.
+#[derive(Clone)]
+pub(super) struct ReadFile {
+    pub file: FileId,
+    /// The path relative to the main file, as in draw keys; empty for the main file.
+    pub prefix: String,
+    /// Without `.` and `..`.
+    pub path: PathBuf,
+    pub text: File,
+}
+
+/// Follows the imports.
+pub(super) struct Reader<'a> {
+    db: &'a mut Database,
+    /// The files of the last time, whose storage is used again.
+    before: &'a [ReadFile],
+    sources: &'a mut SourceMap,
+    loader: &'a dyn Loader,
+    /// Files whose imports are being read, outermost first.
+    open: Vec<PathBuf>,
+    files: Vec<ReadFile>,
+    found: Vec<Diagnostic>,
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(
+        db: &'a mut Database,
+        before: &'a [ReadFile],
+        sources: &'a mut SourceMap,
+        loader: &'a dyn Loader,
+    ) -> Self {
+        Self { db, before, sources, loader, open: Vec::new(), files: Vec::new(), found: Vec::new() }
+    }
+
+    /// The main file first, then the others in the order met; and what went wrong.
+    pub fn read_all(mut self, main: FileId) -> (Vec<ReadFile>, Vec<Diagnostic>) {
+        let path = normal(self.sources.get(main).path());
+        self.read(main, path, String::new());
+        (self.files, self.found)
+    }
+
+    fn read(&mut self, file: FileId, path: PathBuf, prefix: String) {
+        let new = self.sources.get(file).text();
+        let text = match self.before.iter().find(|f| f.path == path) {
+            Some(known) => {
+                if known.text.text(self.db) != new {
+                    known.text.set_text(self.db).to(new.to_owned());
+                }
+                known.text
+            }
+            None => File::new(self.db, new.to_owned()),
+        };
+        let imports = self.imports(file, text);
+        self.files.push(ReadFile { file, prefix: prefix.clone(), path: path.clone(), text });
+        self.open.push(path.clone());
+        for (written, place) in imports {
+            self.import(&path, &prefix, &written, place);
+        }
+        self.open.pop();
+    }
+
+    fn imports(&self, file: FileId, text: File) -> Vec<(String, Span)> {
+        let db = &*self.db;
+        let mut out = Vec::new();
+        for (heads, (start, run)) in outline(db, text).iter().zip(placed_runs(db, text)) {
+            for (i, head) in heads.list(db) {
+                let Head::Imports { path } = head else { continue };
+                let (offset, stmt) = &parsed(db, *run).statements[*i as usize];
+                if let StmtKind::Import { range, .. } = &stmt.kind {
+                    out.push((path.clone(), range.shifted(start + offset).in_file(file)));
+                }
+            }
+        }
+        out
+    }
+
+    fn import(&mut self, from: &Path, prefix: &str, written: &str, place: Span) {
+        let folder = from.parent().unwrap_or(Path::new(""));
+        let path = normal(&folder.join(written));
+        if let Some(at) = self.open.iter().position(|p| *p == path) {
+            let mut names: Vec<String> = self.open[at..].iter().map(|p| file_name(p)).collect();
+            names.push(file_name(&path));
+            let message = format!("`{written}` imports itself: {}", names.join(" → "));
+            self.found.push(
+                Diagnostic::new(codes::E0206, place, message)
+                    .label("closes the circle")
+                    .note("move what both files need into a third one and import that"),
+            );
+            return;
+        }
+        if self.files.iter().any(|f| f.path == path) {
+            return;
+        }
+        if Path::new(written).is_absolute() {
+            let message = format!("`{written}` is an absolute path; imports are relative to the file they stand in");
+            self.found.push(Diagnostic::new(codes::E0206, place, message));
+            return;
+        }
+        let relative = Path::new(prefix).parent().unwrap_or(Path::new("")).join(written);
+        let relative = normal(&relative).to_string_lossy().replace('\\', "/");
+        let shown = self.sources.get(place.file).path().parent().unwrap_or(Path::new("")).join(written);
+        match self.loader.load(&path) {
+            Ok(bytes) => match decode(&normal(&shown).to_string_lossy(), &path, bytes, self.sources) {
+                Ok(file) => self.read(file, path, relative),
+                Err(refused) => self.found.push(refused.1.related(place, "imported here")),
+            },
+            Err(e) => {
+                let message = format!("cannot import `{written}`: {}", plain(&e));
+                self.found.push(
+                    Diagnostic::new(codes::E0206, place, message)
+                        .note("the path is relative to the folder of this file"),
+                );
+            }
+        }
+    }
+}
