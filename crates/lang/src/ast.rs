@@ -31,7 +31,7 @@ pub struct Stmt {
     /// The range of the first `@req(…)`, else of the first `///`; for `--core`.
     pub attributes: Option<TextRange>,
     /// The expressions of the statement, children before parents.
-    pub exprs: Vec<Expr>,
+    pub exprs: Box<[Expr]>,
 }
 
 impl Stmt {

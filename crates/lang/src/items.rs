@@ -173,9 +173,8 @@ impl<'a> Items<'a> {
             let StmtKind::Declare { name: written, .. } = &place.stmt.kind else { return None };
             Some((name.clone(), Item { place, span: place.span(written.range)?, kind: *kind }))
         };
-        let predicate = |(name, (_, at)): (&SmolStr, &(PredicateHead, At))| {
-            Some((name.clone(), Predicate::of(place(*at))?))
-        };
+        let predicate =
+            |(name, (_, at)): (&SmolStr, &(PredicateHead, At))| Some((name.clone(), Predicate::of(place(*at))?));
         let assignment = |(key, at): (&AssignKey, &At)| {
             let place = place(*at);
             let StmtKind::Assign { target, value, .. } = &place.stmt.kind else { return None };

@@ -4,7 +4,7 @@ use super::checked::{checked, core_checked};
 use super::names::{At, Twice, assignments, circles, names};
 use super::reader::{ReadFile, Reader};
 use super::runs::{File, Sources, parsed, placed_runs};
-use super::{Cancelled, Database, cancellable};
+use super::{Cancelled, Database, Observer, cancellable};
 use crate::ast::{Stmt, StmtKind};
 use crate::check::{Where, cycles};
 use crate::compile::{MAX_ERRORS, Options};
@@ -65,7 +65,7 @@ impl Analysis {
         Self::build(options, Some(Box::new(observer)))
     }
 
-    fn build(options: Options, observer: Option<Box<dyn Fn(&str) + Send + Sync>>) -> Self {
+    fn build(options: Options, observer: Option<Observer>) -> Self {
         let db = Database::new(observer);
         let sources = Sources::new(&db, Vec::new());
         Self { db, sources, options, files: Vec::new(), unread: Vec::new() }

@@ -24,8 +24,9 @@ pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(
 #[salsa::tracked]
 pub(crate) fn core_checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(u32, Diagnostic<Where>)> {
     let statements = &parsed(db, run).statements;
-    let found = statements.iter().zip(0..).flat_map(|((_, stmt), i)| {
-        check_core(stmt).into_iter().map(move |d| (i, d.map_places(Where::Here)))
-    });
+    let found = statements
+        .iter()
+        .zip(0..)
+        .flat_map(|((_, stmt), i)| check_core(stmt).into_iter().map(move |d| (i, d.map_places(Where::Here))));
     found.collect()
 }

@@ -26,6 +26,9 @@ pub(crate) use names::{At, NameTable};
 
 use std::panic::UnwindSafe;
 
+/// Is told the name of every query that runs.
+type Observer = Box<dyn Fn(&str) + Send + Sync>;
+
 /// The storage of all queries. A clone is a second handle for another thread; a change waits until the readers have
 /// noticed it, which takes well under a millisecond: they leave with [`Cancelled`].
 #[salsa::db]
@@ -38,8 +41,8 @@ pub(crate) struct Database {
 impl salsa::Database for Database {}
 
 impl Database {
-    /// A database that tells `observer` the name of every query that runs.
-    fn new(observer: Option<Box<dyn Fn(&str) + Send + Sync>>) -> Self {
+    /// A database without anything in it.
+    fn new(observer: Option<Observer>) -> Self {
         let callback = observer.map(|observer| -> Box<dyn Fn(salsa::Event) + Send + Sync> {
             Box::new(move |event| {
                 if let salsa::EventKind::WillExecute { database_key } = event.kind {

@@ -72,7 +72,9 @@ fn head<'t>(stmt: &Stmt, text: impl Fn(TextRange) -> &'t str) -> Option<Head> {
     Some(match &stmt.kind {
         StmtKind::Declare { ty, name, size, .. } => {
             let kind = match (ty, size) {
-                (TypeWord::Object, Some(size)) => ItemKind::Array(array_size(stmt, *size).unwrap_or_else(|e| e.assumed)),
+                (TypeWord::Object, Some(size)) => {
+                    ItemKind::Array(array_size(stmt, *size).unwrap_or_else(|e| e.assumed))
+                }
                 (TypeWord::Object, None) => ItemKind::Object,
                 (TypeWord::Region, _) => ItemKind::Region,
                 (word, _) => ItemKind::Variable(Ty::of(*word)),
@@ -124,7 +126,7 @@ pub(crate) fn outline<'db>(db: &'db dyn salsa::Database, file: File) -> Vec<Head
 }
 
 /// All heads of the program.
-fn all_heads<'db>(db: &'db dyn salsa::Database, sources: Sources) -> impl Iterator<Item = (At, &'db Head)> {
+fn all_heads(db: &dyn salsa::Database, sources: Sources) -> impl Iterator<Item = (At, &Head)> {
     sources.files(db).iter().enumerate().flat_map(move |(unit, file)| {
         outline(db, *file).iter().enumerate().flat_map(move |(run, heads)| {
             let at = move |stmt| At { unit: unit as u32, run: run as u32, stmt };

@@ -46,11 +46,11 @@ impl<'a> Reader<'a> {
     /// The main file first, then the others in the order met; and what went wrong.
     pub fn read_all(mut self, main: FileId) -> (Vec<ReadFile>, Vec<Diagnostic>) {
         let path = normal(self.sources.get(main).path());
-        self.read(main, path, String::new());
+        self.read(main, &path, "");
         (self.files, self.found)
     }
 
-    fn read(&mut self, file: FileId, path: PathBuf, prefix: String) {
+    fn read(&mut self, file: FileId, path: &Path, prefix: &str) {
         let new = self.sources.get(file).text();
         let text = match self.before.iter().find(|f| f.path == path) {
             Some(known) => {
@@ -62,10 +62,10 @@ impl<'a> Reader<'a> {
             None => File::new(self.db, new.to_owned()),
         };
         let imports = self.imports(file, text);
-        self.files.push(ReadFile { file, prefix: prefix.clone(), path: path.clone(), text });
-        self.open.push(path.clone());
+        self.files.push(ReadFile { file, prefix: prefix.to_owned(), path: path.to_owned(), text });
+        self.open.push(path.to_owned());
         for (written, place) in imports {
-            self.import(&path, &prefix, &written, place);
+            self.import(path, prefix, &written, place);
         }
         self.open.pop();
     }
@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         let shown = self.sources.get(place.file).path().parent().unwrap_or(Path::new("")).join(written);
         match self.loader.load(&path) {
             Ok(bytes) => match decode(&normal(&shown).to_string_lossy(), &path, bytes, self.sources) {
-                Ok(file) => self.read(file, path, relative),
+                Ok(file) => self.read(file, &path, &relative),
                 Err(refused) => self.found.push(refused.1.related(place, "imported here")),
             },
             Err(e) => {

@@ -42,7 +42,7 @@ pub(crate) fn placed_runs<'db>(db: &'db dyn salsa::Database, file: File) -> Vec<
     let mut out = Vec::with_capacity(chunks.len() / CLASSES as usize + 1);
     let mut first = 0;
     for (i, chunk) in chunks.iter().enumerate() {
-        let ends = FxBuildHasher.hash_one(&text[chunk.range.bytes()]) % CLASSES == 0;
+        let ends = FxBuildHasher.hash_one(&text[chunk.range.bytes()]).is_multiple_of(CLASSES);
         if ends || i + 1 - first == LONGEST || i + 1 == chunks.len() {
             let start = chunks[first].range.start;
             let run = &text[start as usize..chunk.range.end as usize];
@@ -56,5 +56,8 @@ pub(crate) fn placed_runs<'db>(db: &'db dyn salsa::Database, file: File) -> Vec<
 /// The statements of a run. Its text never changes, so there is nothing to compare.
 #[salsa::tracked(no_eq)]
 pub(crate) fn parsed<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> ParsedFile {
-    parse_run(run.text(db))
+    let mut parsed = parse_run(run.text(db));
+    // It is kept: a tree of a large file would take a third more.
+    parsed.statements.shrink_to_fit();
+    parsed
 }

@@ -6,9 +6,9 @@ mod expr;
 mod pins;
 
 use crate::ast::{Allow, ExprId, StmtKind};
+use crate::db::Unit;
 use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
 use crate::program::*;
-use crate::db::Unit;
 use crate::types::Ty;
 use builder::Builder;
 use rustc_hash::{FxHashMap, FxHashSet};

@@ -177,7 +177,7 @@ impl ChunkParser<'_> {
             requirements: parsed.requirements,
             doc,
             attributes: parsed.attribute.or(doc_range),
-            exprs: builder.exprs,
+            exprs: builder.exprs.into(),
         });
         Ok(())
     }
@@ -210,7 +210,7 @@ impl ChunkParser<'_> {
             requirements: Vec::new(),
             doc: doc.clone(),
             attributes,
-            exprs,
+            exprs: exprs.into(),
         }));
     }
 
@@ -234,7 +234,7 @@ impl ChunkParser<'_> {
             requirements: Vec::new(),
             doc: String::new(),
             attributes: None,
-            exprs: Vec::new(),
+            exprs: Box::default(),
         });
     }
 

@@ -8,6 +8,7 @@
 
 mod blocks;
 mod format;
+mod incremental;
 mod shape;
 mod soup;
 mod spec;
