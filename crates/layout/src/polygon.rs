@@ -149,6 +149,9 @@ impl Polygon {
     /// The clearance of a convex footprint (positive winding): how far it stays from the boundary within, or minus how
     /// far its outline leads outside at most. Where the outline is inside so is all of it, a simple polygon having no holes.
     pub fn clearance(&self, footprint: &[Vec2]) -> Clearance {
+        if let Some(clearance) = self.convex.then(|| self.clearance_in_convex(footprint)).filter(|c| c.value > 0.0) {
+            return clearance;
+        }
         let mut outside: Option<Clearance> = None;
         let mut worst = |c: Clearance| {
             if outside.is_none_or(|o| c.value < o.value) {
@@ -167,6 +170,22 @@ impl Polygon {
             }
         }
         outside.unwrap_or_else(|| self.clearance_within(footprint))
+    }
+
+    /// The least distance from the line of an edge: the clearance, if all of the footprint is inside. Not so outside,
+    /// where what is nearest may be a corner.
+    fn clearance_in_convex(&self, footprint: &[Vec2]) -> Clearance {
+        let mut best = Clearance { value: f64::INFINITY, at: Vec2::zeros(), wall: Vec2::zeros(), inward: Vec2::x() };
+        for (a, b) in self.edges() {
+            let inward = Vec2::new(a.y - b.y, b.x - a.x).normalize();
+            for &at in footprint {
+                let value = inward.dot(&(at - a));
+                if value < best.value {
+                    best = Clearance { value, at, wall: at - inward * value, inward };
+                }
+            }
+        }
+        best
     }
 
     /// Clearance of a footprint known to be inside.

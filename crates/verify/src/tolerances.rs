@@ -45,6 +45,8 @@ pub struct Options {
     pub physics: bool,
     /// Whether physical rows that hold are listed too.
     pub all: bool,
+    /// Whether rows that hold say what was measured, too: a sentence takes longer than the verdict.
+    pub sentences: bool,
 }
 
 impl Default for Options {
@@ -55,6 +57,7 @@ impl Default for Options {
             geometry: Geometry::default(),
             physics: true,
             all: false,
+            sentences: true,
         }
     }
 }

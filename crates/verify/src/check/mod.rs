@@ -91,10 +91,25 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     }
     let mut verdict = Verdict::default();
     draws::check(program, &mut world, places, &mut verdict.diagnostics);
-    stated::judge(program, &world, &mut verdict);
-    if options.physics {
-        physical::judge(program, &world, &mut verdict);
-    }
+    let mut physical = Verdict::default();
+    // They ask each other nothing. A thread of its own takes longer to begin than a room takes to judge.
+    let large = program.objects.len() + program.constraints.len() > 2_000;
+    std::thread::scope(|scope| {
+        let mut judge_physical = || {
+            if options.physics {
+                physical::judge(program, &world, &mut physical);
+            }
+        };
+        if large {
+            scope.spawn(judge_physical);
+        } else {
+            judge_physical();
+        }
+        stated::judge(program, &world, &mut verdict);
+    });
+    verdict.rows.append(&mut physical.rows);
+    verdict.summary.physical = physical.summary.physical;
+    verdict.diagnostics.append(&mut physical.diagnostics);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     verdict
 }

@@ -16,7 +16,13 @@ use scenelang_layout::inside_clearance;
 pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
     let scope = Scope::new(world);
     let near = pairs_within(world, world.options.tolerances.support + world.options.tolerances.order);
-    let mut rows = Rows { program, world, verdict };
+    let mut rows = Rows {
+        program,
+        world,
+        verdict,
+        complete: world.missing_object().is_none(),
+        enclosed: world.missing_region().is_none(),
+    };
     collisions(&mut rows, &scope, &near);
     if !program.regions.is_empty() {
         for id in ids(program).filter(|id| scope.bounds(*id)) {
@@ -52,6 +58,9 @@ struct Rows<'a> {
     program: &'a Program,
     world: &'a World<f64>,
     verdict: &'a mut Verdict,
+    /// Whether the layout has all objects, and all regions.
+    complete: bool,
+    enclosed: bool,
 }
 
 impl Rows<'_> {
@@ -64,7 +73,7 @@ impl Rows<'_> {
         kind: Kind,
         subject: Subject,
         outcome: Option<Truth<f64>>,
-        text: String,
+        text: impl FnOnce(&Self) -> String,
         measured: impl FnOnce(&Self) -> String,
     ) {
         let satisfied = outcome.map(|t| t.holds);
@@ -76,7 +85,7 @@ impl Rows<'_> {
             Subject::Object(a) => vec![a],
             Subject::Statement(_) => Vec::new(),
         };
-        let measured = measured(self);
+        let (text, measured) = (text(self), measured(self));
         let fails = satisfied == Some(false);
         let related = if fails { declarations(self.program, self.world, &objects) } else { Vec::new() };
         let place = self.program.objects[objects[0].0 as usize].span;
@@ -113,7 +122,7 @@ fn collisions(rows: &mut Rows<'_>, scope: &Scope, near: &[(ObjectId, ObjectId)])
         let outcome = collide::pair(world, a, b).ok();
         violations += usize::from(outcome.is_some_and(|t| !t.holds));
         let (a, b) = if rows.name(a) <= rows.name(b) { (a, b) } else { (b, a) };
-        let text = format!("`{}` and `{}` do not collide", rows.name(a), rows.name(b));
+        let text = |rows: &Rows<'_>| format!("`{}` and `{}` do not collide", rows.name(a), rows.name(b));
         rows.list(Kind::Collision, Subject::Pair(a, b), outcome, text, |rows| {
             match (world.object(a), world.object(b)) {
                 (Ok(x), Ok(y)) => natives::gap_in_words(rows.name(a), rows.name(b), natives::gap(x, y)),
@@ -131,9 +140,9 @@ fn bounded(rows: &mut Rows<'_>, id: ObjectId) {
     let world = rows.world;
     let best = bounds::best(world, id).ok();
     // A region that is missing could hold it.
-    let outcome = best.map(|(_, truth)| truth).filter(|t| t.holds || world.missing_region().is_none());
+    let outcome = best.map(|(_, truth)| truth).filter(|t| t.holds || rows.enclosed);
     rows.verdict.summary.physical.add(outcome.map(|t| t.holds));
-    let text = format!("`{}` is inside a region", rows.name(id));
+    let text = |rows: &Rows<'_>| format!("`{}` is inside a region", rows.name(id));
     rows.list(Kind::Bounds, Subject::Object(id), outcome, text, |rows| {
         let (Some((Some(region), truth)), Ok(thing)) = (best, world.object(id)) else {
             return String::new();
@@ -166,10 +175,10 @@ fn mounted(world: &World<f64>, id: ObjectId) -> Result<Truth<f64>, Cause> {
 fn supported(rows: &mut Rows<'_>, id: ObjectId, outcome: Result<Truth<f64>, Cause>, how: Support) {
     let world = rows.world;
     // What is missing could carry it.
-    let complete = how != Support::Rests || world.missing_object().or(world.missing_region()).is_none();
-    let outcome = outcome.ok().filter(|t| t.holds || complete);
+    let known = how != Support::Rests || (rows.complete && rows.enclosed);
+    let outcome = outcome.ok().filter(|t| t.holds || known);
     rows.verdict.summary.physical.add(outcome.map(|t| t.holds));
-    let text = format!("`{}` is supported", rows.name(id));
+    let text = |rows: &Rows<'_>| format!("`{}` is supported", rows.name(id));
     rows.list(Kind::Support, Subject::Object(id), outcome, text, |rows| match how {
         Support::Mounted => "it does not touch the wall or ceiling that it is mounted on".to_owned(),
         Support::Held => "its container holds it".to_owned(),

@@ -40,7 +40,9 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
                 row.satisfied = Some(truth.holds);
                 row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
                 row.objects = objects(constraint, deciding);
-                row.measured = measured(program, world, &constraint.formula, &scratch, deciding, truth.holds);
+                if !truth.holds || world.options.sentences {
+                    row.measured = measured(program, world, &constraint.formula, &scratch, deciding, truth.holds);
+                }
                 if !truth.holds {
                     row.related = declarations(program, world, &row.objects);
                 }
