@@ -2,6 +2,7 @@
 //!
 //! Absent here: programs, constraints, margins of formulas.
 
+pub mod broad;
 pub mod convex;
 pub mod file;
 pub mod model;

@@ -98,6 +98,22 @@ pub fn separation(a: &Obb, b: &Obb) -> Separation {
     Separation { gap: distance, normal: way / distance }
 }
 
+/// Whether one of the fifteen axes shows a gap of at least `distance` (metres; negative: an overlap of that depth at
+/// most). The first that does is enough, which makes this much faster than the gap itself.
+pub fn apart(a: &Obb, b: &Obb, distance: f64) -> bool {
+    let between = b.center - a.center;
+    let shows = |axis: &Vec3| between.dot(axis).abs() - a.reach(axis) - b.reach(axis) >= distance;
+    let faces = (0..3).any(|i| shows(&a.axes.column(i).into()) || shows(&b.axes.column(i).into()));
+    faces
+        || (0..3).any(|i| {
+            (0..3).any(|j| {
+                let cross = a.axes.column(i).cross(&b.axes.column(j));
+                let length = cross.norm();
+                length > 1e-9 && shows(&(cross / length))
+            })
+        })
+}
+
 /// The best of the fifteen axes: exact where the boxes overlap, of the right sign and at most the distance where not.
 fn separating_axis(a: &Obb, b: &Obb) -> Separation {
     let between = b.center - a.center;
