@@ -16,6 +16,7 @@ pub mod parse;
 pub mod print;
 pub mod program;
 pub mod sources;
+pub mod syntax;
 pub mod token;
 pub mod types;
 
