@@ -8,6 +8,7 @@ pub mod chunk;
 pub mod compile;
 pub mod db;
 pub mod fmt;
+pub mod hir;
 pub mod items;
 pub mod library;
 pub mod lower;
