@@ -1,5 +1,6 @@
 //! Kinds of nodes and leaves of the syntax tree, and their numbers in it.
 
+use crate::ast::{ExprKind, StmtKind};
 use crate::token::Kind;
 use std::cmp::Ordering;
 use std::fmt;
@@ -209,11 +210,57 @@ impl NodeKind {
     }
 }
 
+impl From<&StmtKind> for NodeKind {
+    fn from(kind: &StmtKind) -> Self {
+        match kind {
+            StmtKind::Declare { .. } => Self::Declaration,
+            StmtKind::Assign { .. } => Self::Assignment,
+            StmtKind::Assert { .. } => Self::Assertion,
+            StmtKind::Prefer { .. } => Self::Preference,
+            StmtKind::Allow { .. } => Self::Allowance,
+            StmtKind::Predicate { .. } => Self::PredicateDefinition,
+            StmtKind::Import { .. } => Self::Import,
+            StmtKind::Empty => Self::Empty,
+            StmtKind::Error => Self::Error,
+        }
+    }
+}
+
+impl From<&ExprKind> for NodeKind {
+    fn from(kind: &ExprKind) -> Self {
+        match kind {
+            ExprKind::Number(..) => Self::Number,
+            ExprKind::Text(_) => Self::Text,
+            ExprKind::Bool(_) => Self::Bool,
+            ExprKind::Name(_) => Self::NameRef,
+            ExprKind::Objects => Self::Objects,
+            ExprKind::Member(..) => Self::Member,
+            ExprKind::Own(_) => Self::Own,
+            ExprKind::Index(..) => Self::Index,
+            ExprKind::Neg(_) => Self::Negative,
+            ExprKind::Not(_) => Self::Not,
+            ExprKind::Binary(..) => Self::Binary,
+            ExprKind::Compare(..) => Self::Comparison,
+            ExprKind::Call(..) => Self::Call,
+            ExprKind::Quantified(..) => Self::Quantifier,
+            ExprKind::Where(..) => Self::Filter,
+            ExprKind::Range(..) => Self::Range,
+            ExprKind::Error => Self::Error,
+        }
+    }
+}
+
+impl fmt::Display for NodeKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self:?}")
+    }
+}
+
 impl fmt::Display for SyntaxKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Token(kind) => write!(f, "{kind:?}"),
-            Self::Node(kind) => write!(f, "{kind:?}"),
+            Self::Node(kind) => write!(f, "{kind}"),
         }
     }
 }

@@ -9,24 +9,9 @@ use scenelang_base::TextRange;
 
 /// The nodes of a statement that parses.
 pub(super) fn statement(stmt: &Stmt, words: &Words, out: &mut Vec<Piece>) {
-    out.push(Piece { range: stmt.range, kind: body(&stmt.kind) });
+    out.push(Piece { range: stmt.range, kind: NodeKind::from(&stmt.kind) });
     parts(stmt, out);
     out.extend(groups(words, usize::MAX).into_iter().map(|group| group.piece(words)));
-}
-
-/// The kind of node that a statement is.
-fn body(kind: &StmtKind) -> NodeKind {
-    match kind {
-        StmtKind::Declare { .. } => NodeKind::Declaration,
-        StmtKind::Assign { .. } => NodeKind::Assignment,
-        StmtKind::Assert { .. } => NodeKind::Assertion,
-        StmtKind::Prefer { .. } => NodeKind::Preference,
-        StmtKind::Allow { .. } => NodeKind::Allowance,
-        StmtKind::Predicate { .. } => NodeKind::PredicateDefinition,
-        StmtKind::Import { .. } => NodeKind::Import,
-        StmtKind::Empty => NodeKind::Empty,
-        StmtKind::Error => NodeKind::Error,
-    }
 }
 
 /// Names, parameters, paths and expressions of a statement, outer ones before inner ones where both have one range.
@@ -52,26 +37,7 @@ pub(super) fn parts(stmt: &Stmt, out: &mut Vec<Piece>) {
 }
 
 fn expression(expr: &Expr, push: &mut impl FnMut(TextRange, NodeKind)) {
-    let kind = match &expr.kind {
-        ExprKind::Number(..) => NodeKind::Number,
-        ExprKind::Text(_) => NodeKind::Text,
-        ExprKind::Bool(_) => NodeKind::Bool,
-        ExprKind::Name(_) => NodeKind::NameRef,
-        ExprKind::Objects => NodeKind::Objects,
-        ExprKind::Member(..) => NodeKind::Member,
-        ExprKind::Own(_) => NodeKind::Own,
-        ExprKind::Index(..) => NodeKind::Index,
-        ExprKind::Neg(_) => NodeKind::Negative,
-        ExprKind::Not(_) => NodeKind::Not,
-        ExprKind::Binary(..) => NodeKind::Binary,
-        ExprKind::Compare(..) => NodeKind::Comparison,
-        ExprKind::Call(..) => NodeKind::Call,
-        ExprKind::Quantified(..) => NodeKind::Quantifier,
-        ExprKind::Where(..) => NodeKind::Filter,
-        ExprKind::Range(..) => NodeKind::Range,
-        ExprKind::Error => NodeKind::Error,
-    };
-    push(expr.range, kind);
+    push(expr.range, NodeKind::from(&expr.kind));
     match &expr.kind {
         ExprKind::Member(_, Name { range, .. }) | ExprKind::Own(Name { range, .. }) => push(*range, NodeKind::Property),
         ExprKind::Quantified(_, Name { range, .. }, ..) => push(*range, NodeKind::Name),

@@ -3,7 +3,7 @@
 use crate::soup;
 use proptest::prelude::*;
 use scenelang_base::TextRange;
-use scenelang_lang::ast::{ExprKind, StmtKind};
+use scenelang_lang::ast::StmtKind;
 use scenelang_lang::chunk::cut;
 use scenelang_lang::parse::parse_file;
 use scenelang_lang::syntax::{
@@ -78,29 +78,6 @@ fn check(text: &str) {
     }
 }
 
-/// The node that an expression is.
-fn node_kind(kind: &ExprKind) -> NodeKind {
-    match kind {
-        ExprKind::Number(..) => NodeKind::Number,
-        ExprKind::Text(_) => NodeKind::Text,
-        ExprKind::Bool(_) => NodeKind::Bool,
-        ExprKind::Name(_) => NodeKind::NameRef,
-        ExprKind::Objects => NodeKind::Objects,
-        ExprKind::Member(..) => NodeKind::Member,
-        ExprKind::Own(_) => NodeKind::Own,
-        ExprKind::Index(..) => NodeKind::Index,
-        ExprKind::Neg(_) => NodeKind::Negative,
-        ExprKind::Not(_) => NodeKind::Not,
-        ExprKind::Binary(..) => NodeKind::Binary,
-        ExprKind::Compare(..) => NodeKind::Comparison,
-        ExprKind::Call(..) => NodeKind::Call,
-        ExprKind::Quantified(..) => NodeKind::Quantifier,
-        ExprKind::Where(..) => NodeKind::Filter,
-        ExprKind::Range(..) => NodeKind::Range,
-        ExprKind::Error => NodeKind::Error,
-    }
-}
-
 /// In a program that parses, every part of the typed tree is a node: one, in its place, of its kind.
 fn check_parts(text: &str) {
     let tree = syntax::parse(text);
@@ -112,7 +89,7 @@ fn check_parts(text: &str) {
     };
     for (offset, stmt) in &parse_file(text).statements {
         let at = |range: TextRange| range.shifted(*offset);
-        stmt.exprs.iter().for_each(|e| one(at(e.range), node_kind(&e.kind)));
+        stmt.exprs.iter().for_each(|e| one(at(e.range), NodeKind::from(&e.kind)));
         match &stmt.kind {
             StmtKind::Declare { name, .. } => one(at(name.range), NodeKind::Name),
             StmtKind::Assign { target, .. } => one(at(*target), NodeKind::Path),
@@ -122,18 +99,7 @@ fn check_parts(text: &str) {
             }
             _ => {}
         }
-        let body = match &stmt.kind {
-            StmtKind::Declare { .. } => NodeKind::Declaration,
-            StmtKind::Assign { .. } => NodeKind::Assignment,
-            StmtKind::Assert { .. } => NodeKind::Assertion,
-            StmtKind::Prefer { .. } => NodeKind::Preference,
-            StmtKind::Allow { .. } => NodeKind::Allowance,
-            StmtKind::Predicate { .. } => NodeKind::PredicateDefinition,
-            StmtKind::Import { .. } => NodeKind::Import,
-            StmtKind::Empty => NodeKind::Empty,
-            StmtKind::Error => NodeKind::Error,
-        };
-        one(at(stmt.range), body);
+        one(at(stmt.range), NodeKind::from(&stmt.kind));
         let attributes = tree.descendants().filter(|n| {
             n.kind() == SyntaxKind::Node(NodeKind::Requirement)
                 && stmt.requirements.iter().any(|(_, r)| {
