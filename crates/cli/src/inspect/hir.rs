@@ -295,8 +295,11 @@ fn in_words(signature: &Signature) -> String {
     format!("{}({})", signature.name, params.join(", "))
 }
 
-/// A text with its blanks folded, cut where it gets long.
+/// A text with its blanks folded, cut where it gets long; what the parser has lost has no text.
 fn shortened(text: &str) -> String {
+    if text.is_empty() {
+        return "…".to_owned();
+    }
     let mut out = String::new();
     let mut length = 0;
     for word in text.split_whitespace() {

@@ -241,6 +241,7 @@ mod tests {
             ("assert lamp.|", "property of lamp"),
             ("assert lamp.|;", "property of lamp"),
             ("assert lamp.|\nobject b;", "property of lamp"),
+            ("assert lamp.|\nlamp.color <- \"red\";", "property of lamp"),
             ("assert lamp.p|", "property of lamp [p]"),
             ("assert lamp.pos.| > 1;", "property of lamp.pos"),
             ("assert chair[1].| and b;", "property of chair[1]"),
