@@ -27,8 +27,12 @@ pub enum Command {
     New(New),
     /// Show the page of a code: what it says, why, an example, what to do
     Explain(Explain),
+    /// Print the syntax tree of a program, every byte of it; also of a broken one
+    Syntax(Inspect),
+    /// Print what the names and expressions of a program mean
+    Hir(Inspect),
     /// Print what the statements of a program become
-    Constraints(Constraints),
+    Constraints(Inspect),
 }
 
 /// `scenelang check`
@@ -171,10 +175,22 @@ pub struct Explain {
     pub code: String,
 }
 
-/// `scenelang constraints`
+/// `scenelang syntax`, `scenelang hir`, `scenelang constraints`
 #[derive(ClapArgs, Debug)]
-pub struct Constraints {
-    /// The program
+pub struct Inspect {
+    /// The program; `-` reads standard input
     #[arg(value_name = "FILE.scene")]
     pub file: PathBuf,
+    /// How it is written
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
+}
+
+/// `--format` of the commands that show what becomes of a program
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plain {
+    /// For people
+    Text,
+    /// A JSON object on one line
+    Json,
 }

@@ -1,14 +1,14 @@
 //! `scenelang fmt`: programs in the standard form.
 
 use crate::args::Fmt;
+use crate::input::{self, is_stdin, name_of};
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD};
-use scenelang_base::{Diagnostic, SourceMap, TextRange};
+use scenelang_base::{Diagnostic, TextRange};
 use scenelang_lang::fmt::{FormatOptions, format};
 use scenelang_lang::parse::parse_file;
-use scenelang_lang::sources::{Disk, Loader, decode, plain};
 use scenelang_verify::report;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// Formats each file in place (or says that it would); the worst exit code.
@@ -18,22 +18,10 @@ pub fn run(args: &Fmt) -> u8 {
 }
 
 fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
-    let stdin = path == Path::new("-");
-    let name = if stdin { "<stdin>".to_owned() } else { path.display().to_string() };
-    let bytes = if stdin {
-        let mut bytes = Vec::new();
-        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        Disk.load(path)
-    };
-    let bytes = match bytes {
-        Ok(bytes) => bytes,
-        Err(e) => return fail(&format!("cannot read {name}: {}", plain(&e))),
-    };
-    let mut sources = SourceMap::new();
-    let id = match decode(&name, path, bytes, &mut sources) {
-        Ok(id) => id,
-        Err(refused) => return fail(&refused.1.message),
+    let name = name_of(path);
+    let (sources, id) = match input::read(path) {
+        Ok(read) => read,
+        Err(message) => return fail(&message),
     };
     let text = sources.get(id).text();
     let errors: Vec<Diagnostic> = parse_file(text)
@@ -59,7 +47,7 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         eprintln!("{name}:{}: not in the standard form; `scenelang fmt {name}` writes it", line + 1);
         return FINDINGS;
     }
-    if stdin {
+    if is_stdin(path) {
         return match std::io::stdout().write_all(formatted.as_bytes()) {
             Ok(()) => GOOD,
             Err(e) => fail(&format!("cannot write: {e}")),

@@ -1,13 +1,8 @@
-//! Commands to look things up and to start: `explain`, `constraints`, `new`.
+//! Commands to look things up and to start: `explain`, `new`.
 
-use crate::args::{Constraints, Explain, New};
-use crate::solve::color_err;
+use crate::args::{Explain, New};
 use crate::{FAILED, GOOD};
 use scenelang_base::{Code, codes, suggest};
-use scenelang_lang::print::Printed;
-use scenelang_lang::program::ConstraintKind;
-use scenelang_lang::{Options, compile_file};
-use scenelang_verify::report;
 
 /// Shows the page of a code.
 pub fn explain(args: &Explain) -> u8 {
@@ -22,25 +17,6 @@ pub fn explain(args: &Explain) -> u8 {
         None => eprintln!("  codes look like E0201, W0302, V0101; reports and messages name them"),
     }
     FAILED
-}
-
-/// Prints what the statements of a program become: one line for each constraint.
-pub fn constraints(args: &Constraints) -> u8 {
-    let name = args.file.display().to_string();
-    let compiled = compile_file(&name, &args.file, Options::default());
-    eprint!("{}", report::diagnostics(&compiled.diagnostics, &compiled.sources, color_err()));
-    let Some(program) = &compiled.program else { return FAILED };
-    for c in &program.constraints {
-        let kind = match c.kind {
-            ConstraintKind::Assert => "assert".to_owned(),
-            ConstraintKind::Prefer { weight } => format!("prefer (weight {weight})"),
-            ConstraintKind::Pin => "pin".to_owned(),
-        };
-        let (start, _) = compiled.sources.lines(c.span);
-        let file = compiled.sources.get(c.span.file).name();
-        println!("{file}:{}:{}: {kind} {}", start.line, start.column, Printed(program, &c.formula));
-    }
-    GOOD
 }
 
 /// Writes a small program to start from; a file that is there already is left alone.
@@ -67,6 +43,7 @@ const TEMPLATE: &str = include_str!("new.scene");
 #[cfg(test)]
 mod tests {
     use super::*;
+    use scenelang_lang::Options;
     use std::path::Path;
 
     #[test]

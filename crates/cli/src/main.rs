@@ -3,6 +3,8 @@
 mod args;
 mod check;
 mod fmt;
+mod input;
+mod inspect;
 mod interrupt;
 mod look;
 mod progress;
@@ -32,7 +34,9 @@ fn main() -> ExitCode {
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
-        Command::Constraints(constraints) => look::constraints(&constraints),
+        Command::Syntax(args) => inspect::syntax(&args),
+        Command::Hir(args) => inspect::hir(&args),
+        Command::Constraints(args) => inspect::constraints(&args),
     };
     ExitCode::from(code)
 }

@@ -256,3 +256,27 @@ pub enum ExprKind {
     /// A part that did not parse and is reported already.
     Error,
 }
+
+impl ExprKind {
+    /// Calls `f` for each direct part of an expression.
+    pub fn for_each_child(&self, mut f: impl FnMut(ExprId)) {
+        match self {
+            Self::Number(..) | Self::Text(_) | Self::Bool(_) | Self::Name(_) => {}
+            Self::Objects | Self::Own(_) | Self::Error => {}
+            Self::Member(a, _) | Self::Neg(a) | Self::Not(a) => f(*a),
+            Self::Index(a, b) | Self::Binary(_, _, a, b) => {
+                f(*a);
+                f(*b);
+            }
+            Self::Quantified(_, _, a, b) | Self::Where(a, b) | Self::Range(a, b) => {
+                f(*a);
+                f(*b);
+            }
+            Self::Compare(first, steps) => {
+                f(*first);
+                steps.iter().for_each(|(_, _, right)| f(*right));
+            }
+            Self::Call(_, args) => args.iter().for_each(|a| f(*a)),
+        }
+    }
+}

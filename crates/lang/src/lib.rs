@@ -8,6 +8,7 @@ pub mod chunk;
 pub mod compile;
 pub mod db;
 pub mod fmt;
+pub mod hir;
 pub mod items;
 pub mod library;
 pub mod lower;
@@ -16,6 +17,7 @@ pub mod parse;
 pub mod print;
 pub mod program;
 pub mod sources;
+pub mod syntax;
 pub mod token;
 pub mod types;
 

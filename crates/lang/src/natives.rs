@@ -5,7 +5,7 @@
 use crate::types::Ty;
 
 /// One signature; a name may have several.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct Signature {
     /// Its name.
     pub name: &'static str,
@@ -111,7 +111,7 @@ impl Signature {
 }
 
 /// What can be read of an object or a region by `.name`.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct Property {
     /// Its name.
     pub name: &'static str,

@@ -26,6 +26,11 @@ impl Printed<'_> {
         if out.len() > LIMIT {
             return Err(fmt::Error);
         }
+        // A chain of definitions put in place nests as deeply as it is long.
+        stacker::maybe_grow(64 << 10, 1 << 20, || self.written(id, out))
+    }
+
+    fn written(&self, id: NodeId, out: &mut String) -> fmt::Result {
         match self.1.node(id) {
             Node::Number(x) => write!(out, "{x}"),
             Node::Truth(t) => write!(out, "{t}"),

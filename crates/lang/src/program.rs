@@ -6,6 +6,7 @@
 //!
 //! Lengths are metres, angles degrees.
 
+use crate::ast::Allow;
 use scenelang_base::{Span, TextRange};
 use smol_str::SmolStr;
 
@@ -217,6 +218,23 @@ pub struct Allowances {
     pub mounts: Vec<Mount>,
     /// `connects(d, r1, r2)` and `connects(d, r)` asserted at top level.
     pub doors: Vec<Door>,
+    /// The statements that `collide`, `outside` and `float` come from, in source order.
+    pub stated: Vec<Allowance>,
+}
+
+/// An `allow…` statement.
+#[derive(Clone, Debug)]
+pub struct Allowance {
+    /// Which rule it lifts.
+    pub rule: Allow,
+    /// The objects that each argument stands for.
+    pub arguments: Vec<Vec<ObjectId>>,
+    /// From its word to its `;`, exclusive.
+    pub span: Span,
+    /// As written, blanks folded.
+    pub text: String,
+    /// `@req` sentences of the statement.
+    pub requirements: Vec<String>,
 }
 
 /// An object held by a wall or a ceiling.

@@ -58,6 +58,27 @@ impl Ty {
             TypeWord::String => Self::String,
         }
     }
+    /// Its name, where a machine wants one; messages say what it is ([`fmt::Display`]).
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Literal => "Literal",
+            Self::Number => "Number",
+            Self::Degree => "Degree",
+            Self::Bool => "Bool",
+            Self::Vector3 => "Vector3",
+            Self::Rotation => "Rotation",
+            Self::Color => "Color",
+            Self::Material => "Material",
+            Self::String => "String",
+            Self::Object => "Object",
+            Self::Region => "Region",
+            Self::Objects => "Objects",
+            Self::Polygon => "Polygon",
+            Self::Range => "Range",
+            Self::Side => "Side",
+            Self::Error => "Error",
+        }
+    }
     /// Number, Degree or a literal.
     pub fn is_numeric(self) -> bool {
         matches!(self, Self::Literal | Self::Number | Self::Degree)

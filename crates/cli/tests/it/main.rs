@@ -7,6 +7,7 @@ mod cli;
 mod documents;
 mod examples;
 mod hostile;
+mod inspect;
 mod layering;
 mod licences;
 mod support;

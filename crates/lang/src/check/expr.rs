@@ -3,6 +3,7 @@
 use super::Where;
 use super::constant;
 use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt};
+use crate::hir::{Hir, Local, LocalKind, Resolution};
 use crate::items::{ItemKind, Names, whole_number};
 use crate::natives::{self, SIDES, Signature, property};
 use crate::program::Comparison;
@@ -15,25 +16,69 @@ use smol_str::SmolStr;
 pub(super) struct Checker<'n, 'a> {
     pub(super) names: &'n dyn Names,
     stmt: &'a Stmt,
-    scope: Vec<(SmolStr, Ty)>,
+    /// Names bound in this statement.
+    locals: Vec<Local>,
+    /// Those of `locals` that are in scope, innermost last.
+    scope: Vec<usize>,
     /// Inside the condition of a `where`.
     filter: bool,
     /// Names reported as unknown in this statement, each once.
     unknown: Vec<SmolStr>,
+    /// What is found out besides, if somebody wants to know.
+    pub(super) facts: Option<Hir>,
     out: Vec<Diagnostic<Where>>,
 }
 
 impl<'n, 'a> Checker<'n, 'a> {
     pub(super) fn new(names: &'n dyn Names, stmt: &'a Stmt) -> Self {
-        Self { names, stmt, scope: Vec::new(), filter: false, unknown: Vec::new(), out: Vec::new() }
+        Self {
+            names,
+            stmt,
+            locals: Vec::new(),
+            scope: Vec::new(),
+            filter: false,
+            unknown: Vec::new(),
+            facts: None,
+            out: Vec::new(),
+        }
     }
 
     pub(super) fn finish(self) -> Vec<Diagnostic<Where>> {
         self.out
     }
 
+    /// What was found out besides.
+    pub(super) fn into_facts(self) -> Hir {
+        let mut facts = self.facts.unwrap_or_default();
+        facts.locals = self.locals;
+        facts
+    }
+
     pub(super) fn bind_params(&mut self, params: &[Param]) {
-        self.scope.extend(params.iter().map(|p| (p.name.text.clone(), Ty::of(p.ty))));
+        params.iter().for_each(|p| self.bind(&p.name, Ty::of(p.ty), LocalKind::Parameter));
+    }
+
+    fn bind(&mut self, name: &Name, ty: Ty, kind: LocalKind) {
+        self.scope.push(self.locals.len());
+        self.locals.push(Local { name: name.text.clone(), range: name.range, ty, kind });
+    }
+
+    /// The innermost local name that is written so.
+    fn local(&self, name: &str) -> Option<usize> {
+        self.scope.iter().rev().copied().find(|local| self.locals[*local].name == name)
+    }
+
+    /// Notes what an expression stands for.
+    fn resolve(&mut self, id: ExprId, resolution: impl FnOnce() -> Resolution) {
+        if let Some(facts) = &mut self.facts {
+            facts.resolve(id, resolution());
+        }
+    }
+
+    fn note_type(&mut self, id: ExprId, ty: Ty) {
+        if let Some(facts) = &mut self.facts {
+            facts.set_type(id, ty);
+        }
     }
 
     pub(super) fn push(&mut self, d: Diagnostic<Where>) {
@@ -88,7 +133,9 @@ impl<'n, 'a> Checker<'n, 'a> {
 
     /// The type of an expression; problems in it are reported.
     pub(super) fn ty(&mut self, id: ExprId) -> Ty {
-        stacker::maybe_grow(64 << 10, 1 << 20, || self.ty_of(id))
+        let ty = stacker::maybe_grow(64 << 10, 1 << 20, || self.ty_of(id));
+        self.note_type(id, ty);
+        ty
     }
 
     fn ty_of(&mut self, id: ExprId) -> Ty {
@@ -101,11 +148,11 @@ impl<'n, 'a> Checker<'n, 'a> {
             },
             ExprKind::Text(_) => Ty::String,
             ExprKind::Bool(_) => Ty::Bool,
-            ExprKind::Name(name) => self.name(name, self.range(id)),
-            ExprKind::Objects => self.names.item("objects").map_or(Ty::Objects, ItemKind::ty),
-            ExprKind::Member(base, name) => self.member(*base, name),
-            ExprKind::Own(name) => self.own(name),
-            ExprKind::Index(base, index) => self.index(*base, *index),
+            ExprKind::Name(name) => self.name(id, name),
+            ExprKind::Objects => self.objects(id),
+            ExprKind::Member(base, name) => self.member(id, *base, name),
+            ExprKind::Own(name) => self.own(id, name),
+            ExprKind::Index(base, index) => self.index(id, *base, *index),
             ExprKind::Neg(e) => match self.ty(*e) {
                 t @ (Ty::Literal | Ty::Number | Ty::Degree | Ty::Vector3 | Ty::Error) => t,
                 other => {
@@ -133,7 +180,7 @@ impl<'n, 'a> Checker<'n, 'a> {
                 }
                 Ty::Bool
             }
-            ExprKind::Call(name, args) => self.call(name, args, self.range(id)),
+            ExprKind::Call(name, args) => self.call(id, name, args),
             ExprKind::Quantified(q, var, domain, body) => self.quantified(*q, var, *domain, *body),
             ExprKind::Where(set, condition) => {
                 self.set(*set);
@@ -172,11 +219,17 @@ impl<'n, 'a> Checker<'n, 'a> {
         if worth && !self.filter { constant::evaluate(self.stmt, id, &|_| None).map(|_| ()) } else { Ok(()) }
     }
 
-    fn name(&mut self, name: &SmolStr, range: TextRange) -> Ty {
-        if let Some((_, ty)) = self.scope.iter().rev().find(|(n, _)| n == name) {
-            return *ty;
+    fn name(&mut self, id: ExprId, name: &SmolStr) -> Ty {
+        let range = self.range(id);
+        if let Some(local) = self.local(name) {
+            self.resolve(id, || Resolution::Local(local));
+            return self.locals[local].ty;
         }
-        match self.names.item(name) {
+        let item = self.names.item(name);
+        if let Some(kind) = item {
+            self.resolve(id, || Resolution::Item(name.clone(), kind));
+        }
+        match item {
             Some(ItemKind::Variable(ty)) if ty.is_text() && !self.names.is_assigned(name) => {
                 let message = format!("`{name}` is read but never assigned, and text cannot be chosen by the solver");
                 self.push(
@@ -187,10 +240,24 @@ impl<'n, 'a> Checker<'n, 'a> {
                 Ty::Error
             }
             Some(kind) => kind.ty(),
-            None if name == "objects" => Ty::Objects,
+            None if name == "objects" => self.objects(id),
             None => {
                 self.unknown_name(name, range);
                 Ty::Error
+            }
+        }
+    }
+
+    /// `objects`, unless something is called so.
+    fn objects(&mut self, id: ExprId) -> Ty {
+        match self.names.item("objects") {
+            Some(kind) => {
+                self.resolve(id, || Resolution::Item("objects".into(), kind));
+                kind.ty()
+            }
+            None => {
+                self.resolve(id, || Resolution::AllObjects);
+                Ty::Objects
             }
         }
     }
@@ -202,7 +269,8 @@ impl<'n, 'a> Checker<'n, 'a> {
         self.unknown.push(name.into());
         let mut d = Diagnostic::new(codes::E0201, Where::Here(range), format!("`{name}` is not declared"));
         let declared = self.names.declared();
-        let near = self.scope.iter().map(|(n, _)| n.as_str()).chain(declared.iter().map(SmolStr::as_str));
+        let locals = self.scope.iter().map(|local| self.locals[*local].name.as_str());
+        let near = locals.chain(declared.iter().map(SmolStr::as_str));
         if natives::is_built_in(name) || self.names.predicate(name).is_some() {
             d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
         } else if let Some(near) = nearest(name, near) {
@@ -218,18 +286,20 @@ impl<'n, 'a> Checker<'n, 'a> {
         self.push(d);
     }
 
-    fn member(&mut self, base: ExprId, name: &Name) -> Ty {
+    fn member(&mut self, id: ExprId, base: ExprId, name: &Name) -> Ty {
         let ty = self.ty(base);
         let known: Vec<&str> = match ty {
             Ty::Error => return Ty::Error,
             Ty::Vector3 | Ty::Rotation => {
                 if ["x", "y", "z"].contains(&name.text.as_str()) {
+                    self.resolve(id, || Resolution::Component);
                     return if ty == Ty::Rotation { Ty::Degree } else { Ty::Number };
                 }
                 vec!["x", "y", "z"]
             }
             Ty::Object | Ty::Region => {
                 if let Some(p) = property(ty, &name.text) {
+                    self.resolve(id, || Resolution::Property { of: ty, property: p });
                     return p.ty;
                 }
                 let table = if ty == Ty::Object { natives::OBJECT_PROPERTIES } else { natives::REGION_PROPERTIES };
@@ -270,7 +340,10 @@ impl<'n, 'a> Checker<'n, 'a> {
         self.push(d);
     }
 
-    fn own(&mut self, name: &Name) -> Ty {
+    fn own(&mut self, id: ExprId, name: &Name) -> Ty {
+        if let Some(property) = property(Ty::Object, &name.text) {
+            self.resolve(id, || Resolution::Property { of: Ty::Object, property });
+        }
         if !self.filter {
             let message = format!("`.{}` stands for a property only after `where`", name.text);
             self.error(codes::E0207, name.range, message);
@@ -293,10 +366,10 @@ impl<'n, 'a> Checker<'n, 'a> {
         Ty::Error
     }
 
-    fn index(&mut self, base: ExprId, index: ExprId) -> Ty {
+    fn index(&mut self, id: ExprId, base: ExprId, index: ExprId) -> Ty {
         let index_ty = self.ty(index);
         let array = match &self.expr(base).kind {
-            ExprKind::Name(n) if !self.scope.iter().any(|(s, _)| s == n) => self.names.item(n).map(|kind| (n, kind)),
+            ExprKind::Name(n) if self.local(n).is_none() => self.names.item(n).map(|kind| (n, kind)),
             _ => None,
         };
         let Some((name, kind)) = array else {
@@ -306,6 +379,8 @@ impl<'n, 'a> Checker<'n, 'a> {
             }
             return Ty::Error;
         };
+        self.note_type(base, kind.ty());
+        self.resolve(base, || Resolution::Item(name.clone(), kind));
         let ItemKind::Array(n) = kind else {
             let message = format!("`{name}` is no array");
             let d = Diagnostic::new(codes::E0212, Where::Here(self.range(base)), message)
@@ -320,12 +395,14 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.error(codes::E0304, range, message);
             return Ty::Error;
         }
-        if let Some(i) = constant::number(self.stmt, index)
+        let at = constant::number(self.stmt, index);
+        if let Some(i) = at
             && (whole_number(self.stmt, index).is_none() || i < 0.0 || i >= f64::from(n))
         {
             self.index_error(name, n, range);
             return Ty::Error;
         }
+        self.resolve(id, || Resolution::Element { array: name.clone(), index: at.map(|i| i as u32) });
         Ty::Object
     }
 
@@ -439,15 +516,17 @@ impl<'n, 'a> Checker<'n, 'a> {
                 Ty::Error
             }
         };
-        self.scope.push((var.text.clone(), var_ty));
+        self.bind(var, var_ty, LocalKind::Variable);
         self.condition(body);
         self.scope.pop();
         if q == Quantifier::Count { Ty::Number } else { Ty::Bool }
     }
 
-    fn call(&mut self, name: &Name, args: &[ExprId], range: TextRange) -> Ty {
+    fn call(&mut self, id: ExprId, name: &Name, args: &[ExprId]) -> Ty {
         if natives::is_built_in(&name.text) {
-            return self.built_in(name, args, range);
+            let (signature, types) = self.built_in(name, args, self.range(id));
+            self.resolve(id, || Resolution::BuiltIn(signature));
+            return result_of(signature, &types);
         }
         let Some(predicate) = self.names.predicate(&name.text) else {
             for a in args {
@@ -456,6 +535,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.unknown_function(name);
             return Ty::Error;
         };
+        self.resolve(id, || Resolution::Predicate { name: name.text.clone(), library: predicate.library });
         if predicate.broken {
             for a in args {
                 self.ty(*a);
@@ -528,9 +608,10 @@ impl<'n, 'a> Checker<'n, 'a> {
         self.push(d);
     }
 
-    fn built_in(&mut self, name: &Name, args: &[ExprId], range: TextRange) -> Ty {
-        let all: Vec<&Signature> = natives::overloads(&name.text).collect();
-        let fitting: Vec<&Signature> = all.iter().copied().filter(|s| s.takes(args.len())).collect();
+    /// The overload that the arguments choose (or the likeliest, if they fit none), and their types.
+    fn built_in(&mut self, name: &Name, args: &[ExprId], range: TextRange) -> (&'static Signature, Vec<Ty>) {
+        let all: Vec<&'static Signature> = natives::overloads(&name.text).collect();
+        let fitting: Vec<&'static Signature> = all.iter().copied().filter(|s| s.takes(args.len())).collect();
         let side_at = |i: usize| all.iter().any(|s| s.param(i) == Ty::Side);
         let types: Vec<Ty> =
             args.iter().enumerate().map(|(i, a)| if side_at(i) { self.side(*a) } else { self.ty(*a) }).collect();
@@ -553,13 +634,13 @@ impl<'n, 'a> Checker<'n, 'a> {
             )
             .note(forms.join(" or "));
             self.push(d);
-            return result_of(all[0], &types);
+            return (all[0], types);
         }
         if types.contains(&Ty::Error) {
-            return result_of(fitting[0], &types);
+            return (fitting[0], types);
         }
         if let Some(s) = fitting.iter().find(|s| accepts(s, &types)) {
-            return result_of(s, &types);
+            return (s, types);
         }
         // Blame the first argument that no signature, chosen by the arguments before it, can take.
         let bad =
@@ -572,7 +653,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         }
         if types[bad] == Ty::Objects && wanted.contains(&Ty::Object) {
             self.bare_set(args[bad], &format!("`{}` takes one object here", name.text));
-            return result_of(fitting[0], &types);
+            return (fitting[0], types);
         }
         let words: Vec<String> = wanted
             .iter()
@@ -593,14 +674,16 @@ impl<'n, 'a> Checker<'n, 'a> {
             d = d.note(h);
         }
         self.push(d);
-        result_of(fitting[0], &types)
+        (fitting[0], types)
     }
 
     /// The side word of `clear`.
     fn side(&mut self, id: ExprId) -> Ty {
         if let ExprKind::Name(n) = &self.expr(id).kind
-            && SIDES.iter().any(|(word, _)| word == n)
+            && let Some((_, side)) = SIDES.iter().find(|(word, _)| word == n)
         {
+            self.note_type(id, Ty::Side);
+            self.resolve(id, || Resolution::Side(*side));
             return Ty::Side;
         }
         let words: Vec<&str> = SIDES.iter().map(|(w, _)| *w).collect();

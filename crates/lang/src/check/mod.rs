@@ -5,6 +5,7 @@ pub(crate) mod cycles;
 mod expr;
 
 use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind, TypeWord};
+use crate::hir::{Hir, Resolution, Target};
 use crate::items::{ItemKind, Names, array_size, whole_number};
 use crate::natives::{self, property};
 use crate::types::Ty;
@@ -17,15 +18,40 @@ use smol_str::SmolStr;
 /// on where anything stands.
 pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
     let mut checker = Checker::new(names, stmt);
+    check(&mut checker, stmt);
+    checker.finish()
+}
+
+/// What a statement means, written down by the checker on its way.
+pub(crate) fn meaning(names: &dyn Names, stmt: &Stmt) -> Hir {
+    let mut checker = Checker::new(names, stmt);
+    checker.facts = Some(Hir::of_size(stmt.exprs.len()));
+    check(&mut checker, stmt);
+    // Of sizes, indices and weights the checker wants the value, not the type; of arguments nothing if their number is
+    // wrong.
+    let rest: Vec<ExprId> = match &stmt.kind {
+        StmtKind::Declare { size, .. } => size.iter().copied().collect(),
+        StmtKind::Assign { index, .. } => index.iter().copied().collect(),
+        StmtKind::Prefer { weight, .. } => weight.iter().copied().collect(),
+        StmtKind::Allow { args, .. } => args.clone(),
+        _ => Vec::new(),
+    };
+    for id in rest {
+        checker.ty(id);
+    }
+    checker.into_facts()
+}
+
+fn check(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
     match &stmt.kind {
         StmtKind::Assert { formula } => checker.condition(*formula),
         StmtKind::Prefer { formula, weight } => {
             checker.condition(*formula);
             if let Some(weight) = weight {
-                check_weight(&mut checker, stmt, *weight);
+                check_weight(checker, stmt, *weight);
             }
         }
-        StmtKind::Allow { rule, word, args } => check_allow(&mut checker, *rule, *word, args),
+        StmtKind::Allow { rule, word, args } => check_allow(checker, *rule, *word, args),
         StmtKind::Predicate { name, params, body } => {
             if natives::is_built_in(&name.text) {
                 let message = format!("`{}` is built in and cannot be redefined", name.text);
@@ -46,7 +72,7 @@ pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
             checker.bind_params(params);
             checker.condition(*body);
         }
-        StmtKind::Assign { .. } => check_assign(&mut checker, stmt),
+        StmtKind::Assign { .. } => check_assign(checker, stmt),
         StmtKind::Declare { ty, size: Some(size), .. } => {
             let range = stmt.expr(*size).range;
             if *ty != TypeWord::Object {
@@ -57,7 +83,6 @@ pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
         }
         StmtKind::Declare { .. } | StmtKind::Import { .. } | StmtKind::Empty | StmtKind::Error => {}
     }
-    checker.finish()
 }
 
 /// A place seen from a statement: in it, or where a name is declared.
@@ -124,6 +149,20 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
         (ItemKind::Array(_), _) | (ItemKind::Object, _) => Ty::Object,
         (kind, _) => kind.ty(),
     };
+    let assigned = path.first().and_then(|p| property(owner, &p.text)).filter(|_| path.len() == 1);
+    if let Some(facts) = &mut checker.facts {
+        let element = |index| Resolution::Element {
+            array: name.text.clone(),
+            index: whole_number(stmt, index).filter(|i| *i >= 0.0).map(|i| i as u32),
+        };
+        let whole = || Resolution::Item(name.text.clone(), kind);
+        let ty = match (assigned, path.is_empty()) {
+            (Some(property), _) => property.ty,
+            (None, true) => owner,
+            (None, false) => Ty::Error,
+        };
+        facts.target = Some(Target { owner: index.map_or_else(whole, element), property: assigned, ty });
+    }
     match (owner, path.as_slice()) {
         (Ty::Object | Ty::Region, []) => {
             let message = format!("{owner} cannot be assigned, only its properties");

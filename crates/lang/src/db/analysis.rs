@@ -1,6 +1,6 @@
 //! A program under edit: its files read, its diagnostics asked for, its formulas made.
 
-use super::checked::{checked, core_checked};
+use super::checked::{checked, core_checked, meanings};
 use super::names::{At, Twice, assignments, circles, names};
 use super::reader::{ReadFile, Reader};
 use super::runs::{File, Sources, parsed, placed_runs};
@@ -8,6 +8,7 @@ use super::{Cancelled, Database, Observer, cancellable};
 use crate::ast::{Stmt, StmtKind};
 use crate::check::{Where, cycles};
 use crate::compile::{MAX_ERRORS, Options};
+use crate::hir::Meanings;
 use crate::items::{Items, Place};
 use crate::lower;
 use crate::parse::ParsedFile;
@@ -16,6 +17,7 @@ use crate::sources::Loader;
 use rustc_hash::FxHashSet;
 use salsa::Setter;
 use scenelang_base::{Code, Diagnostic, FileId, SourceMap, Span, TextRange, codes};
+use smol_str::SmolStr;
 use std::panic::AssertUnwindSafe;
 
 /// A program whose text may change. What has been found out is kept as long as it is true.
@@ -117,6 +119,28 @@ impl Analysis {
             out.extend(found);
             let out = self.listed(out);
             (Some(program).filter(|_| !out.iter().any(Diagnostic::is_error)), out)
+        }))
+    }
+
+    /// What the statements of a file of the program mean; nothing of a file that is not of the program.
+    ///
+    /// # Errors
+    /// [`Cancelled`]: the text was changed by another thread.
+    pub fn meanings(&self, file: FileId) -> Result<Meanings<'_>, Cancelled> {
+        cancellable(AssertUnwindSafe(|| {
+            let units = self.units();
+            let table = names(&self.db, self.sources);
+            let span = |(name, at): (&SmolStr, At)| Some((name.clone(), name_span(place_of(&units, at))?));
+            let read = self.files.iter().zip(&units).find(|(read, _)| read.file == file);
+            let statements = read.map_or(Vec::new(), |(read, unit)| {
+                let runs = placed_runs(&self.db, read.text).iter();
+                unit.places().zip(runs.flat_map(|(_, run)| meanings(&self.db, *run))).collect()
+            });
+            Meanings {
+                statements,
+                declared: table.items.iter().map(|(name, (_, at))| (name, *at)).filter_map(span).collect(),
+                defined: table.predicates.iter().map(|(name, (_, at))| (name, *at)).filter_map(span).collect(),
+            }
         }))
     }
 

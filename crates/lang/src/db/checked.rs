@@ -5,6 +5,7 @@
 use super::names::KnownNames;
 use super::runs::{Run, parsed};
 use crate::check::{self, Where};
+use crate::hir::{self, Hir};
 use crate::parse::core::check_core;
 use scenelang_base::Diagnostic;
 
@@ -18,6 +19,13 @@ pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(
         found.into_iter().map(move |d| (i, d))
     });
     found.collect()
+}
+
+/// What the statements of a run mean.
+#[salsa::tracked]
+pub(crate) fn meanings<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<Hir> {
+    let names = KnownNames(db);
+    parsed(db, run).statements.iter().map(|(_, stmt)| hir::statement(&names, stmt)).collect()
 }
 
 /// What of a run is outside the core language.

@@ -5,7 +5,7 @@ mod builder;
 mod expr;
 mod pins;
 
-use crate::ast::{Allow, ExprId, StmtKind};
+use crate::ast::{Allow, ExprId, Stmt, StmtKind};
 use crate::db::Unit;
 use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
 use crate::program::*;
@@ -134,7 +134,7 @@ impl<'a> Lowerer<'a, '_> {
             let Some(item) = items.names.get(name) else { continue };
             let stmt = item.place.stmt;
             let doc = stmt.doc.clone();
-            let requirements: Vec<String> = stmt.requirements.iter().map(|(r, _)| r.clone()).collect();
+            let requirements = requirements(stmt);
             let object = |name: SmolStr, array: Option<(SmolStr, u32)>| Object {
                 name,
                 array,
@@ -337,6 +337,15 @@ impl<'a> Lowerer<'a, '_> {
                     (Allow::Float, [a]) => allow.float.extend(a.iter()),
                     _ => {}
                 }
+                if let Some(span) = place.span(stmt.range) {
+                    allow.stated.push(Allowance {
+                        rule: *rule,
+                        arguments: sets.iter().map(|set| set.to_vec()).collect(),
+                        span,
+                        text: folded(self.sources.text(span)),
+                        requirements: requirements(stmt),
+                    });
+                }
                 Ok(())
             }
             StmtKind::Assign { .. } => self.assignment(place),
@@ -358,8 +367,8 @@ impl<'a> Lowerer<'a, '_> {
             kind,
             formula,
             span,
-            text: written.split_whitespace().collect::<Vec<_>>().join(" "),
-            requirements: place.stmt.requirements.iter().map(|(r, _)| r.clone()).collect(),
+            text: folded(written),
+            requirements: requirements(place.stmt),
         });
     }
 
@@ -431,4 +440,14 @@ impl<'a> Lowerer<'a, '_> {
             _ => Err(Poison),
         }
     }
+}
+
+/// A text with its blanks folded.
+fn folded(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The sentences of a statement's `@req`.
+fn requirements(stmt: &Stmt) -> Vec<String> {
+    stmt.requirements.iter().map(|(sentence, _)| sentence.clone()).collect()
 }

@@ -1,6 +1,5 @@
 //! `--core`: what a statement uses beyond the published grammar. The outermost construct is reported, once.
 
-use super::depth::for_each_child;
 use crate::ast::{Allow, BinaryOp, ExprId, ExprKind, Name, Quantifier, Stmt, StmtKind};
 use scenelang_base::codes::E0002;
 use scenelang_base::{Diagnostic, TextRange};
@@ -67,7 +66,7 @@ impl Check<'_> {
             ExprKind::Quantified(Quantifier::Count, ..) => "`count`".to_owned(),
             ExprKind::Range(..) => "a range".to_owned(),
             kind => {
-                for_each_child(kind, |child| self.expr(child));
+                kind.for_each_child(|child| self.expr(child));
                 return;
             }
         };

@@ -3,7 +3,7 @@
 //! Two measures: brackets and prefixes are counted on the tokens, before the parser descends; the height of the tree
 //! is measured on the finished expressions, for `1 + 1 + …` nests without any bracket.
 
-use crate::ast::{Expr, ExprId, ExprKind};
+use crate::ast::{Expr, ExprKind};
 use crate::token::Kind;
 
 use super::words::ends_value;
@@ -70,7 +70,7 @@ pub fn check_exprs(exprs: &[Expr]) -> Option<Diagnostic<TextRange>> {
     let mut heights: Vec<u32> = Vec::with_capacity(exprs.len());
     for expr in exprs {
         let mut height = 0;
-        for_each_child(&expr.kind, |child| height = height.max(heights[child.0 as usize] + 1));
+        expr.kind.for_each_child(|child| height = height.max(heights[child.0 as usize] + 1));
         if height > LIMIT {
             let place = match &expr.kind {
                 ExprKind::Binary(_, operator, ..) => *operator,
@@ -87,26 +87,4 @@ pub fn check_exprs(exprs: &[Expr]) -> Option<Diagnostic<TextRange>> {
 fn refusal(range: TextRange) -> Diagnostic<TextRange> {
     Diagnostic::new(E0004, range, format!("this is nested more than {LIMIT} levels deep"))
         .note("split it into several statements, or name parts of it by variables or predicates")
-}
-
-/// Calls `f` for each direct part of an expression.
-pub fn for_each_child(kind: &ExprKind, mut f: impl FnMut(ExprId)) {
-    match kind {
-        ExprKind::Number(..) | ExprKind::Text(_) | ExprKind::Bool(_) | ExprKind::Name(_) => {}
-        ExprKind::Objects | ExprKind::Own(_) | ExprKind::Error => {}
-        ExprKind::Member(a, _) | ExprKind::Neg(a) | ExprKind::Not(a) => f(*a),
-        ExprKind::Index(a, b) | ExprKind::Binary(_, _, a, b) => {
-            f(*a);
-            f(*b);
-        }
-        ExprKind::Quantified(_, _, a, b) | ExprKind::Where(a, b) | ExprKind::Range(a, b) => {
-            f(*a);
-            f(*b);
-        }
-        ExprKind::Compare(first, steps) => {
-            f(*first);
-            steps.iter().for_each(|(_, _, right)| f(*right));
-        }
-        ExprKind::Call(_, args) => args.iter().for_each(|a| f(*a)),
-    }
 }

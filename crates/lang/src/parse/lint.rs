@@ -1,6 +1,5 @@
 //! What is wrong with a statement that parses: comparisons that chain, arrows read as `<` `-`.
 
-use super::depth::for_each_child;
 use super::wording::quote;
 use crate::ast::{Expr, ExprId, ExprKind};
 use crate::program::Comparison;
@@ -39,7 +38,7 @@ fn arrow_inside(arrow: TextRange) -> Diagnostic<TextRange> {
 fn negated(exprs: &[Expr]) -> Vec<bool> {
     let mut negated = vec![false; exprs.len()];
     for expr in exprs.iter().filter(|e| matches!(e.kind, ExprKind::Not(_))) {
-        for_each_child(&expr.kind, |child| negated[child.0 as usize] = true);
+        expr.kind.for_each_child(|child| negated[child.0 as usize] = true);
     }
     negated
 }

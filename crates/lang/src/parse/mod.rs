@@ -39,6 +39,7 @@ use diagnose::{After, Site};
 use lexical::Damage;
 use scenelang_base::codes::{E0111, W0101};
 use scenelang_base::{Applicability, Diagnostic, TextRange};
+use std::ops::Range;
 use wanted::Failure;
 use words::Words;
 
@@ -76,9 +77,38 @@ fn parse_chunks(text: &str, chunks: Chunks) -> ParsedFile {
 /// Parses the text of one chunk. Usually one statement; several where a `;` is missing between them, none where there
 /// is nothing but a comment. Places are relative to the start of the text.
 pub fn parse_statement(text: &str) -> (Vec<Stmt>, Vec<Diagnostic<TextRange>>) {
+    let parsed = parse_chunk(text);
+    (parsed.statements, parsed.diagnostics)
+}
+
+/// A chunk, parsed, and how its tokens were taken: for who makes a tree of them.
+pub(crate) struct ParsedChunk {
+    /// All tokens, trivia too.
+    pub tokens: Vec<Token>,
+    /// The statements.
+    pub statements: Vec<Stmt>,
+    /// Errors and warnings.
+    pub diagnostics: Vec<Diagnostic<TextRange>>,
+    /// The runs of tokens that were taken as one statement each, in order.
+    pub segments: Vec<Segment>,
+}
+
+/// Tokens that were taken as one statement.
+pub(crate) struct Segment {
+    /// The tokens as the grammar read them, without trivia and without the `;`.
+    pub words: Words,
+    /// What they amount to; several statements if names of a broken one were kept.
+    pub statements: Range<usize>,
+    /// Whether they did not parse.
+    pub broken: bool,
+}
+
+/// Parses the text of one chunk.
+pub(crate) fn parse_chunk(text: &str) -> ParsedChunk {
     let all = lex(text);
     let mut tokens: Vec<Token> = all.iter().copied().filter(|t| !t.kind.is_trivia()).collect();
-    let mut parser = ChunkParser { text, all: &all, statements: Vec::new(), diagnostics: Vec::new() };
+    let mut parser =
+        ChunkParser { text, all: &all, statements: Vec::new(), diagnostics: Vec::new(), segments: Vec::new() };
     let end = match tokens.last().copied() {
         Some(last @ Token { kind: Kind::Semi, .. }) => {
             tokens.pop();
@@ -100,8 +130,18 @@ pub fn parse_statement(text: &str) -> (Vec<Stmt>, Vec<Diagnostic<TextRange>>) {
         _ => After::Nothing,
     };
     parser.chunk(&tokens, end);
-    parser.diagnostics.sort_by_key(|d| d.primary.as_ref().map(|p| p.place.start));
-    (parser.statements, parser.diagnostics)
+    let ChunkParser { statements, mut diagnostics, segments, .. } = parser;
+    diagnostics.sort_by_key(|d| d.primary.as_ref().map(|p| p.place.start));
+    ParsedChunk { tokens: all, statements, diagnostics, segments }
+}
+
+/// What became of tokens that follow the grammar.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Verdict {
+    /// They are a statement.
+    Taken,
+    /// They nest too deeply to be one.
+    Refused,
 }
 
 struct ChunkParser<'t> {
@@ -110,6 +150,7 @@ struct ChunkParser<'t> {
     all: &'t [Token],
     statements: Vec<Stmt>,
     diagnostics: Vec<Diagnostic<TextRange>>,
+    segments: Vec<Segment>,
 }
 
 impl ChunkParser<'_> {
@@ -124,15 +165,20 @@ impl ChunkParser<'_> {
         if let Some(refusal) = depth::check_tokens(words.kinds.iter().copied().zip(words.ranges.iter().copied())) {
             self.diagnostics.push(refusal);
             self.salvage(tokens, &words, 0);
+            self.segment(words, 0, true);
             return;
         }
         let failure = match self.attempt(tokens, &words, 0, end) {
-            Ok(()) => return,
+            Ok(verdict) => {
+                self.segment(words, 0, verdict == Verdict::Refused);
+                return;
+            }
             Err(failure) => failure,
         };
         let segments = split::split(self.text, tokens);
         if let [_] = segments.as_slice() {
             self.fail(tokens, &words, failure, 0, end);
+            self.segment(words, 0, true);
             return;
         }
         let mut from = 0;
@@ -140,16 +186,25 @@ impl ChunkParser<'_> {
             let end = segments.get(i + 1).map_or(end, |next| After::Statement(tokens[next.start].range));
             let tokens = &tokens[segment.clone()];
             let words = words::read(self.text, tokens, None);
-            if let Err(failure) = self.attempt(tokens, &words, from, end) {
+            let first = self.statements.len();
+            let attempt = self.attempt(tokens, &words, from, end);
+            let broken = attempt != Ok(Verdict::Taken);
+            if let Err(failure) = attempt {
                 self.fail(tokens, &words, failure, from, end);
             }
+            self.segment(words, first, broken);
             from = tokens.last().map_or(from, |t| t.range.end);
         }
     }
 
+    /// Remembers how some tokens were taken; `first` is the first of their statements.
+    fn segment(&mut self, words: Words, first: usize, broken: bool) {
+        self.segments.push(Segment { words, statements: first..self.statements.len(), broken });
+    }
+
     /// Takes the tokens as one statement. What it cannot take is left alone, unreported. `from`: where the statement
     /// before it ends.
-    fn attempt(&mut self, tokens: &[Token], words: &Words, from: u32, end: After) -> Result<(), Option<Failure>> {
+    fn attempt(&mut self, tokens: &[Token], words: &Words, from: u32, end: After) -> Result<Verdict, Option<Failure>> {
         let (errors, damage) = lexical::check(self.text, tokens);
         if damage == Damage::Lost {
             return Err(None);
@@ -159,7 +214,7 @@ impl ChunkParser<'_> {
         if let Some(refusal) = depth::check_exprs(&builder.exprs) {
             self.diagnostics.push(refusal);
             self.salvage(tokens, words, from);
-            return Ok(());
+            return Ok(Verdict::Refused);
         }
         let findings = lint::check(self.text, &builder.exprs, &words.split_arrows);
         let chained = findings.iter().any(Diagnostic::is_error);
@@ -179,7 +234,7 @@ impl ChunkParser<'_> {
             attributes: parsed.attribute.or(doc_range),
             exprs: builder.exprs.into(),
         });
-        Ok(())
+        Ok(Verdict::Taken)
     }
 
     /// Reports why the tokens are no statement, and keeps what can be kept of them.
@@ -238,24 +293,29 @@ impl ChunkParser<'_> {
         });
     }
 
-    /// The text of the `///` lines between two places, and the range of the first. One that stands behind the previous
-    /// statement, on its line, documents nothing.
+    /// The text of the `///` lines between two places, and the range of the first.
     fn documentation(&self, from: u32, to: u32) -> (String, Option<TextRange>) {
-        let first = self.all.partition_point(|t| t.range.start < from);
-        let mut new_line = from == 0;
         let mut lines: Vec<&str> = Vec::new();
         let mut place = None;
-        for token in self.all[first..].iter().take_while(|t| t.range.start < to) {
-            let slice = &self.text[token.range.bytes()];
-            match token.kind {
-                Kind::DocComment if new_line => {
-                    let line = slice.trim_start_matches('/');
-                    lines.push(line.strip_prefix(' ').unwrap_or(line).trim_end());
-                    place = place.or(Some(token.range));
-                }
-                _ => new_line |= has_line_break(slice),
-            }
+        for range in doc_comments(self.text, self.all, from, to) {
+            let line = self.text[range.bytes()].trim_start_matches('/');
+            lines.push(line.strip_prefix(' ').unwrap_or(line).trim_end());
+            place = place.or(Some(range));
         }
         (lines.join("\n"), place)
     }
+}
+
+/// The `///` lines between the end of a statement (or the start of the text) and the next. One that stands behind the
+/// previous statement, on its line, documents nothing.
+pub(crate) fn doc_comments(text: &str, tokens: &[Token], from: u32, to: u32) -> impl Iterator<Item = TextRange> {
+    let first = tokens.partition_point(|t| t.range.start < from);
+    let mut new_line = from == 0;
+    tokens[first..].iter().take_while(move |t| t.range.start < to).filter_map(move |token| match token.kind {
+        Kind::DocComment if new_line => Some(token.range),
+        _ => {
+            new_line |= has_line_break(&text[token.range.bytes()]);
+            None
+        }
+    })
 }

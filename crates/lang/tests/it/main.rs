@@ -13,6 +13,7 @@ mod shape;
 mod soup;
 mod spec;
 mod syntax;
+mod tree;
 
 use blocks::{Mark, agree, blocks, expected};
 use scenelang_lang::print::Printed;

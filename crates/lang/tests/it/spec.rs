@@ -4,7 +4,8 @@
 //! What a block is, its first word says: `scene` a program, compiled here with its marks (`scene core`: as core
 //! language; `name=parts.scene`: a file that other blocks of the page import); `text constraints` what the program
 //! before it becomes; `scene formatted` what the formatter makes of the program before it; `ebnf` a part of the grammar
-//! (see `grammar`). Layouts and reports are judged by the verifier's tests. Any other block is an error.
+//! (see `grammar`). Layouts and reports are judged by the verifier's tests, what commands print by those of the
+//! command line. Any other block is an error.
 
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
@@ -147,6 +148,10 @@ fn every_block_is_executed() {
                     page.blocks.iter().take_while(|b| b.line < block.line).any(Block::is_scene)
                 }
                 ["json", "report"] | ["text", "report"] => after(judged) || after(|b| b.info.ends_with(" report")),
+                // What commands print is for the command line's tests.
+                ["text", "syntax" | "hir"] | ["json", "syntax" | "hir" | "constraints"] => {
+                    page.path.parent() == Some(Path::new("")) && before.is_some()
+                }
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
             };

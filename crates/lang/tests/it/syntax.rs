@@ -53,7 +53,7 @@ fn render(out: &mut String, file: &SourceFile, d: &Diagnostic<TextRange>) {
     }
 }
 
-fn fixtures() -> Vec<(String, String)> {
+pub fn fixtures() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it/syntax");
     let mut all: Vec<_> = std::fs::read_dir(folder)
         .unwrap()

@@ -16,7 +16,7 @@ pub fn build(
     sources: &SourceMap,
     options: &Options,
 ) -> Report {
-    let builder = Builder { folder: Path::new(name).parent().unwrap_or(Path::new("")), program, sources };
+    let builder = Builder { name, program, sources };
     let mut report = Report {
         format: FORMAT.to_owned(),
         file: name.to_owned(),
@@ -45,8 +45,23 @@ pub(super) fn code(kind: Kind) -> &'static str {
     .as_str()
 }
 
+/// A place as reports have it: lines and columns.
+pub fn place(sources: &SourceMap, span: Span) -> Place {
+    let (start, end) = sources.lines(span);
+    let pair = |at: LineColumn| [at.line, at.column];
+    Place { file: sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
+}
+
+/// The id of the statement at `span`, `room.scene:12:1`: its file seen from the folder of the file called `name`.
+pub fn statement_id(name: &str, sources: &SourceMap, span: Span) -> String {
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    let Place { file, start, .. } = place(sources, span);
+    let file = Path::new(&file).strip_prefix(folder).map_or(file.clone(), |p| p.display().to_string());
+    format!("{file}:{}:{}", start[0], start[1])
+}
+
 struct Builder<'a> {
-    folder: &'a Path,
+    name: &'a str,
     program: Option<&'a Program>,
     sources: &'a SourceMap,
 }
@@ -75,11 +90,7 @@ impl Builder<'_> {
         match row.subject {
             Subject::Pair(a, b) => format!("{rule}:{}:{}", self.object(a), self.object(b)),
             Subject::Object(a) => format!("{rule}:{}", self.object(a)),
-            Subject::Statement(_) => {
-                let Place { file, start, .. } = self.place(row.place);
-                let file = Path::new(&file).strip_prefix(self.folder).map_or(file.clone(), |p| p.display().to_string());
-                format!("{file}:{}:{}", start[0], start[1])
-            }
+            Subject::Statement(_) => statement_id(self.name, self.sources, row.place),
         }
     }
 
@@ -88,9 +99,7 @@ impl Builder<'_> {
     }
 
     fn place(&self, span: Span) -> Place {
-        let (start, end) = self.sources.lines(span);
-        let pair = |at: LineColumn| [at.line, at.column];
-        Place { file: self.sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
+        place(self.sources, span)
     }
 
     fn finding(&self, diagnostic: &Diagnostic) -> Finding {

@@ -7,7 +7,7 @@ mod junit;
 pub mod model;
 mod sarif;
 
-pub use build::build;
+pub use build::{build, place, statement_id};
 pub use human::{Human, diagnostics, human};
 pub use json::json;
 pub use junit::junit;
