@@ -17,7 +17,7 @@ pub const ESCAPE: &str = r#"\\(["\\\/nrt]|u([0-9a-cA-Ce-fE-F][0-9a-fA-F]{3}|[dD]
 
 /// All spellings of some kinds.
 fn spelt(kinds: &[Kind]) -> Rule {
-    choice(kinds.iter().flat_map(|kind| TABLE[*kind as usize].spellings).map(|s| text(s)))
+    choice(kinds.iter().flat_map(|kind| kind.row().spellings).map(|s| text(s)))
 }
 
 /// Reserved and contextual words of a class.
@@ -33,7 +33,7 @@ pub fn is_word(spelling: &str) -> bool {
 
 /// The first pattern of a kind.
 fn pattern_of(kind: Kind) -> Rule {
-    pattern(TABLE[kind as usize].patterns[0])
+    pattern(kind.row().patterns[0])
 }
 
 /// `a, b, c`, or nothing.
@@ -105,7 +105,7 @@ fn statements() -> Vec<(&'static str, Rule)> {
         ),
         ("parameters", seq([text("("), list(symbol("parameter")), text(")")])),
         ("parameter", {
-            let words = TABLE[Kind::ParamType as usize].words.iter().map(|w| text(w));
+            let words = Kind::ParamType.row().words.iter().map(|w| text(w));
             seq([field("type", choice([symbol("type"), alias(choice(words), "type")])), name()])
         }),
         ("import", seq([text("import"), field("path", symbol("string"))])),

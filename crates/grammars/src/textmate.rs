@@ -19,8 +19,7 @@ const END: &str = r"(?!\p{XID_Continue})";
 /// `minus` is how a sign before the value looks.
 fn before_value(minus: &str) -> String {
     let start = r#"$|//|/\*|["(0-9!¬\p{XID_Start}_]|\.[0-9]"#;
-    let infix =
-        [Kind::And, Kind::Or, Kind::Implies, Kind::Where, Kind::Weight, Kind::In].map(|kind| &TABLE[kind as usize]);
+    let infix = [Kind::And, Kind::Or, Kind::Implies, Kind::Where, Kind::Weight, Kind::In].map(|kind| kind.row());
     let infix: Vec<&str> =
         infix.iter().flat_map(|r| r.spellings.iter().chain(r.words).copied()).filter(|s| is_word(s)).collect();
     format!(r"(?=[ \t]*(?:{start})|[ \t]+(?:{minus}|\.\S))(?![ \t]*{}{END})", any(&infix))
@@ -35,7 +34,7 @@ fn class_scope(class: Class) -> String {
 }
 
 fn pattern_of(kind: Kind) -> &'static str {
-    TABLE[kind as usize].patterns[0]
+    kind.row().patterns[0]
 }
 
 /// A regular expression for one of several texts.
@@ -129,7 +128,7 @@ fn strings() -> Vec<Value> {
             found(r"\\.?", scope("invalid.illegal.escape")),
         ],
     })];
-    let odd = TABLE[Kind::OddQuotes as usize].patterns.iter();
+    let odd = Kind::OddQuotes.row().patterns.iter();
     all.extend(odd.map(|quotes| found(*quotes, scope("invalid.illegal.quotes"))));
     all
 }
@@ -156,7 +155,7 @@ fn numbers() -> Vec<Value> {
 
 /// `.name`; after `..` no property stands.
 fn properties() -> Vec<Value> {
-    let range = TABLE[Kind::DotDot as usize].spellings;
+    let range = Kind::DotDot.row().spellings;
     let after = |name: String, kind: &str| {
         json!({
             "match": format!(r"(\.)[ \t]*({name})"),
@@ -184,7 +183,7 @@ fn declarations() -> Vec<Value> {
     vec![
         named(&reserved(Class::Declaration), Class::Declaration, "variable.other.declaration"),
         named(&reserved(Class::Type), Class::Type, "variable.other.declaration"),
-        named(TABLE[Kind::Predicate as usize].words, Class::Declaration, "entity.name.function"),
+        named(Kind::Predicate.row().words, Class::Declaration, "entity.name.function"),
     ]
 }
 

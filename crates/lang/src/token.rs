@@ -220,9 +220,13 @@ tokens! {
 }
 
 impl Kind {
+    /// Its row in the table.
+    pub fn row(self) -> &'static Row {
+        &TABLE[self as usize]
+    }
     /// What it is to a reader.
     pub fn class(self) -> Class {
-        TABLE[self as usize].class
+        self.row().class
     }
     /// Whether it separates tokens and means nothing to the parser. A byte order mark is not among them.
     pub fn is_trivia(self) -> bool {

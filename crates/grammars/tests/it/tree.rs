@@ -7,16 +7,26 @@ use scenelang_base::TextRange;
 use scenelang_lang::ast::{Stmt, StmtKind};
 use scenelang_lang::chunk::has_line_break;
 use scenelang_lang::parse::parse_file;
-use scenelang_lang::token::{Kind, TABLE, lex};
+use scenelang_lang::token::{Kind, lex};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::ops::Range;
-use tree_sitter::{Node, Parser, Tree};
+use tree_sitter::{InputEdit, Node, Parser, Point, Tree};
 
 pub fn parse(text: &str) -> Tree {
+    parser().parse(text, None).unwrap()
+}
+
+fn parser() -> Parser {
     let mut parser = Parser::new();
     parser.set_language(&scenelang_grammars::language()).unwrap();
-    parser.parse(text, None).unwrap()
+    parser
+}
+
+/// Row and column of a byte, as tree-sitter counts them.
+fn point(text: &str, at: usize) -> Point {
+    let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
+    Point { row: text[..at].matches('\n').count(), column: at - line }
 }
 
 /// The name that a statement's node has.
@@ -62,7 +72,7 @@ fn has_late_property(text: &str) -> bool {
         let gap = &text[pair[0].range.end as usize..pair[1].range.start as usize];
         pair[0].kind == Kind::Dot
             && has_line_break(gap)
-            && TABLE[pair[1].kind as usize].spellings.iter().any(|s| s.starts_with(char::is_alphabetic))
+            && pair[1].kind.row().spellings.iter().any(|s| s.starts_with(char::is_alphabetic))
     })
 }
 
@@ -190,6 +200,25 @@ proptest! {
         let other = by.map_or("", |by| &text[tokens[by.index(tokens.len())].range.bytes()]);
         let text = format!("{} {other} {}", &text[..place.start], &text[place.end..]);
         prop_assert_eq!(difference(&text), None);
+    }
+    /// What is parsed again after an edit is what is parsed from the start.
+    #[test]
+    fn edits_lead_to_the_same_tree(before in soup::program(), at: prop::sample::Index, new in soup::soup()) {
+        let boundaries: Vec<usize> = before.char_indices().map(|(i, _)| i).chain([before.len()]).collect();
+        let (start, end) = (boundaries[at.index(boundaries.len())], before.len());
+        let end = end.min(start + lex(&before[start..]).first().map_or(0, |t| t.range.end as usize));
+        let after = format!("{}{new}{}", &before[..start], &before[end..]);
+        let mut tree = parse(&before);
+        tree.edit(&InputEdit {
+            start_byte: start,
+            old_end_byte: end,
+            new_end_byte: start + new.len(),
+            start_position: point(&before, start),
+            old_end_position: point(&before, end),
+            new_end_position: point(&after, start + new.len()),
+        });
+        let again = parser().parse(&after, Some(&tree)).unwrap();
+        prop_assert_eq!(again.root_node().to_sexp(), parse(&after).root_node().to_sexp());
     }
     #[test]
     fn soup_parses_alike(text in soup::soup()) {
