@@ -2,6 +2,9 @@
 //!
 //! Tokens carry no payload; their text is looked up in the source. Contextual words (`prefer`, `forall`, `weight`, …)
 //! are identifiers here; the parser tells them apart by their place.
+//!
+//! The kinds, how each is written and what each is to a reader stand in one table, [`TABLE`]. The lexer is made of it,
+//! and so are the grammars that editors colour programs by (`crates/grammars`).
 
 use logos::{Lexer, Logos};
 use scenelang_base::TextRange;
@@ -15,262 +18,216 @@ pub struct Token {
     pub range: TextRange,
 }
 
-/// Kinds of tokens. Different spellings of one operator are one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Logos)]
-pub enum Kind {
+/// What a token is to a reader: what an editor has a colour for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Class {
+    /// Between tokens.
+    Blank,
+    /// A comment.
+    Comment,
+    /// A comment that documents.
+    Documentation,
+    /// A name of the program's own, or one that the standard library gives.
+    Name,
+    /// A number with its unit.
+    Number,
+    /// Text in quotation marks.
+    Text,
+    /// A word that says what is declared: `object`, `predicate`.
+    Declaration,
+    /// A type.
+    Type,
+    /// A word that makes a sentence: `assert`, `forall`, `where`.
+    Keyword,
+    /// A reserved word that is called like a function.
+    Function,
+    /// A word that is a value: `true`, `objects`.
+    Constant,
+    /// What stands before a statement: `@req`.
+    Attribute,
+    /// `and`, `or`, `not`, `implies`, in words or signs.
+    Logic,
+    /// `=`, `<`, …
+    Comparison,
+    /// `+`, `-`, …
+    Arithmetic,
+    /// `..`
+    Range,
+    /// What gives a name its value: `<-`, `:=`.
+    Assignment,
+    /// The `.` before a property.
+    Accessor,
+    /// `,` and `:`
+    Separator,
+    /// The `;` after a statement.
+    Terminator,
+    /// Round and square brackets.
+    Bracket,
+    /// What no program may contain.
+    Error,
+}
+
+/// A kind of token: how it is written, and what it is to a reader.
+#[derive(Debug)]
+pub struct Row {
+    /// The kind.
+    pub kind: Kind,
+    /// What it is to a reader.
+    pub class: Class,
+    /// Its spellings, if they can be listed.
+    pub spellings: &'static [&'static str],
+    /// Regular expressions for the others. Some only begin such a token: a function of the lexer finds its end.
+    pub patterns: &'static [&'static str],
+    /// Names that are this kind where a name cannot stand: contextual words.
+    pub words: &'static [&'static str],
+}
+
+/// Makes [`Kind`] with its lexer, and [`TABLE`]. A row is `Kind Class`, then `= "spelling" | …`,
+/// `~ (r"pattern", options of logos) | …`, `where "contextual word" | …`, as far as it has them.
+macro_rules! tokens {
+    ($(
+        $(#[$doc:meta])* $kind:ident $class:ident
+        $(= $($spelling:tt)|+)? $(~ $(($pattern:tt $($option:tt)*))|+)? $(where $($word:tt)|+)?;
+    )*) => {
+        /// Kinds of tokens. Different spellings of one operator are one kind.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Logos)]
+        pub enum Kind {
+            $(
+                $(#[$doc])*
+                $(#[doc = concat!($("`", $spelling, "` "),+)] $(#[token($spelling)])+)?
+                $($(#[regex($pattern $($option)*)])+)?
+                $(#[doc = concat!($("`", $word, "` "),+, "where no name can stand")])?
+                $kind,
+            )*
+        }
+
+        /// All kinds, in the order of [`Kind`].
+        pub const TABLE: &[Row] = &[$(Row {
+            kind: Kind::$kind,
+            class: Class::$class,
+            spellings: &[$($($spelling),+)?],
+            patterns: &[$($($pattern),+)?],
+            words: &[$($($word),+)?],
+        }),*];
+    };
+}
+
+tokens! {
     // ── Trivia ──
     /// Blanks and line breaks.
-    #[regex(r"[ \t\r\n\x0c]+")]
-    Blank,
+    Blank Blank ~ (r"[ \t\r\n\x0c]+");
     /// `// …`, also `////…`
-    #[regex(r"//[^\r\n]*", allow_greedy = true, callback = line_comment)]
-    LineComment,
+    LineComment Comment ~ (r"//[^\r\n]*", allow_greedy = true, callback = line_comment);
     /// `/// …`: documents the declaration that follows.
-    DocComment,
+    DocComment Documentation;
     /// `/* … */`, nesting
-    #[token("/*", block_comment)]
-    BlockComment,
+    BlockComment Comment ~ (r"/\*", block_comment);
     /// A byte order mark; trivia at the start of a file only.
-    #[token("\u{feff}")]
-    Bom,
+    Bom Blank = "\u{feff}";
 
     // ── Names and literals ──
     /// A name, or a contextual word.
-    #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*")]
-    Ident,
+    Ident Name ~ (r"[\p{XID_Start}_]\p{XID_Continue}*");
     /// `2`, `.5`, `1e3`, `30cm`
-    #[regex(r"\.?[0-9]+", number)]
-    Number,
+    Number Number ~ (r"\.?[0-9]+", number);
     /// `"red"`
-    #[regex(r#""([^"\\\r\n]|\\[^\r\n])*""#)]
-    Str,
+    Str Text ~ (r#""([^"\\\r\n]|\\[^\r\n])*""#);
 
     // ── Reserved words ──
-    /// `object`
-    #[token("object")]
-    Object,
-    /// `entity`
-    #[token("entity")]
-    Entity,
-    /// `region`
-    #[token("region")]
-    Region,
-    /// `Number`, the type
-    #[token("Number")]
-    NumberType,
-    /// `Degree`
-    #[token("Degree")]
-    Degree,
-    /// `Bool`
-    #[token("Bool")]
-    Bool,
-    /// `Vector3`
-    #[token("Vector3")]
-    Vector3,
-    /// `Rotation`
-    #[token("Rotation")]
-    Rotation,
-    /// `Color`
-    #[token("Color")]
-    Color,
-    /// `Material`
-    #[token("Material")]
-    Material,
-    /// `assert`
-    #[token("assert")]
-    Assert,
-    /// `allowCollide`
-    #[token("allowCollide")]
-    AllowCollide,
-    /// `allowOutside`
-    #[token("allowOutside")]
-    AllowOutside,
-    /// `inside`
-    #[token("inside")]
-    Inside,
-    /// `rand`
-    #[token("rand")]
-    Rand,
-    /// `vec3`
-    #[token("vec3")]
-    Vec3,
-    /// `rot`
-    #[token("rot")]
-    Rot,
-    /// `dot`
-    #[token("dot")]
-    DotWord,
-    /// `true`
-    #[token("true")]
-    True,
-    /// `false`
-    #[token("false")]
-    False,
-    /// `and`, `&&`, `∧`
-    #[token("and")]
-    #[token("&&")]
-    #[token("∧")]
-    And,
-    /// `or`, `||`, `∨`
-    #[token("or")]
-    #[token("||")]
-    #[token("∨")]
-    Or,
-    /// `not`, `!`, `¬`
-    #[token("not")]
-    #[token("!")]
-    #[token("¬")]
-    Not,
+    Object Declaration = "object";
+    Entity Declaration = "entity";
+    Region Declaration = "region";
+    NumberType Type = "Number";
+    Degree Type = "Degree";
+    Bool Type = "Bool";
+    Vector3 Type = "Vector3";
+    Rotation Type = "Rotation";
+    Color Type = "Color";
+    Material Type = "Material";
+    Assert Keyword = "assert";
+    AllowCollide Keyword = "allowCollide";
+    AllowOutside Keyword = "allowOutside";
+    Inside Function = "inside";
+    Rand Function = "rand";
+    Vec3 Function = "vec3";
+    Rot Function = "rot";
+    DotWord Function = "dot";
+    True Constant = "true";
+    False Constant = "false";
+    And Logic = "and" | "&&" | "∧";
+    Or Logic = "or" | "||" | "∨";
+    Not Logic = "not" | "!" | "¬";
 
     // ── Contextual words: never made by the lexer, but by `parse::words` from identifiers ──
-    /// `prefer`
-    Prefer,
-    /// `weight`
-    Weight,
-    /// `allowFloat`
-    AllowFloat,
-    /// `predicate`
-    Predicate,
-    /// `Object`, `Region`, `Objects`, `String` before a parameter
-    ParamType,
-    /// `import`
-    Import,
-    /// `forall`
-    Forall,
-    /// `exists`
-    Exists,
-    /// `count` before `(x in …`
-    Count,
-    /// `in`
-    In,
-    /// `where`
-    Where,
-    /// `implies`
-    Implies,
-    /// `objects`
-    Objects,
+    Prefer Keyword where "prefer";
+    Weight Keyword where "weight";
+    AllowFloat Keyword where "allowFloat";
+    Predicate Declaration where "predicate";
+    /// The type of a parameter:
+    ParamType Type where "Object" | "Region" | "Objects" | "String";
+    Import Keyword where "import";
+    Forall Keyword where "forall";
+    Exists Keyword where "exists";
+    /// Before `(x in …`:
+    Count Keyword where "count";
+    In Keyword where "in";
+    Where Keyword where "where";
+    Implies Logic where "implies";
+    Objects Constant where "objects";
 
     // ── Operators and punctuation ──
-    /// `<-`
-    #[token("<-")]
-    Arrow,
-    /// `←`
-    #[token("←")]
-    ArrowSign,
-    /// `:=`
-    #[token(":=")]
-    Define,
-    /// `=`, `==`
-    #[token("=")]
-    #[token("==")]
-    Eq,
-    /// `!=`, `≠`
-    #[token("!=")]
-    #[token("≠")]
-    Ne,
-    /// `<`
-    #[token("<")]
-    Lt,
-    /// `<=`, `≤`
-    #[token("<=")]
-    #[token("≤")]
-    Le,
-    /// `>`
-    #[token(">")]
-    Gt,
-    /// `>=`, `≥`
-    #[token(">=")]
-    #[token("≥")]
-    Ge,
-    /// `+`
-    #[token("+")]
-    Plus,
-    /// `-`
-    #[token("-")]
-    Minus,
-    /// `*`
-    #[token("*")]
-    Star,
-    /// `/`
-    #[token("/")]
-    Slash,
-    /// `..`
-    #[token("..")]
-    DotDot,
-    /// `.`
-    #[token(".")]
-    Dot,
-    /// `,`
-    #[token(",")]
-    Comma,
-    /// `:`
-    #[token(":")]
-    Colon,
-    /// `;`
-    #[token(";")]
-    Semi,
-    /// `(`
-    #[token("(")]
-    LParen,
-    /// `)`
-    #[token(")")]
-    RParen,
-    /// `[`
-    #[token("[")]
-    LBracket,
-    /// `]`
-    #[token("]")]
-    RBracket,
-    /// `@req`
-    #[token("@req")]
-    Req,
+    Arrow Assignment = "<-";
+    ArrowSign Assignment = "←";
+    Define Assignment = ":=";
+    Eq Comparison = "=" | "==";
+    Ne Comparison = "!=" | "≠";
+    Lt Comparison = "<";
+    Le Comparison = "<=" | "≤";
+    Gt Comparison = ">";
+    Ge Comparison = ">=" | "≥";
+    Plus Arithmetic = "+";
+    Minus Arithmetic = "-";
+    Star Arithmetic = "*";
+    Slash Arithmetic = "/";
+    DotDot Range = "..";
+    Dot Accessor = ".";
+    Comma Separator = ",";
+    Colon Separator = ":";
+    Semi Terminator = ";";
+    LParen Bracket = "(";
+    RParen Bracket = ")";
+    LBracket Bracket = "[";
+    RBracket Bracket = "]";
+    Req Attribute = "@req";
 
     // ── Errors whose meaning is plain ──
     /// A comment that never closes: the rest of the text.
-    OpenComment,
+    OpenComment Error;
     /// A string that does not close: the rest of its line.
-    #[regex(r#""([^"\\\r\n]|\\[^\r\n])*\\?"#)]
-    OpenStr,
+    OpenStr Error ~ (r#""([^"\\\r\n]|\\[^\r\n])*\\?"#);
     /// A string in other quotation marks: `'x'`, `“x”`, `«x»`, `` `x` ``.
-    #[regex(r#"'[^'";\r\n]*'"#)]
-    #[regex(r#"`[^`";\r\n]*`"#)]
-    #[regex(r#"[“”„‟‘’‚][^“”„‟‘’‚"';\r\n]*[“”„‟‘’"']"#)]
-    #[regex(r#"«[^»";\r\n]*»"#)]
-    OddQuotes,
+    OddQuotes Error ~ (r#"'[^'";\r\n]*'"#) | (r#"`[^`";\r\n]*`"#)
+        | (r#"[“”„‟‘’‚][^“”„‟‘’‚"';\r\n]*[“”„‟‘’"']"#) | (r#"«[^»";\r\n]*»"#);
     /// Digits with something attached that is no unit, or two decimal points.
-    BadNumber,
-    /// An operator of other languages: `=>`, `&`, `×`, …
-    #[token("=>")]
-    #[token("=<")]
-    #[token("==>")]
-    #[token("->")]
-    #[token("<->")]
-    #[token("<=>")]
-    #[token("<>")]
-    #[token("===")]
-    #[token("!==")]
-    #[token("&")]
-    #[token("|")]
-    #[token("%")]
-    #[token("^")]
-    #[token("**")]
-    #[token("→")]
-    #[token("⇒")]
-    #[token("×")]
-    #[token("·")]
-    #[token("÷")]
-    #[token("−")]
-    #[token("–")]
-    WrongOperator,
+    BadNumber Error;
+    /// An operator of other languages:
+    WrongOperator Error = "=>" | "=<" | "==>" | "->" | "<->" | "<=>" | "<>" | "===" | "!==" | "&" | "|" | "%" | "^" | "**"
+        | "→" | "⇒" | "×" | "·" | "÷" | "−" | "–";
     /// `@` before anything but `req`.
-    #[regex(r"@\p{XID_Continue}*")]
-    BadAttribute,
+    BadAttribute Error ~ (r"@\p{XID_Continue}*");
     /// Characters that mean nothing. A lone quotation mark is named, lest it takes along what could have been quoted.
-    #[regex("['`“”„‟‘’‚«»]")]
-    Unknown,
+    Unknown Error ~ ("['`“”„‟‘’‚«»]");
 }
 
 impl Kind {
+    /// Its row in the table.
+    pub fn row(self) -> &'static Row {
+        &TABLE[self as usize]
+    }
+    /// What it is to a reader.
+    pub fn class(self) -> Class {
+        self.row().class
+    }
     /// Whether it separates tokens and means nothing to the parser. A byte order mark is not among them.
     pub fn is_trivia(self) -> bool {
         matches!(self, Self::Blank | Self::LineComment | Self::DocComment | Self::BlockComment)
@@ -420,6 +377,23 @@ mod tests {
         for (text, expected) in cases {
             assert_eq!(show(text), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn the_table_is_what_the_lexer_does() {
+        for (i, row) in TABLE.iter().enumerate() {
+            assert_eq!(row.kind as usize, i, "rows stand in the order of the kinds");
+            for spelling in row.spellings {
+                let kinds: Vec<Kind> = lex(spelling).iter().map(|t| t.kind).collect();
+                assert_eq!(kinds, [row.kind], "{spelling}");
+            }
+            for word in row.words {
+                assert_eq!(lex(word)[0].kind, Kind::Ident, "{word} is contextual, not reserved");
+            }
+        }
+        let all: Vec<&str> = TABLE.iter().flat_map(|r| r.spellings.iter().chain(r.words).copied()).collect();
+        let distinct: std::collections::BTreeSet<_> = all.iter().collect();
+        assert_eq!(distinct.len(), all.len(), "no spelling stands twice");
     }
 
     #[test]

@@ -15,6 +15,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve"]),
     ("cli", &["synth"]),
+    ("grammars", &["lang"]),
 ];
 
 /// Whatever is reachable in the table.

@@ -33,7 +33,7 @@ pub(crate) mod words;
 
 use crate::ast::{Stmt, StmtKind};
 use crate::chunk::{self, Chunks, has_line_break};
-use crate::token::{Kind, Token, lex};
+use crate::token::{Class, Kind, Token, lex};
 use builder::Builder;
 use diagnose::{After, Site};
 use lexical::Damage;
@@ -72,6 +72,33 @@ fn parse_chunks(text: &str, chunks: Chunks) -> ParsedFile {
         file.diagnostics.extend(diagnostics.into_iter().map(|d| d.map_places(|p| p.shifted(offset))));
     }
     file
+}
+
+/// The tokens of a file as its parser reads them: contextual words are told from names, `<-` inside an expression is `<`
+/// and `-`. Like those of [`lex`] they cover the file. A chunk that lacks a `;` is read as one statement.
+pub fn read_tokens(text: &str) -> Vec<Token> {
+    let Chunks { tokens, chunks } = chunk::cut(text);
+    let mut read = Vec::with_capacity(tokens.len());
+    let mut done = 0;
+    for chunk in chunks {
+        read.extend_from_slice(&tokens[done..chunk.tokens.start]);
+        done = chunk.tokens.end;
+        let chunk = &tokens[chunk.tokens];
+        let (trivia, mut words): (Vec<Token>, Vec<Token>) = chunk.iter().partition(|t| t.kind.is_trivia());
+        let semicolon = words.pop_if(|last| last.kind == Kind::Semi);
+        let from = read.len();
+        read.extend(trivia.into_iter().chain(semicolon));
+        let Words { kinds, ranges, .. } = words::read(text, &words, None);
+        // The parser goes on with what a wrong token means; here it stays wrong.
+        let lexed = |start: u32| words.binary_search_by_key(&start, |t| t.range.start).map(|at| words[at].kind);
+        read.extend(kinds.into_iter().zip(ranges).map(|(kind, range)| match lexed(range.start) {
+            Ok(wrong) if wrong.class() == Class::Error => Token { kind: wrong, range },
+            _ => Token { kind, range },
+        }));
+        read[from..].sort_unstable_by_key(|t| t.range.start);
+    }
+    read.extend_from_slice(&tokens[done..]);
+    read
 }
 
 /// Parses the text of one chunk. Usually one statement; several where a `;` is missing between them, none where there
@@ -318,4 +345,39 @@ pub(crate) fn doc_comments(text: &str, tokens: &[Token], from: u32, to: u32) -> 
             None
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::token::TABLE;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_contextual_word_of_the_table_is_read() {
+        let text = "import \"a\"; predicate p(Object a, Region r, Objects o, String s) := a.x <-1;\n\
+            prefer forall x in objects where .a = 1: (count(y in x: y) = 1 implies exists z in x: z) weight 2; allowFloat(a);";
+        let read: BTreeSet<(usize, &str)> =
+            read_tokens(text).iter().map(|t| (t.kind as usize, &text[t.range.bytes()])).collect();
+        for row in TABLE {
+            for word in row.words {
+                assert!(read.contains(&(row.kind as usize, word)), "{word}");
+            }
+        }
+        assert!(read.contains(&(Kind::Lt as usize, "<")) && read.contains(&(Kind::Minus as usize, "-")));
+    }
+
+    #[test]
+    fn what_is_read_covers_the_text() {
+        for text in ["", ";;", "// a\nobject a; /// b", "prefer a <-1 /* c */ ; \"open", "a <- 'x' + 3kg /* open"] {
+            let mut at = 0;
+            for token in read_tokens(text) {
+                assert_eq!(token.range.start, at, "{text}");
+                at = token.range.end;
+            }
+            assert_eq!(at as usize, text.len(), "{text}");
+        }
+        let classes: Vec<Class> = read_tokens("a <- 'x' + 3kg;").iter().map(|t| t.kind.class()).collect();
+        assert_eq!(classes.iter().filter(|c| **c == Class::Error).count(), 2, "mended tokens stay errors");
+    }
 }

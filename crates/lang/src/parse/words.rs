@@ -167,7 +167,7 @@ impl Reader<'_> {
 
     /// Any other word that is not reserved.
     fn word(&mut self, at: usize, before: Option<Kind>) -> Kind {
-        if at == self.variable {
+        if at == self.variable || before.is_some_and(wants_new_name) {
             return Kind::Ident;
         }
         let value_before = before.is_some_and(ends_value);
@@ -187,7 +187,7 @@ impl Reader<'_> {
             {
                 Kind::ParamType
             }
-            "objects" if after != Some(Kind::LParen) && !before.is_some_and(wants_new_name) => Kind::Objects,
+            "objects" if after != Some(Kind::LParen) => Kind::Objects,
             _ => Kind::Ident,
         }
     }
@@ -264,6 +264,7 @@ mod tests {
             ("assert objects(a)", "assert"),
             ("objects[1].pos <- a", "<-"),
             ("predicate near(Object String, String Object) := Object", "predicate Object String"),
+            ("predicate count(Object a) := a", "predicate Object"),
             ("predicate <- 1", "<-"),
             ("import \"a\"", "import"),
             ("allowFloat(weight)", "allowFloat"),

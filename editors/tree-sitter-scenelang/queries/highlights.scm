@@ -1,0 +1,172 @@
+; Made by `./x grammars` from the table of tokens.
+
+(number) @number
+(string) @string
+[(line_comment) (block_comment)] @comment
+(documentation) @comment.documentation
+(type) @type.builtin
+(constructor) @function.builtin
+[(truth) (objects)] @constant.builtin
+(identifier) @variable
+(property) @variable.member
+(parameter name: (identifier) @variable.parameter)
+(binding variable: (identifier) @variable.parameter)
+(predicate name: (identifier) @function)
+(call function: (identifier) @function.call)
+(unit) @type
+(escape) @string.escape
+(import path: (string) @string.special.path)
+
+((property) @property
+  (#any-of? @property
+    "area"
+    "bottom"
+    "category"
+    "ceiling"
+    "center"
+    "color"
+    "dimensions"
+    "features"
+    "floor"
+    "floorColor"
+    "floorMaterial"
+    "front"
+    "material"
+    "max"
+    "min"
+    "pos"
+    "right"
+    "rot"
+    "scale"
+    "size"
+    "surface"
+    "top"
+    "up"
+    "vertices"
+    "wallColor"
+    "wallMaterial"
+    "x"
+    "y"
+    "z"))
+
+((call function: (identifier) @function.builtin)
+  (#any-of? @function.builtin
+    "above"
+    "abs"
+    "againstWall"
+    "aligned"
+    "angle"
+    "around"
+    "backToWall"
+    "behind"
+    "below"
+    "beside"
+    "between"
+    "ceilingMounted"
+    "centeredIn"
+    "clear"
+    "collides"
+    "connects"
+    "cos"
+    "cross"
+    "distance"
+    "dot"
+    "facing"
+    "far"
+    "gap"
+    "inCorner"
+    "inFrontOf"
+    "inside"
+    "leftOf"
+    "length"
+    "max"
+    "min"
+    "near"
+    "normalize"
+    "on"
+    "onFloor"
+    "parallel"
+    "polygon"
+    "rand"
+    "reachable"
+    "rightOf"
+    "rot"
+    "sin"
+    "sqrt"
+    "under"
+    "vec3"
+    "visible"
+    "walkDistance"
+    "wallMounted"
+    "within"))
+
+[
+  "@req"
+] @attribute
+
+[
+  "object"
+  "entity"
+  "region"
+  "assert"
+  "allowCollide"
+  "allowOutside"
+  "prefer"
+  "weight"
+  "allowFloat"
+  "predicate"
+  "import"
+  "forall"
+  "exists"
+  "count"
+  "in"
+  "where"
+] @keyword
+
+[
+  "and"
+  "or"
+  "not"
+  "implies"
+] @keyword.operator
+
+[
+  "&&"
+  "∧"
+  "||"
+  "∨"
+  "!"
+  "¬"
+  "<-"
+  "←"
+  ":="
+  "="
+  "=="
+  "!="
+  "≠"
+  "<"
+  "<="
+  "≤"
+  ">"
+  ">="
+  "≥"
+  "+"
+  "-"
+  "*"
+  "/"
+  ".."
+] @operator
+
+[
+  "("
+  ")"
+  "["
+  "]"
+] @punctuation.bracket
+
+[
+  "."
+  ","
+  ":"
+  ";"
+] @punctuation.delimiter
