@@ -2,14 +2,15 @@
 
 use crate::check::{self, cycles};
 use crate::items::{Items, Place};
+use crate::lint::{self, Linted, Uses};
 use crate::lower;
 use crate::program::Program;
 use crate::sources::{Disk, Loader, Units, decode, plain, read_units};
 use rustc_hash::FxHashSet;
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, TextRange, codes};
+use scenelang_base::{Code, Diagnostic, FileId, SourceFile, SourceMap, TextRange, codes};
 use std::path::Path;
 
-/// At most so many errors of a file are listed.
+/// At most so many errors of a file are listed, and as many warnings.
 pub const MAX_ERRORS: usize = 100;
 
 /// How to compile.
@@ -28,7 +29,7 @@ pub struct Compiled {
     pub main: FileId,
     /// The program, if there is no error.
     pub program: Option<Program>,
-    /// Errors and warnings, by file and place; at most [`MAX_ERRORS`] errors of a file.
+    /// Errors and warnings, by file and place; at most [`MAX_ERRORS`] of each in a file.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -78,7 +79,8 @@ pub fn compile_with(
 /// Compiles a file that is in `sources` already.
 pub fn compile_main(main: FileId, options: Options, loader: &dyn Loader, mut sources: SourceMap) -> Compiled {
     let units = read_units(main, &mut sources, loader);
-    let (program, diagnostics) = analyse(&units, &sources, options);
+    let (program, mut diagnostics) = analyse(&units, &sources, options);
+    lint::allow::silence_all(&sources, main, &mut diagnostics);
     let diagnostics = listed(diagnostics);
     let program = if diagnostics.iter().any(Diagnostic::is_error) { None } else { program };
     Compiled { sources, main, program, diagnostics }
@@ -104,10 +106,20 @@ fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Prog
     out.extend(found);
     out.extend(cycles::variable_cycles(&items));
     out.extend(cycles::predicate_cycles(&items, &places));
-    for place in &places {
+    let uses: Vec<Uses> = places.iter().map(|place| lint::uses(place.stmt)).collect();
+    let mut linted = Vec::with_capacity(places.len());
+    for (place, uses) in places.iter().zip(&uses) {
         let Some(file) = place.file else { continue };
-        out.extend(check::statement(&items, *place).into_iter().map(|d| check::absolute(d, *place, file, &items)));
+        let mut found = check::statement(&items, *place);
+        let sound = !found.iter().any(Diagnostic::is_error);
+        if sound {
+            found.extend(lint::statement(&items, *place));
+        }
+        linted.push(Linted::new(*place, uses, sound, &found));
+        out.extend(found.into_iter().map(|d| check::absolute(d, *place, file, &items)));
     }
+    let errors: Vec<Code> = out.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
+    out.extend(lint::program(&items, &linted, errors));
     let bad = bad_statements(&out, &places);
     let (program, found) = lower::lower(&items, units, sources, &bad);
     out.extend(found);
@@ -132,19 +144,20 @@ fn bad_statements(found: &[Diagnostic], places: &[Place<'_>]) -> FxHashSet<(File
     bad
 }
 
-/// By file and place, with at most [`MAX_ERRORS`] errors of a file.
+/// By file and place, with at most [`MAX_ERRORS`] errors of a file, and as many warnings.
 fn listed(mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
     all.sort_by_key(|d| d.primary.as_ref().map(|l| (l.place.file, l.place.range.start, d.code)));
     let mut last = None;
-    let mut count = 0;
+    let mut counts = [0; 2];
     all.retain(|d| {
         let file = d.primary.as_ref().map(|l| l.place.file);
         if file != last {
             last = file;
-            count = 0;
+            counts = [0; 2];
         }
-        count += usize::from(d.is_error());
-        !d.is_error() || count <= MAX_ERRORS
+        let count = &mut counts[usize::from(d.is_error())];
+        *count += 1;
+        *count <= MAX_ERRORS
     });
     all
 }

@@ -9,6 +9,7 @@ pub mod compile;
 pub mod fmt;
 pub mod items;
 pub mod library;
+pub mod lint;
 pub mod lower;
 pub mod natives;
 pub mod parse;

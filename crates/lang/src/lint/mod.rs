@@ -1,0 +1,96 @@
+//! Suspicions: programs that compile and most likely do not say what was meant.
+//!
+//! What can be told from one statement and the names in it is found by [`statement`]; what takes the whole program by
+//! [`program`], from summaries of the statements ([`uses`]) that depend on their texts alone. Both take time in
+//! proportion to the program. What is inside a library predicate is never looked at, and a doubt is no finding: a
+//! suspicion that is wrong makes all others worth less.
+//!
+//! | file | code |
+//! |---|---|
+//! | `unused` | W0201 never used, W0202 a text never assigned, W0303 no object |
+//! | `hiding` | W0203 a name that hides another |
+//! | `spelling` | W0204 names and texts spelt almost alike |
+//! | `degrees` | W0301 order of degrees |
+//! | `sets` | W0302 empty sets |
+//! | `dead` | W0304 what makes no difference |
+//! | `outside` | W0305 kept out of a region |
+//! | `allow` | comments that silence a suspicion, and W0103 those that do not |
+//! | `scope`, `shape`, `uses`, `facts` | what they are made from |
+
+pub mod allow;
+mod dead;
+mod degrees;
+mod facts;
+mod hiding;
+mod outside;
+mod scope;
+mod sets;
+mod shape;
+mod spelling;
+mod unused;
+mod uses;
+
+use crate::check::Where;
+use crate::items::{Names, Place};
+use facts::{Facts, Node};
+use scenelang_base::{Code, Diagnostic, codes};
+use scope::Scopes;
+use smol_str::SmolStr;
+
+pub use unused::may_hide_uses;
+pub use uses::{Uses, uses};
+
+/// The suspicions about one statement without errors. They depend on its text and on what `names` says of the names in
+/// it, not on where anything stands.
+pub fn statement(names: &dyn Names, place: Place<'_>) -> Vec<Diagnostic<Where>> {
+    let scopes = Scopes::of(place.stmt);
+    let mut out = Vec::new();
+    hiding::within(&scopes, &mut out);
+    degrees::check(names, place.stmt, &scopes, &mut out);
+    sets::ranges(place.stmt, &scopes, &mut out);
+    dead::check(names, place.stmt, &scopes, &mut out);
+    out
+}
+
+/// A statement as [`program`] takes it.
+#[derive(Clone, Copy)]
+pub struct Linted<'a> {
+    /// The statement and its place, in a file of the user.
+    pub place: Place<'a>,
+    /// Its summary.
+    pub uses: &'a Uses,
+    /// Whether it has no errors of its own.
+    pub sound: bool,
+    /// Whether [`statement`] said that a part of it makes no difference.
+    pub dead: bool,
+}
+
+impl<'a> Linted<'a> {
+    /// A statement with what was found about it alone.
+    pub fn new(place: Place<'a>, uses: &'a Uses, sound: bool, found: &[Diagnostic<Where>]) -> Self {
+        Self { place, uses, sound, dead: found.iter().any(|d| d.code == codes::W0304) }
+    }
+}
+
+/// The suspicions about a whole program. `statements`: those of the main file first, then of what it imports.
+/// `errors`: codes of the errors that were found; a name that is used where nothing could be read is not called unused.
+pub fn program(
+    names: &dyn Names,
+    statements: &[Linted<'_>],
+    errors: impl IntoIterator<Item = Code>,
+) -> Vec<Diagnostic> {
+    let facts = Facts::of(names, statements);
+    let mut out = Vec::new();
+    if !errors.into_iter().any(may_hide_uses) {
+        unused::names(&facts, &mut out);
+    }
+    unused::texts(&facts, &mut out);
+    unused::without_objects(&facts, &mut out);
+    hiding::declared(&facts, &mut out);
+    spelling::check(&facts, &mut out);
+    sets::empty(&facts, &mut out);
+    outside::check(&facts, &mut out);
+    let drawing = facts.closure(|s| s.uses.draws);
+    dead::repeated(statements, |predicate| drawing.contains(&Node::Predicate(&SmolStr::new(predicate))), &mut out);
+    out
+}
