@@ -4,6 +4,7 @@ use crate::check::{self, cycles};
 use crate::items::{Items, Place};
 use crate::lint::{self, Linted, Uses};
 use crate::lower;
+use crate::parse::core;
 use crate::program::Program;
 use crate::sources::{Disk, Loader, Units, decode, plain, read_units};
 use rustc_hash::FxHashSet;
@@ -95,13 +96,6 @@ fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Prog
             u.parsed.statements.iter().map(|(offset, stmt)| Place { file: Some(u.file), offset: *offset, stmt })
         })
         .collect();
-    if options.core {
-        for place in &places {
-            let Some(file) = place.file else { continue };
-            let found = crate::parse::core::check_core(place.stmt);
-            out.extend(found.into_iter().map(|d| d.map_places(|r| r.shifted(place.offset).in_file(file))));
-        }
-    }
     let (items, found) = Items::collect(units, |file, range: TextRange| sources.get(file).slice(range));
     out.extend(found);
     out.extend(cycles::variable_cycles(&items));
@@ -111,6 +105,9 @@ fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Prog
     for (place, uses) in places.iter().zip(&uses) {
         let Some(file) = place.file else { continue };
         let mut found = check::statement(&items, *place);
+        if options.core {
+            found = core::check(place.stmt, found);
+        }
         let sound = !found.iter().any(Diagnostic::is_error);
         if sound {
             found.extend(lint::statement(&items, *place));
@@ -119,7 +116,7 @@ fn analyse(units: &Units, sources: &SourceMap, options: Options) -> (Option<Prog
         out.extend(found.into_iter().map(|d| check::absolute(d, *place, file, &items)));
     }
     let errors: Vec<Code> = out.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
-    out.extend(lint::program(&items, &linted, errors));
+    out.extend(lint::program(&items, &linted, &errors));
     let bad = bad_statements(&out, &places);
     let (program, found) = lower::lower(&items, units, sources, &bad);
     out.extend(found);

@@ -37,7 +37,7 @@ use scenelang_base::{Code, Diagnostic, codes};
 use scope::Scopes;
 use smol_str::SmolStr;
 
-pub use unused::may_hide_uses;
+use unused::may_hide_uses;
 pub use uses::{Uses, uses};
 
 /// The suspicions about one statement without errors. They depend on its text and on what `names` says of the names in
@@ -73,19 +73,18 @@ impl<'a> Linted<'a> {
 }
 
 /// The suspicions about a whole program. `statements`: those of the main file first, then of what it imports.
-/// `errors`: codes of the errors that were found; a name that is used where nothing could be read is not called unused.
-pub fn program(
-    names: &dyn Names,
-    statements: &[Linted<'_>],
-    errors: impl IntoIterator<Item = Code>,
-) -> Vec<Diagnostic> {
+/// `errors`: codes of the errors that were found; what they may have hidden is not held against the rest.
+pub fn program(names: &dyn Names, statements: &[Linted<'_>], errors: &[Code]) -> Vec<Diagnostic> {
     let facts = Facts::of(names, statements);
     let mut out = Vec::new();
-    if !errors.into_iter().any(may_hide_uses) {
+    if !errors.iter().any(|code| may_hide_uses(*code)) {
         unused::names(&facts, &mut out);
     }
     unused::texts(&facts, &mut out);
-    unused::without_objects(&facts, &mut out);
+    // A definition that is wrong may have been meant to speak of something.
+    if errors.is_empty() {
+        unused::without_objects(&facts, &mut out);
+    }
     hiding::declared(&facts, &mut out);
     spelling::check(&facts, &mut out);
     sets::empty(&facts, &mut out);
