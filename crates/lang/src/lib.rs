@@ -11,6 +11,7 @@ pub mod items;
 pub mod library;
 pub mod lint;
 pub mod lower;
+pub mod mend;
 pub mod natives;
 pub mod parse;
 pub mod print;

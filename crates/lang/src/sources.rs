@@ -182,7 +182,7 @@ fn file_name(path: &Path) -> String {
 }
 
 /// The path without `.` and, where possible, without `..`; not resolved on disk, so that it works for any loader.
-fn normal(path: &Path) -> PathBuf {
+pub(crate) fn normal(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
     for part in path.components() {
         match part {

@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod blocks;
+mod fixes;
 mod format;
 mod shape;
 mod soup;
