@@ -5,6 +5,7 @@
 
 pub mod codes;
 pub mod diagnostic;
+pub mod fix;
 pub mod fs;
 mod pages;
 pub mod source;

@@ -50,6 +50,9 @@ pub struct Check {
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,
+    /// Make the safe fixes in the programs first; of a layout, in its program
+    #[arg(long)]
+    pub fix: bool,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,

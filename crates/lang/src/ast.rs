@@ -188,6 +188,21 @@ pub enum UnitSuffix {
     Rad,
 }
 
+impl UnitSuffix {
+    /// As written behind a number.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::M => "m",
+            Self::Cm => "cm",
+            Self::Mm => "mm",
+            Self::Ft => "ft",
+            Self::In => "in",
+            Self::Deg => "deg",
+            Self::Rad => "rad",
+        }
+    }
+}
+
 /// Operators of two operands, comparisons apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BinaryOp {

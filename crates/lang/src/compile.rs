@@ -6,7 +6,7 @@ use crate::sources::{Disk, Loader, decode, plain};
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use std::path::Path;
 
-/// At most so many errors of a file are listed.
+/// At most so many errors of a file are listed, and as many warnings.
 pub const MAX_ERRORS: usize = 100;
 
 /// How to compile.
@@ -25,7 +25,7 @@ pub struct Compiled {
     pub main: FileId,
     /// The program, if there is no error.
     pub program: Option<Program>,
-    /// Errors and warnings, by file and place; at most [`MAX_ERRORS`] errors of a file.
+    /// Errors and warnings, by file and place; at most [`MAX_ERRORS`] of each in a file.
     pub diagnostics: Vec<Diagnostic>,
 }
 

@@ -55,6 +55,11 @@ pub fn usual_size(category: &str) -> Option<[f64; 3]> {
         .or_else(|| words.iter().rev().find_map(|w| lookup(w)))
 }
 
+/// Whether the table of usual sizes has a word as it stands.
+pub fn is_category(word: &str) -> bool {
+    lookup(word).is_some()
+}
+
 /// Lower-case words of a category or a name: blanks, underscores, digits and humps separate.
 fn words(text: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();

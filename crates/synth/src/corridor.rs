@@ -107,7 +107,8 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
     observer.enter(Stage::Assets);
     let draws = scenelang_solve::draws(program, request.seed);
     let previous = start.as_ref().map(|s| &s.layout);
-    let Furnished { layout, warnings } = furnish(program, draws, previous, &request.judge);
+    let Furnished { layout, mut warnings } = furnish(program, draws, previous, &request.judge);
+    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
     observer.leave(Stage::Assets);
 
     observer.enter(Stage::Layout);

@@ -16,7 +16,7 @@ mod tolerances;
 pub mod vector;
 mod world;
 
-pub use check::{Checked, Verdict, check, check_file, check_layout_text};
+pub use check::{Checked, Verdict, check, check_file, check_layout_text, program_of};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use natives::{gap, in_region};
 pub use number::{Dual, Number};

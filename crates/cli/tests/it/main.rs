@@ -6,6 +6,7 @@ mod checkers;
 mod cli;
 mod documents;
 mod examples;
+mod fixing;
 mod hostile;
 mod inspect;
 mod layering;

@@ -2,7 +2,7 @@
 
 use super::Where;
 use super::constant;
-use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt};
+use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt, UnitSuffix};
 use crate::hir::{Hir, Local, LocalKind, Resolution};
 use crate::items::{ItemKind, Names, whole_number};
 use crate::natives::{self, SIDES, Signature, property};
@@ -119,15 +119,9 @@ impl<'n, 'a> Checker<'n, 'a> {
     pub(super) fn expect(&mut self, id: ExprId, wanted: Ty, what: &str) {
         let ty = self.ty(id);
         if !ty.fits(wanted) {
-            let mut d = Diagnostic::new(
-                codes::E0301,
-                Where::Here(self.range(id)),
-                format!("{what} takes {wanted}, and this is {ty}"),
-            );
-            if let Some(hint) = hint(wanted, ty) {
-                d = d.note(hint);
-            }
-            self.push(d);
+            let message = format!("{what} takes {wanted}, and this is {ty}");
+            let d = Diagnostic::new(codes::E0301, Where::Here(self.range(id)), message);
+            self.push(self.mended(d, id, wanted, ty));
         }
     }
 
@@ -143,7 +137,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         let ty = match &self.expr(id).kind {
             ExprKind::Number(_, unit) => match unit {
                 None => Ty::Literal,
-                Some(crate::ast::UnitSuffix::Deg | crate::ast::UnitSuffix::Rad) => Ty::Degree,
+                Some(UnitSuffix::Deg | UnitSuffix::Rad) => Ty::Degree,
                 Some(_) => Ty::Number,
             },
             ExprKind::Text(_) => Ty::String,
@@ -455,13 +449,10 @@ impl<'n, 'a> Checker<'n, 'a> {
                 BinaryOp::Mul => "multiplied",
                 _ => "divided",
             };
-            let mut d = Diagnostic::new(codes::E0301, Where::Here(range), format!("{a} and {b} cannot be {verb}"))
+            let d = Diagnostic::new(codes::E0301, Where::Here(range), format!("{a} and {b} cannot be {verb}"))
                 .related(Where::Here(self.range(l)), format!("this is {a}"))
                 .related(Where::Here(self.range(r)), format!("this is {b}"));
-            if let Some(h) = hint(a, b).or_else(|| hint(b, a)) {
-                d = d.note(h);
-            }
-            self.push(d);
+            self.push(self.reconciled(d, (l, a), (r, b)));
             Ty::Error
         })
     }
@@ -488,13 +479,10 @@ impl<'n, 'a> Checker<'n, 'a> {
         } else {
             format!("{a} and {b} cannot be compared")
         };
-        let mut d = Diagnostic::new(codes::E0301, Where::Here(range), message)
+        let d = Diagnostic::new(codes::E0301, Where::Here(range), message)
             .related(Where::Here(self.range(l)), format!("this is {a}"))
             .related(Where::Here(self.range(r)), format!("this is {b}"));
-        if let Some(h) = hint(a, b).or_else(|| hint(b, a)) {
-            d = d.note(h);
-        }
-        self.push(d);
+        self.push(self.reconciled(d, (l, a), (r, b)));
     }
 
     fn set(&mut self, id: ExprId) {
@@ -566,6 +554,47 @@ impl<'n, 'a> Checker<'n, 'a> {
         Ty::Bool
     }
 
+    /// A complaint that `id` is of type `found` where `wanted` is expected, with what to do about it.
+    fn mended(&self, d: Diagnostic<Where>, id: ExprId, wanted: Ty, found: Ty) -> Diagnostic<Where> {
+        match self.other_unit(id, wanted) {
+            Some(unit) => self.without_unit(d, id, unit),
+            None => hint(wanted, found).map(|h| d.clone().note(h)).unwrap_or(d),
+        }
+    }
+
+    /// A complaint that two values do not go together. A literal with a unit is the one to blame.
+    fn reconciled(&self, d: Diagnostic<Where>, (l, a): (ExprId, Ty), (r, b): (ExprId, Ty)) -> Diagnostic<Where> {
+        match (self.other_unit(r, a), self.other_unit(l, b)) {
+            (Some(unit), _) => self.without_unit(d, r, unit),
+            (_, Some(unit)) => self.without_unit(d, l, unit),
+            _ => hint(a, b).or_else(|| hint(b, a)).map(|h| d.clone().note(h)).unwrap_or(d),
+        }
+    }
+
+    /// The unit of a literal that is a length where degrees are wanted, or degrees where a number is.
+    fn other_unit(&self, id: ExprId, wanted: Ty) -> Option<UnitSuffix> {
+        let id = match self.expr(id).kind {
+            ExprKind::Neg(inner) => inner,
+            _ => id,
+        };
+        let ExprKind::Number(_, unit) = self.expr(id).kind else { return None };
+        let angle = matches!(unit?, UnitSuffix::Deg | UnitSuffix::Rad);
+        matches!((wanted, angle), (Ty::Degree, false) | (Ty::Number, true)).then_some(unit?)
+    }
+
+    /// Offers a literal without its unit or, where degrees are wanted, with the right one.
+    fn without_unit(&self, d: Diagnostic<Where>, id: ExprId, unit: UnitSuffix) -> Diagnostic<Where> {
+        let length = unit.text().len() as u32;
+        let end = self.range(id).end;
+        let place = Where::Here(TextRange { start: end - length, end });
+        if matches!(unit, UnitSuffix::Deg | UnitSuffix::Rad) {
+            return d.note("an angle is no length").fix(Applicability::Unsafe, "remove the unit", place, "");
+        }
+        d.note("degrees are expected, and a bare number is one: `90`")
+            .fix(Applicability::Unsafe, "write degrees: `deg`", place.clone(), "deg")
+            .fix(Applicability::Unsafe, "remove the unit", place, "")
+    }
+
     fn argument(&mut self, arg: ExprId, ty: Ty, wanted: Ty, param: &str, of: &str) {
         if ty.fits(wanted) {
             return;
@@ -574,15 +603,9 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.bare_set(arg, &format!("`{of}` takes one object here"));
             return;
         }
-        let mut d = Diagnostic::new(
-            codes::E0301,
-            Where::Here(self.range(arg)),
-            format!("`{param}` of `{of}` is {wanted}, and this is {ty}"),
-        );
-        if let Some(h) = hint(wanted, ty) {
-            d = d.note(h);
-        }
-        self.push(d);
+        let message = format!("`{param}` of `{of}` is {wanted}, and this is {ty}");
+        let d = Diagnostic::new(codes::E0301, Where::Here(self.range(arg)), message);
+        self.push(self.mended(d, arg, wanted, ty));
     }
 
     fn unknown_function(&mut self, name: &Name) {
@@ -668,10 +691,8 @@ impl<'n, 'a> Checker<'n, 'a> {
             Where::Here(self.range(args[bad])),
             format!("`{}` takes {} here, and this is {}", name.text, words.join(" or "), types[bad]),
         );
-        if let [only] = wanted.as_slice()
-            && let Some(h) = hint(*only, types[bad])
-        {
-            d = d.note(h);
+        if let [only] = wanted.as_slice() {
+            d = self.mended(d, args[bad], *only, types[bad]);
         }
         self.push(d);
         (fitting[0], types)
@@ -723,7 +744,7 @@ fn result_of(s: &Signature, types: &[Ty]) -> Ty {
 /// What to do about a type in the wrong place.
 fn hint(wanted: Ty, found: Ty) -> Option<&'static str> {
     Some(match (wanted, found) {
-        (Ty::Degree, Ty::Number) => "a Number variable is not a Degree; declare it as `Degree`, or write a literal",
+        (Ty::Degree, Ty::Number) => "a Number is not a Degree; declare the variable as `Degree`, or multiply by `1deg`",
         (Ty::Number, Ty::Degree) => "degrees are no lengths; take `sin`, `cos`, or divide by `1deg`",
         (Ty::Number, Ty::Vector3) => "take one component (`.x`, `.y`, `.z`) or the `length`",
         (Ty::Vector3, Ty::Object) => "take a point of it: `.pos` or `.center`",

@@ -1,15 +1,16 @@
 //! A program under edit: its files read, its diagnostics asked for, its formulas made.
 
-use super::checked::{checked, core_checked, meanings};
-use super::names::{At, Twice, assignments, circles, names};
+use super::checked::{checked, meanings};
+use super::names::{At, KnownNames, Twice, assignments, circles, names};
 use super::reader::{ReadFile, Reader};
-use super::runs::{File, Sources, parsed, placed_runs};
+use super::runs::{File, Sources, allowances, parsed, placed_runs};
 use super::{Cancelled, Database, Observer, cancellable};
 use crate::ast::{Stmt, StmtKind};
 use crate::check::{Where, cycles};
 use crate::compile::{MAX_ERRORS, Options};
 use crate::hir::Meanings;
 use crate::items::{Items, Place};
+use crate::lint::{self, Linted, Uses, allow};
 use crate::lower;
 use crate::parse::ParsedFile;
 use crate::program::Program;
@@ -24,7 +25,6 @@ use std::panic::AssertUnwindSafe;
 pub struct Analysis {
     db: Database,
     sources: Sources,
-    options: Options,
     files: Vec<ReadFile>,
     /// What went wrong with reading and importing.
     unread: Vec<Diagnostic>,
@@ -69,8 +69,8 @@ impl Analysis {
 
     fn build(options: Options, observer: Option<Observer>) -> Self {
         let db = Database::new(observer);
-        let sources = Sources::new(&db, Vec::new());
-        Self { db, sources, options, files: Vec::new(), unread: Vec::new() }
+        let sources = Sources::new(&db, Vec::new(), options.core);
+        Self { db, sources, files: Vec::new(), unread: Vec::new() }
     }
 
     /// Takes over the text of `main` and reads what it imports. Files that did not change cost nothing.
@@ -87,25 +87,20 @@ impl Analysis {
     /// A handle for another thread, which reads what is known now. As soon as this analysis is updated, the other
     /// thread's questions end with [`Cancelled`]; the update waits for that.
     pub fn reader(&self) -> Self {
-        Self {
-            db: self.db.clone(),
-            sources: self.sources,
-            options: self.options,
-            files: self.files.clone(),
-            unread: self.unread.clone(),
-        }
+        Self { db: self.db.clone(), sources: self.sources, files: self.files.clone(), unread: self.unread.clone() }
     }
 
-    /// Errors and warnings of syntax, names and types, by file and place; at most [`MAX_ERRORS`] errors of a file.
+    /// What can be said after each keystroke: errors of syntax, names and types, and suspicions about single statements,
+    /// by file and place; at most [`MAX_ERRORS`] errors of a file, and as many warnings.
     ///
     /// # Errors
     /// [`Cancelled`]: the text was changed by another thread.
     pub fn diagnostics(&self) -> Result<Vec<Diagnostic>, Cancelled> {
-        cancellable(AssertUnwindSafe(|| self.listed(self.found(&self.units()))))
+        cancellable(AssertUnwindSafe(|| self.listed(self.unsilenced(self.found(&self.units())))))
     }
 
-    /// The program, if there is no error, and all errors and warnings, also those that show only when quantifiers and
-    /// predicates are expanded.
+    /// The program, if there is no error, and all errors and warnings: also suspicions about the whole program, and what
+    /// shows only when quantifiers and predicates are expanded.
     ///
     /// # Errors
     /// [`Cancelled`]: the text was changed by another thread.
@@ -113,11 +108,15 @@ impl Analysis {
         cancellable(AssertUnwindSafe(|| {
             let units = self.units();
             let mut out = self.found(&units);
+            out.extend(self.suspicions(&units, &out));
             let items = self.items(&units);
             let bad = bad_statements(&out, &units);
             let (program, found) = lower::lower(&items, &units, sources, &bad);
             out.extend(found);
-            let out = self.listed(out);
+            if let Some(main) = self.files.first() {
+                out.extend(allow::idle(allowances(&self.db, main.text), main.file, &out));
+            }
+            let out = self.listed(self.unsilenced(out));
             (Some(program).filter(|_| !out.iter().any(Diagnostic::is_error)), out)
         }))
     }
@@ -163,8 +162,7 @@ impl Analysis {
             for ((start, run), (_, parsed)) in placed_runs(&self.db, file.text).iter().zip(&unit.runs) {
                 let here = |range: TextRange| range.shifted(*start).in_file(file.file);
                 out.extend(parsed.diagnostics.iter().map(|d| d.clone().map_places(here)));
-                let core: &[_] = if self.options.core { core_checked(&self.db, *run) } else { &[] };
-                for (stmt, d) in core.iter().chain(checked(&self.db, *run)) {
+                for (stmt, d) in checked(&self.db, *run) {
                     let (offset, stmt) = &parsed.statements[*stmt as usize];
                     let place = Place { file: Some(file.file), offset: start + offset, stmt };
                     out.push(self.absolute(d.clone(), place, file.file, units));
@@ -181,6 +179,33 @@ impl Analysis {
         out.extend(circles.variables.iter().filter_map(|c| cycles::report(c, variable, codes::E0204, "variables")));
         out.extend(circles.predicates.iter().filter_map(|c| cycles::report(c, name, codes::E0210, "predicates")));
         out
+    }
+
+    /// Suspicions about the whole program, of which `found` is known.
+    fn suspicions(&self, units: &[Unit<'_>], found: &[Diagnostic]) -> Vec<Diagnostic> {
+        let places: Vec<Place<'_>> = units.iter().flat_map(Unit::places).collect();
+        let uses: Vec<Uses> = places.iter().map(|p| lint::uses(p.stmt)).collect();
+        let runs = self.files.iter().flat_map(|f| placed_runs(&self.db, f.text));
+        let mut all = places.iter().zip(&uses);
+        let mut linted = Vec::with_capacity(places.len());
+        for (_, run) in runs {
+            let checked = checked(&self.db, *run);
+            for i in 0..parsed(&self.db, *run).statements.len() as u32 {
+                let about = checked.iter().filter(|(stmt, _)| *stmt == i).map(|(_, d)| d);
+                linted.extend(all.next().map(|(place, uses)| Linted::new(*place, uses, about)));
+            }
+        }
+        let errors: Vec<Code> = found.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
+        lint::program(&KnownNames(&self.db), &linted, &errors)
+    }
+
+    /// What comments do not silence.
+    fn unsilenced(&self, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        found.retain(|d| {
+            let file = d.primary.as_ref().and_then(|l| self.files.iter().find(|f| f.file == l.place.file));
+            !file.is_some_and(|f| allow::silenced(d, allowances(&self.db, f.text)))
+        });
+        found
     }
 
     /// A diagnostic of the statement at `place`, its places made absolute.
@@ -222,22 +247,23 @@ impl Analysis {
         report(&assigned.twice, codes::E0203, "assigned", one_value, |p| p.span(target(p.stmt)?));
     }
 
-    /// In the order of the files and places, with at most [`MAX_ERRORS`] errors of a file.
+    /// In the order of the files and places, with at most [`MAX_ERRORS`] errors of a file, and as many warnings.
     fn listed(&self, mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
         let unit = |file: FileId| self.files.iter().position(|f| f.file == file);
         all.sort_by_key(|d| {
             d.primary.as_ref().map(|l| (unit(l.place.file).is_none(), unit(l.place.file), l.place, d.code))
         });
         let mut last = None;
-        let mut count = 0;
+        let mut counts = [0; 2];
         all.retain(|d| {
             let file = d.primary.as_ref().map(|l| l.place.file);
             if file != last {
                 last = file;
-                count = 0;
+                counts = [0; 2];
             }
-            count += usize::from(d.is_error());
-            !d.is_error() || count <= MAX_ERRORS
+            let count = &mut counts[usize::from(d.is_error())];
+            *count += 1;
+            *count <= MAX_ERRORS
         });
         all
     }

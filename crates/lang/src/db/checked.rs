@@ -3,22 +3,30 @@
 #![allow(missing_docs, reason = "the macros of salsa make items that take no documentation")]
 
 use super::names::KnownNames;
-use super::runs::{Run, parsed};
+use super::runs::{Run, Sources, parsed};
 use crate::check::{self, Where};
 use crate::hir::{self, Hir};
-use crate::parse::core::check_core;
+use crate::lint;
+use crate::parse::core;
 use scenelang_base::Diagnostic;
 
-/// Findings of the checker, each with the number of its statement in the run.
+/// Findings of the checker and suspicions about single statements, each with the number of its statement in the run.
 #[salsa::tracked]
 pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(u32, Diagnostic<Where>)> {
     let names = KnownNames(db);
-    let statements = &parsed(db, run).statements;
-    let found = statements.iter().zip(0..).flat_map(|((_, stmt), i)| {
-        let found = check::statement(&names, stmt);
-        found.into_iter().map(move |d| (i, d))
-    });
-    found.collect()
+    let core_only = Sources::get(db).core(db);
+    let mut out = Vec::new();
+    for ((_, stmt), i) in parsed(db, run).statements.iter().zip(0..) {
+        let mut found = check::statement(&names, stmt);
+        if core_only {
+            found = core::check(stmt, found);
+        }
+        if !found.iter().any(Diagnostic::is_error) {
+            found.extend(lint::statement(&names, stmt));
+        }
+        out.extend(found.into_iter().map(|d| (i, d)));
+    }
+    out
 }
 
 /// What the statements of a run mean.
@@ -26,15 +34,4 @@ pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(
 pub(crate) fn meanings<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<Hir> {
     let names = KnownNames(db);
     parsed(db, run).statements.iter().map(|(_, stmt)| hir::statement(&names, stmt)).collect()
-}
-
-/// What of a run is outside the core language.
-#[salsa::tracked]
-pub(crate) fn core_checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(u32, Diagnostic<Where>)> {
-    let statements = &parsed(db, run).statements;
-    let found = statements
-        .iter()
-        .zip(0..)
-        .flat_map(|((_, stmt), i)| check_core(stmt).into_iter().map(move |d| (i, d.map_places(Where::Here))));
-    found.collect()
 }

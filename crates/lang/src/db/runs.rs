@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "the macros of salsa make items that take no documentation")]
 
 use crate::chunk::{Chunks, cut};
+use crate::lint::allow::Allowances;
 use crate::parse::{ParsedFile, parse_run};
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
@@ -19,6 +20,9 @@ pub(crate) struct File {
 pub(crate) struct Sources {
     #[returns(deref)]
     pub files: Vec<File>,
+    /// Whether only the core language is accepted.
+    #[returns(copy)]
+    pub core: bool,
 }
 
 /// Some statements that follow each other, and the blanks and comments between them.
@@ -51,6 +55,12 @@ pub(crate) fn placed_runs<'db>(db: &'db dyn salsa::Database, file: File) -> Vec<
         }
     }
     out
+}
+
+/// The comments of a file that silence something.
+#[salsa::tracked]
+pub(crate) fn allowances(db: &dyn salsa::Database, file: File) -> Allowances {
+    Allowances::of(file.text(db))
 }
 
 /// The statements of a run. Its text never changes, so there is nothing to compare.

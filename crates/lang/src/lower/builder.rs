@@ -25,6 +25,11 @@ impl Builder {
         &self.nodes[id.0 as usize]
     }
 
+    /// The place of a node.
+    pub(super) fn range(&self, id: NodeId) -> TextRange {
+        self.ranges[id.0 as usize]
+    }
+
     /// Adds a node, or finds its equal. A hash met by a different node before only means that it is not shared.
     pub(super) fn add(&mut self, node: Node, range: TextRange) -> NodeId {
         let hash = hash(&node);

@@ -88,17 +88,8 @@ impl<'a> Lowerer<'a, '_> {
                 let set = self.set(*set)?;
                 let mut kept = Vec::new();
                 for &object in set.iter() {
-                    let outer = self.f.own.replace(object);
-                    let truth = self.truth(*condition);
-                    self.f.own = outer;
-                    match self.f.b.node(truth?) {
-                        Node::Truth(true) => kept.push(object),
-                        Node::Truth(false) => {}
-                        _ => {
-                            let message = "what a filter asks must be known without a layout";
-                            self.error(codes::E0306, expr.range, message);
-                            return Err(Poison);
-                        }
+                    if self.keeps(object, *condition)? {
+                        kept.push(object);
                     }
                 }
                 Ok(Val::Set(kept.into()))

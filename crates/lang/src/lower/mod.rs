@@ -3,6 +3,7 @@
 
 mod builder;
 mod expr;
+mod filter;
 mod pins;
 
 use crate::ast::{Allow, ExprId, Stmt, StmtKind};

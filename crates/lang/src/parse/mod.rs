@@ -19,7 +19,7 @@
 
 mod builder;
 pub mod core;
-mod depth;
+pub(crate) mod depth;
 mod diagnose;
 mod grammar;
 mod lexical;

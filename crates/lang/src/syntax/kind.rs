@@ -1,7 +1,7 @@
 //! Kinds of nodes and leaves of the syntax tree, and their numbers in it.
 
 use crate::ast::{ExprKind, StmtKind};
-use crate::token::Kind;
+use crate::token::{Kind, TABLE};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -106,30 +106,6 @@ node_kinds! {
     Range
 }
 
-macro_rules! token_kinds {
-    ($($name:ident)*) => {
-        const TOKENS: &[Kind] = &[$(Kind::$name),*];
-        /// The number of a token's kind; a kind that is missing in the list does not compile.
-        const fn token_number(kind: Kind) -> u16 {
-            match kind {
-                $(Kind::$name => Kind::$name as u16,)*
-            }
-        }
-    };
-}
-
-// In the order of their declaration.
-token_kinds! {
-    Blank LineComment DocComment BlockComment Bom
-    Ident Number Str
-    Object Entity Region NumberType Degree Bool Vector3 Rotation Color Material Assert AllowCollide AllowOutside Inside
-    Rand Vec3 Rot DotWord True False And Or Not
-    Prefer Weight AllowFloat Predicate ParamType Import Forall Exists Count In Where Implies Objects
-    Arrow ArrowSign Define Eq Ne Lt Le Gt Ge Plus Minus Star Slash DotDot Dot Comma Colon Semi LParen RParen LBracket
-    RBracket Req
-    OpenComment OpenStr OddQuotes BadNumber WrongOperator BadAttribute Unknown
-}
-
 /// The language, for the tree's types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Scene {}
@@ -139,17 +115,17 @@ impl rowan::Language for Scene {
 
     fn kind_from_raw(raw: rowan::SyntaxKind) -> SyntaxKind {
         let at = usize::from(raw.0);
-        match TOKENS.get(at) {
-            Some(token) => SyntaxKind::Token(*token),
+        match TABLE.get(at) {
+            Some(row) => SyntaxKind::Token(row.kind),
             // No tree holds a number that is not from `kind_to_raw`.
-            None => SyntaxKind::Node(NODES.get(at - TOKENS.len()).copied().unwrap_or(NodeKind::Error)),
+            None => SyntaxKind::Node(NODES.get(at - TABLE.len()).copied().unwrap_or(NodeKind::Error)),
         }
     }
 
     fn kind_to_raw(kind: SyntaxKind) -> rowan::SyntaxKind {
         rowan::SyntaxKind(match kind {
-            SyntaxKind::Token(kind) => token_number(kind),
-            SyntaxKind::Node(kind) => TOKENS.len() as u16 + kind as u16,
+            SyntaxKind::Token(kind) => kind as u16,
+            SyntaxKind::Node(kind) => TABLE.len() as u16 + kind as u16,
         })
     }
 }
@@ -272,7 +248,7 @@ mod tests {
 
     #[test]
     fn numbers_lead_back_to_their_kinds() {
-        let all = TOKENS.iter().map(|t| SyntaxKind::Token(*t)).chain(NODES.iter().map(|n| SyntaxKind::Node(*n)));
+        let all = TABLE.iter().map(|row| SyntaxKind::Token(row.kind)).chain(NODES.iter().map(|n| SyntaxKind::Node(*n)));
         for (number, kind) in all.enumerate() {
             assert_eq!(usize::from(Scene::kind_to_raw(kind).0), number, "{kind}");
             assert_eq!(Scene::kind_from_raw(Scene::kind_to_raw(kind)), kind);

@@ -2,11 +2,13 @@
 //!
 //! A block fenced by ```` ```scene ```` is one program. A trailing comment `//~ CODE` says that a diagnostic of that
 //! code starts on that line; `//~ CODE:COLUMN` fixes its column too; several are separated by blanks. Diagnostics and
-//! comments must match exactly. A block fenced by ```` ```scene core ```` is checked as core language. A block
+//! comments must match exactly; suspicions (W02 to W04) only where they are marked, and in the files `lint-*.md`, which
+//! are about them. A block fenced by ```` ```scene core ```` is checked as core language. A block
 //! ```` ```text ```` after a program gives what its constraints become, one a line.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod blocks;
+mod fixes;
 mod format;
 mod incremental;
 mod shape;
@@ -15,7 +17,7 @@ mod spec;
 mod syntax;
 mod tree;
 
-use blocks::{Mark, agree, blocks, expected};
+use blocks::{Mark, agree, blocks, expected, relevant};
 use scenelang_lang::print::Printed;
 use scenelang_lang::{Compiled, Options, compile_text};
 use std::path::Path;
@@ -52,7 +54,9 @@ fn cases() {
             programs += 1;
             let options = Options { core: block.words().contains(&"core") };
             let compiled = compile_text("case.scene", Path::new("case.scene"), &block.text, options);
-            let (found, wanted) = (found(&compiled), expected(&block.text));
+            let wanted = expected(&block.text);
+            let found = found(&compiled);
+            let found = if name.starts_with("lint-") { found } else { relevant(found, &wanted) };
             if !agree(&found, &wanted) {
                 let messages: Vec<_> = compiled.diagnostics.iter().map(|d| &d.message).collect();
                 wrong +=

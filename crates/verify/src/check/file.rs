@@ -111,10 +111,9 @@ impl Unfinished {
             let say = format!("`{}` is a layout, not a program", scene.display());
             return vec![Diagnostic::new(codes::E0510, place, say)];
         }
-        let beside = |path: &Path| path.parent().map_or_else(|| scene.clone(), |folder| folder.join(&scene));
-        let shown = beside(Path::new(job.name)).to_string_lossy().replace('\\', "/");
+        let (shown, path) = beside(&scene, job.name, job.path);
         let sources = std::mem::take(&mut self.sources);
-        let compiled = compile_with(&shown, &beside(job.path), job.compile, job.loader, sources);
+        let compiled = compile_with(&shown, &path, job.compile, job.loader, sources);
         self.sources = compiled.sources;
         let Some(program) = compiled.program else {
             return unfit(&shown, place, compiled.diagnostics);
@@ -123,6 +122,7 @@ impl Unfinished {
         found.extend(matching::check(&program, read));
         let judged = check_at(&program, &read.layout, Some(&read.places), job.options);
         found.extend(judged.diagnostics);
+        scenelang_lang::lint::allow::silence(&self.sources, &mut found);
         (self.verdict.rows, self.verdict.summary) = (judged.rows, judged.summary);
         self.program = Some(program);
         found
@@ -158,6 +158,28 @@ fn scene_of(scene: Option<&str>, stated: bool, layout: &Path) -> Option<PathBuf>
             Some(PathBuf::from(format!("{stem}.scene")))
         }
     }
+}
+
+/// What a program is called, and where it is; `scene` is relative to the folder of the layout that is called `name` and
+/// is at `path`.
+fn beside(scene: &Path, name: &str, path: &Path) -> (String, PathBuf) {
+    let beside = |path: &Path| path.parent().map_or_else(|| scene.to_path_buf(), |folder| folder.join(scene));
+    (beside(Path::new(name)).to_string_lossy().replace('\\', "/"), beside(path))
+}
+
+/// The program that a file is or, if it is a layout, that it belongs to: what it is called, and where it is. `None`: the
+/// layout cannot be read, or names no program.
+pub fn program_of(name: &str, path: &Path) -> Option<(String, PathBuf)> {
+    if !is_layout(path) {
+        return Some((name.to_owned(), path.to_path_buf()));
+    }
+    let text = layout_file::decode(Disk.load(path).ok()?).ok()?;
+    let mut sources = SourceMap::new();
+    let file = sources.add(SourceFile::new(name, path, text));
+    let read = layout_file::read(sources.get(file).text(), file);
+    let stated = read.places.top.get("scene").is_some();
+    let scene = scene_of(read.layout.scene.as_deref(), stated, path).filter(|scene| !is_layout(scene))?;
+    Some(beside(&scene, name, path))
 }
 
 /// Whether a path is that of a layout.

@@ -24,6 +24,7 @@ pub fn build(
         summary: verdict.summary,
         constraints: verdict.rows.iter().map(|row| builder.row(row)).collect(),
         diagnostics: verdict.diagnostics.iter().map(|d| builder.finding(d)).collect(),
+        fixed: Vec::new(),
         tolerances: options.tolerances,
         eta: options.eta,
     };

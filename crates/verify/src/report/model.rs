@@ -18,10 +18,14 @@ pub struct Report {
     pub ok: bool,
     /// How many of each kind hold.
     pub summary: Summary,
-    /// All stated constraints in source order, then physical ones: those that fail, or all on request.
+    /// All stated constraints in source order, judged or not; then physical ones: those that fail, or, on request, all
+    /// (those that cannot be judged among them).
     pub constraints: Vec<Row>,
     /// Findings about the files themselves.
     pub diagnostics: Vec<Finding>,
+    /// Fixes that were made before the file was judged (`check --fix`).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fixed: Vec<Fixed>,
     /// Tolerances in force.
     pub tolerances: crate::Tolerances,
     /// Thickness of the walls of a room (metres).
@@ -167,6 +171,19 @@ pub struct Finding {
     pub notes: Vec<String>,
     /// Ways to mend it.
     pub fixes: Vec<Remedy>,
+}
+
+/// A fix that was made.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fixed {
+    /// Name of the file.
+    pub file: String,
+    /// The line of the finding, in the text as it was when the fix was made.
+    pub line: u32,
+    /// The code of the finding.
+    pub code: String,
+    /// In the imperative.
+    pub title: String,
 }
 
 /// Another place of a finding.

@@ -211,12 +211,13 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let (head, after) = (site.range(site.head), site.slice(site.at));
     let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
     match meant_statement(site.slice(site.head), after) {
-        Some((near, _)) => Some(diagnostic.label(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("write `{near}`"),
-            head,
-            near,
-        )),
+        Some((near, _)) => {
+            // `Object lamp` can mean nothing else.
+            let other_case = near.eq_ignore_ascii_case(site.slice(site.head));
+            let applicability = if other_case { Applicability::Safe } else { Applicability::Unsafe };
+            let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+            Some(diagnostic.fix(applicability, format!("write `{near}`"), head, near))
+        }
         None if is_word(after) || next == Kind::Str => Some(diagnostic.note(
             "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), \
              or begins with `assert`, `prefer`, `allow…`, `predicate` or `import`",

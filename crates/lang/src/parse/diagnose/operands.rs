@@ -71,7 +71,10 @@ fn blank_inside(site: &Site<'_>, first: usize, whole: &str) -> Finding {
     let place = site.range(first).cover(site.range(first + 1));
     let message = format!("there is no operator {}", super::quote(&site.text[place.bytes()]));
     let diagnostic = Diagnostic::new(E0116, place, message).label(format!("write `{whole}`"));
-    diagnostic.fix(Applicability::Unsafe, format!("write `{whole}`"), place, whole)
+    // `> =` can mean nothing else; `= <` is a guess.
+    let written: String = site.text[place.bytes()].split_whitespace().collect();
+    let applicability = if written == whole { Applicability::Safe } else { Applicability::Unsafe };
+    diagnostic.fix(applicability, format!("write `{whole}`"), place, whole)
 }
 
 /// A comma too many in a list of arguments.

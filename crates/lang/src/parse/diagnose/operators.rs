@@ -69,7 +69,9 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let place = site.range(site.at);
     let diagnostic = Diagnostic::new(E0116, place, format!("there is no operator {}", site.quoted(site.at)));
     let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
-    Some(diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), place, near))
+    // `AND` can mean nothing else.
+    let applicability = if Some(near) == other_case { Applicability::Safe } else { Applicability::Unsafe };
+    Some(diagnostic.fix(applicability, format!("write `{near}`"), place, near))
 }
 
 /// `5 cm`: a unit apart from its number.

@@ -1,0 +1,121 @@
+//! W0201: declared, and nothing is said of it. W0202: a text is read that nothing has been assigned.
+
+use super::facts::{Facts, Node};
+use super::sets;
+use crate::ast::StmtKind;
+use crate::items::ItemKind;
+use scenelang_base::{Code, Diagnostic, codes};
+
+/// Whether an error of this code may hide that a name is used: text that was not read, a name that was misspelt.
+pub fn may_hide_uses(code: Code) -> bool {
+    let code = code.as_str();
+    code.starts_with("E00") || code.starts_with("E01") || code == "E0201" || code == "E0206"
+}
+
+/// Names that are declared and never used.
+pub fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
+    let any = |such: fn(&StmtKind) -> bool| facts.statements.iter().any(|s| such(&s.place.stmt.kind));
+    let stated = any(|kind| matches!(kind, StmtKind::Assert { .. } | StmtKind::Prefer { .. }));
+    // Declarations alone are the beginning of a program, or made to be imported.
+    if !stated && !any(|kind| matches!(kind, StmtKind::Assign { .. } | StmtKind::Allow { .. })) {
+        return;
+    }
+    let all = facts.statements.iter().any(|s| s.uses.all) && facts.names.item("objects").is_none();
+    let regions = facts.order.iter().filter(|(n, _)| facts.names.item(&n.text) == Some(ItemKind::Region)).count();
+    let mut blank = None;
+    for (name, declared) in &facts.order {
+        let name = &name.text;
+        let named = facts.read.contains_key(name);
+        let assigned = facts.assigned.contains_key(name);
+        let Some(kind) = facts.names.item(name).filter(|_| !named && !facts.names.is_poisoned(name)) else { continue };
+        let message = match kind {
+            ItemKind::Object | ItemKind::Array(_) => {
+                if assigned || all || *blank.get_or_insert_with(|| sets::keep_blank(facts)) {
+                    continue;
+                }
+                format!("nothing is said of `{name}`")
+            }
+            // The only region holds everything, whether anything is said of it or not.
+            ItemKind::Region if assigned || regions == 1 => continue,
+            ItemKind::Region => format!("nothing is said of `{name}`"),
+            // A file that is imported may define more than every importer needs.
+            ItemKind::Variable(_) if facts.statements[*declared].place.file != facts.main => continue,
+            ItemKind::Variable(_) if assigned && !stated => continue,
+            ItemKind::Variable(_) if assigned => format!("`{name}` is assigned and never used"),
+            ItemKind::Variable(_) => format!("`{name}` is never used"),
+        };
+        if let Some(at) = facts.declared_at(name) {
+            let d = Diagnostic::new(codes::W0201, at, message);
+            out.push(match kind {
+                ItemKind::Variable(_) => d.note("use it in an assertion, or remove it"),
+                ItemKind::Region => d.note("say what is in it, or remove it"),
+                _ => d.note("say where it is to be or what it is, or remove it"),
+            });
+        }
+    }
+}
+
+/// Text properties that are read and never assigned.
+pub fn texts(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
+    for linted in facts.statements.iter().filter(|s| s.sound) {
+        let mut told = Vec::new();
+        for read in &linted.uses.reads {
+            let property = read.property.as_str();
+            let (whose, assigned) = match &read.of {
+                None => ("of any object".to_owned(), facts.properties.contains(property)),
+                Some((name, element)) => {
+                    let whole = facts.names.item(name);
+                    let has = |property: &str| facts.has(name, *element, property);
+                    // Of a region, the bare words mean the walls.
+                    let walls = |bare: &str, wall: &str| {
+                        whole == Some(ItemKind::Region)
+                            && (property == bare || property == wall)
+                            && (has(bare) || has(wall))
+                    };
+                    let known = matches!(whole, Some(ItemKind::Object | ItemKind::Array(_) | ItemKind::Region));
+                    let index = element.map_or(String::new(), |i| format!("[{i}]"));
+                    let assigned = has(property) || walls("color", "wallColor") || walls("material", "wallMaterial");
+                    (format!("of `{name}{index}`"), assigned || !known)
+                }
+            };
+            if assigned || told.contains(&(&read.of, property)) {
+                continue;
+            }
+            told.push((&read.of, property));
+            if let Some(at) = linted.place.span(read.range) {
+                let d = Diagnostic::new(codes::W0202, at, format!("the {property} {whose} is read and never assigned"));
+                out.push(d.note("text that is not assigned reads as `\"\"`; nothing but the program gives it"));
+            }
+        }
+    }
+}
+
+/// W0303: assertions and preferences that no layout can change: they speak of no object, no region, and of no variable
+/// that the solver chooses.
+pub fn without_objects(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
+    let things = |s: &super::Linted<'_>| {
+        let uses = s.uses;
+        uses.broken || uses.all || uses.names.iter().any(|n| facts.is_thing(&n.text) || facts.is_chosen(&n.text))
+    };
+    // What variables and predicates stand for is looked at only if there is a statement that it matters for.
+    let mut reached = None;
+    for linted in facts.statements.iter().filter(|s| s.sound && !things(s)) {
+        let (formula, word) = match &linted.place.stmt.kind {
+            StmtKind::Assert { formula } => (*formula, "assertion"),
+            StmtKind::Prefer { formula, .. } => (*formula, "preference"),
+            _ => continue,
+        };
+        let reached = reached.get_or_insert_with(|| facts.closure(things));
+        let through = linted.uses.names.iter().any(|n| reached.contains(&Node::Variable(&n.text)))
+            || linted.uses.calls.iter().any(|c| reached.contains(&Node::Predicate(c)));
+        let expr = linted.place.stmt.expr(formula);
+        let dead = linted.dead;
+        if !through
+            && !dead
+            && let Some(at) = linted.place.span(expr.range)
+        {
+            let d = Diagnostic::new(codes::W0303, at, format!("this {word} speaks of no object and no region"));
+            out.push(d.note("no layout can change it: name what it is about, or remove it"));
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Filters of sets: what an object must be to stay, told without a layout.
+
+use super::{Builder, Lowered, Lowerer, Poison};
+use crate::ast::ExprId;
+use crate::program::{Arg, Comparison, Node, NodeId, ObjectId};
+use scenelang_base::{Diagnostic, TextRange, codes};
+
+impl Lowerer<'_, '_> {
+    /// Whether an object passes a filter. A part that depends on the layout is reported where it stands.
+    pub(super) fn keeps(&mut self, object: ObjectId, condition: ExprId) -> Lowered<bool> {
+        let outer = self.f.own.replace(object);
+        let truth = self.truth(condition);
+        self.f.own = outer;
+        let truth = truth?;
+        if let Some(kept) = self.f.b.known(truth) {
+            return Ok(kept);
+        }
+        let (place, why) = self.unknown(truth);
+        let whole = self.f.place.map_or(TextRange::default(), |p| p.stmt.expr(condition).range);
+        // A part that stood elsewhere before is shared with it, and bears that place.
+        let inside = |range: &TextRange| whole.start <= range.start && range.end <= whole.end;
+        let range = if self.f.user.is_some() { place } else { Some(place).filter(inside).unwrap_or(whole) };
+        if let Some(span) = self.blame(range) {
+            let message = format!("what a filter asks must be known without a layout, and this depends on {why}");
+            let d = Diagnostic::new(codes::E0306, span, message).note(
+                "a filter may read color, material, features and category; move other conditions behind the colon",
+            );
+            if !self.out.contains(&d) {
+                self.out.push(d);
+            }
+        }
+        Err(Poison)
+    }
+
+    /// The first part of a condition that is not known without a layout, and what it depends on.
+    fn unknown(&self, condition: NodeId) -> (TextRange, String) {
+        let mut open = vec![condition];
+        while let Some(id) = open.pop() {
+            let name = |id: &ObjectId| format!("`{}`", self.program.objects[id.0 as usize].name);
+            let why = match self.f.b.node(id) {
+                Node::Object(_, object) => name(object),
+                Node::Region(_, region) => format!("`{}`", self.program.regions[region.0 as usize].name),
+                Node::Variable(id) => {
+                    format!("`{}`, which the solver chooses", self.program.variables[id.0 as usize].name)
+                }
+                Node::Draw(_) => "a random number".to_owned(),
+                Node::Native(_, args) | Node::Measure(_, args) => {
+                    let objects = args.iter().filter_map(|a| if let Arg::Object(o) = a { Some(name(o)) } else { None });
+                    let objects: Vec<String> = objects.collect();
+                    if objects.is_empty() { "it".to_owned() } else { objects.join(" and ") }
+                }
+                node => {
+                    let at = open.len();
+                    node.for_each_child(|child| open.push(child));
+                    open[at..].reverse();
+                    continue;
+                }
+            };
+            return (self.f.b.range(id), why);
+        }
+        (self.f.b.range(condition), "numbers".to_owned())
+    }
+}
+
+impl Builder {
+    /// The truth of a condition that no layout can change; `None` if one might.
+    fn known(&self, id: NodeId) -> Option<bool> {
+        let known = |id: &NodeId| stacker::maybe_grow(64 << 10, 1 << 20, || self.known(*id));
+        match self.node(id) {
+            Node::Truth(truth) => Some(*truth),
+            Node::Not(inner) => known(inner).map(|truth| !truth),
+            Node::Iff(a, b) => Some(known(a)? == known(b)?),
+            Node::And(list) => list.iter().try_fold(true, |all, id| Some(all && known(id)?)),
+            Node::Or(list) => list.iter().try_fold(false, |any, id| Some(any || known(id)?)),
+            Node::AtLeast(n, list) => {
+                let holding = list.iter().try_fold(0, |count, id| Some(count + u32::from(known(id)?)))?;
+                Some(holding >= *n)
+            }
+            Node::Compare(op, _, a, b) => {
+                let (a, b) = (self.constant(*a)?, self.constant(*b)?);
+                match op {
+                    Comparison::Lt => Some(a < b),
+                    Comparison::Le => Some(a <= b),
+                    Comparison::Gt => Some(a > b),
+                    Comparison::Ge => Some(a >= b),
+                    // Equality has a tolerance, and degrees go round.
+                    Comparison::Eq | Comparison::Ne => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
