@@ -45,6 +45,13 @@ pub(super) fn code(kind: Kind) -> &'static str {
     .as_str()
 }
 
+/// A span as lines and columns.
+pub(super) fn place(span: Span, sources: &SourceMap) -> Place {
+    let (start, end) = sources.lines(span);
+    let pair = |at: LineColumn| [at.line, at.column];
+    Place { file: sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
+}
+
 struct Builder<'a> {
     folder: &'a Path,
     program: Option<&'a Program>,
@@ -88,9 +95,7 @@ impl Builder<'_> {
     }
 
     fn place(&self, span: Span) -> Place {
-        let (start, end) = self.sources.lines(span);
-        let pair = |at: LineColumn| [at.line, at.column];
-        Place { file: self.sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
+        place(span, self.sources)
     }
 
     fn finding(&self, diagnostic: &Diagnostic) -> Finding {

@@ -119,13 +119,13 @@ fn rows_say_what_they_should() {
 
 #[test]
 fn sarif_has_a_result_per_violation_and_diagnostic() {
-    let log: Value = serde_json::from_str(&sarif(&[bedroom().report])).unwrap();
+    let log: Value = serde_json::from_str(&sarif(&[bedroom()])).unwrap();
     let results = log["runs"][0]["results"].as_array().unwrap();
     let ids: Vec<&str> = results.iter().map(|r| r["ruleId"].as_str().unwrap()).collect();
     assert_eq!(ids, ["V0101", "V0101", "V0106", "V0102"]);
     assert_eq!(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 4);
     assert_eq!(results[2]["level"], "note");
-    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default());
     let log: Value = serde_json::from_str(&sarif(&[broken])).unwrap();
     assert_eq!(log["runs"][0]["results"].as_array().unwrap().len(), 2);
 }
