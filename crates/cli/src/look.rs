@@ -1,13 +1,13 @@
-//! Commands to look things up and to start: `explain`, `constraints`, `new`.
+//! Commands to look things up and to start: `explain`, `constraints`, `schema`, `new`.
 
-use crate::args::{Constraints, Explain, New};
+use crate::args::{Constraints, Explain, New, Schema};
 use crate::solve::color_err;
 use crate::{FAILED, GOOD};
 use scenelang_base::{Code, codes, suggest};
 use scenelang_lang::print::Printed;
 use scenelang_lang::program::ConstraintKind;
 use scenelang_lang::{Options, compile_file};
-use scenelang_verify::report;
+use scenelang_verify::{report, schemas};
 
 /// Shows the page of a code.
 pub fn explain(args: &Explain) -> u8 {
@@ -40,6 +40,13 @@ pub fn constraints(args: &Constraints) -> u8 {
         let file = compiled.sources.get(c.span.file).name();
         println!("{file}:{}:{}: {kind} {}", start.line, start.column, Printed(program, &c.formula));
     }
+    GOOD
+}
+
+/// Prints a JSON Schema.
+pub fn schema(args: &Schema) -> u8 {
+    let Some(text) = schemas::find(&args.name) else { return FAILED };
+    print!("{text}");
     GOOD
 }
 

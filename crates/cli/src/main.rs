@@ -2,13 +2,18 @@
 
 mod args;
 mod check;
+mod diff;
 mod fmt;
 mod interrupt;
 mod look;
+mod parallel;
 mod progress;
+mod settings;
 mod solve;
 mod synth;
 mod table;
+mod targets;
+mod watch;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -33,6 +38,8 @@ fn main() -> ExitCode {
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
         Command::Constraints(constraints) => look::constraints(&constraints),
+        Command::Diff(diff) => diff::run(&diff),
+        Command::Schema(schema) => look::schema(&schema),
     };
     ExitCode::from(code)
 }
