@@ -3,10 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod checkers;
+mod carriers;
 mod cli;
+mod diff;
 mod documents;
 mod examples;
+mod formats;
 mod hostile;
 mod layering;
 mod licences;
 mod support;
+mod watch;
+mod workspace;

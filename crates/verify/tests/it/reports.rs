@@ -1,7 +1,7 @@
 //! Reports in their formats: what people read, SARIF, JUnit, and JSON that comes back as it went.
 
 use crate::cases::{judged, layout};
-use scenelang_verify::report::{Human, human, json, junit, model::Report, sarif};
+use scenelang_verify::report::{Human, compact, github, human, json, junit, model::Report, sarif};
 use scenelang_verify::{Checked, Options};
 use serde_json::Value;
 
@@ -137,4 +137,46 @@ fn junit_escapes_and_counts() {
     assert_eq!(text.matches("<skipped ").count(), 1);
     assert!(text.contains("failures=\"3\"") && text.contains("tests=\"5\""), "{text}");
     assert!(text.contains("nightstand.pos.x &gt; 2.5") && !text.contains("<above>"), "{text}");
+}
+
+#[test]
+fn sarif_says_what_a_rule_means_what_belongs_to_it_and_what_mends_it() {
+    let log: Value = serde_json::from_str(&sarif(&[bedroom()])).unwrap();
+    let run = &log["runs"][0];
+    let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
+    assert_eq!(rules.iter().map(|r| r["id"].as_str().unwrap()).collect::<Vec<_>>(), ["V0101", "V0102", "V0106"]);
+    let help = "https://github.com/scenelang/scenelang/blob/main/spec/src/codes/V0102.md";
+    assert_eq!((&rules[1]["shortDescription"]["text"], &rules[1]["helpUri"]), (&"two objects collide".into(), &help.into()));
+    for result in run["results"].as_array().unwrap() {
+        assert_eq!(rules[result["ruleIndex"].as_u64().unwrap() as usize]["id"], result["ruleId"]);
+    }
+    let related = run["results"][1]["relatedLocations"].as_array().unwrap();
+    let lines: Vec<_> = related.iter().map(|r| r["physicalLocation"]["region"]["startLine"].as_u64()).collect();
+    assert_eq!(lines, [Some(1), Some(2)]);
+
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default());
+    let log: Value = serde_json::from_str(&sarif(&[broken])).unwrap();
+    let fixed: Vec<&Value> = log["runs"][0]["results"].as_array().unwrap().iter().filter(|r| !r["fixes"].is_null()).collect();
+    insta::assert_snapshot!(line(&fixed[0]["fixes"]), @"");
+}
+
+#[test]
+fn a_compact_report_has_a_line_for_each_finding() {
+    let report = bedroom().report;
+    insta::assert_snapshot!(compact(&report, Human::default()), @"");
+    let color = compact(&report, Human { color: true, all: true });
+    assert!(color.contains("\u{1b}[31merror[V0101]\u{1b}[0m") && color.contains("bed.pos <- vec3(1, 0, 2) holds"), "{color}");
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
+    insta::assert_snapshot!(compact(&broken, Human::default()), @"");
+}
+
+#[test]
+fn annotations_are_escaped_as_the_runner_undoes_it() {
+    let mut report = bedroom().report;
+    insta::assert_snapshot!(github(&[report.clone()]), @"");
+    report.constraints.truncate(1);
+    report.constraints[0].message = "100 %\r\nand: more, too".into();
+    let span = report.constraints[0].span.as_mut().unwrap();
+    (span.file, span.end) = ("a:b,c%.scene".into(), [5, 2]);
+    insta::assert_snapshot!(github(&[report]), @"");
 }

@@ -18,6 +18,7 @@ mod blocks;
 mod drawing;
 
 use blocks::{Block, Mark, PENDING, agree, blocks, expected, relevant};
+use crate::schemas::{faults, validator};
 use scenelang_lang::sources::Loader;
 use scenelang_verify::report::model::{Finding, Row};
 use scenelang_verify::report::{Human, human};
@@ -267,6 +268,34 @@ fn programs_are_checked_as_they_say() {
             let found = relevant(found, &wanted);
             if !agree(&found, &wanted) {
                 wrong += &format!("{}:{}: expected {wanted:?}\n    found {found:?}\n", page.name, scene.line);
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn layouts_and_reports_of_the_book_fit_their_schemas() {
+    let [layouts, reports] = ["layout", "report"].map(validator);
+    let mut wrong = String::new();
+    for page in &pages() {
+        for (i, layout) in page.blocks.iter().enumerate().filter(|(_, b)| b.info.starts_with("json layout")) {
+            let at = format!("{}:{}", page.name, layout.line);
+            let Some(scene) = page.blocks[..i].iter().rfind(|b| b.is_scene()) else { panic!("{at}: no program") };
+            let report = judged(page, scene, layout).report;
+            let good = !report.diagnostics.iter().any(|d| d.severity == "error" && d.code.starts_with("E05"));
+            for fault in faults(&reports, &serde_json::to_value(&report).unwrap()) {
+                wrong += &format!("{at}: report {fault}\n");
+            }
+            match serde_json::from_str(&layout.text) {
+                Ok(document) if good => faults(&layouts, &document).iter().for_each(|f| wrong += &format!("{at}: {f}\n")),
+                Ok(_) => {}
+                Err(e) => assert!(!good, "{at}: {e}"),
+            }
+        }
+        for scene in page.blocks.iter().filter(|b| b.is_scene() && b.info != "scene formatted") {
+            for fault in faults(&reports, &serde_json::to_value(&checked(page, scene).report).unwrap()) {
+                wrong += &format!("{}:{}: report {fault}\n", page.name, scene.line);
             }
         }
     }
