@@ -130,5 +130,9 @@ fn what_is_not_ours_is_refused() {
         assert_eq!((code, &report["diagnostics"][0]["code"]), (2, &wanted.into()), "{path}: {report:#}");
     }
     let ended = scenelang(folder.path(), ["check", "other.glb"]);
-    insta::assert_snapshot!(ended.stdout, @"");
+    insta::assert_snapshot!(ended.stdout, @r##"
+    [E0008] Error: other.glb is a GLB file without a program and a layout in it
+      scenelang synth embeds them in what it writes; other tools may drop them
+    other.glb: 1 error
+    "##);
 }

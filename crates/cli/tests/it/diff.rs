@@ -39,7 +39,10 @@ fn folder() -> tempfile::TempDir {
         ("before.layout.json", BEFORE.to_owned()),
         ("after.layout.json", AFTER.to_owned()),
         // The same, said otherwise.
-        ("same.layout.json", BEFORE.replace("\"pos\": [0.3, 0.75, 0]", "\"rot\": [0, 360, 0], \"pos\": [3e-1, 0.75, 0]")),
+        (
+            "same.layout.json",
+            BEFORE.replace("\"pos\": [0.3, 0.75, 0]", "\"rot\": [0, 360, 0], \"pos\": [3e-1, 0.75, 0]"),
+        ),
         ("missing.layout.json", BEFORE.replace("\"plant\"", "\"plants\"")),
         ("broken.layout.json", BEFORE.replace("\"objects\"", "objects {")),
         // The program with its lines moved, and with a statement more.
@@ -58,7 +61,33 @@ fn people_read_what_moved_and_what_that_did() {
     let folder = folder();
     let ended = scenelang(folder.path(), ["diff", "before.layout.json", "after.layout.json"]);
     assert_eq!((ended.code, ended.stderr.as_str()), (1, ""));
-    insta::assert_snapshot!(ended.stdout, @"");
+    insta::assert_snapshot!(ended.stdout, @r##"
+      object  is       how
+      ──────  ───────  ──────────────────────────────────────────────
+      desk    moved    0.5 m forward
+      desk    turned   90° counterclockwise, seen from above
+      desk    resized  1.60 × 0.75 × 0.70 m, was 1.40 × 0.75 × 0.70 m
+      lamp    moved    0.5 m forward, 0.2 m left, 0.15 m down
+      lamp    asset    other id
+
+      region  is        how
+      ──────  ────────  ──────────────────────────────
+      room    reshaped  an outline of 3 corners, was 4
+
+      variable  was  is
+      ────────  ───  ────
+      space     1.0  1.25
+
+      constraint                                                        margin was  is
+      ────────────────────────────────────────────────  ──────────────  ──────────  ────────
+      room.scene:6:1 lamp.pos.y >= desk.top - 0.01      ceases to hold     0.010 m  -0.140 m
+      room.scene:7:1 desk.pos.x - plant.pos.x >= space  margin shrinks     0.500 m   0.250 m
+      P-COLLIDE:desk:lamp                               ceases to hold  –           -0.149 m
+      P-BOUNDS:plant                                    ceases to hold  –           -0.647 m
+      P-SUPPORT:lamp                                    ceases to hold  –           -0.145 m
+
+    before.layout.json → after.layout.json: they differ
+    "##);
 }
 
 #[test]
@@ -88,15 +117,18 @@ fn json_has_words_and_numbers() {
     let differ = diff("before.layout.json", "after.layout.json");
     let desk = &differ["objects"][0];
     assert_eq!(desk["name"], "desk");
-    insta::assert_snapshot!(desk["changes"].to_string(), @"");
-    insta::assert_snapshot!(differ["constraints"][0].to_string(), @"");
+    insta::assert_snapshot!(desk["changes"].to_string(), @r##"[{"what":"moved","words":"0.5 m forward","amount":0.5,"before":[0.0,0.0,0.0],"after":[0.0,0.0,0.5]},{"what":"turned","words":"90° counterclockwise, seen from above","amount":90.0,"before":[0.0,0.0,0.0],"after":[0.0,-90.0,0.0]},{"what":"resized","words":"1.60 × 0.75 × 0.70 m, was 1.40 × 0.75 × 0.70 m","before":[1.4,0.75,0.7],"after":[1.6,0.75,0.7]}]"##);
+    insta::assert_snapshot!(differ["constraints"][0].to_string(), @r##"{"id":"room.scene:6:1","kind":"assert","text":"lamp.pos.y >= desk.top - 0.01","what":"ceases to hold","unit":"m","before":{"satisfied":true,"margin":0.010000000000000009},"after":{"satisfied":false,"margin":-0.14}}"##);
 
     let equal = diff("before.layout.json", "same.layout.json");
     assert_eq!(equal["equal"], true);
     let other = diff("before.layout.json", "other/before.layout.json");
     let changes: Vec<_> = other["constraints"].as_array().unwrap().iter().map(|c| (&c["id"], &c["what"])).collect();
     assert_eq!(changes, [(&"room.scene:11:1".into(), &"added".into())], "statements are found again by their text");
-    fits("diff", &scenelang(folder.path(), ["diff", "before.layout.json", "missing.layout.json", "--format", "json"]).stdout);
+    fits(
+        "diff",
+        &scenelang(folder.path(), ["diff", "before.layout.json", "missing.layout.json", "--format", "json"]).stdout,
+    );
 }
 
 #[test]

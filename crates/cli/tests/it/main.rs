@@ -2,8 +2,8 @@
 //! of the house (layering, licences), and what the documents claim.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
-mod checkers;
 mod carriers;
+mod checkers;
 mod cli;
 mod diff;
 mod documents;

@@ -26,7 +26,8 @@ fn settings_are_found_above_the_file_and_options_come_first() {
     write(folder.path(), "deep/er/room.scene", SCENE);
     write(folder.path(), "deep/er/room.layout.json", &layout(0.9985));
     let check = |args: &[&str]| {
-        let ended = scenelang(folder.path(), ["check", "deep/er/room.layout.json", "--format", "json"].iter().chain(args));
+        let ended =
+            scenelang(folder.path(), ["check", "deep/er/room.layout.json", "--format", "json"].iter().chain(args));
         let report = ended.reports().remove(0);
         (ended.code, report)
     };
@@ -59,7 +60,11 @@ fn settings_are_found_above_the_file_and_options_come_first() {
 #[test]
 fn settings_hold_for_solve_and_synth_too() {
     let folder = tempfile::tempdir().unwrap();
-    write(folder.path(), "room.scene", "object a;\na.pos <- vec3(0, 2, 0);\na.scale <- vec3(1, 1, 1);\nassert a.pos.y > 1;\n");
+    write(
+        folder.path(),
+        "room.scene",
+        "object a;\na.pos <- vec3(0, 2, 0);\na.scale <- vec3(1, 1, 1);\nassert a.pos.y > 1;\n",
+    );
     assert_eq!(scenelang(folder.path(), ["solve", "room.scene"]).code, 1, "it floats");
     write(folder.path(), "scenelang.toml", "physics = false\n");
     assert_eq!(scenelang(folder.path(), ["solve", "room.scene"]).code, 0);
@@ -80,7 +85,16 @@ fn slips_in_settings_are_shown_with_their_place() {
     write(folder.path(), "scenelang.toml", "physics = true\n\n[tolerance]\nequal = 0.002\n");
     let ended = scenelang(folder.path(), ["check", "room.scene"]);
     assert_eq!(ended.code, 2);
-    insta::assert_snapshot!(ended.stdout, @"");
+    insta::assert_snapshot!(ended.stdout, @r##"
+    [E0007] Error: there is no setting `tolerance`; did you mean `tolerances`?
+       ╭─[ scenelang.toml:3:2 ]
+       │
+     3 │ [tolerance]
+       │  ────┬────
+       │      ╰────── here
+    ───╯
+    room.scene: 1 error
+    "##);
     let report = scenelang(folder.path(), ["check", "room.scene", "--format", "json"]).reports().remove(0);
     assert_eq!(report["file"], "room.scene");
     let finding = &report["diagnostics"][0];

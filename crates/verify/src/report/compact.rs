@@ -1,7 +1,7 @@
 //! The report for people in a hurry: a line for each finding, in the form that editors and terminals make clickable.
 
 use super::human::{Human, holding, summary};
-use super::model::{Finding, Place, Report, Row};
+use super::model::{Finding, Kind, Place, Report, Row};
 use std::fmt::Write;
 
 /// `file:line:column: error[V0101]: what is wrong`, one line each; then one line that sums up.
@@ -36,11 +36,13 @@ pub(super) fn main_fact(row: &Row) -> String {
         (Some(margin), Some(unit)) => format!(" (margin {margin:.3} {unit})"),
         _ => String::new(),
     };
-    let text = &row.text;
-    match measured {
-        "" => format!("{text} fails{margin}"),
-        _ if row.rule.is_some() => format!("{measured}{margin}"),
-        _ => format!("{text} fails: {measured}{margin}"),
+    let fails = if row.is_violation() { "fails" } else { "is not met" };
+    match (row.kind, measured, row.objects.as_slice()) {
+        (_, "", _) => format!("{} {fails}{margin}", row.text),
+        (Kind::Collision, ..) => format!("{measured}{margin}"),
+        // Which object it is stands nowhere else in the line.
+        (Kind::Bounds | Kind::Support, _, [object]) => format!("`{object}`: {measured}{margin}"),
+        _ => format!("{} {fails}: {measured}{margin}", row.text),
     }
 }
 

@@ -139,7 +139,8 @@ fn reports_fit_and_what_is_no_report_does_not() {
 
 #[test]
 fn comparisons_fit() {
-    let scene = "region r;\nobject a; object b; Number gap;\nassert a.pos.x > gap;\nprefer a.rot.y = 0;\nassert b.pos.x < 2;";
+    let scene =
+        "region r;\nobject a; object b; Number gap;\nassert a.pos.x > gap;\nprefer a.rot.y = 0;\nassert b.pos.x < 2;";
     let judge = |text: &str| judged(scene, &layout(text), &Options::default());
     let before = judge("region r 0 0 0 | 4 3 4\nobject a 0 0 0\nobject b 3 0 0\nvalue gap 0.5");
     for after in [
@@ -160,7 +161,9 @@ fn comparisons_fit() {
 fn as_json(text: &str) -> Value {
     fn item(item: &toml_edit::Item) -> Value {
         match item.as_table_like() {
-            Some(table) => table.iter().map(|(key, i)| (key.to_owned(), item_or(i))).collect::<serde_json::Map<_, _>>().into(),
+            Some(table) => {
+                table.iter().map(|(key, i)| (key.to_owned(), item_or(i))).collect::<serde_json::Map<_, _>>().into()
+            }
             None => item_or(item),
         }
     }

@@ -9,7 +9,7 @@
 //! the word `judged` says that the rows are to be looked at all the same.
 //!
 //! `json report` gives some members of the report on the block before it; `text report` some lines, in order, of what a
-//! person reads.
+//! person reads, `text compact report` and `text github report` of those formats.
 
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
@@ -17,11 +17,11 @@
 mod blocks;
 mod drawing;
 
-use blocks::{Block, Mark, PENDING, agree, blocks, expected, relevant};
 use crate::schemas::{faults, validator};
+use blocks::{Block, Mark, PENDING, agree, blocks, expected, relevant};
 use scenelang_lang::sources::Loader;
 use scenelang_verify::report::model::{Finding, Row};
-use scenelang_verify::report::{Human, human};
+use scenelang_verify::report::{Human, compact, github, human};
 use scenelang_verify::{Checked, Geometry, Options, check_file, check_layout_text};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -288,7 +288,9 @@ fn layouts_and_reports_of_the_book_fit_their_schemas() {
                 wrong += &format!("{at}: report {fault}\n");
             }
             match serde_json::from_str(&layout.text) {
-                Ok(document) if good => faults(&layouts, &document).iter().for_each(|f| wrong += &format!("{at}: {f}\n")),
+                Ok(document) if good => {
+                    faults(&layouts, &document).iter().for_each(|f| wrong += &format!("{at}: {f}\n"))
+                }
                 Ok(_) => {}
                 Err(e) => assert!(!good, "{at}: {e}"),
             }
@@ -338,7 +340,11 @@ fn reports_are_as_shown() {
                     wrong += &format!("{at}: not in {whole:#}\n");
                 }
             } else {
-                let whole = human(&checked, Human { color: false, all: false });
+                let whole = match block.info.as_str() {
+                    "text compact report" => compact(&checked.report, Human::default()),
+                    "text github report" => github(&[checked.report]),
+                    _ => human(&checked, Human::default()),
+                };
                 let mut rest = whole.lines();
                 for line in block.text.lines().filter(|l| !l.trim().is_empty()) {
                     if !rest.any(|l| l.trim_end() == line.trim_end()) {
