@@ -57,6 +57,8 @@ codes! {
     E0004 "nested too deeply"
     E0005 "the program expands beyond what can be judged"
     E0006 "the file is too large"
+    E0007 "settings that cannot be used"
+    E0008 "no scene is embedded"
 
     E0101 "a character that means nothing here"
     E0102 "a string that does not close"

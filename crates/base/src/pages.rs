@@ -10,6 +10,12 @@ impl Code {
         PAGES.iter().find(|(code, _)| *code == self).map_or("", |(_, page)| page)
     }
 
+    /// The first paragraph of its page: what it says, in a sentence or two of plain text.
+    pub fn summary(self) -> String {
+        let lines = self.page().lines().skip(1).skip_while(|line| line.is_empty());
+        lines.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+    }
+
     /// The code that is written so, in either case.
     pub fn find(text: &str) -> Option<Self> {
         PAGES.iter().map(|(code, _)| *code).find(|code| code.as_str().eq_ignore_ascii_case(text))
@@ -25,6 +31,7 @@ mod tests {
     fn every_page_is_that_of_its_code() {
         for (code, title) in ALL {
             assert!(code.page().starts_with(&format!("# {code}: {title}\n")), "{code}");
+            assert!(code.summary().ends_with(['.', ':']) && !code.summary().contains("]("), "{}", code.summary());
         }
     }
 

@@ -1,5 +1,6 @@
 //! Options of the command line.
 
+use crate::settings;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -33,17 +34,25 @@ pub enum Command {
     Hir(Inspect),
     /// Print what the statements of a program become
     Constraints(Inspect),
+    /// Say what two layouts differ in, and what holds in one but not in the other
+    Diff(Diff),
+    /// Print the JSON Schema of a format
+    Schema(Schema),
 }
 
 /// `scenelang check`
 #[derive(ClapArgs, Debug)]
 pub struct Check {
-    /// Programs (`room.scene`) and layouts (`room.layout.json`)
-    #[arg(required = true, value_name = "FILE")]
+    /// Programs (`room.scene`), layouts (`room.layout.json`), what `synth` wrote (`room.glb`, a Unity project), and
+    /// folders: all programs and layouts below
+    #[arg(required = true, value_name = "FILE | FOLDER")]
     pub files: Vec<PathBuf>,
     /// How the report is written; with json, one report per line and file
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
+    /// How much the report for people says
+    #[arg(long, value_enum, default_value_t = Verbosity::Full)]
+    pub verbosity: Verbosity,
     /// List physical rules that hold, too
     #[arg(long)]
     pub all: bool,
@@ -53,20 +62,35 @@ pub struct Check {
     /// Make the safe fixes in the programs first; of a layout, in its program
     #[arg(long)]
     pub fix: bool,
+    /// Check again whenever one of the files changes, until Ctrl-C
+    #[arg(long)]
+    pub watch: bool,
+    /// How many files are judged at once [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
 }
 
-/// How a layout is judged.
-#[derive(ClapArgs, Debug, Clone, Copy)]
+/// How a layout is judged. What is not given here comes from `scenelang.toml`.
+#[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Judging {
-    /// What a solid is: the convex parts of its asset, or its box
-    #[arg(long, value_enum, default_value_t = Geometry::Parts)]
-    pub geometry: Geometry,
+    /// What a solid is: the convex parts of its asset, or its box [default: parts]
+    #[arg(long, value_enum)]
+    pub geometry: Option<Geometry>,
     /// Leave out the physical rules (collisions, bounds, support)
     #[arg(long)]
     pub no_physics: bool,
+    /// Apply the physical rules, whatever scenelang.toml says
+    #[arg(long, conflicts_with = "no_physics")]
+    pub physics: bool,
+    /// Thickness of the walls of a room (metres) [default: 0.03]
+    #[arg(long, value_name = "METRES", value_parser = settings::measure)]
+    pub eta: Option<f64>,
+    /// A tolerance, by the name that reports echo: `equal=0.002`; may be given several times
+    #[arg(long = "tolerance", value_name = "NAME=VALUE", value_parser = settings::tolerance)]
+    pub tolerances: Vec<(String, f64)>,
 }
 
 /// `--format`
@@ -80,6 +104,17 @@ pub enum Format {
     Sarif,
     /// JUnit XML, for build servers
     Junit,
+    /// Workflow commands: annotations of a pull request on GitHub
+    Github,
+}
+
+/// `--verbosity`
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verbosity {
+    /// A line for each finding
+    Compact,
+    /// Each finding with the text it speaks of
+    Full,
 }
 
 /// `--geometry`
@@ -131,7 +166,7 @@ pub struct Synth {
     pub pipeline: Pipeline,
 }
 
-/// `synth --format`
+/// `synth --format`, `diff --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -196,4 +231,36 @@ pub enum Plain {
     Text,
     /// A JSON object on one line
     Json,
+}
+
+/// `scenelang diff`
+#[derive(ClapArgs, Debug)]
+pub struct Diff {
+    /// The first layout; a GLB file or Unity project that `synth` wrote will do
+    #[arg(value_name = "A")]
+    pub before: PathBuf,
+    /// The second layout
+    #[arg(value_name = "B")]
+    pub after: PathBuf,
+    /// How the differences are written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// Margins that differ by no more than this are not listed (metres or degrees)
+    #[arg(long, default_value = "0.001", value_parser = settings::measure)]
+    pub threshold: f64,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
+}
+
+/// `scenelang schema`
+#[derive(ClapArgs, Debug)]
+pub struct Schema {
+    /// The format
+    #[arg(value_parser = schema_names())]
+    pub name: String,
+}
+
+fn schema_names() -> clap::builder::PossibleValuesParser {
+    scenelang_verify::schemas::ALL.iter().map(|(name, _)| *name).collect::<Vec<_>>().into()
 }

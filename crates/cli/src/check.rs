@@ -1,111 +1,103 @@
 //! `scenelang check`: judges files and prints reports.
 
-use crate::args::{Check, Format, Geometry, Judging};
-use crate::{FAILED, GOOD, progress::Progress};
-use scenelang_lang::mend::mend;
-use scenelang_lang::sources::Disk;
-use scenelang_verify::report::model::Fixed;
-use scenelang_verify::report::{self, Human, Report};
-use scenelang_verify::{Options, check_file, exit_code, program_of};
+use crate::args::{Check, Format, Judging, Verbosity};
+use crate::progress::Progress;
+use crate::targets::Target;
+use crate::{FAILED, GOOD, fix, parallel, settings, targets, watch};
+use scenelang_base::{Diagnostic, SourceMap, codes};
+use scenelang_export::embedded;
+use scenelang_lang::sources::{Disk, Loader};
+use scenelang_verify::report::{self, Human};
+use scenelang_verify::{Checked, Options, check_file_with, check_layout_text, exit_code};
 use std::io::{IsTerminal, Write};
-use std::path::Path;
 
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
-    // People read what fails; machines all there is.
-    let sentences = args.all || args.format != Format::Human;
-    let options = Options { all: args.all, sentences, ..options(args.judging) };
-    let compile = scenelang_lang::Options { core: args.core };
-    let mut reports: Vec<Report> = Vec::with_capacity(args.files.len());
+    if args.watch { watch::run(args) } else { pass(args, &Disk) }
+}
+
+/// Judges each file once, with files from `loader`, and prints the reports in the order of the files.
+pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
+    let targets = targets::find(&args.files);
+    let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
     let mut out = std::io::stdout().lock();
+    let mut kept: Vec<Checked> = Vec::new();
     let mut worst = GOOD;
+    let compile = scenelang_lang::Options { core: args.core };
     let people = args.format == Format::Human;
-    for path in &args.files {
-        let name = path.display().to_string();
-        let fixed = if args.fix { fix(&name, path, compile, people.then_some(&mut out)) } else { Ok(Vec::new()) };
-        let mut checked = {
-            let _progress = Progress::new(format!("checking {name}"));
-            check_file(&name, path, &options, compile)
-        };
-        match fixed {
-            Ok(fixed) => checked.report.fixed = fixed,
-            Err(e) => {
+    let wanted = if args.fix { targets.as_slice() } else { &[] };
+    let fixes: Vec<_> = wanted.iter().map(|t| fix::run(t.path(), compile, people.then_some(&mut out))).collect();
+    let mut fixed = fixes.into_iter();
+    let progress = match targets.as_slice() {
+        [one] => Progress::new(format!("checking {}", one.path().display())),
+        many => Progress::new(format!("checking {} files", many.len())),
+    };
+    let look = Human { color: color(), all: args.all };
+    // People read what fails; machines all there is.
+    let listing = Options { all: args.all, sentences: args.all || args.format != Format::Human, ..Options::default() };
+    let work = |target: &Target| judge(target, &args.judging, &listing, args.core, loader);
+    parallel::in_order(&targets, jobs, work, |mut checked| {
+        match fixed.next() {
+            Some(Ok(fixed)) => checked.report.fixed = fixed,
+            Some(Err(e)) => {
                 eprintln!("error: {e}");
                 worst = FAILED;
             }
+            None => {}
         }
         worst = worst.max(exit_code(&checked.report));
-        // A closed pipe is no reason to fail: whoever reads has seen enough.
-        let _ = match args.format {
-            Format::Human => {
-                write!(out, "{}", report::human(&checked, Human { color: color(), all: args.all }))
-            }
-            Format::Json => writeln!(out, "{}", report::json(&checked.report)),
-            Format::Sarif | Format::Junit => {
-                reports.push(checked.report);
-                Ok(())
-            }
+        let text = match args.format {
+            Format::Human if args.verbosity == Verbosity::Compact => report::compact(&checked.report, look),
+            Format::Human => report::human(&checked, look),
+            Format::Json => report::json(&checked.report) + "\n",
+            Format::Github => report::github(std::slice::from_ref(&checked.report)),
+            Format::Sarif | Format::Junit => return kept.push(checked),
         };
-    }
+        // A closed pipe is no reason to fail: whoever reads has seen enough.
+        let _ = progress.aside(|| out.write_all(text.as_bytes()));
+    });
+    drop(progress);
     let _ = match args.format {
-        Format::Sarif => writeln!(out, "{}", report::sarif(&reports)),
-        Format::Junit => write!(out, "{}", report::junit(&reports)),
-        Format::Human | Format::Json => Ok(()),
+        Format::Sarif => writeln!(out, "{}", report::sarif(&kept)),
+        Format::Junit => {
+            let reports: Vec<_> = kept.into_iter().map(|checked| checked.report).collect();
+            write!(out, "{}", report::junit(&reports))
+        }
+        Format::Human | Format::Json | Format::Github => Ok(()),
     };
+    let _ = out.flush();
     worst
 }
 
-/// Makes the safe fixes in a program, or in that of a layout, and writes the files that they change, each whole or not at
-/// all. To `out` it says how many there were.
-fn fix(
-    name: &str,
-    path: &Path,
-    compile: scenelang_lang::Options,
-    out: Option<&mut impl Write>,
-) -> std::io::Result<Vec<Fixed>> {
-    // A layout without a program is an error that the check reports.
-    let Some((name, path)) = program_of(name, path) else { return Ok(Vec::new()) };
-    let mended = mend(&name, &path, compile, &Disk);
-    let mut fixed = Vec::new();
-    for file in &mended.files {
-        scenelang_base::fs::write_whole(&file.path, file.text.as_bytes())?;
-        let made = file.made.iter();
-        fixed.extend(made.map(|m| Fixed {
-            file: file.name.clone(),
-            line: m.line,
-            code: m.code.to_string(),
-            title: m.title.clone(),
-        }));
-    }
-    if let Some(out) = out {
-        // A closed pipe is no reason to fail, as for the report.
-        let _ = mended.files.iter().try_for_each(|file| {
-            let (made, all) = (file.made.len(), file.made.len() + file.left);
-            let plural = if all == 1 { "" } else { "s" };
-            writeln!(out, "fixed {made} of {all} finding{plural} in {}", file.name)
-        });
-        let _ = match mended.refused {
-            0 => Ok(()),
-            n => writeln!(out, "{n} not fixed, since what they change overlaps"),
-        };
-        let _ = mended
-            .foreign
-            .iter()
-            .try_for_each(|name| writeln!(out, "{name} is outside the program's folder and stays as it is"));
-    }
-    Ok(fixed)
-}
-
-/// The verifier's options.
-pub fn options(judging: Judging) -> Options {
-    Options {
-        geometry: match judging.geometry {
-            Geometry::Parts => scenelang_layout::Geometry::Parts,
-            Geometry::Box => scenelang_layout::Geometry::Box,
+/// Judges one target by its settings; what is listed and said, `listing` tells.
+pub fn judge(target: &Target, judging: &Judging, listing: &Options, core: bool, loader: &dyn Loader) -> Checked {
+    let (path, name) = (target.path(), target.path().display().to_string());
+    let (options, allowed) = match settings::options(judging, path, loader) {
+        Ok((options, allowed)) => (Options { all: listing.all, sentences: listing.sentences, ..options }, allowed),
+        Err(settings::Refused { sources, diagnostics }) => {
+            return Checked::refused(&name, sources, diagnostics, &Options::default());
+        }
+    };
+    let compile = scenelang_lang::Options { core };
+    let nothing = |finding: Diagnostic| Checked::refused(&name, SourceMap::new(), vec![finding], &options);
+    let mut checked = match target {
+        Target::File(path) => check_file_with(&name, path, &options, compile, loader),
+        Target::Empty(_) => {
+            let say = format!("there is no .scene and no .layout.json file in {name}");
+            nothing(Diagnostic::without_place(codes::E0001, say))
+        }
+        Target::Carrier(path, kind) => match embedded::read(&name, path, *kind, loader) {
+            Err(finding) => nothing(*finding),
+            Ok(scene) => {
+                let (called, at, text) = (&scene.layout_name, &scene.layout_path, scene.layout.clone());
+                let mut checked = check_layout_text(called, at, text, &options, compile, &scene);
+                checked.report.file = name;
+                checked
+            }
         },
-        physics: !judging.no_physics,
-        ..Options::default()
-    }
+    };
+    checked.silence(&allowed);
+    checked
 }
 
 /// Whether standard output takes colours: a terminal, and `NO_COLOR` not set.

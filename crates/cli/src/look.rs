@@ -1,8 +1,9 @@
-//! Commands to look things up and to start: `explain`, `new`.
+//! Commands to look things up and to start: `explain`, `schema`, `new`.
 
-use crate::args::{Explain, New};
+use crate::args::{Explain, New, Schema};
 use crate::{FAILED, GOOD};
 use scenelang_base::{Code, codes, suggest};
+use scenelang_verify::schemas;
 
 /// Shows the page of a code.
 pub fn explain(args: &Explain) -> u8 {
@@ -17,6 +18,13 @@ pub fn explain(args: &Explain) -> u8 {
         None => eprintln!("  codes look like E0201, W0302, V0101; reports and messages name them"),
     }
     FAILED
+}
+
+/// Prints a JSON Schema.
+pub fn schema(args: &Schema) -> u8 {
+    let Some(text) = schemas::find(&args.name) else { return FAILED };
+    print!("{text}");
+    GOOD
 }
 
 /// Writes a small program to start from; a file that is there already is left alone.

@@ -2,15 +2,21 @@
 
 mod args;
 mod check;
+mod diff;
+mod fix;
 mod fmt;
 mod input;
 mod inspect;
 mod interrupt;
 mod look;
+mod parallel;
 mod progress;
+mod settings;
 mod solve;
 mod synth;
 mod table;
+mod targets;
+mod watch;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -37,6 +43,8 @@ fn main() -> ExitCode {
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),
+        Command::Diff(diff) => diff::run(&diff),
+        Command::Schema(schema) => look::schema(&schema),
     };
     ExitCode::from(code)
 }

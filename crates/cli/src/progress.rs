@@ -26,6 +26,10 @@ impl Progress {
     pub fn say(&self, what: impl Into<String>) {
         self.0.set_message(what.into());
     }
+    /// Does something that prints, with the spinner out of the way.
+    pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {
+        self.0.suspend(print)
+    }
     /// Prints a line above the spinner (on a terminal only).
     pub fn done(&self, line: impl AsRef<str>) {
         self.0.println(line);

@@ -1,9 +1,10 @@
 //! `scenelang solve`: a layout for a program.
 
 use crate::args::Solve;
-use crate::check::{color, options};
+use crate::check::color;
 use crate::progress::Progress;
-use crate::{FAILED, INTERRUPTED, interrupt};
+use crate::{FAILED, INTERRUPTED, interrupt, settings};
+use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Observer, Request, Stage, save_layout};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
@@ -21,6 +22,10 @@ pub fn run(args: &Solve) -> u8 {
             Err(message) => return fail(&message),
         },
     };
+    let judge = match settings::options(&args.judging, &args.scene, &Disk) {
+        Ok((options, _)) => options,
+        Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
     let member = relative(&args.scene, &output);
     let request = Request {
         name: &args.scene.display().to_string(),
@@ -29,7 +34,7 @@ pub fn run(args: &Solve) -> u8 {
         layout_name: &output.display().to_string(),
         scene_member: &member,
         seed: args.seed,
-        judge: options(args.judging),
+        judge,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
     let solved = match scenelang_synth::solve(&request, &mut watch) {

@@ -1,13 +1,14 @@
 //! `scenelang synth`: the whole corridor, with a summary at the end.
 
-use crate::args::{Pipeline, SummaryFormat, Synth};
+use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
-use crate::{FAILED, interrupt};
+use crate::{FAILED, interrupt, settings};
 use scenelang_export::{Exporter, exporters, unity};
-use scenelang_synth::{Observer, Request, Solved, Stage, Written, export};
+use scenelang_lang::sources::Disk;
+use scenelang_synth::{Failure, Observer, Request, Solved, Stage, Written, export};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
 use std::ops::ControlFlow;
@@ -23,6 +24,10 @@ pub fn run(args: &Synth) -> u8 {
         return FAILED;
     }
     interrupt::listen();
+    let judge = match settings::options(&Judging::default(), &path, &Disk) {
+        Ok((options, _)) => options,
+        Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let request = Request {
         name: &args.request,
@@ -32,7 +37,7 @@ pub fn run(args: &Synth) -> u8 {
         layout_name: &format!("{stem}.layout.json"),
         scene_member: &format!("{stem}.scene"),
         seed: args.seed,
-        judge: scenelang_verify::Options::default(),
+        judge,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let solved = match scenelang_synth::solve(&request, &mut stages) {
@@ -41,7 +46,7 @@ pub fn run(args: &Synth) -> u8 {
     };
     stages.enter(Stage::Export);
     if interrupt::asked() {
-        return explain(&scenelang_synth::Failure::Interrupted);
+        return explain(&Failure::Interrupted);
     }
     let written = match export(&solved, &stem, &args.output, &chosen(args.pipeline)) {
         Ok(written) => written,

@@ -24,7 +24,7 @@ impl Table {
             let mut line = String::new();
             for (c, cell) in row.iter().enumerate() {
                 let pad = " ".repeat(widths[c] - cell.chars().count());
-                let number = cell.starts_with(|ch: char| ch.is_ascii_digit()) && i > 0;
+                let number = is_number(cell) && i > 0;
                 line += "  ";
                 line += &if number { format!("{pad}{cell}") } else { format!("{cell}{pad}") };
             }
@@ -39,6 +39,11 @@ impl Table {
     }
 }
 
+/// A number, with or without a unit.
+fn is_number(cell: &str) -> bool {
+    cell.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit()) && cell.split(' ').count() <= 2
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -49,5 +54,12 @@ mod tests {
         t.row(["solve".into(), "0.5".into()]);
         t.row(["é".into(), "10.25".into()]);
         assert_eq!(t.render(), "  stage  seconds\n  ─────  ───────\n  solve      0.5\n  é        10.25\n");
+        let mut t = Table::new(&["how", "margin"]);
+        t.row(["0.5 m right".into(), "-0.37 m".into()]);
+        t.row(["up".into(), "12.00 m".into()]);
+        assert_eq!(
+            t.render(),
+            "  how          margin\n  ───────────  ───────\n  0.5 m right  -0.37 m\n  up           12.00 m\n"
+        );
     }
 }

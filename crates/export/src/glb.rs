@@ -86,10 +86,13 @@ impl<'a> Writer<'a> {
                 json!({ "type": "point", "intensity": LAMP, "range": rounded(lamp.range), "color": [1.0, 0.96, 0.9] });
             self.light(&lamp.name, light, |node| node["translation"] = triple(mirrored(lamp.pos)));
         }
-        let program: String = scene.program.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join("\n");
-        let extras = json!({ "scenelang": {
-            "version": env!("CARGO_PKG_VERSION"), "spec": program, "layout": scene.layout_text,
-        }});
+        let mut own = json!({
+            "version": env!("CARGO_PKG_VERSION"), "spec": scene.main_text(), "layout": scene.layout_text,
+        });
+        if let Some(imports) = scene.imports() {
+            own["imports"] = imports;
+        }
+        let extras = json!({ "scenelang": own });
         let all: Vec<usize> = (0..self.nodes.len()).collect();
         self.root.insert("scenes".into(), json!([{ "name": scene.name, "nodes": all, "extras": extras }]));
     }

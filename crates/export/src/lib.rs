@@ -3,8 +3,11 @@
 //! [`Scene`] is worked out once from program, layout and report; each exporter is one file or folder that implements
 //! [`Exporter`] and only writes down what the scene says.
 //!
+//! [`embedded`] is the way back: the program and the layout that such a file carries.
+//!
 //! Absent here: solving, judging, and how furniture is made (the `assets` room).
 
+pub mod embedded;
 mod exporter;
 mod geometry;
 pub mod glb;
@@ -15,6 +18,7 @@ pub mod preview;
 pub mod scene;
 pub mod unity;
 
+pub use embedded::Embedded;
 pub use exporter::{ExportError, Exporter, OutFile, exporters, write_all};
 pub use geometry::mesh::Group;
 pub use scene::{BuildError, Scene, SceneInput};

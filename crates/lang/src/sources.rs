@@ -80,7 +80,7 @@ pub(crate) fn file_name(path: &Path) -> String {
 }
 
 /// The path without `.` and, where possible, without `..`; not resolved on disk, so that it works for any loader.
-pub(crate) fn normal(path: &Path) -> PathBuf {
+pub fn normal(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
     for part in path.components() {
         match part {

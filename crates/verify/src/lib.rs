@@ -6,21 +6,25 @@
 //! Absent here: reading of programs and of layout files (`lang`, `layout`), and any search for a better layout.
 
 pub mod check;
+pub mod compare;
 pub mod eval;
 mod natives;
 mod navigation;
 pub mod number;
 pub mod report;
 pub mod rules;
+pub mod schemas;
+pub mod settings;
 mod tolerances;
 pub mod vector;
 mod world;
 
-pub use check::{Checked, Verdict, check, check_file, check_layout_text, program_of};
+pub use check::{Checked, Verdict, check, check_file, check_file_with, check_layout_text, program_of};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use natives::{gap, in_region};
 pub use number::{Dual, Number};
 pub use report::{Report, exit_code};
 pub use scenelang_layout::Geometry;
+pub use settings::Settings;
 pub use tolerances::{DEFAULT_ETA, Options, Tolerances};
 pub use world::{Body, Room, Thing, World};

@@ -29,6 +29,25 @@ impl Default for Tolerances {
     }
 }
 
+impl Tolerances {
+    /// What each is called in settings and reports.
+    pub const NAMES: [&str; 7] = ["equal", "angle", "order", "contact", "support", "level", "door"];
+
+    /// The tolerance of a name.
+    pub fn named(&mut self, name: &str) -> Option<&mut f64> {
+        Some(match name {
+            "equal" => &mut self.equal,
+            "angle" => &mut self.angle,
+            "order" => &mut self.order,
+            "contact" => &mut self.contact,
+            "support" => &mut self.support,
+            "level" => &mut self.level,
+            "door" => &mut self.door,
+            _ => return None,
+        })
+    }
+}
+
 /// Thickness of the walls of a room, unless an option says otherwise (metres).
 pub const DEFAULT_ETA: f64 = 0.03;
 
@@ -59,5 +78,22 @@ impl Default for Options {
             all: false,
             sentences: true,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_tolerance_has_its_name() {
+        let mut tolerances = Tolerances::default();
+        for (i, name) in Tolerances::NAMES.iter().enumerate() {
+            *tolerances.named(name).unwrap() = i as f64;
+        }
+        let echoed = serde_json::to_value(tolerances).unwrap();
+        let numbers: Vec<f64> = Tolerances::NAMES.iter().map(|name| echoed[*name].as_f64().unwrap()).collect();
+        assert_eq!(numbers, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert_eq!(echoed.as_object().unwrap().len(), Tolerances::NAMES.len());
     }
 }

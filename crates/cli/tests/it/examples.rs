@@ -1,6 +1,6 @@
 //! The promise of `examples/`: each solves wholly from ten seeds, and a hand in the layout is noticed and named.
 
-use crate::support::{EXAMPLES, folder_with, for_each_example, read_json, scenelang};
+use crate::support::{EXAMPLES, fits, folder_with, for_each_example, read_json, scenelang};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -15,6 +15,7 @@ fn solve(folder: &Path, scene: &Path, seed: Option<u64>) -> PathBuf {
     args.extend(seed.into_iter().flat_map(|s| ["--seed".to_owned(), s.to_string()]));
     let ended = scenelang(folder, args);
     assert_eq!(ended.code, 0, "seed {seed:?}:\n{}{}", ended.stdout, ended.stderr);
+    fits("layout", &std::fs::read_to_string(&layout).unwrap());
     layout
 }
 

@@ -2,13 +2,18 @@
 //! of the house (layering, licences), and what the documents claim.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod carriers;
 mod checkers;
 mod cli;
+mod diff;
 mod documents;
 mod examples;
 mod fixing;
+mod formats;
 mod hostile;
 mod inspect;
 mod layering;
 mod licences;
 mod support;
+mod watch;
+mod workspace;

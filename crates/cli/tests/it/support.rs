@@ -64,11 +64,24 @@ pub struct Ended {
 }
 
 impl Ended {
-    /// The JSON reports it printed, one per line.
+    /// The JSON reports it printed, one per line, each as its schema says.
     pub fn reports(&self) -> Vec<Value> {
-        let parse = |line: &str| serde_json::from_str(line).unwrap_or_else(|e| panic!("{e} in {line}"));
-        self.stdout.lines().map(parse).collect()
+        self.stdout.lines().map(|line| fits("report", line)).collect()
     }
+}
+
+/// A document that is as a schema of ours says.
+pub fn fits(schema: &str, text: &str) -> Value {
+    let document: Value = serde_json::from_str(text).unwrap_or_else(|e| panic!("{e} in {text}"));
+    let schema: Value = serde_json::from_str(scenelang_verify::schemas::find(schema).unwrap()).unwrap();
+    let faults = faults(&jsonschema::draft202012::options().build(&schema).unwrap(), &document);
+    assert!(faults.is_empty(), "{faults:#?} in {document:#}");
+    document
+}
+
+/// What a schema has against a document.
+pub fn faults(validator: &jsonschema::Validator, document: &Value) -> Vec<String> {
+    validator.iter_errors(document).map(|e| format!("{}: {e}", e.instance_path())).collect()
 }
 
 /// Runs `scenelang` in `folder`.

@@ -15,7 +15,9 @@ pub use view::View;
 use crate::geometry::mesh::Group;
 use nalgebra::Matrix3;
 use scenelang_assets::Surface;
+use scenelang_lang::sources::normal;
 use scenelang_layout::{Convex, Placement, Prism, Vec3, rotation};
+use std::path::{Path, PathBuf};
 
 /// A scene ready to be written in any format.
 #[derive(Clone, Debug)]
@@ -159,5 +161,46 @@ impl Scene {
     /// Something is not placed, or a floor is no polygon.
     pub fn build(input: &SceneInput<'_>) -> Result<Self, BuildError> {
         build::build(input)
+    }
+
+    /// The program's main file.
+    pub fn main_text(&self) -> &str {
+        self.program.first().map_or("", |(_, text)| text)
+    }
+
+    /// What the program imports: text by path relative to the main file. `None` where it imports nothing.
+    pub fn imports(&self) -> Option<serde_json::Value> {
+        let ((main, _), imports) = self.program.split_first()?;
+        let folder = normal(Path::new(main)).parent().map(Path::to_path_buf).unwrap_or_default();
+        let seen = |name: &str| relative(&normal(Path::new(name)), &folder);
+        let texts: serde_json::Map<String, serde_json::Value> =
+            imports.iter().map(|(name, text)| (seen(name), text.as_str().into())).collect();
+        (!texts.is_empty()).then(|| texts.into())
+    }
+}
+
+/// A path as seen from a folder, with `/` between the parts.
+fn relative(path: &Path, folder: &Path) -> String {
+    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(shared).map(|_| "..".as_ref());
+    let down = path.components().skip(shared).map(|c| c.as_os_str());
+    up.chain(down).collect::<PathBuf>().to_string_lossy().replace('\\', "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn imports_are_named_as_the_main_file_sees_them() {
+        for (path, folder, wanted) in [
+            ("rooms/parts.scene", "rooms", "parts.scene"),
+            ("parts.scene", "rooms/big", "../../parts.scene"),
+            ("../lib/parts.scene", "../rooms", "../lib/parts.scene"),
+            ("/a/b/c.scene", "/a/d", "../b/c.scene"),
+            ("parts.scene", "", "parts.scene"),
+        ] {
+            assert_eq!(relative(Path::new(path), Path::new(folder)), wanted, "{path} from {folder}");
+        }
     }
 }

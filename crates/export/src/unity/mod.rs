@@ -39,10 +39,11 @@ impl Exporter for Unity {
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let mut project = Project::default();
         let materials = self.materials(scene, &mut project);
-        let text =
-            |files: &[(String, String)]| files.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join("\n");
+        if let Some(imports) = scene.imports() {
+            project.asset("Assets/Scenelang/imports.json", format!("{imports:#}\n"));
+        }
         let texts = scene::Texts {
-            spec: project.asset("Assets/Scenelang/spec.scene.txt", text(&scene.program)),
+            spec: project.asset("Assets/Scenelang/spec.scene.txt", scene.main_text()),
             layout: project.asset("Assets/Scenelang/layout.json", scene.layout_text.as_str()),
             report: project.asset("Assets/Scenelang/report.json", format!("{:#}\n", scene.report)),
         };

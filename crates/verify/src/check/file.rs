@@ -3,7 +3,7 @@
 use super::{Verdict, check_at, matching};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
-use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
+use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
 use scenelang_lang::compile::{self, compile_with};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::{Disk, Loader, plain};
@@ -25,6 +25,22 @@ pub struct Checked {
     pub report: Report,
 }
 
+impl Checked {
+    /// A file that nothing more can be said of than these diagnostics; places in them refer to `sources`.
+    pub fn refused(name: &str, sources: SourceMap, diagnostics: Vec<Diagnostic>, options: &Options) -> Self {
+        let verdict = Verdict { diagnostics, ..Verdict::default() };
+        let report = build(name, &verdict, None, &sources, options);
+        Self { sources, program: None, layout: None, verdict, report }
+    }
+
+    /// Leaves out warnings of these codes; errors stay.
+    pub fn silence(&mut self, codes: &[Code]) {
+        let silent = |code: &str| code.starts_with('W') && codes.iter().any(|c| c.as_str() == code);
+        self.verdict.diagnostics.retain(|d| !silent(d.code.as_str()));
+        self.report.diagnostics.retain(|d| !silent(&d.code));
+    }
+}
+
 /// How to judge a file: what it is called, where it is, and where its program comes from.
 #[derive(Clone, Copy)]
 struct Job<'a> {
@@ -38,14 +54,25 @@ struct Job<'a> {
 /// Judges a file from disk: a layout (`.json`) with its program, or else a program by itself. In messages it is called
 /// `name`, and other files accordingly.
 pub fn check_file(name: &str, path: &Path, options: &Options, compile: compile::Options) -> Checked {
-    let job = Job { name, path, options, compile, loader: &Disk };
+    check_file_with(name, path, options, compile, &Disk)
+}
+
+/// The same with files from `loader`.
+pub fn check_file_with(
+    name: &str,
+    path: &Path,
+    options: &Options,
+    compile: compile::Options,
+    loader: &dyn Loader,
+) -> Checked {
+    let job = Job { name, path, options, compile, loader };
     if !is_layout(path) {
-        let compiled = compile_with(name, path, compile, &Disk, SourceMap::new());
+        let compiled = compile_with(name, path, compile, loader, SourceMap::new());
         let verdict = Verdict { diagnostics: compiled.diagnostics, ..Verdict::default() };
         let out = Unfinished { sources: compiled.sources, program: compiled.program, layout: None, verdict };
         return out.finish(&job);
     }
-    let text = match Disk.load(path) {
+    let text = match loader.load(path) {
         Ok(bytes) => layout_file::decode(bytes),
         Err(e) => {
             let say = format!("cannot read {name}: {}", plain(&e));

@@ -30,14 +30,7 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
     let Checked { sources, verdict, report, .. } = checked;
     let mut out = diagnostics(&verdict.diagnostics, sources, color);
     if all {
-        for row in report.constraints.iter().filter(|row| row.satisfied != Some(false)) {
-            let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be judged" };
-            let margin = match (row.margin, row.unit.as_deref()) {
-                (Some(margin), Some(unit)) => format!(", margin {margin:.4} {unit}"),
-                _ => String::new(),
-            };
-            line(&mut out, format_args!("{}: {} {verdict}{margin}", row.id, row.text));
-        }
+        holding(report, &mut out);
     }
     let failing: Vec<&Judged> = verdict.rows.iter().filter(|row| row.satisfied == Some(false)).collect();
     let layout = Path::new(&report.file).file_name().map_or(Cow::Borrowed("the layout"), |name| name.to_string_lossy());
@@ -48,8 +41,20 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
     if failing.len() > MOST {
         line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
     }
-    line(&mut out, format_args!("{}: {}", report.file, summary(checked)));
+    line(&mut out, format_args!("{}: {}", report.file, summary(report)));
     out
+}
+
+/// A line for each row that does not fail.
+pub(super) fn holding(report: &super::Report, out: &mut String) {
+    for row in report.constraints.iter().filter(|row| row.satisfied != Some(false)) {
+        let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be judged" };
+        let margin = match (row.margin, row.unit.as_deref()) {
+            (Some(margin), Some(unit)) => format!(", margin {margin:.4} {unit}"),
+            _ => String::new(),
+        };
+        line(out, format_args!("{}: {} {verdict}{margin}", row.id, row.text));
+    }
 }
 
 /// Diagnostics, each with the text it speaks of.
@@ -113,8 +118,8 @@ fn violation(row: &Judged, layout: &str, cache: &mut Files<'_>, color: bool, out
 }
 
 /// What holds of what there is, and what else was found.
-fn summary(checked: &Checked) -> String {
-    let Summary { assertions, preferences, physical, pins } = checked.report.summary;
+pub(super) fn summary(report: &super::Report) -> String {
+    let Summary { assertions, preferences, physical, pins } = report.summary;
     let of =
         |tally: Tally, what: &str| (tally.total > 0).then(|| format!("{} of {} {what}", tally.satisfied, tally.total));
     let parts = [
@@ -125,8 +130,8 @@ fn summary(checked: &Checked) -> String {
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     let mut text = if parts.is_empty() { String::new() } else { format!("{} hold", parts.join(", ")) };
-    let errors = checked.report.diagnostics.iter().filter(|d| d.severity == "error").count();
-    let warnings = checked.report.diagnostics.len() - errors;
+    let errors = report.diagnostics.iter().filter(|d| d.severity == "error").count();
+    let warnings = report.diagnostics.len() - errors;
     for (count, what) in [(errors, "error"), (warnings, "warning")] {
         if count > 0 {
             let comma = if text.is_empty() { "" } else { ", " };
@@ -135,7 +140,7 @@ fn summary(checked: &Checked) -> String {
         }
     }
     if text.is_empty() {
-        text.push_str(if exit_code(&checked.report) == 0 { "nothing to object to" } else { "it fails" });
+        text.push_str(if exit_code(report) == 0 { "nothing to object to" } else { "it fails" });
     }
     text
 }

@@ -1,6 +1,9 @@
-//! Reports: a judgement as a value ([`Report`]), and that value for people, machines, code scanning and test runners.
+//! Reports: a judgement as a value ([`Report`]), and that value for people, machines, code scanning, test runners and
+//! pull requests.
 
 mod build;
+mod compact;
+mod github;
 mod human;
 mod json;
 mod junit;
@@ -8,6 +11,8 @@ pub mod model;
 mod sarif;
 
 pub use build::{build, place, statement_id};
+pub use compact::compact;
+pub use github::github;
 pub use human::{Human, diagnostics, human};
 pub use json::json;
 pub use junit::junit;

@@ -1,7 +1,7 @@
 //! Reports in their formats: what people read, SARIF, JUnit, and JSON that comes back as it went.
 
 use crate::cases::{judged, layout};
-use scenelang_verify::report::{Human, human, json, junit, model::Report, sarif};
+use scenelang_verify::report::{Human, compact, github, human, json, junit, model::Report, sarif};
 use scenelang_verify::{Checked, Options};
 use serde_json::Value;
 
@@ -119,13 +119,13 @@ fn rows_say_what_they_should() {
 
 #[test]
 fn sarif_has_a_result_per_violation_and_diagnostic() {
-    let log: Value = serde_json::from_str(&sarif(&[bedroom().report])).unwrap();
+    let log: Value = serde_json::from_str(&sarif(&[bedroom()])).unwrap();
     let results = log["runs"][0]["results"].as_array().unwrap();
     let ids: Vec<&str> = results.iter().map(|r| r["ruleId"].as_str().unwrap()).collect();
     assert_eq!(ids, ["V0101", "V0101", "V0106", "V0102"]);
     assert_eq!(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 4);
     assert_eq!(results[2]["level"], "note");
-    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default());
     let log: Value = serde_json::from_str(&sarif(&[broken])).unwrap();
     assert_eq!(log["runs"][0]["results"].as_array().unwrap().len(), 2);
 }
@@ -137,4 +137,68 @@ fn junit_escapes_and_counts() {
     assert_eq!(text.matches("<skipped ").count(), 1);
     assert!(text.contains("failures=\"3\"") && text.contains("tests=\"5\""), "{text}");
     assert!(text.contains("nightstand.pos.x &gt; 2.5") && !text.contains("<above>"), "{text}");
+}
+
+#[test]
+fn sarif_says_what_a_rule_means_what_belongs_to_it_and_what_mends_it() {
+    let log: Value = serde_json::from_str(&sarif(&[bedroom()])).unwrap();
+    let run = &log["runs"][0];
+    let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
+    assert_eq!(rules.iter().map(|r| r["id"].as_str().unwrap()).collect::<Vec<_>>(), ["V0101", "V0102", "V0106"]);
+    let help = "https://github.com/scenelang/scenelang/blob/main/spec/src/codes/V0102.md";
+    assert_eq!(
+        (&rules[1]["shortDescription"]["text"], &rules[1]["helpUri"]),
+        (&"two objects collide".into(), &help.into())
+    );
+    for result in run["results"].as_array().unwrap() {
+        assert_eq!(rules[result["ruleIndex"].as_u64().unwrap() as usize]["id"], result["ruleId"]);
+    }
+    let related = run["results"][1]["relatedLocations"].as_array().unwrap();
+    let lines: Vec<_> = related.iter().map(|r| r["physicalLocation"]["region"]["startLine"].as_u64()).collect();
+    assert_eq!(lines, [Some(1), Some(2)]);
+
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default());
+    let log: Value = serde_json::from_str(&sarif(&[broken])).unwrap();
+    let fixed: Vec<&Value> =
+        log["runs"][0]["results"].as_array().unwrap().iter().filter(|r| !r["fixes"].is_null()).collect();
+    insta::assert_snapshot!(line(&fixed[0]["fixes"]), @r##"[{"description":{"text":"insert `;`"},"artifactChanges":[{"artifactLocation":{"uri":"room.scene"},"replacements":[{"deletedRegion":{"startLine":1,"startColumn":9,"endLine":1,"endColumn":9},"insertedContent":{"text":";"}}]}],"properties":{"applicability":"safe"}}]"##);
+}
+
+#[test]
+fn a_compact_report_has_a_line_for_each_finding() {
+    let report = bedroom().report;
+    insta::assert_snapshot!(compact(&report, Human::default()), @r##"
+    room.scene:4:1: error[V0101]: nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
+    room.scene:5:1: error[V0101]: not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    room.scene:6:1: advice[V0106]: nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
+    room.scene:1:8: error[V0102]: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
+    "##);
+    let color = compact(&report, Human { color: true, all: true });
+    assert!(
+        color.contains("\u{1b}[31merror[V0101]\u{1b}[0m") && color.contains("bed.pos <- vec3(1, 0, 2) holds"),
+        "{color}"
+    );
+    let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
+    insta::assert_snapshot!(compact(&broken, Human::default()), @r##"
+    room.layout.json:1:40: error[E0510]: the program room.scene has errors
+    room.scene:1:9: error[E0111]: a `;` is missing at the end of this statement
+    room.layout.json: 2 errors
+    "##);
+}
+
+#[test]
+fn annotations_are_escaped_as_the_runner_undoes_it() {
+    let mut report = bedroom().report;
+    insta::assert_snapshot!(github(&[report.clone()]), @r##"
+    ::error file=room.scene,line=4,endLine=4,col=1,endColumn=29,title=V0101::nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
+    ::error file=room.scene,line=5,endLine=5,col=1,endColumn=36,title=V0101::not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    ::notice file=room.scene,line=6,endLine=6,col=1,endColumn=37,title=V0106::nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
+    ::error file=room.scene,line=1,endLine=1,col=8,endColumn=10,title=V0102::`bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    "##);
+    report.constraints.truncate(1);
+    report.constraints[0].message = "100 %\r\nand: more, too".into();
+    let span = report.constraints[0].span.as_mut().unwrap();
+    (span.file, span.end) = ("a:b,c%.scene".into(), [5, 2]);
+    insta::assert_snapshot!(github(&[report]), @r##"::error file=a%3Ab%2Cc%25.scene,line=4,endLine=5,title=V0101::nightstand.pos.x > 2.5 fails: 100 %25%0D%0Aand: more, too (margin -0.370 m)"##);
 }

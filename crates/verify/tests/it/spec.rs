@@ -9,7 +9,8 @@
 //! the word `judged` says that the rows are to be looked at all the same.
 //!
 //! `json report` gives some members of the report on the block before it; `text report` some lines, in order, of what a
-//! person reads.
+//! person reads, `text compact report` and `text github report` of those formats. `json diff` gives some of what the two
+//! layouts before it differ in; `toml settings` is a settings file, with the codes to be found in it.
 
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
@@ -17,11 +18,14 @@
 mod blocks;
 mod drawing;
 
+use crate::schemas::{faults, validator};
 use blocks::{Block, Mark, PENDING, agree, blocks, expected, relevant};
+use scenelang_base::FileId;
 use scenelang_lang::sources::Loader;
+use scenelang_verify::compare::compare;
 use scenelang_verify::report::model::{Finding, Row};
-use scenelang_verify::report::{Human, human};
-use scenelang_verify::{Checked, Geometry, Options, check_file, check_layout_text};
+use scenelang_verify::report::{Human, compact, github, human};
+use scenelang_verify::{Checked, Geometry, Options, check_file, check_layout_text, settings};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -273,6 +277,73 @@ fn programs_are_checked_as_they_say() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
+/// A layout block with the program it belongs to, judged.
+fn layout_at(page: &Page, i: usize) -> Checked {
+    let scene = page.blocks[..i].iter().rfind(|b| b.is_scene()).expect("a program");
+    judged(page, scene, &page.blocks[i])
+}
+
+#[test]
+fn comparisons_are_as_shown() {
+    let mut count = 0;
+    for page in &pages() {
+        for (i, block) in page.blocks.iter().enumerate().filter(|(_, b)| b.info == "json diff") {
+            let layouts: Vec<usize> = (0..i).filter(|i| page.blocks[*i].info.starts_with("json layout")).collect();
+            let [.., before, after] = layouts[..] else { panic!("{}:{}: two layouts", page.name, block.line) };
+            let whole = compare(&layout_at(page, before), &layout_at(page, after), 1e-3);
+            let whole = serde_json::to_value(whole).unwrap();
+            assert!(contains(&whole, &serde_json::from_str(&block.text).unwrap()), "{}: {whole:#}", page.name);
+            assert_eq!(faults(&validator("diff"), &whole), Vec::<String>::new());
+            count += 1;
+        }
+    }
+    assert!(count > 0);
+}
+
+#[test]
+fn settings_are_read_as_they_say() {
+    let mut count = 0;
+    for page in &pages() {
+        for block in page.blocks.iter().filter(|b| b.info.starts_with("toml")) {
+            let found = settings::read(&block.text, FileId(0)).err().unwrap_or_default();
+            let found: Vec<&str> = found.iter().map(|d| d.code.as_str()).collect();
+            assert_eq!(found, block.words()[2..], "{}:{}", page.name, block.line);
+            count += 1;
+        }
+    }
+    assert!(count > 2);
+}
+
+#[test]
+fn layouts_and_reports_of_the_book_fit_their_schemas() {
+    let [layouts, reports] = ["layout", "report"].map(validator);
+    let mut wrong = String::new();
+    for page in &pages() {
+        for (i, layout) in page.blocks.iter().enumerate().filter(|(_, b)| b.info.starts_with("json layout")) {
+            let at = format!("{}:{}", page.name, layout.line);
+            let Some(scene) = page.blocks[..i].iter().rfind(|b| b.is_scene()) else { panic!("{at}: no program") };
+            let report = judged(page, scene, layout).report;
+            let good = !report.diagnostics.iter().any(|d| d.severity == "error" && d.code.starts_with("E05"));
+            for fault in faults(&reports, &serde_json::to_value(&report).unwrap()) {
+                wrong += &format!("{at}: report {fault}\n");
+            }
+            match serde_json::from_str(&layout.text) {
+                Ok(document) if good => {
+                    faults(&layouts, &document).iter().for_each(|f| wrong += &format!("{at}: {f}\n"))
+                }
+                Ok(_) => {}
+                Err(e) => assert!(!good, "{at}: {e}"),
+            }
+        }
+        for scene in page.blocks.iter().filter(|b| b.is_scene() && b.info != "scene formatted") {
+            for fault in faults(&reports, &serde_json::to_value(&checked(page, scene).report).unwrap()) {
+                wrong += &format!("{}:{}: report {fault}\n", page.name, scene.line);
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
 /// Whether all that `part` says is in `whole`; of an array, each item in some item.
 fn contains(whole: &Value, part: &Value) -> bool {
     match (whole, part) {
@@ -309,7 +380,11 @@ fn reports_are_as_shown() {
                     wrong += &format!("{at}: not in {whole:#}\n");
                 }
             } else {
-                let whole = human(&checked, Human { color: false, all: false });
+                let whole = match block.info.as_str() {
+                    "text compact report" => compact(&checked.report, Human::default()),
+                    "text github report" => github(&[checked.report]),
+                    _ => human(&checked, Human::default()),
+                };
                 let mut rest = whole.lines();
                 for line in block.text.lines().filter(|l| !l.trim().is_empty()) {
                     if !rest.any(|l| l.trim_end() == line.trim_end()) {

@@ -1,0 +1,65 @@
+//! The report for people in a hurry: a line for each finding, in the form that editors and terminals make clickable.
+
+use super::human::{Human, holding, summary};
+use super::model::{Finding, Kind, Place, Report, Row};
+use std::fmt::Write;
+
+/// `file:line:column: error[V0101]: what is wrong`, one line each; then one line that sums up.
+pub fn compact(report: &Report, Human { color, all }: Human) -> String {
+    let mut out = String::new();
+    let mut add = |place: Option<&Place>, level: Level, code: &str, message: &str| {
+        let place = place.map_or_else(|| report.file.clone(), |p| format!("{}:{}:{}", p.file, p.start[0], p.start[1]));
+        let message = message.replace(['\n', '\r'], " ");
+        let _infallible = writeln!(out, "{place}: {}: {message}", level.painted(code, color));
+    };
+    for Finding { code, severity, message, span, .. } in &report.diagnostics {
+        let level = if severity == "error" { Level::Error } else { Level::Warning };
+        add(span.as_ref(), level, code, message);
+    }
+    for row in report.constraints.iter().filter(|row| row.satisfied == Some(false)) {
+        let level = if row.is_violation() { Level::Error } else { Level::Advice };
+        add(row.span.as_ref(), level, row.code.as_deref().unwrap_or_default(), &main_fact(row));
+    }
+    if all {
+        holding(report, &mut out);
+    }
+    let _infallible = writeln!(out, "{}: {}", report.file, summary(report));
+    out
+}
+
+/// What fails and what was measured, with the margin.
+pub(super) fn main_fact(row: &Row) -> String {
+    // Where the objects are comes after the first semicolon.
+    let measured = row.message.split("; `").next().unwrap_or_default();
+    let margin = match (row.margin, row.unit.as_deref()) {
+        (Some(margin), Some("deg")) => format!(" (margin {margin:.1}°)"),
+        (Some(margin), Some(unit)) => format!(" (margin {margin:.3} {unit})"),
+        _ => String::new(),
+    };
+    let fails = if row.is_violation() { "fails" } else { "is not met" };
+    match (row.kind, measured, row.objects.as_slice()) {
+        (_, "", _) => format!("{} {fails}{margin}", row.text),
+        (Kind::Collision, ..) => format!("{measured}{margin}"),
+        // Which object it is stands nowhere else in the line.
+        (Kind::Bounds | Kind::Support, _, [object]) => format!("`{object}`: {measured}{margin}"),
+        _ => format!("{} {fails}: {measured}{margin}", row.text),
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Level {
+    Error,
+    Warning,
+    Advice,
+}
+
+impl Level {
+    fn painted(self, code: &str, color: bool) -> String {
+        let (word, ansi) = match self {
+            Self::Error => ("error", 31),
+            Self::Warning => ("warning", 33),
+            Self::Advice => ("advice", 36),
+        };
+        if color { format!("\x1b[{ansi}m{word}[{code}]\x1b[0m") } else { format!("{word}[{code}]") }
+    }
+}

@@ -1,0 +1,47 @@
+//! The report as workflow commands of GitHub Actions: each becomes an annotation at its line of a pull request.
+
+use super::compact::main_fact;
+use super::model::{Place, Report};
+use std::fmt::Write;
+
+/// A line for each finding; nothing where there is none.
+pub fn github(reports: &[Report]) -> String {
+    let mut out = String::new();
+    for report in reports {
+        for finding in &report.diagnostics {
+            annotate(&mut out, &finding.severity, &finding.code, finding.span.as_ref(), &finding.message, report);
+        }
+        for row in report.constraints.iter().filter(|row| row.satisfied == Some(false)) {
+            // A wish that is not met does not fail a build.
+            let level = if row.is_violation() { "error" } else { "notice" };
+            let code = row.code.as_deref().unwrap_or_default();
+            annotate(&mut out, level, code, row.span.as_ref(), &main_fact(row), report);
+        }
+    }
+    out
+}
+
+fn annotate(out: &mut String, level: &str, code: &str, place: Option<&Place>, message: &str, report: &Report) {
+    let file = property(&place.map_or(report.file.as_str(), |p| p.file.as_str()).replace('\\', "/"));
+    let place = place.map_or_else(String::new, region);
+    let _infallible = writeln!(out, "::{level} file={file}{place},title={}::{}", property(code), data(message));
+}
+
+/// Columns may be given only within one line; theirs are inclusive, ours end before.
+fn region(Place { start, end, .. }: &Place) -> String {
+    let lines = format!(",line={},endLine={}", start[0], end[0]);
+    if start[0] == end[0] {
+        return format!("{lines},col={},endColumn={}", start[1], start[1].max(end[1].saturating_sub(1)));
+    }
+    lines
+}
+
+/// Text after `::`, escaped as the runner undoes it.
+fn data(text: &str) -> String {
+    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+/// The value of a property, which a comma or colon would end.
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}

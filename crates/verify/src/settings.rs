@@ -1,0 +1,273 @@
+//! The settings of a workspace, as `scenelang.toml` has them. Finding the file is left to the caller.
+
+use crate::tolerances::{Options, Tolerances};
+use scenelang_base::{Code, Diagnostic, FileId, TextRange, codes, suggest};
+use scenelang_layout::Geometry;
+use std::ops::Range;
+use toml_edit::{Document, Item, Table, Value};
+
+/// What the file is called.
+pub const FILE: &str = "scenelang.toml";
+
+/// Tolerances and η beyond this are errors (metres, degrees).
+const LARGEST: f64 = 1e6;
+
+/// Settings, where they are given.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Whether the physical rules apply.
+    pub physics: Option<bool>,
+    /// What a solid is.
+    pub geometry: Option<Geometry>,
+    /// Thickness of the walls of a room (metres).
+    pub eta: Option<f64>,
+    /// Tolerances by name, see [`Tolerances::NAMES`].
+    pub tolerances: Vec<(String, f64)>,
+    /// Warnings that are not reported.
+    pub allow: Vec<Code>,
+}
+
+impl Settings {
+    /// Puts what is given in the place of what `options` has.
+    pub fn apply(&self, options: &mut Options) {
+        options.physics = self.physics.unwrap_or(options.physics);
+        options.geometry = self.geometry.unwrap_or(options.geometry);
+        options.eta = self.eta.unwrap_or(options.eta);
+        for (name, value) in &self.tolerances {
+            if let Some(tolerance) = options.tolerances.named(name) {
+                *tolerance = *value;
+            }
+        }
+    }
+}
+
+/// Reads the text of a settings file.
+///
+/// # Errors
+/// All that is wrong with it, in the order of the text: no TOML, unknown keys, wrong types, values out of range.
+pub fn read(text: &str, file: FileId) -> Result<Settings, Vec<Diagnostic>> {
+    let mut reader = Reader { file, settings: Settings::default(), found: Vec::new() };
+    let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    match Document::parse(&text[start..]) {
+        Ok(document) => reader.top(document.as_table()),
+        Err(e) => {
+            let message = e.message().lines().next().unwrap_or("it cannot be read");
+            reader.error(e.span(), format!("this is not TOML: {message}"));
+        }
+    }
+    let Reader { settings, mut found, .. } = reader;
+    if found.is_empty() {
+        return Ok(settings);
+    }
+    for finding in &mut found {
+        if let Some(label) = &mut finding.primary {
+            label.place.range = label.place.range.shifted(start as u32);
+        }
+    }
+    found.sort_by_key(|d| d.primary.as_ref().map(|l| l.place.range.start));
+    Err(found)
+}
+
+/// The value of a tolerance or of η, from a file or an option.
+///
+/// # Errors
+/// What is wrong with it, to follow its name.
+pub fn measure(value: f64) -> Result<f64, String> {
+    if (0.0..=LARGEST).contains(&value) { Ok(value) } else { Err("takes a number from 0 to a million".to_owned()) }
+}
+
+/// That there is no such name, and which one may be meant.
+pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
+    match suggest::nearest(name, known.iter().copied()) {
+        Some(near) => format!("there is no {what} `{name}`; did you mean `{near}`?"),
+        None => format!("there is no {what} `{name}`; there are {}", known.join(", ")),
+    }
+}
+
+struct Reader {
+    file: FileId,
+    settings: Settings,
+    found: Vec<Diagnostic>,
+}
+
+impl Reader {
+    fn error(&mut self, at: Option<Range<usize>>, message: String) {
+        let range = at.map_or(TextRange::empty(0), |r| TextRange::new(r.start, r.end));
+        self.found.push(Diagnostic::new(codes::E0007, range.in_file(self.file), message));
+    }
+
+    fn wrong(&mut self, key: &str, item: &Item, wanted: &str) {
+        self.error(item.span(), format!("`{key}` takes {wanted}, not {}", kind(item)));
+    }
+
+    fn top(&mut self, table: &Table) {
+        for (key, item) in table {
+            match key {
+                "physics" => match item.as_bool() {
+                    Some(physics) => self.settings.physics = Some(physics),
+                    None => self.wrong(key, item, "true or false"),
+                },
+                "geometry" => match item.as_str() {
+                    Some("parts") => self.settings.geometry = Some(Geometry::Parts),
+                    Some("box") => self.settings.geometry = Some(Geometry::Box),
+                    Some(other) => {
+                        self.error(item.span(), format!("`geometry` takes \"parts\" or \"box\", not {other:?}"));
+                    }
+                    None => self.wrong(key, item, "\"parts\" or \"box\""),
+                },
+                "eta" => self.settings.eta = self.number(key, item),
+                "tolerances" => self.tolerances(item),
+                "lints" => self.lints(item),
+                _ => {
+                    let known = ["physics", "geometry", "eta", "tolerances", "lints"];
+                    self.error(place_of(table, key), unknown("setting", key, &known));
+                }
+            }
+        }
+    }
+
+    fn tolerances(&mut self, item: &Item) {
+        let Some(table) = item.as_table_like() else { return self.wrong("tolerances", item, "a table of numbers") };
+        for (name, item) in table.iter() {
+            if !Tolerances::NAMES.contains(&name) {
+                let place = table.get_key_value(name).and_then(|(key, _)| key.span());
+                self.error(place, unknown("tolerance", name, &Tolerances::NAMES));
+            } else if let Some(value) = self.number(name, item) {
+                self.settings.tolerances.push((name.to_owned(), value));
+            }
+        }
+    }
+
+    fn number(&mut self, key: &str, item: &Item) -> Option<f64> {
+        let Some(number) = item.as_float().or(item.as_integer().map(|n| n as f64)) else {
+            self.wrong(key, item, "a number");
+            return None;
+        };
+        match measure(number) {
+            Ok(number) => Some(number),
+            Err(why) => {
+                self.error(item.span(), format!("`{key}` {why}"));
+                None
+            }
+        }
+    }
+
+    fn lints(&mut self, item: &Item) {
+        let Some(table) = item.as_table_like() else { return self.wrong("lints", item, "a table") };
+        for (key, item) in table.iter() {
+            if key != "allow" {
+                let place = table.get_key_value(key).and_then(|(key, _)| key.span());
+                self.error(place, unknown("setting of lints", key, &["allow"]));
+                continue;
+            }
+            let Some(list) = item.as_array() else { return self.wrong("allow", item, "a list of codes") };
+            for value in list {
+                self.allow(value);
+            }
+        }
+    }
+
+    fn allow(&mut self, value: &Value) {
+        let Some(written) = value.as_str() else {
+            return self.error(value.span(), "`allow` takes codes as strings, such as \"W0203\"".to_owned());
+        };
+        match Code::find(written) {
+            Some(code) if code.as_str().starts_with('W') => self.settings.allow.push(code),
+            Some(code) => {
+                self.error(value.span(), format!("{code} is not a warning; only warnings can be silenced"));
+            }
+            None => {
+                let known = codes::ALL.iter().map(|(code, _)| code.as_str()).filter(|c| c.starts_with('W'));
+                let hint = suggest::nearest(written, known).map(|near| format!("; did you mean `{near}`?"));
+                self.error(value.span(), format!("there is no code `{written}`{}", hint.unwrap_or_default()));
+            }
+        }
+    }
+}
+
+fn place_of(table: &Table, key: &str) -> Option<Range<usize>> {
+    table.get_key_value(key).and_then(|(key, _)| key.span())
+}
+
+fn kind(item: &Item) -> &'static str {
+    match item {
+        Item::Table(_) | Item::Value(Value::InlineTable(_)) => "a table",
+        Item::ArrayOfTables(_) => "a list of tables",
+        Item::Value(Value::String(_)) => "a string",
+        Item::Value(Value::Integer(_) | Value::Float(_)) => "a number",
+        Item::Value(Value::Boolean(_)) => "a truth value",
+        Item::Value(Value::Datetime(_)) => "a date",
+        Item::Value(Value::Array(_)) => "a list",
+        Item::None => "nothing",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_base::{SourceFile, SourceMap};
+
+    fn said(text: &str) -> String {
+        let mut sources = SourceMap::new();
+        let file = sources.add(SourceFile::new(FILE, FILE, text));
+        match read(text, file) {
+            Ok(settings) => format!("{settings:?}"),
+            Err(found) => {
+                let line = |d: &Diagnostic| {
+                    let (start, end) = sources.lines(d.primary.as_ref().unwrap().place);
+                    format!("{}:{}-{} {}", start.line, start.column, end.column, d.message)
+                };
+                found.iter().map(line).collect::<Vec<_>>().join("\n")
+            }
+        }
+    }
+
+    #[test]
+    fn all_settings_are_read() {
+        let text = "physics = false\ngeometry = \"box\"\neta = 1\n[tolerances]\nequal = 0.002\nangle = 1e-2\n[lints]\nallow = [\"W0203\", \"w0101\"]";
+        let mut options = Options::default();
+        let settings = read(text, FileId(0)).unwrap();
+        settings.apply(&mut options);
+        let wanted = Options {
+            physics: false,
+            geometry: Geometry::Box,
+            eta: 1.0,
+            tolerances: Tolerances { equal: 0.002, angle: 0.01, ..Tolerances::default() },
+            ..Options::default()
+        };
+        assert_eq!(options, wanted);
+        assert_eq!(settings.allow, [codes::W0203, codes::W0101]);
+        assert_eq!(read("", FileId(0)), Ok(Settings::default()));
+        assert_eq!(read("tolerances = { equal = 1 }", FileId(0)).unwrap().tolerances, [("equal".to_owned(), 1.0)]);
+        assert_eq!(read("tolerances.equal = 1", FileId(0)).unwrap().tolerances, [("equal".to_owned(), 1.0)]);
+    }
+
+    #[test]
+    fn every_slip_is_told_at_its_place() {
+        for (text, wanted) in [
+            ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
+            ("sofa = 1", "1:1-5 there is no setting `sofa`; there are physics, geometry, eta, tolerances, lints"),
+            ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
+            ("geometry = \"mesh\"", "1:12-18 `geometry` takes \"parts\" or \"box\", not \"mesh\""),
+            ("geometry = true", "1:12-16 `geometry` takes \"parts\" or \"box\", not a truth value"),
+            ("eta = -1", "1:7-9 `eta` takes a number from 0 to a million"),
+            ("eta = nan", "1:7-10 `eta` takes a number from 0 to a million"),
+            ("eta = []", "1:7-9 `eta` takes a number, not a list"),
+            ("[tolerances]\nequals = 1", "2:1-7 there is no tolerance `equals`; did you mean `equal`?"),
+            ("[tolerances]\nequal = 1979-05-27", "2:9-19 `equal` takes a number, not a date"),
+            ("tolerances = 1", "1:14-15 `tolerances` takes a table of numbers, not a number"),
+            ("[[tolerances]]", "1:1-15 `tolerances` takes a table of numbers, not a list of tables"),
+            ("[lints]\ndeny = []", "2:1-5 there is no setting of lints `deny`; there are allow"),
+            ("[lints]\nallow = \"W0203\"", "2:9-16 `allow` takes a list of codes, not a string"),
+            ("[lints]\nallow = [3]", "2:10-11 `allow` takes codes as strings, such as \"W0203\""),
+            ("[lints]\nallow = [\"W0230\"]", "2:10-17 there is no code `W0230`; did you mean `W0203`?"),
+            ("[lints]\nallow = [\"E0201\"]", "2:10-17 E0201 is not a warning; only warnings can be silenced"),
+            ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
+        ] {
+            assert_eq!(said(text), wanted, "{text}");
+        }
+        assert!(said("eta = ").starts_with("1:") && said("eta = ").contains("this is not TOML"), "{}", said("eta = "));
+        assert!(said("eta = 1\neta = 2").starts_with("2:1"), "{}", said("eta = 1\neta = 2"));
+        assert_eq!(said("phisics = true\neta = true").lines().count(), 2);
+    }
+}
