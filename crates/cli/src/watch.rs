@@ -33,7 +33,8 @@ pub fn run(args: &Check) -> u8 {
         let code = check::pass(args, &seen);
         let seen = seen.files();
         if people {
-            eprintln!("watching {} files; Ctrl-C ends", seen.values().filter(|stamp| stamp.is_some()).count());
+            let count = seen.values().filter(|stamp| stamp.is_some()).count();
+            eprintln!("watching {count} file{}; Ctrl-C ends", if count == 1 { "" } else { "s" });
         }
         if !wait(&seen, || targets::find(&args.files) != found) {
             return code;
