@@ -22,10 +22,10 @@ pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) 
     }
     let look = Look { names, stmt, hashes: LazyCell::new(|| shape::hashes(stmt)) };
     match &stmt.kind {
-        StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. } => {
-            if stmt.expr(*formula).kind == ExprKind::Bool(true) {
-                finding(out, stmt.expr(*formula).range, "`true` says nothing");
-            }
+        StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. }
+            if stmt.expr(*formula).kind == ExprKind::Bool(true) =>
+        {
+            finding(out, stmt.expr(*formula).range, "`true` says nothing");
         }
         StmtKind::Allow { rule: Allow::Collide, args, .. } => look.collides_with_itself(args, out),
         _ => {}

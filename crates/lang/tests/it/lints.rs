@@ -35,7 +35,8 @@ fn imported_files_are_made_for_others() {
                    predicate never(Object a) := a.pos.x > 1;\n";
     let rules = "assert forall d in objects where .category = \"door\": clear(d, front, 0.9);\n";
     let things = "object desk;\nobject lamp;\nobject shelf;\ndesk.category <- \"desk\";\n";
-    let cases: [(&[(&str, &str)], &[&str]); 8] = [
+    type Case<'c> = (&'c [(&'c str, &'c str)], &'c [&'c str]);
+    let cases: [Case<'_>; 8] = [
         // A library by itself, rules by themselves, declarations by themselves.
         (&[("lib.scene", library)], &[]),
         (&[("rules.scene", rules)], &[]),
