@@ -82,7 +82,8 @@ mod tests {
 
     #[test]
     fn fixes_are_applied_whole_or_not_at_all() {
-        let cases: [(&[&[Edit<TextRange>]], &str, &[usize]); 8] = [
+        type Case<'c> = (&'c [&'c [Edit<TextRange>]], &'c str, &'c [usize]);
+        let cases: [Case<'_>; 8] = [
             (&[&[edit(1, 2, "X")], &[edit(3, 3, "+")]], "aXc+def", &[0, 1]),
             (&[&[edit(3, 3, "+")], &[edit(1, 2, "X")]], "aXc+def", &[0, 1]),
             // The second fix wants what the first has; its other edit is not made either.
@@ -123,7 +124,7 @@ mod tests {
             let text: String = ('A'..='Z').cycle().take(80).collect();
             let straight = apply(&text, edits.iter().map(std::slice::from_ref));
             prop_assert!(straight.left.is_empty());
-            prop_assert_eq!(&straight.text, &apply(&text, [&edits]).text.clone());
+            prop_assert_eq!(&straight.text, &apply(&text, [&edits]).text);
             let mut shuffled: Vec<usize> = (0..edits.len()).collect();
             shuffled.sort_by_key(|i| seed.rotate_left(*i as u32 * 7) ^ (*i as u64));
             let other = apply(&text, shuffled.iter().map(|i| std::slice::from_ref(&edits[*i])));

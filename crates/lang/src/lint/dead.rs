@@ -9,17 +9,22 @@ use crate::items::{ItemKind, Names};
 use crate::natives;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_base::{Diagnostic, FileId, TextRange, codes};
+use std::cell::LazyCell;
+use std::mem::discriminant;
 
 type Out<'o> = &'o mut Vec<Diagnostic<Where>>;
 
 /// Looks at one statement.
 pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) {
-    let look = Look { names, stmt, hashes: shape::hashes(stmt) };
+    if scopes.order.is_empty() {
+        return;
+    }
+    let look = Look { names, stmt, hashes: LazyCell::new(|| shape::hashes(stmt)) };
     match &stmt.kind {
-        StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. } => {
-            if stmt.expr(*formula).kind == ExprKind::Bool(true) {
-                finding(out, stmt.expr(*formula).range, "`true` says nothing");
-            }
+        StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. }
+            if stmt.expr(*formula).kind == ExprKind::Bool(true) =>
+        {
+            finding(out, stmt.expr(*formula).range, "`true` says nothing");
         }
         StmtKind::Allow { rule: Allow::Collide, args, .. } => look.collides_with_itself(args, out),
         _ => {}
@@ -61,17 +66,22 @@ fn here(range: TextRange, message: &str) -> scenelang_base::Label<Where> {
     scenelang_base::Label { place: Where::Here(range), message: message.to_owned() }
 }
 
-struct Look<'a> {
+struct Look<'a, F: FnOnce() -> Vec<u64>> {
     names: &'a dyn Names,
     stmt: &'a Stmt,
-    hashes: Vec<u64>,
+    /// Of all expressions; most statements have nothing to compare.
+    hashes: LazyCell<Vec<u64>, F>,
 }
 
-impl Look<'_> {
+impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
     /// Whether two expressions have the same value wherever they stand. Each `rand` is a draw of its own.
     fn same(&self, a: ExprId, b: ExprId) -> bool {
-        let alike = self.hashes[a.0 as usize] == self.hashes[b.0 as usize];
-        alike && shape::same((self.stmt, a), (self.stmt, b)) && !self.any(a, |kind| self.may_draw(kind))
+        let (x, y) = (&self.stmt.expr(a).kind, &self.stmt.expr(b).kind);
+        let alike = || self.hashes[a.0 as usize] == self.hashes[b.0 as usize];
+        discriminant(x) == discriminant(y)
+            && alike()
+            && shape::same((self.stmt, a), (self.stmt, b))
+            && !self.any(a, |kind| self.may_draw(kind))
     }
 
     /// Whether a part of an expression, or itself, is such.

@@ -19,6 +19,9 @@ pub enum Value<'a> {
     Other,
 }
 
+/// The element of an array, if only one is assigned, and the value.
+type Assigned<'a> = (Option<u32>, Value<'a>);
+
 /// What a program says, for the suspicions about all of it.
 pub struct Facts<'a> {
     /// What names stand for.
@@ -34,8 +37,8 @@ pub struct Facts<'a> {
     pub read: FxHashMap<&'a SmolStr, u32>,
     /// How many statements assign a name or a property of it.
     pub assigned: FxHashMap<&'a SmolStr, u32>,
-    /// Assigned properties and variables (the property empty): the element, if it is a certain one, and the value.
-    values: FxHashMap<(&'a SmolStr, &'a str), Vec<(Option<u32>, Value<'a>)>>,
+    /// Assigned properties and variables (the property empty).
+    values: FxHashMap<(&'a SmolStr, &'a str), Vec<Assigned<'a>>>,
     /// Properties that some object or region is assigned.
     pub properties: FxHashSet<&'a str>,
 }

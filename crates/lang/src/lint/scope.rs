@@ -42,7 +42,8 @@ impl<'s> Scopes<'s> {
             scope.extend(params.iter().enumerate().map(|(i, p)| (&p.name, Binder::Parameter(i))));
             out.bound.extend(params.iter().map(|p| &p.name));
         }
-        let mut steps: Vec<Step<'_>> = roots(stmt).into_iter().rev().map(Step::Visit).collect();
+        let mut steps: Vec<Step<'_>> = Vec::with_capacity(stmt.exprs.len().min(32));
+        steps.extend(roots(stmt).into_iter().rev().map(Step::Visit));
         while let Some(step) = steps.pop() {
             match step {
                 Step::Visit(id) => {

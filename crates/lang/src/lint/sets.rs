@@ -19,7 +19,7 @@ pub const READ_BY_FILTERS: [&str; 4] = ["category", "color", "material", "featur
 
 /// So many questions whether an object passes a filter are asked; what is left is not reported. A program that people
 /// write needs a few thousand.
-const MOST: usize = 100_000;
+const MOST: usize = 50_000;
 
 /// Ranges of constants that hold no number.
 pub fn ranges(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>) {
@@ -53,6 +53,10 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     if things.is_empty() {
         return;
     }
+    // A filter of all objects need not look at two that have the same texts.
+    let mut kinds: Vec<Texts<'_>> = things.iter().map(|(_, texts)| *texts).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
     let mut given = None;
     let (mut asked, mut guessed) = (0, 0);
     // Filters of the whole set that were asked before.
@@ -75,21 +79,22 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                 ExprKind::Name(name) if !predicate => Some(name),
                 _ => continue,
             };
+            let own: Vec<Texts<'_>>;
             let chosen = match of {
-                None => things.as_slice(),
+                None => &kinds,
                 Some(name) => {
-                    let start = things.partition_point(|t| t.name < name);
-                    let len = things[start..].partition_point(|t| t.name == name);
-                    &things[start..start + len]
+                    let start = things.partition_point(|(n, _)| *n < name);
+                    own = things[start..].iter().take_while(|(n, _)| *n == name).map(|(_, texts)| *texts).collect();
+                    &own
                 }
             };
             if chosen.is_empty() {
                 continue;
             }
             let is_empty = *known.entry((hashes[domain.0 as usize], predicate)).or_insert_with(|| {
-                let mut passes = |thing: &Thing<'_>| {
+                let mut passes = |texts: &Texts<'_>| {
                     asked += 1;
-                    asked > MOST || filters.iter().all(|f| keeps(facts, stmt, *f, thing) != Some(false))
+                    asked > MOST || filters.iter().all(|f| keeps(facts, stmt, *f, texts) != Some(false))
                 };
                 !chosen.iter().any(&mut passes)
             });
@@ -111,40 +116,36 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// An object as a filter sees it. The elements of an array that have nothing of their own are one.
-struct Thing<'a> {
-    name: &'a SmolStr,
-    element: Option<u32>,
-}
+/// What a filter sees of an object, in the order of [`READ_BY_FILTERS`]; `None`: cannot be told.
+type Texts<'a> = [Option<&'a str>; 4];
 
-/// All objects, by name.
-fn things<'a>(facts: &Facts<'a>) -> Vec<Thing<'a>> {
+/// Objects by name, each with its texts. The elements of an array that have nothing of their own are one.
+fn things<'a>(facts: &Facts<'a>) -> Vec<(&'a SmolStr, Texts<'a>)> {
     let mut out = Vec::new();
     for (name, _) in &facts.order {
         let name = &name.text;
+        let texts = |element: Option<u32>| READ_BY_FILTERS.map(|property| facts.text(name, element, property));
         match facts.names.item(name) {
             Some(ItemKind::Array(n)) => {
                 let own = facts.own_elements(name);
                 let others = (own.len() < n as usize).then_some(u32::MAX);
-                out.extend(own.into_iter().chain(others).map(|i| Thing { name, element: Some(i) }));
+                out.extend(own.into_iter().chain(others).map(|i| (name, texts(Some(i)))));
             }
-            Some(ItemKind::Object) => out.push(Thing { name, element: None }),
+            Some(ItemKind::Object) => out.push((name, texts(None))),
             Some(ItemKind::Region | ItemKind::Variable(_)) | None => {}
         }
     }
-    out.sort_by_key(|thing| thing.name);
+    out.sort();
     out
 }
 
 /// Whether some filter of all objects keeps, or may keep, one that has no text at all.
 pub fn keep_blank(facts: &Facts<'_>) -> bool {
-    let nobody = SmolStr::default();
-    let blank = Thing { name: &nobody, element: None };
     facts.statements.iter().any(|s| {
         s.uses.filters.iter().any(|outermost| {
             let mut at = *outermost;
             while let ExprKind::Where(set, filter) = &s.place.stmt.expr(at).kind {
-                if keeps(facts, s.place.stmt, *filter, &blank) == Some(false) {
+                if keeps(facts, s.place.stmt, *filter, &[Some(""); 4]) == Some(false) {
                     return false;
                 }
                 at = *set;
@@ -155,8 +156,8 @@ pub fn keep_blank(facts: &Facts<'_>) -> bool {
 }
 
 /// Whether a filter keeps an object; `None`: cannot be told from the texts of the program.
-fn keeps(facts: &Facts<'_>, stmt: &Stmt, filter: ExprId, thing: &Thing<'_>) -> Option<bool> {
-    let keeps = |id: ExprId| stacker::maybe_grow(64 << 10, 1 << 20, || keeps(facts, stmt, id, thing));
+fn keeps(facts: &Facts<'_>, stmt: &Stmt, filter: ExprId, texts: &Texts<'_>) -> Option<bool> {
+    let keeps = |id: ExprId| stacker::maybe_grow(64 << 10, 1 << 20, || keeps(facts, stmt, id, texts));
     match &stmt.expr(filter).kind {
         ExprKind::Bool(value) => Some(*value),
         ExprKind::Not(inner) => keeps(*inner).map(|kept| !kept),
@@ -174,7 +175,7 @@ fn keeps(facts: &Facts<'_>, stmt: &Stmt, filter: ExprId, thing: &Thing<'_>) -> O
         }
         ExprKind::Compare(left, steps) => {
             let [(op @ (Comparison::Eq | Comparison::Ne), _, right)] = steps.as_slice() else { return None };
-            let (left, right) = (text(facts, stmt, *left, thing)?, text(facts, stmt, *right, thing)?);
+            let (left, right) = (text(facts, stmt, *left, texts)?, text(facts, stmt, *right, texts)?);
             Some((left == right) == (*op == Comparison::Eq))
         }
         _ => None,
@@ -182,10 +183,10 @@ fn keeps(facts: &Facts<'_>, stmt: &Stmt, filter: ExprId, thing: &Thing<'_>) -> O
 }
 
 /// The text that an expression in a filter stands for.
-fn text<'a>(facts: &Facts<'a>, stmt: &'a Stmt, id: ExprId, thing: &Thing<'_>) -> Option<&'a str> {
+fn text<'a>(facts: &Facts<'a>, stmt: &'a Stmt, id: ExprId, texts: &Texts<'a>) -> Option<&'a str> {
     match &stmt.expr(id).kind {
         ExprKind::Text(text) => Some(text),
-        ExprKind::Own(property) => facts.text(thing.name, thing.element, &property.text),
+        ExprKind::Own(property) => texts[READ_BY_FILTERS.iter().position(|p| *p == property.text)?],
         // A parameter is no variable of the program; in a predicate it may hide one.
         ExprKind::Name(name) if !matches!(stmt.kind, StmtKind::Predicate { .. }) => facts.variable(name),
         _ => None,

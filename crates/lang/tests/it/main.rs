@@ -11,6 +11,7 @@ mod blocks;
 mod fixes;
 mod format;
 mod incremental;
+mod lints;
 mod shape;
 mod soup;
 mod spec;
@@ -74,4 +75,23 @@ fn cases() {
     }
     assert!(programs > 20, "only {programs} programs found");
     assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// The scenes that a newcomer opens first, and the library, are as good as they can be.
+#[test]
+fn examples_and_library_raise_no_suspicion() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut programs: Vec<(String, String)> =
+        scenelang_lang::library::FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+    for entry in std::fs::read_dir(examples).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "scene") {
+            programs.push((path.display().to_string(), std::fs::read_to_string(&path).unwrap()));
+        }
+    }
+    assert!(programs.len() > 10);
+    for (name, text) in programs {
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
+        assert!(compiled.diagnostics.is_empty(), "{name}: {:#?}", compiled.diagnostics);
+    }
 }
