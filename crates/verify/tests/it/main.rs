@@ -3,5 +3,6 @@
 
 mod cases;
 mod gradients;
+mod navigation;
 mod reports;
 mod spec;
