@@ -7,6 +7,7 @@
 
 pub mod check;
 pub mod eval;
+pub mod explain;
 mod natives;
 mod navigation;
 pub mod number;
@@ -18,6 +19,7 @@ mod world;
 
 pub use check::{Checked, Verdict, check, check_file, check_layout_text};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
+pub use explain::Explain;
 pub use natives::{gap, in_region};
 pub use number::{Dual, Number};
 pub use report::{Report, exit_code};

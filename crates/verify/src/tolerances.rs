@@ -1,5 +1,6 @@
 //! Tolerances, all in one place, and the options of a check.
 
+use crate::explain::Explain;
 use scenelang_layout::convex::Geometry;
 use serde::{Deserialize, Serialize};
 
@@ -45,6 +46,8 @@ pub struct Options {
     pub physics: bool,
     /// Whether physical rows that hold are listed too.
     pub all: bool,
+    /// How many violations are explained in full.
+    pub explain: Explain,
 }
 
 impl Default for Options {
@@ -55,6 +58,7 @@ impl Default for Options {
             geometry: Geometry::default(),
             physics: true,
             all: false,
+            explain: Explain::default(),
         }
     }
 }

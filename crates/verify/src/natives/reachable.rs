@@ -10,7 +10,7 @@ use crate::eval::{EvalError, Truth};
 use crate::navigation::{self, Blocker, Bottleneck, Path};
 use crate::number::Number;
 use crate::world::{Thing, World};
-use scenelang_lang::program::Program;
+use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Vec2, Vec3};
 
 /// See the file.
@@ -48,6 +48,26 @@ impl Predicate for Reachable {
             Some(bottleneck) => in_words(&bottleneck, [a, b], width, names),
             None => format!("no way of any width leads from `{a}` to `{b}`"),
         })
+    }
+
+    fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
+        let (from, to, width) = (call.object(0).ok()?.0, call.object(1).ok()?.0, call.number(2).ok()?);
+        if Self::truth(call).ok()?.holds {
+            return None;
+        }
+        Some((navigation::bottleneck(call.world, from, to, width).map_or(0.0, |found| found.width), width))
+    }
+
+    fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
+        let (Ok((from, _)), Ok((to, _)), Ok(width)) = (call.object(0), call.object(1), call.number(2)) else {
+            return Vec::new();
+        };
+        let found = navigation::bottleneck(call.world, from, to, width);
+        let object = |blocker: Blocker| match blocker {
+            Blocker::Object(id) => Some(id),
+            Blocker::Wall(_) | Blocker::Door(_) | Blocker::Edge => None,
+        };
+        found.into_iter().flat_map(|found| found.between).filter_map(object).collect()
     }
 }
 

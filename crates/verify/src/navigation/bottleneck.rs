@@ -4,16 +4,16 @@
 //! that far apart; of all pairs that do, the one is meant without whose gap there is no way of that width.
 
 use super::free::{Floor, Ground, Obstacle, Places};
-use super::{FINE, NEAR};
+use super::{COARSE, NEAR};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::{depth_in_convex, edges, nearest_of_segments, nearest_on_segment};
 
 /// The radius of the widest disc is found to this (metres).
-const PRECISION: f64 = 1e-5;
+const PRECISION: f64 = 2e-4;
 /// Two things are as far apart as the disc is wide if it is by no more than this (metres): rounding, and the corners of
 /// what should be arcs.
-const FIT: f64 = 4e-4;
+const FIT: f64 = 2e-3;
 /// So many pairs are asked whether they are the one.
 const MOST: usize = 12;
 
@@ -96,8 +96,8 @@ struct Try {
 
 impl Try {
     fn new(ground: &Ground, ends: [&[Vec2]; 2], radius: f64, further: Option<&[Vec2]>) -> Self {
-        let floor: Floor = ground.free(radius.max(0.0), FINE, further);
-        Self { places: ends.map(|end| floor.places(end, radius.max(0.0) + NEAR, FINE)) }
+        let floor: Floor = ground.free(radius.max(0.0), COARSE, further);
+        Self { places: ends.map(|end| floor.places(end, radius.max(0.0) + NEAR, COARSE)) }
     }
     /// A piece of the floor on which both ends are.
     fn common(&self) -> Option<usize> {

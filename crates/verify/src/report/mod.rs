@@ -6,6 +6,7 @@ mod json;
 mod junit;
 pub mod model;
 mod sarif;
+mod words;
 
 pub use build::build;
 pub use human::{Human, diagnostics, human};
