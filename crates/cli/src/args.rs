@@ -1,6 +1,7 @@
 //! Options of the command line.
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use scenelang_verify::Explain;
 use std::path::PathBuf;
 
 /// Scenes as programs: check, solve and build 3D scenes from their requirements.
@@ -43,12 +44,24 @@ pub struct Check {
     /// List physical rules that hold, too
     #[arg(long)]
     pub all: bool,
+    /// How many violations are explained in full, with the smallest move that mends them
+    #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
+    pub explain: Explain,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `--explain`
+fn explain(text: &str) -> Result<Explain, String> {
+    match text {
+        "all" => Ok(Explain::All),
+        "none" => Ok(Explain::First(0)),
+        number => number.parse().map(Explain::First).map_err(|_| "it is all, none or a number".to_owned()),
+    }
 }
 
 /// How a layout is judged.

@@ -8,7 +8,7 @@ use std::io::{IsTerminal, Write};
 
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
-    let options = Options { all: args.all, ..options(args.judging) };
+    let options = Options { all: args.all, explain: args.explain, ..options(args.judging) };
     let compile = scenelang_lang::Options { core: args.core };
     let mut reports: Vec<Report> = Vec::with_capacity(args.files.len());
     let mut out = std::io::stdout().lock();

@@ -10,7 +10,7 @@ use crate::report::model::Kind;
 use scenelang_lang::program::ObjectId;
 
 /// What looking for a move may cost, in small comparisons.
-const BUDGET: usize = 60_000;
+const BUDGET: usize = 120_000;
 /// So many objects of a row are tried.
 const OBJECTS: usize = 4;
 /// So many moves of one object are judged by all that they touch.
@@ -105,12 +105,11 @@ pub(super) fn mend(stage: &mut Stage<'_>, row: RowRef, objects: &[ObjectId]) -> 
 
 /// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
 fn opposing(does: &Consequences, row: RowRef, moved: f64) -> Vec<RowRef> {
-    let mut broken: Vec<RowRef> = does.breaks.iter().copied().filter(|r| *r != row).collect();
-    broken.sort_by_key(|r| (r.kind == Kind::Prefer, *r));
-    broken.truncate(OPPOSING);
+    let mut broken: Vec<RowRef> = does.breaks.iter().copied().filter(|r| *r != row).take(OPPOSING).collect();
     if broken.is_empty() {
         // It must fall by a good part of the move, or it hardly pulls.
-        broken.extend(does.falls.iter().filter(|(r, by)| *r != row && *by >= 0.5 * moved).map(|(r, _)| *r).take(1));
+        let pulls = |(r, by): &&(RowRef, f64)| *r != row && r.kind.rule().is_none() && *by >= 0.5 * moved;
+        broken.extend(does.falls.iter().filter(pulls).map(|(r, _)| *r).take(1));
     }
     broken
 }
@@ -172,7 +171,7 @@ impl Mender<'_, '_> {
             let earlier = steps.iter().find(|s| s.object == object).cloned();
             let from = earlier.unwrap_or(Step { object, by: [0.0; 3], turn: 0.0, with: None });
             // Each object has its share, so that a dear row does not spend all on the first one.
-            let share = (self.limit.saturating_sub(self.stage.work)) / (2 * OBJECTS);
+            let share = self.limit.saturating_sub(self.stage.work) / (OBJECTS + 1);
             let limit = self.stage.work + share.max(1);
             self.stage.set(steps);
             if let Some(search) = Search::new(self.stage, goal, from, limit) {

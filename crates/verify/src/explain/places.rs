@@ -74,6 +74,9 @@ fn degrees(x: f64) -> String {
 
 /// A number with its sign, as short as it can be to the tenth of a millimetre, two digits at least.
 fn signed(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
     let mut text = format!("{x:+.4}");
     while text.ends_with('0') && text.split('.').nth(1).is_some_and(|digits| digits.len() > 2) {
         text.pop();
@@ -163,7 +166,7 @@ mod tests {
             ([0.0, 0.0, -1.5], 0.0, "move {} by -1.50 m along z"),
             ([0.0, 0.2, 0.0], 0.0, "raise {} by 0.20 m"),
             ([0.0, -0.2005, 0.0], 0.0, "lower {} by 0.2005 m"),
-            ([0.1, 0.0, -0.2], 90.0, "move {} by (+0.10, +0.00, -0.20) m and turn it by +90°"),
+            ([0.1, 0.0, -0.2], 90.0, "move {} by (+0.10, 0, -0.20) m and turn it by +90°"),
             ([0.0; 3], -14.5, "turn {} by -14.5°"),
         ] {
             assert_eq!(step(by, turn), want);

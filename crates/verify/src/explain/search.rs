@@ -8,10 +8,10 @@ use scenelang_lang::program::ObjectId;
 const DESCENT: usize = 24;
 /// No step down a slope is longer (metres).
 const STRIDE: f64 = 1.0;
-/// A line is tried at lengths from the first, each so many times the one before, to the last (metres).
-const LINE: (f64, f64, f64) = (0.02, 1.5, 8.0);
-/// Halvings on a line.
-const HALVINGS: usize = 14;
+/// No move goes farther (metres).
+const FARTHEST: f64 = 8.0;
+/// A goal that costs more than this is dear: it is tried less often.
+const DEAR: usize = 100;
 /// How far beyond the edge of what holds to aim (metres or degrees).
 const BEYOND: f64 = 1e-5;
 
@@ -36,32 +36,42 @@ pub(super) struct Search<'s, 'a> {
     from: Step,
     /// Metres that a degree moves the farthest point of its footprint.
     per_degree: f64,
+    /// How hard it is to move: 1 for what is small, up to 2 for what is large.
+    weight: f64,
     /// What must not be exceeded, in [`Stage::work`].
     limit: usize,
+    /// Whether asking whether the goal holds is dear.
+    dear: bool,
 }
 
 impl<'s, 'a> Search<'s, 'a> {
     pub fn new(stage: &'s mut Stage<'a>, goal: Goal, from: Step, limit: usize) -> Option<Self> {
         let half = stage.layout().object(from.object).ok()?.body.obb.half;
         let per_degree = half.x.hypot(half.z).max(0.1).to_radians();
-        Some(Self { stage, goal, object: from.object, from, per_degree, limit })
+        let volume = 8.0 * half.x * half.y * half.z;
+        let weight = 1.0 + volume / (1.0 + volume);
+        let dear = stage.cost(goal) > DEAR;
+        Some(Self { stage, goal, object: from.object, from, per_degree, weight, limit, dear })
     }
 
-    /// How far the farthest point of the object travels at most (metres).
+    /// How far the farthest point of the object travels at most (metres); of what is large it counts up to twice, since
+    /// one would rather move the nightstand than the bed.
     pub fn cost(&self, step: &Step) -> f64 {
         let [x, y, z] = step.by;
-        x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree
+        (x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree) * self.weight
     }
 
     /// All that was found, rounded to what can be said; the smallest first.
     pub fn run(mut self, freedom: Freedom) -> Vec<(f64, Step)> {
-        let masks: &[[bool; 4]] = match (freedom.pos, freedom.turn) {
-            (true, true) => {
-                &[[true, false, true, false], [true, true, true, false], [false, false, false, true], [true; 4]]
-            }
-            (true, false) => &[[true, false, true, false], [true, true, true, false]],
-            (false, true) => &[[false, false, false, true]],
-            (false, false) => &[],
+        const PLANE: [bool; 4] = [true, false, true, false];
+        const SPACE: [bool; 4] = [true, true, true, false];
+        const TURN: [bool; 4] = [false, false, false, true];
+        let masks: &[[bool; 4]] = match (freedom.pos, freedom.turn, self.dear) {
+            (true, _, true) => &[PLANE],
+            (true, true, false) => &[PLANE, SPACE, TURN, [true; 4]],
+            (true, false, false) => &[PLANE, SPACE],
+            (false, true, _) => &[TURN],
+            (false, false, _) => &[],
         };
         let mut found: Vec<Move> = Vec::new();
         for mask in masks {
@@ -77,13 +87,17 @@ impl<'s, 'a> Search<'s, 'a> {
                 }
             }
             lines.extend(self.own_axes());
+            // On the floor nobody walks higher or lower.
+            lines.retain(|line| line[1] == 0.0 || !self.dear);
         }
         for line in lines {
             found.extend(self.along(line));
         }
-        if freedom.turn {
+        if freedom.turn && !self.dear {
             found.extend([90.0, -90.0, 180.0].map(|turn| [0.0, 0.0, 0.0, turn]).into_iter().filter(|m| self.holds(m)));
         }
+        // What was found is put into words even if nothing more may be looked for.
+        self.limit += if self.dear { 24 * self.stage.cost(self.goal) } else { 0 };
         let tidy: Vec<Move> = found.into_iter().map(|m| self.tidied(m)).collect();
         let mut out: Vec<(f64, Step)> = Vec::new();
         for step in tidy.iter().map(|m| self.step(m)) {
@@ -98,6 +112,11 @@ impl<'s, 'a> Search<'s, 'a> {
     fn step(&self, m: &Move) -> Step {
         let by = std::array::from_fn(|i| self.from.by[i] + m[i]);
         Step { object: self.object, by, turn: self.from.turn + m[3], with: None }
+    }
+
+    /// So often a length is halved: to the tenth of a millimetre or, where that is dear, to some centimetres.
+    fn halvings(&self) -> usize {
+        if self.dear { 5 } else { 14 }
     }
 
     fn spent(&self) -> bool {
@@ -139,7 +158,7 @@ impl<'s, 'a> Search<'s, 'a> {
             blind *= 2.0;
             let far = far.min(STRIDE.max(blind / 4.0)) / square.sqrt();
             at = std::array::from_fn(|i| at[i] + way[i] * far / unit[i]);
-            if at[..3].iter().any(|c| c.abs() > 2.0 * LINE.2) || at[3].abs() > 360.0 {
+            if at[..3].iter().any(|c| c.abs() > FARTHEST) || at[3].abs() > 360.0 {
                 return None;
             }
         }
@@ -149,14 +168,15 @@ impl<'s, 'a> Search<'s, 'a> {
     /// The first place along a line where the goal holds.
     fn along(&mut self, line: Move) -> Option<Move> {
         let at = |t: f64| line.map(|c| c * t);
-        let (mut low, mut high) = (0.0, LINE.0);
+        let (first, factor) = if self.dear { (0.1, 2.0) } else { (0.02, 1.5) };
+        let (mut low, mut high) = (0.0, first);
         while !self.holds(&at(high)) {
-            (low, high) = (high, high * LINE.1);
-            if high > LINE.2 || self.spent() {
+            (low, high) = (high, high * factor);
+            if high > FARTHEST || self.spent() {
                 return None;
             }
         }
-        for _ in 0..HALVINGS {
+        for _ in 0..self.halvings() {
             let middle = (low + high) / 2.0;
             if self.holds(&at(middle)) {
                 high = middle;
@@ -182,7 +202,7 @@ impl<'s, 'a> Search<'s, 'a> {
     fn shortened(&mut self, whole: Move) -> Move {
         let at = |t: f64| whole.map(|c| c * t);
         let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
+        for _ in 0..self.halvings() {
             let middle = (low + high) / 2.0;
             if self.holds(&at(middle)) {
                 high = middle;

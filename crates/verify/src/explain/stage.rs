@@ -151,7 +151,8 @@ impl<'a> Stage<'a> {
         Some(found?.margin.slope)
     }
 
-    fn cost(&self, goal: Goal) -> usize {
+    /// What judging a goal costs, in small comparisons.
+    pub fn cost(&self, goal: Goal) -> usize {
         match goal {
             Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
                 self.index.cost(index)
@@ -274,6 +275,9 @@ impl<'a> Stage<'a> {
                 _ => {}
             }
         }
+        let order = |row: &RowRef| (row.kind == Kind::Prefer, *row);
+        out.breaks.sort_by_key(order);
+        out.mends.sort_by_key(order);
         out.falls.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         out
     }

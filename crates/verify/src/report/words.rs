@@ -68,10 +68,9 @@ impl<'a> Words<'a> {
 
     /// What a move does to the rest.
     fn effect(&self, mend: &Mend, row: &Judged, name: &dyn Fn(&RowRef) -> String) -> String {
-        let stated = |kind: Kind| matches!(kind, Kind::Assert | Kind::Pin);
         let rows = self.checked.verdict.rows.iter();
-        let held = rows.filter(|other| stated(other.kind) && other.satisfied == Some(true)).count();
-        let broken = mend.breaks.iter().filter(|other| stated(other.kind)).count();
+        let held = rows.filter(|other| other.kind == Kind::Assert && other.satisfied == Some(true)).count();
+        let broken = mend.breaks.iter().filter(|other| other.kind == Kind::Assert).count();
         let list = |rows: &[RowRef]| {
             const MOST: usize = 3;
             let mut names: Vec<String> = rows.iter().take(MOST).map(name).collect();
@@ -86,8 +85,11 @@ impl<'a> Words<'a> {
         };
         let mut parts = Vec::new();
         if held > 0 {
-            let what = if row.kind.rule().is_some() { "assertions" } else { "other assertions" };
+            let what = if row.kind == Kind::Assert { "other assertions" } else { "assertions" };
             parts.push(format!("{} of {held} {what} still hold", held - broken));
+        }
+        if held == 0 && mend.breaks.is_empty() {
+            parts.push("nothing else breaks".to_owned());
         }
         if !mend.breaks.is_empty() {
             parts.push(format!("it breaks {}", list(&mend.breaks)));
@@ -95,6 +97,6 @@ impl<'a> Words<'a> {
         if !mend.mends.is_empty() {
             parts.push(format!("it also mends {}", list(&mend.mends)));
         }
-        if parts.is_empty() { String::new() } else { format!(": {}", parts.join("; ")) }
+        format!(": {}", parts.join("; "))
     }
 }
