@@ -1,7 +1,6 @@
 //! Options of the command line.
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
-use scenelang_verify::Explain;
 use std::path::PathBuf;
 
 /// Scenes as programs: check, solve and build 3D scenes from their requirements.
@@ -46,7 +45,7 @@ pub struct Check {
     pub all: bool,
     /// How many violations are explained in full, with the smallest move that mends them
     #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
-    pub explain: Explain,
+    pub explain: scenelang_verify::Explain,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,
@@ -56,7 +55,8 @@ pub struct Check {
 }
 
 /// `--explain`
-fn explain(text: &str) -> Result<Explain, String> {
+fn explain(text: &str) -> Result<scenelang_verify::Explain, String> {
+    use scenelang_verify::Explain;
     match text {
         "all" => Ok(Explain::All),
         "none" => Ok(Explain::First(0)),

@@ -184,7 +184,8 @@ impl Mender<'_, '_> {
             if i > 0 && self.stage.work >= self.limit {
                 break;
             }
-            for judged in self.judged(steps, cost, step, goal) {
+            let most = best.as_ref().map(|b| b.does.harm());
+            for judged in self.judged(steps, cost, step, goal, most) {
                 if best.as_ref().is_none_or(|b| judged.better_than(b)) {
                     best = Some(judged);
                 }
@@ -197,19 +198,27 @@ impl Mender<'_, '_> {
     }
 
     /// A step by itself and, if that leaves something without support, with what it carries.
-    fn judged(&mut self, steps: &[Step], cost: f64, step: Step, goal: Goal) -> Vec<Judged> {
+    fn judged(
+        &mut self,
+        steps: &[Step],
+        cost: f64,
+        step: Step,
+        goal: Goal,
+        most: Option<(usize, usize)>,
+    ) -> Vec<Judged> {
         let mut all: Vec<Step> = steps.iter().filter(|s| s.object != step.object).cloned().collect();
         all.push(step.clone());
-        let mut out: Vec<Judged> = self.consequences(all.clone(), cost, goal).into_iter().collect();
-        let drops = out.iter().any(|j| j.does.breaks.iter().any(|row| row.kind == Kind::Support));
-        if drops {
-            let carried = self.stage.carried_by(step.object);
+        let carried = self.stage.carried_by(step.object);
+        // With something on it, the harm of moving it alone says little.
+        let first = most.filter(|_| carried.is_empty());
+        let mut out: Vec<Judged> = self.consequences(all.clone(), cost, goal, first).into_iter().collect();
+        if !carried.is_empty() {
             let along = carried.into_iter().filter(|id| self.stage.pins(*id, self.row)[0].is_none());
             let along: Vec<Step> = along.filter_map(|id| self.along(&step, id)).collect();
             if !along.is_empty() {
                 all.retain(|s| along.iter().all(|a| a.object != s.object));
                 all.extend(along);
-                out.extend(self.consequences(all, cost, goal));
+                out.extend(self.consequences(all, cost, goal, most));
             }
         }
         if steps.is_empty() && goal == Goal::Row(self.row) {
@@ -233,14 +242,20 @@ impl Mender<'_, '_> {
         Some(Step { object, by, turn: leader.turn, with: Some(leader.object) })
     }
 
-    /// What steps do, if the goal holds after them.
-    fn consequences(&mut self, steps: Vec<Step>, cost: f64, goal: Goal) -> Option<Judged> {
+    /// What steps do, if the goal holds after them and the harm is no more than `most`.
+    fn consequences(
+        &mut self,
+        steps: Vec<Step>,
+        cost: f64,
+        goal: Goal,
+        most: Option<(usize, usize)>,
+    ) -> Option<Judged> {
         self.stage.set(&steps);
         if !self.stage.truth(goal)?.holds {
             return None;
         }
         let moved: Vec<ObjectId> = steps.iter().map(|s| s.object).collect();
-        let does = self.stage.consequences(&moved);
+        let does = self.stage.consequences(&moved, most)?;
         Some(Judged { cost, steps, does })
     }
 }

@@ -251,10 +251,14 @@ impl<'a> Stage<'a> {
         found.split_off(1)
     }
 
-    /// What the moves on the stage do to all rows that they touch, these objects being the ones moved.
-    pub fn consequences(&mut self, moved: &[ObjectId]) -> Consequences {
+    /// What the moves on the stage do to all rows that they touch, these objects being the ones moved; `None` as soon as
+    /// the harm is more than `most`.
+    pub fn consequences(&mut self, moved: &[ObjectId], most: Option<(usize, usize)>) -> Option<Consequences> {
         let mut out = Consequences::default();
         for row in self.touched(moved) {
+            if most.is_some_and(|most| out.harm() > most) {
+                return None;
+            }
             let before = match self.before.get(&row) {
                 Some(known) => *known,
                 None => {
@@ -279,7 +283,7 @@ impl<'a> Stage<'a> {
         out.breaks.sort_by_key(order);
         out.mends.sort_by_key(order);
         out.falls.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        out
+        Some(out)
     }
 
     /// The rows that moving these objects can change: cheap ones first.

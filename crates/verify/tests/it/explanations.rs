@@ -95,7 +95,7 @@ fn moves_in_random_rooms_do_what_they_say() {
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
     let (mut offered, mut failed) = (0, 0);
-    for _ in 0..24 {
+    for _ in 0..8 {
         let mut text = "region room 0 0 0 | 5 2.6 4\n".to_owned();
         let mut object = |name: &str, y: f64, size: [f64; 3]| {
             let (x, z) = (4.4 * unit() - 2.2, 3.4 * unit() - 1.7);
@@ -121,7 +121,7 @@ fn moves_in_random_rooms_do_what_they_say() {
         // The same again, word for word.
         assert_eq!(judged(ROOM, &layout, &options).report, report);
     }
-    assert!(failed > 100 && offered * 10 > failed * 8, "{offered} of {failed}");
+    assert!(failed > 40 && offered * 10 > failed * 8, "{offered} of {failed}");
 }
 
 #[test]
