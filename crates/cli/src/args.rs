@@ -56,6 +56,9 @@ pub struct Check {
     /// List physical rules that hold, too
     #[arg(long)]
     pub all: bool,
+    /// How many violations are explained in full, with the smallest move that mends them
+    #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
+    pub explain: scenelang_verify::Explain,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,
@@ -71,6 +74,16 @@ pub struct Check {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `--explain`
+fn explain(text: &str) -> Result<scenelang_verify::Explain, String> {
+    use scenelang_verify::Explain;
+    match text {
+        "all" => Ok(Explain::All),
+        "none" => Ok(Explain::First(0)),
+        number => number.parse().map(Explain::First).map_err(|_| "it is all, none or a number".to_owned()),
+    }
 }
 
 /// How a layout is judged. What is not given here comes from `scenelang.toml`.

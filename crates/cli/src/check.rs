@@ -34,7 +34,12 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     };
     let look = Human { color: color(), all: args.all };
     // People read what fails; machines all there is.
-    let listing = Options { all: args.all, sentences: args.all || args.format != Format::Human, ..Options::default() };
+    let listing = Options {
+        all: args.all,
+        sentences: args.all || args.format != Format::Human,
+        explain: args.explain,
+        ..Options::default()
+    };
     let work = |target: &Target| judge(target, &args.judging, &listing, args.core, loader);
     parallel::in_order(&targets, jobs, work, |mut checked| {
         match fixed.next() {
@@ -73,7 +78,9 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
 pub fn judge(target: &Target, judging: &Judging, listing: &Options, core: bool, loader: &dyn Loader) -> Checked {
     let (path, name) = (target.path(), target.path().display().to_string());
     let (options, allowed) = match settings::options(judging, path, loader) {
-        Ok((options, allowed)) => (Options { all: listing.all, sentences: listing.sentences, ..options }, allowed),
+        Ok((options, allowed)) => {
+            (Options { all: listing.all, sentences: listing.sentences, explain: listing.explain, ..options }, allowed)
+        }
         Err(settings::Refused { sources, diagnostics }) => {
             return Checked::refused(&name, sources, diagnostics, &Options::default());
         }

@@ -8,6 +8,7 @@
 pub mod check;
 pub mod compare;
 pub mod eval;
+pub mod explain;
 mod natives;
 mod navigation;
 pub mod number;
@@ -21,6 +22,7 @@ mod world;
 
 pub use check::{Checked, Verdict, check, check_file, check_file_with, check_layout_text, program_of};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
+pub use explain::Explain;
 pub use natives::{gap, in_region};
 pub use number::{Dual, Number};
 pub use report::{Report, exit_code};

@@ -1,5 +1,6 @@
 //! Tolerances, all in one place, and the options of a check.
 
+use crate::explain::Explain;
 use scenelang_layout::convex::Geometry;
 use serde::{Deserialize, Serialize};
 
@@ -66,6 +67,8 @@ pub struct Options {
     pub all: bool,
     /// Whether rows that hold say what was measured, too: a sentence takes longer than the verdict.
     pub sentences: bool,
+    /// How many violations are explained in full.
+    pub explain: Explain,
 }
 
 impl Default for Options {
@@ -77,6 +80,7 @@ impl Default for Options {
             physics: true,
             all: false,
             sentences: true,
+            explain: Explain::default(),
         }
     }
 }

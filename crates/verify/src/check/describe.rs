@@ -1,6 +1,7 @@
 //! Formulas and measurements in words: what was compared, and what was found.
 
 use crate::eval::{Scratch, Value};
+use crate::explain;
 use crate::natives::{self, Call};
 use crate::world::World;
 use scenelang_base::Label;
@@ -65,21 +66,12 @@ pub(super) fn measured(
     }
 }
 
-/// Where an object is and how large.
-pub(super) fn position(world: &World<f64>, object: ObjectId) -> Option<String> {
-    let thing = world.object(object).ok()?;
-    let (pos, rot, size) = (thing.pos.value(), thing.rot.value(), thing.scale.value());
-    let turned =
-        if rot.iter().all(|r| r % 360.0 == 0.0) { String::new() } else { format!(", turned {}°", triple(&rot)) };
-    Some(format!("at {}{turned}, {:.2} × {:.2} × {:.2} m", triple(&pos), size.x, size.y, size.z))
-}
-
 /// Declarations of objects, with where these are.
 pub(super) fn declarations(program: &Program, world: &World<f64>, objects: &[ObjectId]) -> Vec<Label> {
     const MOST: usize = 4;
     let label = |&id: &ObjectId| {
         let object = &program.objects[id.0 as usize];
-        Some(Label { place: object.span, message: format!("`{}` is {}", object.name, position(world, id)?) })
+        Some(Label { place: object.span, message: explain::Place::of(program, world, id)?.text })
     };
     objects.iter().take(MOST).filter_map(label).collect()
 }

@@ -12,10 +12,11 @@ pub(crate) use describe::number as measure_in_words;
 pub use file::{Checked, check_file, check_file_with, check_layout_text, program_of};
 
 use crate::eval::Cause;
+use crate::explain::{self, Explanation};
 use crate::report::model::{Kind, Summary};
 use crate::tolerances::Options;
 use crate::world::World;
-use scenelang_base::{Diagnostic, Label, Span};
+use scenelang_base::{Code, Diagnostic, Label, Span};
 use scenelang_lang::program::{DrawId, ObjectId, Program, Unit, VariableId};
 use scenelang_layout::{Layout, Places};
 
@@ -31,7 +32,7 @@ pub struct Verdict {
 }
 
 /// What a row is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Subject {
     /// A statement: an index into [`Program::constraints`].
     Statement(usize),
@@ -66,6 +67,10 @@ pub struct Judged {
     pub weight: Option<f64>,
     /// `@req` sentences.
     pub requirements: Vec<String>,
+    /// What a violation of it is called.
+    pub code: Code,
+    /// Why it fails, where it does.
+    pub explanation: Option<Box<Explanation>>,
 }
 
 impl Judged {
@@ -110,6 +115,7 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
     verdict.diagnostics.append(&mut physical.diagnostics);
+    explain::complete(program, &world, &mut verdict, options.explain);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     verdict
 }

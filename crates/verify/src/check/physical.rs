@@ -5,6 +5,7 @@
 use super::describe::{declarations, number};
 use super::{Judged, Subject, Verdict};
 use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
+use crate::explain::{self, Explanation};
 use crate::natives;
 use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
@@ -91,6 +92,10 @@ impl Rows<'_> {
         let place = self.program.objects[objects[0].0 as usize].span;
         let margin = outcome.filter(|t| t.margin.is_finite()).map(|t| (t.margin, t.unit));
         let requirements = Vec::new();
+        let explanation = outcome.filter(|_| fails).map(|truth| {
+            let measured = explain::of_rule(self.world, kind, subject, truth.margin);
+            Box::new(Explanation { measured, ..Explanation::default() })
+        });
         self.verdict.rows.push(Judged {
             kind,
             subject,
@@ -103,6 +108,8 @@ impl Rows<'_> {
             related,
             weight: None,
             requirements,
+            code: kind.code(),
+            explanation,
         });
     }
 }

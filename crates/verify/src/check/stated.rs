@@ -3,11 +3,12 @@
 use super::describe::{declarations, measured};
 use super::{Judged, Subject, Verdict};
 use crate::eval::{Cause, EvalError, Scratch, Value, objects_of};
+use crate::explain::{self, Explanation};
 use crate::report::model::Kind;
 use crate::world::World;
 use rustc_hash::FxHashSet;
-use scenelang_base::{Diagnostic, Span};
-use scenelang_lang::program::{Constraint, ConstraintKind, NodeId, ObjectId, Program};
+use scenelang_base::{Diagnostic, Span, codes};
+use scenelang_lang::program::{Constraint, ConstraintKind, Native, Node, NodeId, ObjectId, Program};
 
 /// So many findings are listed; the rows say the rest.
 const MOST: usize = 100;
@@ -33,6 +34,8 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
             related: Vec::new(),
             weight,
             requirements: constraint.requirements.clone(),
+            code: kind.code(),
+            explanation: None,
         };
         match scratch.evaluate(&constraint.formula, world) {
             Ok(Value::Truth(truth)) => {
@@ -45,6 +48,13 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
                 }
                 if !truth.holds {
                     row.related = declarations(program, world, &row.objects);
+                    let measured = explain::of_statement(world, &constraint.formula, &scratch, deciding);
+                    row.explanation = Some(Box::new(Explanation { measured, ..Explanation::default() }));
+                    // What is wrong is called the same whether a rule or a statement forbids it.
+                    let collide = matches!(constraint.formula.node(deciding), Node::Native(Native::Collides, _));
+                    if collide && kind == Kind::Assert && truth_of(&scratch, deciding) {
+                        row.code = codes::V0102;
+                    }
                 }
             }
             Ok(other) => unreachable!("a constraint that is no truth: {other:?}"),
@@ -65,6 +75,11 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
         }
         verdict.rows.push(row);
     }
+}
+
+/// Whether a part of the formula held when it was last evaluated.
+fn truth_of(scratch: &Scratch<f64>, node: NodeId) -> bool {
+    matches!(scratch.get(node), Ok(Value::Truth(truth)) if truth.holds)
 }
 
 /// Objects that a part of the formula speaks of; if it speaks of none, those of the whole.

@@ -76,7 +76,12 @@ impl<N: Number> Scratch<N> {
 
     /// The part of the formula that decided its margin, as last evaluated: a comparison, a predicate, a fact.
     pub fn deciding(&self, formula: &Formula) -> NodeId {
-        let mut at = formula.root;
+        self.deciding_from(formula, formula.root)
+    }
+
+    /// The same of a part of the formula.
+    pub fn deciding_from(&self, formula: &Formula, part: NodeId) -> NodeId {
+        let mut at = part;
         while let Some(child) = connective::deciding_child(formula.node(at), at, &self.values) {
             at = child;
         }

@@ -71,6 +71,12 @@ impl Predicate for Clear {
         let region = &names.regions[region.0 as usize].name;
         (left < -contact).then(|| format!("that space beside `{name}` leaves `{region}` by {}", metres(-left)))
     }
+
+    fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
+        let (Ok((id, thing)), Ok(depth)) = (call.object(0), call.number(2)) else { return Vec::new() };
+        let space = space(&thing.body, call.side(1), depth);
+        space.and_then(|space| nearest_body(call.world, &space, id)).map(|(id, _)| id).into_iter().collect()
+    }
 }
 
 /// The space on a side, as a convex body; `None`: nothing is left of it.

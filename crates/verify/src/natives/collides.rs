@@ -25,6 +25,11 @@ impl Predicate for Collides {
         let [a, b] = [a, b].map(|id| &names.objects[id.0 as usize].name);
         Some(in_words(a, b, gap(x, y)))
     }
+
+    fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
+        let gap = gap(call.object(0).ok()?.1, call.object(1).ok()?.1);
+        Some((gap, -call.world.options.tolerances.contact))
+    }
 }
 
 /// A gap in words.

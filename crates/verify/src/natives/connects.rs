@@ -38,6 +38,11 @@ impl Predicate for Connects {
             .max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(format!("`{name}` is up to {} off the wall of `{}`", metres(far.0), names.regions[far.1.0 as usize].name))
     }
+
+    fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
+        let slack = call.world.options.tolerances.door;
+        Some((Self::truth(call).ok()?.margin - slack, -slack))
+    }
 }
 
 /// How far the centre and the ends of a door's width are from the edges of a region, at most.

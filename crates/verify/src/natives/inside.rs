@@ -85,7 +85,7 @@ pub(super) fn clearance_in_region<N: Number>(thing: &Thing<N>, room: &Room<N>) -
 }
 
 /// The point of the edges of a box that is over (or under) a point of the outline of its footprint.
-fn over(obb: &Obb, at: Vec2) -> Vec3 {
+pub(super) fn over(obb: &Obb, at: Vec2) -> Vec3 {
     let flat = |p: Vec3| Vec2::new(p.x, p.z);
     let on = |[p, q]: [Vec3; 2]| {
         let (a, b) = (flat(p), flat(q));

@@ -92,6 +92,16 @@ pub(crate) trait Predicate {
     fn explain(_call: &Call<'_, f64>, _names: &Program) -> Option<String> {
         None
     }
+    /// What was measured, and what it may be at worst (metres).
+    fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
+        let contact = call.world.options.tolerances.contact;
+        let margin = Self::truth(call).ok()?.margin;
+        margin.is_finite().then_some((margin - contact, -contact))
+    }
+    /// Objects, beside its arguments, that decide.
+    fn in_the_way(_call: &Call<'_, f64>) -> Vec<ObjectId> {
+        Vec::new()
+    }
 }
 
 /// A built-in measure: a number in metres.
@@ -112,6 +122,18 @@ macro_rules! table {
         pub(crate) fn explain(native: Native, call: &Call<'_, f64>, names: &Program) -> Option<String> {
             match native {
                 $(Native::$native => $file::$predicate::explain(call, names),)*
+            }
+        }
+        /// What a predicate measured, and what that may be at worst (metres).
+        pub(crate) fn measured(native: Native, call: &Call<'_, f64>) -> Option<(f64, f64)> {
+            match native {
+                $(Native::$native => $file::$predicate::measured(call),)*
+            }
+        }
+        /// Objects, beside the arguments of a predicate, that decide.
+        pub(crate) fn in_the_way(native: Native, call: &Call<'_, f64>) -> Vec<ObjectId> {
+            match native {
+                $(Native::$native => $file::$predicate::in_the_way(call),)*
             }
         }
         /// The value of a measure.

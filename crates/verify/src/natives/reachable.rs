@@ -1,23 +1,117 @@
 //! `reachable(Object, Object, width)`: a disc of that diameter can move on the floor from one to the other.
 //! `walkDistance(Object, Object)`: how far a person walks; infinite where there is no way.
+//!
+//! Neither has a margin of its own where there is no way. What moves is known all the same: the gap at the bottleneck,
+//! and the ends and bends of the way.
 
-use super::{Call, Measuring, Predicate};
+use super::inside::over;
+use super::{Call, Measuring, Predicate, metres};
 use crate::eval::{EvalError, Truth};
-use crate::navigation;
+use crate::navigation::{self, Blocker, Bottleneck, Path};
 use crate::number::Number;
+use crate::world::{Thing, World};
+use scenelang_lang::program::{ObjectId, Program};
+use scenelang_layout::{Vec2, Vec3};
 
 /// See the file.
 pub(super) struct Reachable;
 
 impl Predicate for Reachable {
     fn truth<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
-        let ((_, a), (_, b)) = (call.object(0)?, call.object(1)?);
-        let width = call.number(2)?.value();
-        let holds = navigation::reachable(call.world, &a.body.obb, &b.body.obb, width);
+        let ((from, a), (to, b)) = (call.object(0)?, call.object(1)?);
+        let width = call.number(2)?;
+        let holds = navigation::reachable(call.world, &a.body.obb, &b.body.obb, width.value());
         // What is missing could stand in the way, or be the way.
         let missing = if holds { call.world.missing_object() } else { call.world.missing_region() };
-        missing.map_or(Ok(Truth::discrete(holds)), |cause| Err(call.fail(cause)))
+        if let Some(cause) = missing {
+            return Err(call.fail(cause));
+        }
+        let truth = Truth::discrete(holds);
+        if holds {
+            return Ok(truth);
+        }
+        let margin = N::measured(f64::NEG_INFINITY, || {
+            let bottleneck = navigation::bottleneck(call.world, from, to, width.value());
+            bottleneck.map_or(N::constant(0.0), |found| widening(call.world, &found) - width)
+        });
+        Ok(Truth { margin, ..truth })
     }
+
+    fn explain(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+        let ((from, a), (to, b)) = (call.object(0).ok()?, call.object(1).ok()?);
+        let width = call.number(2).ok()?;
+        if navigation::reachable(call.world, &a.body.obb, &b.body.obb, width) {
+            return None;
+        }
+        let [a, b] = [from, to].map(|id| names.objects[id.0 as usize].name.as_str());
+        Some(match navigation::bottleneck(call.world, from, to, width) {
+            Some(bottleneck) => in_words(&bottleneck, [a, b], width, names),
+            None => format!("no way of any width leads from `{a}` to `{b}`"),
+        })
+    }
+
+    fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
+        let (from, to, width) = (call.object(0).ok()?.0, call.object(1).ok()?.0, call.number(2).ok()?);
+        if Self::truth(call).ok()?.holds {
+            return None;
+        }
+        Some((navigation::bottleneck(call.world, from, to, width).map_or(0.0, |found| found.width), width))
+    }
+
+    fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
+        let (Ok((from, _)), Ok((to, _)), Ok(width)) = (call.object(0), call.object(1), call.number(2)) else {
+            return Vec::new();
+        };
+        let found = navigation::bottleneck(call.world, from, to, width);
+        let object = |blocker: Blocker| match blocker {
+            Blocker::Object(id) => Some(id),
+            Blocker::Wall(_) | Blocker::Door(_) | Blocker::Edge => None,
+        };
+        found.into_iter().flat_map(|found| found.between).filter_map(object).collect()
+    }
+}
+
+/// What keeps a disc of some width from getting from one object to the other, in words.
+pub(crate) fn in_words(found: &Bottleneck, ends: [&str; 2], width: f64, names: &Program) -> String {
+    let (wide, short) = (metres(found.width), metres(width - found.width));
+    let name = |blocker: &Blocker| match blocker {
+        Blocker::Object(id) => format!("`{}`", names.objects[id.0 as usize].name),
+        Blocker::Wall(id) => format!("the wall of `{}`", names.regions[id.0 as usize].name),
+        Blocker::Door(id) => format!("the frame of `{}`", names.objects[id.0 as usize].name),
+        Blocker::Edge => "the edge of the floor".to_owned(),
+    };
+    match (found.between, found.end) {
+        ([a, b], Some(end)) => {
+            let between = if a == b { name(&a) } else { format!("{} and {}", name(&a), name(&b)) };
+            format!("beside `{}` a way is {wide} wide at most, {short} short, because of {between}", ends[end])
+        }
+        ([Blocker::Door(door), Blocker::Door(_)], _) => {
+            format!("the doorway `{}` is {wide} wide, {short} short", names.objects[door.0 as usize].name)
+        }
+        ([Blocker::Wall(a), Blocker::Wall(b)], _) if a == b => {
+            format!(
+                "the passage between the walls of `{}` is {wide} wide, {short} short",
+                names.regions[a.0 as usize].name
+            )
+        }
+        ([a, b], _) => format!("the passage between {} and {} is {wide} wide, {short} short", name(&a), name(&b)),
+    }
+}
+
+/// How the gap at a bottleneck grows as its objects move; walls stay where they are.
+fn widening<N: Number>(world: &World<N>, found: &Bottleneck) -> N {
+    let [p, q] = found.at;
+    let Some(way) = (q - p).try_normalize(1e-12) else { return N::constant(0.0) };
+    let along = |i: usize| match found.between[i] {
+        Blocker::Object(id) => world.object(id).map_or(N::constant(0.0), |thing| moving(thing, found.at[i], way)),
+        Blocker::Wall(_) | Blocker::Door(_) | Blocker::Edge => N::constant(0.0),
+    };
+    along(1) - along(0)
+}
+
+/// How a point of the footprint of a box moves along a direction in the plane, with the box.
+fn moving<N: Number>(thing: &Thing<N>, at: Vec2, way: Vec2) -> N {
+    thing.attached_to_box(&over(&thing.body.obb, at)).along(&Vec3::new(way.x, 0.0, way.y))
 }
 
 /// See the file.
@@ -29,7 +123,23 @@ impl Measuring for WalkDistance {
         if let Some(cause) = call.world.missing_object().or(call.world.missing_region()) {
             return Err(call.fail(cause));
         }
-        let length = navigation::walk(call.world, &a.body.obb, &b.body.obb);
-        Ok(N::measured(length, || N::constant(0.0)))
+        let path = navigation::walk(call.world, &a.body.obb, &b.body.obb);
+        let length = path.as_ref().map_or(f64::INFINITY, |path| path.length);
+        Ok(N::measured(length, || path.map_or(N::constant(0.0), |path| lengthening(call.world, [a, b], &path))))
     }
+}
+
+/// How the length of a way grows as its ends move, and the objects round which it bends.
+fn lengthening<N: Number>(world: &World<N>, [a, b]: [&Thing<N>; 2], path: &Path) -> N {
+    let step = |i: usize| (path.points[i + 1] - path.points[i]).try_normalize(1e-12).unwrap_or_default();
+    let Some(last) = path.points.len().checked_sub(2) else { return N::constant(0.0) };
+    let mut sum = moving(b, path.points[last + 1], step(last)) - moving(a, path.points[0], step(0));
+    for bend in 1..=last {
+        if let Some((object, at)) = navigation::touched(world, path.points[bend])
+            && let Ok(thing) = world.object(object)
+        {
+            sum = sum + moving(thing, at, step(bend - 1) - step(bend));
+        }
+    }
+    sum
 }

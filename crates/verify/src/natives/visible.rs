@@ -38,6 +38,12 @@ impl Predicate for Visible {
         let hidden = separation.gap + call.world.options.tolerances.contact < 0.0;
         hidden.then(|| format!("`{blocker}` stands between `{a}` and `{b}`"))
     }
+
+    fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
+        let (Ok((a, from)), Ok((b, to))) = (call.object(0), call.object(1)) else { return Vec::new() };
+        let sight = segment(&from.body.obb.center, &to.body.obb.center);
+        nearest_blocker(call.world, &sight, [a, b]).map(|(id, _)| id).into_iter().collect()
+    }
 }
 
 /// What seems free cannot be judged while the layout lacks an object: it could stand in the way.

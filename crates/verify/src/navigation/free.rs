@@ -4,8 +4,56 @@
 //! differences are geo's.
 
 use geo::{BooleanOps, Coord, LineString, MultiPolygon, Polygon, unary_union};
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::convex_hull;
+
+/// Something that blocks the way.
+#[derive(Clone, Debug)]
+pub(super) struct Obstacle {
+    /// The object; `None`: a wall.
+    pub object: Option<ObjectId>,
+    /// Its footprint, a convex polygon; of a wall a segment.
+    pub outline: Vec<Vec2>,
+}
+
+/// The floor and what stands on it, for discs of any width.
+#[derive(Debug)]
+pub(super) struct Ground {
+    whole: MultiPolygon,
+    /// Walls first, then objects.
+    pub obstacles: Vec<Obstacle>,
+}
+
+impl Ground {
+    /// The floor made of `rooms` (simple polygons), with walls around it and objects on it.
+    pub fn new(rooms: impl IntoIterator<Item = Vec<Vec2>>, objects: impl IntoIterator<Item = Obstacle>) -> Self {
+        let rooms: Vec<Polygon> = rooms.into_iter().map(|corners| polygon(&corners)).collect();
+        let whole = unary_union(&rooms);
+        let rings = whole.iter().flat_map(|p| std::iter::once(p.exterior()).chain(p.interiors()));
+        let walls = rings.flat_map(|ring| ring.lines().map(|line| vec![vec(line.start), vec(line.end)]));
+        let walls = walls.map(|outline| Obstacle { object: None, outline });
+        let obstacles = walls.chain(objects).collect();
+        Self { whole, obstacles }
+    }
+
+    /// The open floor, as far as anyone who walks between the things on it with this radius will go.
+    pub fn open(around: &[Vec<Vec2>], objects: impl IntoIterator<Item = Obstacle>, radius: f64) -> Self {
+        let points = || around.iter().flatten();
+        let room = 4.0 * radius + 1.0;
+        let low = points().fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p)) - Vec2::repeat(room);
+        let high = points().fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p)) + Vec2::repeat(room);
+        let whole = polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)]);
+        Self { whole: MultiPolygon(vec![whole]), obstacles: objects.into_iter().collect() }
+    }
+
+    /// Where the centre of a disc is free, with a further obstacle if one is given.
+    pub fn free(&self, radius: f64, corners: usize, further: Option<&[Vec2]>) -> Floor {
+        let outlines = self.obstacles.iter().map(|o| o.outline.as_slice()).chain(further);
+        let blocked: Vec<Polygon> = outlines.map(|outline| grown(outline, radius, corners)).collect();
+        Floor { pieces: self.whole.difference(&unary_union(&blocked)).0 }
+    }
+}
 
 /// Where the centre of a disc may be, as polygons (perhaps with holes) that do not meet.
 #[derive(Debug)]
@@ -14,45 +62,6 @@ pub(super) struct Floor {
 }
 
 impl Floor {
-    /// The floor made of `rooms` (simple polygons), with walls around it and obstacles (convex polygons) on it.
-    pub fn new(
-        rooms: impl IntoIterator<Item = Vec<Vec2>>,
-        obstacles: &[Vec<Vec2>],
-        radius: f64,
-        corners: usize,
-    ) -> Self {
-        let rooms: Vec<Polygon> = rooms.into_iter().map(|corners| polygon(&corners)).collect();
-        let whole = unary_union(&rooms);
-        let mut blocked: Vec<Polygon> = Vec::new();
-        for ring in whole.iter().flat_map(|p| std::iter::once(p.exterior()).chain(p.interiors())) {
-            for line in ring.lines() {
-                blocked.push(grown(&[vec(line.start), vec(line.end)], radius, corners));
-            }
-        }
-        Self::less(&whole, blocked, obstacles, radius, corners)
-    }
-
-    /// The open floor, as far as anyone who walks between the things on it will go.
-    pub fn open(around: &[Vec<Vec2>], obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Self {
-        let points = || around.iter().flatten();
-        let room = 4.0 * radius + 1.0;
-        let low = points().fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p)) - Vec2::repeat(room);
-        let high = points().fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p)) + Vec2::repeat(room);
-        let whole = polygon(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)]);
-        Self::less(&MultiPolygon(vec![whole]), Vec::new(), obstacles, radius, corners)
-    }
-
-    fn less(
-        whole: &MultiPolygon,
-        mut blocked: Vec<Polygon>,
-        obstacles: &[Vec<Vec2>],
-        radius: f64,
-        corners: usize,
-    ) -> Self {
-        blocked.extend(obstacles.iter().map(|footprint| grown(footprint, radius, corners)));
-        Self { pieces: whole.difference(&unary_union(&blocked)).0 }
-    }
-
     /// Where the disc is within `reach` of a footprint, piece by piece.
     pub fn places(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<Places> {
         let near = grown(footprint, reach, corners);
@@ -73,6 +82,10 @@ impl Places {
     /// Whether there is such a place.
     pub fn any(&self) -> bool {
         !self.area.0.is_empty()
+    }
+    /// Some point of them: a corner, where there is any.
+    pub fn some(&self) -> Option<Vec2> {
+        self.area.iter().flat_map(|polygon| polygon.exterior().coords()).next().map(|c| vec(*c))
     }
 }
 

@@ -4,14 +4,19 @@
 //! around the footprints of what reaches into the space above the floor, on one storey. Its centre is therefore free in what remains
 //! after everything that blocks has grown by the radius.
 
+mod bottleneck;
 mod free;
 mod shortest;
+
+pub(crate) use bottleneck::{Blocker, Bottleneck};
+pub(crate) use shortest::Path;
 
 use crate::number::Number;
 use crate::tolerances::Options;
 use crate::world::World;
-use free::{Floor, Places};
+use free::{Floor, Ground, Obstacle, Places};
 use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::planar::{depth_in_convex, nearest_on_segment};
 use scenelang_layout::{Obb, Prism, Vec2, inside_clearance};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -29,9 +34,17 @@ const FINE: usize = 256;
 /// Corners of a full circle where the way is measured: 0.2 mm per turn round a corner.
 const COARSE: usize = 64;
 
-/// Floors of one instance by the disc that walks on them, each made when it is first asked for.
+/// What is known about walking in one instance, each thing found out when it is first asked for.
 #[derive(Debug, Default)]
-pub(crate) struct Walks(Mutex<Vec<(Walk, Arc<Floor>)>>);
+pub(crate) struct Walks(Mutex<Known>);
+
+#[derive(Clone, Debug, Default)]
+struct Known {
+    /// Floors by the disc that walks on them.
+    floors: Vec<(Walk, Arc<Floor>)>,
+    /// What keeps a disc of a radius from getting from one object to another.
+    bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
+}
 
 /// Who walks where.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,30 +64,81 @@ impl Clone for Walks {
 }
 
 impl Walks {
-    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<(Walk, Arc<Floor>)>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Known> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
     fn floor<N: Number>(&self, world: &World<N>, walk: Walk) -> Arc<Floor> {
-        if let Some((_, floor)) = self.lock().iter().find(|(known, _)| *known == walk) {
+        if let Some((_, floor)) = self.lock().floors.iter().find(|(known, _)| *known == walk) {
             return Arc::clone(floor);
         }
-        let floor = Arc::new(make(world, walk));
-        self.lock().push((walk, Arc::clone(&floor)));
+        let ground = ground(world, walk.storey, walk.radius);
+        let floor = Arc::new(ground.free(walk.radius, walk.corners, None));
+        self.lock().floors.push((walk, Arc::clone(&floor)));
         floor
     }
 }
 
+/// The radius of the disc that stands for a width: a hair smaller.
+fn radius_of<N: Number>(world: &World<N>, width: f64) -> f64 {
+    ((width - world.options.tolerances.contact) / 2.0).max(0.0)
+}
+
 /// Whether a disc of the given diameter can move from one object to the other.
 pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f64) -> bool {
-    let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
-    let Some((_, from, to)) = ends(world, a, b, radius, FINE) else { return false };
+    let Some((_, from, to)) = ends(world, a, b, radius_of(world, width), FINE) else { return false };
     from.iter().zip(&to).any(|(x, y)| x.any() && y.any())
 }
 
-/// The length of the shortest way of a person from one object to the other (metres); infinite where there is none.
-pub(crate) fn walk<N: Number>(world: &World<N>, a: &Obb, b: &Obb) -> f64 {
-    let radius = (PERSON - world.options.tolerances.contact) / 2.0;
-    ends(world, a, b, radius, COARSE).map_or(f64::INFINITY, |(floor, from, to)| shortest::between(&floor, &from, &to))
+/// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
+/// of any width, or an object is missing.
+pub(crate) fn bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, width: f64) -> Option<Bottleneck> {
+    let radius = radius_of(world, width);
+    let key = (radius, a, b);
+    if let Some((_, known)) = world.walks.lock().bottlenecks.iter().find(|(k, _)| *k == key) {
+        return known.clone();
+    }
+    let found = (|| {
+        let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
+        let storey = storey(world, from);
+        if storey != self::storey(world, to) {
+            return None;
+        }
+        let ground = ground(world, storey, radius);
+        let found = bottleneck::find(&ground, [&from.footprint(), &to.footprint()], radius)?;
+        let (width, between, at, end) = found;
+        let door = door_at(world, at).filter(|_| between.iter().all(|&i| ground.obstacles[i].object.is_none()));
+        let blocker = |i: usize| match (ground.obstacles[between[i]].object, door) {
+            (Some(object), _) => Blocker::Object(object),
+            (None, Some(door)) => Blocker::Door(door),
+            (None, None) => wall_at(world, at[i]),
+        };
+        Some(Bottleneck { width, between: [blocker(0), blocker(1)], at, end })
+    })();
+    world.walks.lock().bottlenecks.push((key, found.clone()));
+    found
+}
+
+/// The door in whose opening both points are.
+fn door_at<N: Number>(world: &World<N>, at: [Vec2; 2]) -> Option<ObjectId> {
+    let mut doors = world.bodies().filter(|(id, _)| is_door(world, *id));
+    let holds = |obb: &Obb| at.iter().all(|p| depth_in_convex(&opening(obb, &world.options), *p) >= -1e-6);
+    doors.find(|(_, body)| holds(&body.obb)).map(|(id, _)| id)
+}
+
+/// The region whose outline is nearest to a point of a wall.
+fn wall_at<N: Number>(world: &World<N>, at: Vec2) -> Blocker {
+    let distance = |prism: &Prism| {
+        let sides = prism.polygon.edges().map(|(a, b)| (nearest_on_segment(&at, &a, &b) - at).norm());
+        sides.fold(f64::INFINITY, f64::min)
+    };
+    let regions = world.prisms().map(|(id, prism)| (distance(prism), id));
+    regions.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(Blocker::Edge, |(_, id)| Blocker::Wall(id))
+}
+
+/// The shortest way of a person from one object to the other; `None` where there is none.
+pub(crate) fn walk<N: Number>(world: &World<N>, a: &Obb, b: &Obb) -> Option<Path> {
+    let (floor, from, to) = ends(world, a, b, radius_of(world, PERSON), COARSE)?;
+    shortest::between(&floor, &from, &to)
 }
 
 /// The floor of both objects, and where on it the disc is near the one and the other; `None`: on different storeys.
@@ -95,22 +159,40 @@ fn ends<N: Number>(
     Some((floor, from, to))
 }
 
-fn make<N: Number>(world: &World<N>, Walk { radius, corners, storey }: Walk) -> Floor {
-    let is_door = |id: ObjectId| world.allow.doors.iter().any(|door| door.object == id);
+fn is_door<N: Number>(world: &World<N>, id: ObjectId) -> bool {
+    world.allow.doors.iter().any(|door| door.object == id)
+}
+
+/// The ground of a storey, wide enough for discs of up to `radius`.
+fn ground<N: Number>(world: &World<N>, storey: Option<RegionId>, radius: f64) -> Ground {
     let here = |obb: &Obb| self::storey(world, obb) == storey;
     let bodies = || world.bodies().map(|(id, body)| (id, &body.obb)).filter(|(_, obb)| here(obb));
-    let obstacles: Vec<_> = bodies()
-        .filter(|(id, obb)| !is_door(*id) && stands_in_the_way(world, obb))
-        .map(|(_, obb)| obb.footprint())
-        .collect();
+    let obstacles = bodies()
+        .filter(|(id, obb)| !is_door(world, *id) && stands_in_the_way(world, obb))
+        .map(|(id, obb)| Obstacle { object: Some(id), outline: obb.footprint() });
     if storey.is_none() {
         let around: Vec<_> = bodies().map(|(_, obb)| obb.footprint()).collect();
-        return Floor::open(&around, &obstacles, radius, corners);
+        return Ground::open(&around, obstacles, radius);
     }
     let rooms = world.prisms().filter(|(id, _)| storey_of(world, *id) == storey);
     let rooms: Vec<_> = rooms.map(|(_, prism)| prism.polygon.corners().to_vec()).collect();
-    let doors = bodies().filter(|(id, _)| is_door(*id)).map(|(_, obb)| opening(obb, &world.options));
-    Floor::new(rooms.into_iter().chain(doors), &obstacles, radius, corners)
+    let doors = bodies().filter(|(id, _)| is_door(world, *id)).map(|(_, obb)| opening(obb, &world.options));
+    Ground::new(rooms.into_iter().chain(doors), obstacles)
+}
+
+/// The obstacle whose outline a disc of a person touches at a place, with the point of it that is touched.
+pub(crate) fn touched<N: Number>(world: &World<N>, place: Vec2) -> Option<(ObjectId, Vec2)> {
+    let reach = radius_of(world, PERSON) + 1e-6;
+    let bodies = world.bodies().filter(|(id, body)| !is_door(world, *id) && stands_in_the_way(world, &body.obb));
+    let nearest = |obb: &Obb| {
+        let footprint = obb.footprint();
+        let points = scenelang_layout::planar::edges(&footprint).map(|(a, b)| nearest_on_segment(&place, &a, &b));
+        points.min_by(|p, q| (p - place).norm_squared().total_cmp(&(q - place).norm_squared()))
+    };
+    let points = bodies.filter_map(|(id, body)| Some((id, nearest(&body.obb)?)));
+    points
+        .filter(|(_, p)| (p - place).norm() <= reach)
+        .min_by(|a, b| (a.1 - place).norm_squared().total_cmp(&(b.1 - place).norm_squared()))
 }
 
 /// Where a door lets through: its footprint, longer to front and back by the walls and what a door may be off them.
@@ -122,7 +204,7 @@ pub(crate) fn opening(door: &Obb, options: &Options) -> Vec<Vec2> {
 
 /// The region that a box stands in: among those over which its centre is, the one that holds it best or, of several
 /// that hold it, the one whose floor is nearest to its base.
-fn ground<N: Number>(world: &World<N>, obb: &Obb) -> Option<(RegionId, f64)> {
+fn standing_in<N: Number>(world: &World<N>, obb: &Obb) -> Option<(RegionId, f64)> {
     let base = obb.aabb().min.y;
     let center = Vec2::new(obb.center.x, obb.center.z);
     let fit = |prism: &Prism| (inside_clearance(obb, prism).least() + world.options.tolerances.contact).min(0.0);
@@ -137,7 +219,7 @@ fn ground<N: Number>(world: &World<N>, obb: &Obb) -> Option<(RegionId, f64)> {
 /// Whether a box reaches into the space above the floor that it stands on.
 fn stands_in_the_way<N: Number>(world: &World<N>, obb: &Obb) -> bool {
     let span = obb.aabb();
-    let floor = ground(world, obb).map_or(0.0, |(_, floor)| floor);
+    let floor = standing_in(world, obb).map_or(0.0, |(_, floor)| floor);
     span.min.y < floor + HEAD && span.max.y > floor + STEP
 }
 
@@ -148,7 +230,7 @@ fn storey<N: Number>(world: &World<N>, obb: &Obb) -> Option<RegionId> {
         let fit = |prism: &Prism| inside_clearance(obb, prism).least();
         world.prisms().map(|(id, prism)| (fit(prism), id)).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, id)| id)
     };
-    storey_of(world, ground(world, obb).map(|(id, _)| id).or_else(best)?)
+    storey_of(world, standing_in(world, obb).map(|(id, _)| id).or_else(best)?)
 }
 
 /// Regions share a storey when their heights overlap, or when a third one's do with both.

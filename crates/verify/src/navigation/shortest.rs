@@ -13,17 +13,28 @@ use std::collections::BinaryHeap;
 /// Corners and crossings nearer than this are one (metres).
 const TOUCHING: f64 = 1e-7;
 
-/// The length of the shortest way between places, given piece by piece of the floor; infinite where there is none.
-pub(super) fn between(floor: &Floor, from: &[Places], to: &[Places]) -> f64 {
+/// A way: where it starts, where it bends, where it ends. One without points stays where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Path {
+    /// Metres.
+    pub length: f64,
+    /// World x, z.
+    pub points: Vec<Vec2>,
+}
+
+/// The shortest way between places, given piece by piece of the floor; `None` where there is none.
+pub(super) fn between(floor: &Floor, from: &[Places], to: &[Places]) -> Option<Path> {
     let pieces = floor.pieces.iter().zip(from.iter().zip(to));
     pieces
         .filter(|(_, (a, b))| a.any() && b.any())
-        .map(
-            |(piece, (a, b))| {
-                if a.area.intersection(&b.area).0.is_empty() { Search::new(piece, a, b).length() } else { 0.0 }
-            },
-        )
-        .fold(f64::INFINITY, f64::min)
+        .filter_map(|(piece, (a, b))| {
+            if a.area.intersection(&b.area).0.is_empty() {
+                Search::new(piece, a, b).shortest()
+            } else {
+                Some(Path { length: 0.0, points: Vec::new() })
+            }
+        })
+        .min_by(|a, b| a.length.total_cmp(&b.length))
 }
 
 type Segment = (Vec2, Vec2);
@@ -71,6 +82,8 @@ struct Step {
     /// What it costs up to the end of this step.
     cost: f64,
     line: Segment,
+    /// The bend that it comes from; `None`: it sets out.
+    from: Option<usize>,
     /// The bend that it leads to; `None`: it arrives.
     to: Option<usize>,
 }
@@ -118,7 +131,7 @@ impl Search {
         Self { rest: rest.collect(), sides, bends, from, to }
     }
 
-    fn length(&self) -> f64 {
+    fn shortest(&self) -> Option<Path> {
         let mut queue = BinaryHeap::new();
         for (a, b) in self.from.iter().flat_map(|a| self.to.iter().map(move |b| (a, b))) {
             let pairs =
@@ -128,40 +141,40 @@ impl Search {
             let ends = b.meets.iter().flat_map(|q| a.exits(*q).map(move |p| (p, *q)));
             for line in nearest.into_iter().chain(starts).chain(ends) {
                 let cost = (line.1 - line.0).norm();
-                queue.push(Step { bound: cost, cost, line, to: None });
+                queue.push(Step { bound: cost, cost, line, from: None, to: None });
             }
         }
         for (i, bend) in self.bends.iter().enumerate() {
             let starts = self.from.iter().flat_map(|shore| shore.exits(bend.at));
             for start in starts.filter(|start| taut(bend, *start)) {
                 let cost = (bend.at - start).norm();
-                queue.push(Step { bound: cost + self.rest[i], cost, line: (start, bend.at), to: Some(i) });
+                queue.push(Step { bound: cost + self.rest[i], cost, line: (start, bend.at), from: None, to: Some(i) });
             }
         }
-        let mut settled = vec![false; self.bends.len()];
+        let mut settled: Vec<Option<(Option<usize>, Vec2)>> = vec![None; self.bends.len()];
         while let Some(step) = queue.pop() {
-            if step.to.is_some_and(|i| settled[i]) || !self.sees(step.line) {
+            if step.to.is_some_and(|i| settled[i].is_some()) || !self.sees(step.line) {
                 continue;
             }
-            let Some(i) = step.to else { return step.cost };
-            settled[i] = true;
+            let Some(i) = step.to else { return Some(Path { length: step.cost, points: trace(&step, &settled) }) };
+            settled[i] = Some((step.from, step.line.0));
             self.leave(i, step.cost, &settled, &mut queue);
         }
-        f64::INFINITY
+        None
     }
 
     /// Queues the steps from a bend reached at a cost.
-    fn leave(&self, index: usize, cost: f64, settled: &[bool], queue: &mut BinaryHeap<Step>) {
+    fn leave(&self, index: usize, cost: f64, settled: &[Option<(Option<usize>, Vec2)>], queue: &mut BinaryHeap<Step>) {
         let here = &self.bends[index];
-        for (i, next) in self.bends.iter().enumerate().filter(|(i, _)| !settled[*i]) {
+        for (i, next) in self.bends.iter().enumerate().filter(|(i, _)| settled[*i].is_none()) {
             if taut(here, next.at) && taut(next, here.at) {
-                let cost = cost + (next.at - here.at).norm();
-                queue.push(Step { bound: cost + self.rest[i], cost, line: (here.at, next.at), to: Some(i) });
+                let (cost, line) = (cost + (next.at - here.at).norm(), (here.at, next.at));
+                queue.push(Step { bound: cost + self.rest[i], cost, line, from: Some(index), to: Some(i) });
             }
         }
         for end in self.to.iter().flat_map(|shore| shore.exits(here.at)) {
             let cost = cost + (end - here.at).norm();
-            queue.push(Step { bound: cost, cost, line: (here.at, end), to: None });
+            queue.push(Step { bound: cost, cost, line: (here.at, end), from: Some(index), to: None });
         }
     }
 
@@ -203,6 +216,18 @@ impl Search {
         }
         inside || self.sides.iter().any(|(a, b)| (nearest_on_segment(&p, a, b) - p).norm() <= TOUCHING)
     }
+}
+
+/// The points of a way by its last step, and by where each bend was reached from.
+fn trace(last: &Step, settled: &[Option<(Option<usize>, Vec2)>]) -> Vec<Vec2> {
+    let mut points = vec![last.line.1, last.line.0];
+    let mut at = last.from;
+    while let Some((before, point)) = at.and_then(|i| settled[i]) {
+        points.push(point);
+        at = before;
+    }
+    points.reverse();
+    points
 }
 
 /// Whether a string from a bend to a point leaves both neighbours of the bend on one side, as a taut one does; along a
@@ -251,6 +276,7 @@ fn shores(places: &Places, floor: &[Segment]) -> Vec<Shore> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::free::{Ground, Obstacle};
     use super::*;
     use proptest::prelude::*;
 
@@ -258,6 +284,20 @@ mod tests {
         [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
             .map(|(i, j)| Vec2::new(x + i * half, z + j * half))
             .to_vec()
+    }
+
+    fn floor<const R: usize>(rooms: [Vec<Vec2>; R], obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Floor {
+        let obstacles = obstacles.iter().map(|outline| Obstacle { object: None, outline: outline.clone() });
+        Ground::new(rooms, obstacles).free(radius, corners, None)
+    }
+
+    fn length(floor: &Floor, from: &[Places], to: &[Places]) -> f64 {
+        let path = between(floor, from, to);
+        if let Some(path) = &path {
+            let sum: f64 = path.points.windows(2).map(|p| (p[1] - p[0]).norm()).sum();
+            assert!((sum - path.length).abs() < 1e-9, "{path:?}");
+        }
+        path.map_or(f64::INFINITY, |path| path.length)
     }
 
     /// All ways over all corners and over points of the outlines a hand apart, without any cleverness.
@@ -307,10 +347,10 @@ mod tests {
             let at = |n: i32| f64::from(n) / 4.0;
             let obstacles: Vec<Vec<Vec2>> = blocks.iter().map(|(x, z, half)| square(at(*x), at(*z), at(*half))).collect();
             let (corners, radius) = (8, 0.25);
-            let floor = Floor::new([square(0.0, 0.0, 5.0)], &obstacles, radius, corners);
+            let floor = floor([square(0.0, 0.0, 5.0)], &obstacles, radius, corners);
             let (a, b) = (square(-4.0, -4.0, 0.25), square(4.0, 3.5, 0.5));
             let [from, to] = [a, b].map(|shape| floor.places(&shape, radius + 0.05, corners));
-            let found = between(&floor, &from, &to);
+            let found = length(&floor, &from, &to);
             let expect = floor.pieces.iter().zip(from.iter().zip(&to))
                 .filter(|(_, (a, b))| a.any() && b.any())
                 .map(|(piece, (a, b))| brute(&Search::new(piece, a, b)))
@@ -318,24 +358,24 @@ mod tests {
             // The other starts only at points a hand apart, and may be longer for it.
             prop_assert!(found <= expect + 1e-9, "{} instead of {}", found, expect);
             prop_assert!(found == expect || expect - found < 0.01, "{} instead of {}", found, expect);
-            let back = between(&floor, &to, &from);
+            let back = length(&floor, &to, &from);
             prop_assert!(back == found || (back - found).abs() < 1e-9, "{} and back {}", found, back);
         }
     }
 
     #[test]
     fn a_block_before_the_goal_costs_the_same_both_ways() {
-        let floor = Floor::new([square(0.0, 0.0, 5.0)], &[square(3.25, 3.0, 0.25)], 0.25, 8);
+        let floor = floor([square(0.0, 0.0, 5.0)], &[square(3.25, 3.0, 0.25)], 0.25, 8);
         let [a, b] = [square(-4.0, -4.0, 0.25), square(4.0, 3.5, 0.5)].map(|shape| floor.places(&shape, 0.3, 8));
-        let (there, back) = (between(&floor, &a, &b), between(&floor, &b, &a));
+        let (there, back) = (length(&floor, &a, &b), length(&floor, &b, &a));
         assert!((there - back).abs() < 1e-9 && (9.5..9.6).contains(&there), "{there} and back {back}");
     }
 
     #[test]
     fn a_disc_without_width_moves_too() {
-        let floor = Floor::new([square(0.0, 0.0, 2.0)], &[square(0.0, 0.0, 0.5)], 0.0, 8);
+        let floor = floor([square(0.0, 0.0, 2.0)], &[square(0.0, 0.0, 0.5)], 0.0, 8);
         let [from, to] = [-1.5, 1.5].map(|x| floor.places(&square(x, 0.0, 0.25), 0.05, 8));
-        let length = between(&floor, &from, &to);
-        assert!((2.4..2.7).contains(&length), "{length}");
+        let found = length(&floor, &from, &to);
+        assert!((2.4..2.7).contains(&found), "{found}");
     }
 }

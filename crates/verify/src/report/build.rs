@@ -1,8 +1,9 @@
 //! From a judgement to a [`Report`]: offsets become lines and columns, numbers become names.
 
 use super::exit_code;
-use super::model::{FORMAT, Finding, Kind, Place, Related, Remedy, Replacement, Report, Row};
+use super::model::{self, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Whereabouts};
 use crate::check::{Judged, Subject, Verdict};
+use crate::explain::{self, Explanation, RowRef};
 use crate::tolerances::Options;
 use scenelang_base::{Applicability, Diagnostic, LineColumn, SourceMap, Span};
 use scenelang_lang::program::{ObjectId, Program, Unit};
@@ -32,18 +33,9 @@ pub fn build(
     report
 }
 
-/// The code of a violation.
-pub(super) fn code(kind: Kind) -> &'static str {
-    use scenelang_base::codes;
-    match kind {
-        Kind::Assert => codes::V0101,
-        Kind::Collision => codes::V0102,
-        Kind::Bounds => codes::V0103,
-        Kind::Support => codes::V0104,
-        Kind::Pin => codes::V0105,
-        Kind::Prefer => codes::V0106,
-    }
-    .as_str()
+/// As written in the report.
+fn unit(unit: Unit) -> String {
+    if unit == Unit::Degree { "deg" } else { "m" }.to_owned()
 }
 
 /// A place as reports have it: lines and columns.
@@ -70,28 +62,72 @@ struct Builder<'a> {
 impl Builder<'_> {
     fn row(&self, row: &Judged) -> Row {
         Row {
-            id: self.id(row),
+            id: self.id(row.row()),
             kind: row.kind,
             rule: row.kind.rule().map(str::to_owned),
-            code: (row.satisfied == Some(false)).then(|| code(row.kind).to_owned()),
+            code: (row.satisfied == Some(false)).then(|| row.code.as_str().to_owned()),
             satisfied: row.satisfied,
             margin: row.margin.map(|(margin, _)| margin + 0.0),
-            unit: row.margin.map(|(_, unit)| if unit == Unit::Degree { "deg" } else { "m" }.to_owned()),
+            unit: row.margin.map(|(_, u)| unit(u)),
             objects: row.objects.iter().map(|id| self.object(*id).to_owned()).collect(),
             text: row.text.clone(),
             message: row.message(),
             span: Some(self.place(row.place)),
             weight: row.weight,
             requirements: row.requirements.clone(),
+            explanation: row.explanation.as_deref().map(|e| self.explanation(e)),
         }
     }
 
-    fn id(&self, row: &Judged) -> String {
+    fn explanation(&self, from: &Explanation) -> model::Explanation {
+        let ids = |rows: &[RowRef]| rows.iter().map(|row| self.id(*row)).collect();
+        let finite = |q: &explain::Quantity| match *q {
+            explain::Quantity::Number(n) => n.is_finite().then_some(model::Quantity::Number(n)),
+            explain::Quantity::Triple(t) => Some(model::Quantity::Triple(t)),
+        };
+        model::Explanation {
+            measured: from.measured.as_ref().map(|m| model::Measured {
+                left: finite(&m.left),
+                right: finite(&m.right),
+                unit: unit(m.unit),
+            }),
+            objects: from.objects.iter().map(|place| self.whereabouts(place)).collect(),
+            opposing: ids(&from.opposing),
+            mend: from.mend.as_ref().and_then(|mend| self.mend(mend)),
+            pinned: ids(&from.pinned),
+        }
+    }
+
+    fn whereabouts(&self, place: &explain::Place) -> Whereabouts {
+        let explain::Place { object, pos, rot, size, text } = place;
+        Whereabouts { name: self.object(*object).to_owned(), pos: *pos, rot: *rot, size: *size, text: text.clone() }
+    }
+
+    fn mend(&self, mend: &explain::Mend) -> Option<Move> {
+        let name = |id: ObjectId| self.object(id).to_owned();
+        let (first, rest) = mend.steps.split_first()?;
+        let also = rest.iter().map(|s| Step { object: name(s.object), by: s.by, turn: s.turn });
+        let ids = |rows: &[RowRef]| rows.iter().map(|row| self.id(*row)).collect();
+        Some(Move {
+            object: name(first.object),
+            by: first.by,
+            turn: first.turn,
+            also: also.collect(),
+            breaks: ids(&mend.breaks),
+            mends: ids(&mend.mends),
+            text: explain::move_in_words(self.program?, mend),
+        })
+    }
+
+    fn id(&self, row: RowRef) -> String {
         let rule = row.kind.rule().unwrap_or_default();
         match row.subject {
             Subject::Pair(a, b) => format!("{rule}:{}:{}", self.object(a), self.object(b)),
             Subject::Object(a) => format!("{rule}:{}", self.object(a)),
-            Subject::Statement(_) => statement_id(self.name, self.sources, row.place),
+            Subject::Statement(index) => {
+                let span = self.program.and_then(|p| p.constraints.get(index)).map(|c| c.span);
+                span.map_or(String::new(), |span| statement_id(self.name, self.sources, span))
+            }
         }
     }
 

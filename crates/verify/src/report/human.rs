@@ -1,8 +1,8 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
-use super::build::code;
 use super::exit_code;
 use super::model::{Kind, Summary, Tally};
+use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use scenelang_base::{Diagnostic, FileId, Severity, SourceMap, Span};
@@ -35,8 +35,9 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
     let failing: Vec<&Judged> = verdict.rows.iter().filter(|row| row.satisfied == Some(false)).collect();
     let layout = Path::new(&report.file).file_name().map_or(Cow::Borrowed("the layout"), |name| name.to_string_lossy());
     let mut cache = Files::new(sources);
-    for row in failing.iter().take(MOST) {
-        violation(row, &layout, &mut cache, color, &mut out);
+    let words = Words::new(checked);
+    for row in failing.iter().filter(|row| !words.is_said(row)).take(MOST) {
+        violation(row, &layout, &words, &mut cache, color, &mut out);
     }
     if failing.len() > MOST {
         line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
@@ -81,7 +82,7 @@ pub fn diagnostics(diagnostics: &[Diagnostic], sources: &SourceMap, color: bool)
     out
 }
 
-fn violation(row: &Judged, layout: &str, cache: &mut Files<'_>, color: bool, out: &mut String) {
+fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_>, color: bool, out: &mut String) {
     let fails = if row.kind == Kind::Prefer { "not met" } else { "fails" };
     let label = match row.margin {
         Some((margin, unit)) => {
@@ -95,6 +96,11 @@ fn violation(row: &Judged, layout: &str, cache: &mut Files<'_>, color: bool, out
     if let Some(rule) = row.kind.rule() {
         notes.push(format!("{rule} applies to every program"));
     }
+    if words.says_rule(row) {
+        notes.push("P-COLLIDE forbids it, too".to_owned());
+    }
+    let mut hints = Vec::new();
+    words.explain(row, &mut notes, &mut hints);
     let headline = if row.measured.is_empty() { &row.text } else { &row.measured };
     let mut related: Vec<(Span, String)> = row.related.iter().map(|l| (l.place, l.message.clone())).collect();
     let primary = if stated {
@@ -107,12 +113,12 @@ fn violation(row: &Judged, layout: &str, cache: &mut Files<'_>, color: bool, out
     };
     let finding = Finding {
         look: if row.kind == Kind::Prefer { Look::Advice } else { Look::Error },
-        code: code(row.kind),
+        code: row.code.as_str(),
         message: headline,
         primary: Some(primary),
         related,
         notes,
-        hints: Vec::new(),
+        hints,
     };
     finding.write(cache, color, out);
 }

@@ -9,6 +9,7 @@ mod json;
 mod junit;
 pub mod model;
 mod sarif;
+mod words;
 
 pub use build::{build, place, statement_id};
 pub use compact::compact;

@@ -2,6 +2,7 @@
 //!
 //! Field order is the order in the file. Lengths are metres, angles degrees; an infinite margin is `None` (`null`).
 
+use scenelang_base::{Code, codes};
 use serde::{Deserialize, Serialize};
 
 /// The value of [`Report::format`].
@@ -63,7 +64,7 @@ impl Tally {
 }
 
 /// What kind of constraint a row is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// `assert`.
@@ -90,6 +91,17 @@ impl Kind {
             Self::Collision => "collision",
             Self::Bounds => "bounds",
             Self::Support => "support",
+        }
+    }
+    /// What a violation of it is called, unless it has a better name.
+    pub fn code(self) -> Code {
+        match self {
+            Self::Assert => codes::V0101,
+            Self::Collision => codes::V0102,
+            Self::Bounds => codes::V0103,
+            Self::Support => codes::V0104,
+            Self::Pin => codes::V0105,
+            Self::Prefer => codes::V0106,
         }
     }
     /// The physical rule, or `None` for a stated constraint.
@@ -134,6 +146,97 @@ pub struct Row {
     /// `@req` sentences that the statement answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub requirements: Vec<String>,
+    /// Why it fails, where it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<Explanation>,
+}
+
+/// Why a row fails, and what would mend it. Of violations beyond the first ones only what was measured.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Explanation {
+    /// Both sides of the comparison that decided; of a rule or a built-in predicate what was measured, and what it may
+    /// be at worst.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Measured>,
+    /// The objects of the deciding instance.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub objects: Vec<Whereabouts>,
+    /// Rows that hold, and would fail or come nearest to it under the smallest move that mends this one: their ids.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub opposing: Vec<String>,
+    /// A move after which the row holds; the one that breaks least and, of these, the smallest.
+    #[serde(default, rename = "move", skip_serializing_if = "Option::is_none")]
+    pub mend: Option<Move>,
+    /// Where all objects of the row are pinned, the rows of these assignments.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pinned: Vec<String>,
+}
+
+/// Both sides of a comparison: a number each, or three. `null` is infinite: there is no way to walk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measured {
+    /// What was found.
+    pub left: Option<Quantity>,
+    /// What it was compared with.
+    pub right: Option<Quantity>,
+    /// `m` (plain numbers, too) or `deg`.
+    pub unit: String,
+}
+
+/// A number, or the three of a vector or a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Quantity {
+    /// One number.
+    Number(f64),
+    /// x, y and z.
+    Triple([f64; 3]),
+}
+
+/// Where an object is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Whereabouts {
+    /// Its name.
+    pub name: String,
+    /// Centre of its bottom face (metres).
+    pub pos: [f64; 3],
+    /// Its Euler triple (degrees).
+    pub rot: [f64; 3],
+    /// Its extents (metres).
+    pub size: [f64; 3],
+    /// The same in words.
+    pub text: String,
+}
+
+/// A move that mends a row.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Move {
+    /// The object that is moved first, or alone.
+    pub object: String,
+    /// Along x, y, z (metres).
+    pub by: [f64; 3],
+    /// Added to its `rot.y` (degrees).
+    pub turn: f64,
+    /// What else is moved: what goes along because it rests on the object, or must be moved as well.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<Step>,
+    /// Ids of rows that hold now and fail after it.
+    pub breaks: Vec<String>,
+    /// Ids of other rows that fail now and hold after it.
+    pub mends: Vec<String>,
+    /// The same in words.
+    pub text: String,
+}
+
+/// A further object that is moved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// Its name.
+    pub object: String,
+    /// Along x, y, z (metres).
+    pub by: [f64; 3],
+    /// Added to its `rot.y` (degrees).
+    pub turn: f64,
 }
 
 impl Row {

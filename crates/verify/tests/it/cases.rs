@@ -109,14 +109,14 @@ fn row(row: &Row) -> String {
     format!("{place} {verdict}{margin}")
 }
 
-struct Case<'a> {
-    title: &'a str,
-    scene: String,
-    layout: String,
-    expect: String,
+pub struct Case<'a> {
+    pub title: &'a str,
+    pub scene: String,
+    pub layout: String,
+    pub expect: String,
 }
 
-fn cases(text: &str) -> Vec<Case<'_>> {
+pub fn cases(text: &str) -> Vec<Case<'_>> {
     let mut out: Vec<Case<'_>> = Vec::new();
     let mut part = String::new();
     for line in text.lines() {

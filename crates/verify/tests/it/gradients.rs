@@ -49,7 +49,7 @@ assert visible(b, c);
 assert a.center.x + hall.area > 0;
 ";
 
-fn compiled(scene: &str) -> Program {
+pub fn compiled(scene: &str) -> Program {
     let options = scenelang_lang::Options::default();
     let compiled = scenelang_lang::compile_text("t.scene", Path::new("t.scene"), scene, options);
     assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics);

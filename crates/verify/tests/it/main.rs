@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod cases;
+mod explanations;
 mod gradients;
+mod navigation;
 mod reports;
 mod schemas;
 mod spec;

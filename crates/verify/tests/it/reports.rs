@@ -122,7 +122,7 @@ fn sarif_has_a_result_per_violation_and_diagnostic() {
     let log: Value = serde_json::from_str(&sarif(&[bedroom()])).unwrap();
     let results = log["runs"][0]["results"].as_array().unwrap();
     let ids: Vec<&str> = results.iter().map(|r| r["ruleId"].as_str().unwrap()).collect();
-    assert_eq!(ids, ["V0101", "V0101", "V0106", "V0102"]);
+    assert_eq!(ids, ["V0101", "V0102", "V0106", "V0102"]);
     assert_eq!(results[0]["locations"][0]["physicalLocation"]["region"]["startLine"], 4);
     assert_eq!(results[2]["level"], "note");
     let broken = judged("object a", &layout("object a 0 0 0"), &Options::default());

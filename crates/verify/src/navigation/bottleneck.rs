@@ -1,0 +1,168 @@
+//! Why a disc does not get through: the narrowest place on the widest way, and what it is between.
+//!
+//! The widest disc that passes is found by bisection. Where ways of greater width end, two things that block stand just
+//! that far apart; of all pairs that do, the one is meant without whose gap there is no way of that width.
+
+use super::free::{Floor, Ground, Obstacle, Places};
+use super::{COARSE, NEAR};
+use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::Vec2;
+use scenelang_layout::planar::{depth_in_convex, edges, nearest_of_segments, nearest_on_segment};
+
+/// The radius of the widest disc is found to this (metres).
+const PRECISION: f64 = 2e-4;
+/// Two things are as far apart as the disc is wide if it is by no more than this (metres): rounding, and the corners of
+/// what should be arcs.
+const FIT: f64 = 2e-3;
+/// So many pairs are asked whether they are the one.
+const MOST: usize = 12;
+
+/// The narrowest place on the widest way.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Bottleneck {
+    /// Diameter of the widest disc that passes (metres).
+    pub width: f64,
+    /// What it is between, in the order of [`Self::at`].
+    pub between: [Blocker; 2],
+    /// Their nearest points (world x, z).
+    pub at: [Vec2; 2],
+    /// Where the disc cannot even stand near one end, that end: 0 or 1.
+    pub end: Option<usize>,
+}
+
+/// What blocks at a bottleneck.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Blocker {
+    /// An object.
+    Object(ObjectId),
+    /// A wall of a region.
+    Wall(RegionId),
+    /// A side of the opening of a door.
+    Door(ObjectId),
+    /// The edge of the floor, where no region is near.
+    Edge,
+}
+
+/// A place where two things that block come near each other.
+struct Gap {
+    width: f64,
+    between: [usize; 2],
+    at: [Vec2; 2],
+}
+
+/// The widest way between two footprints on the ground, which is known not to have one for a disc of `radius`; the
+/// obstacles by index, see [`Ground::obstacles`]. `None`: there is no way at all.
+pub(super) fn find(
+    ground: &Ground,
+    ends: [&[Vec2]; 2],
+    radius: f64,
+) -> Option<(f64, [usize; 2], [Vec2; 2], Option<usize>)> {
+    let (mut passes, mut fails) = (FIT, radius);
+    if fails <= passes || !Try::new(ground, ends, passes, None).is_way() {
+        return None;
+    }
+    while fails - passes > PRECISION {
+        let middle = (passes + fails) / 2.0;
+        if Try::new(ground, ends, middle, None).is_way() {
+            passes = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    let last = Try::new(ground, ends, passes, None);
+    let beyond = Try::new(ground, ends, fails, None);
+    // Where a disc that is a hair wider has no place near an end at all, that place is the bottleneck.
+    let end = (0..2).find(|&i| !beyond.places[i].iter().any(Places::any));
+    if let Some(i) = end {
+        let place = last.common().and_then(|piece| last.places[i][piece].some())?;
+        let gap = beside(ground, place)?;
+        return Some((2.0 * passes, gap.between, gap.at, end));
+    }
+    let mut gaps = gaps(&ground.obstacles, 2.0 * passes);
+    gaps.truncate(MOST);
+    let separates = |gap: &&Gap| {
+        // A hair's breadth within the gap; with it closed there is no way of nearly that width.
+        let [p, q] = gap.at;
+        !Try::new(ground, ends, passes - 2.0 * FIT, Some(&[p, q])).is_way()
+    };
+    let gap = gaps.iter().find(separates).or(gaps.first())?;
+    Some((gap.width, gap.between, gap.at, None))
+}
+
+/// A disc of some radius set out between two ends.
+struct Try {
+    places: [Vec<Places>; 2],
+}
+
+impl Try {
+    fn new(ground: &Ground, ends: [&[Vec2]; 2], radius: f64, further: Option<&[Vec2]>) -> Self {
+        let floor: Floor = ground.free(radius.max(0.0), COARSE, further);
+        Self { places: ends.map(|end| floor.places(end, radius.max(0.0) + NEAR, COARSE)) }
+    }
+    /// A piece of the floor on which both ends are.
+    fn common(&self) -> Option<usize> {
+        (0..self.places[0].len()).find(|&i| self.places[0][i].any() && self.places[1][i].any())
+    }
+    fn is_way(&self) -> bool {
+        self.common().is_some()
+    }
+}
+
+/// Pairs that stand `width` apart and have nothing else in between, the narrowest first.
+fn gaps(obstacles: &[Obstacle], width: f64) -> Vec<Gap> {
+    let spans: Vec<[Vec2; 2]> = obstacles.iter().map(|o| span(&o.outline)).collect();
+    let mut order: Vec<usize> = (0..obstacles.len()).collect();
+    order.sort_by(|&i, &j| spans[i][0].x.total_cmp(&spans[j][0].x).then(i.cmp(&j)));
+    let reach = width + FIT;
+    let mut found = Vec::new();
+    for (place, &i) in order.iter().enumerate() {
+        for &j in order[place + 1..].iter().take_while(|&&j| spans[j][0].x <= spans[i][1].x + reach) {
+            if spans[j][0].y > spans[i][1].y + reach || spans[i][0].y > spans[j][1].y + reach {
+                continue;
+            }
+            let between = [i.min(j), i.max(j)];
+            let [a, b] = between.map(|k| &obstacles[k].outline);
+            let Some((p, q)) = nearest_points(a, b) else { continue };
+            let (gap, middle) = ((q - p).norm(), (p + q) / 2.0);
+            let free = |o: &Obstacle| -depth_in_convex(&o.outline, middle) >= gap / 2.0 - FIT;
+            if (gap - width).abs() <= FIT && obstacles.iter().all(free) {
+                found.push(Gap { width: gap, between, at: [p, q] });
+            }
+        }
+    }
+    found.sort_by(|a, b| (a.width - width).abs().total_cmp(&(b.width - width).abs()).then(a.between.cmp(&b.between)));
+    found
+}
+
+/// The least and the greatest corner of the upright rectangle around an outline.
+fn span(outline: &[Vec2]) -> [Vec2; 2] {
+    let low = outline.iter().fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p));
+    [low, outline.iter().fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p))]
+}
+
+/// The nearest points of two outlines.
+fn nearest_points(a: &[Vec2], b: &[Vec2]) -> Option<(Vec2, Vec2)> {
+    let pairs = edges(a).flat_map(|(p, q)| edges(b).map(move |(r, s)| nearest_of_segments([&p, &q], [&r, &s])));
+    pairs.min_by(|x, y| (x.1 - x.0).norm_squared().total_cmp(&(y.1 - y.0).norm_squared()))
+}
+
+/// What a disc at a place is between: what is nearest to it, and what is nearest on its other side.
+fn beside(ground: &Ground, place: Vec2) -> Option<Gap> {
+    let nearest = |outline: &[Vec2]| {
+        let points = edges(outline).map(|(a, b)| nearest_on_segment(&place, &a, &b));
+        points.min_by(|p, q| (p - place).norm_squared().total_cmp(&(q - place).norm_squared()))
+    };
+    let mut near: Vec<(f64, usize, Vec2)> = ground
+        .obstacles
+        .iter()
+        .enumerate()
+        .filter_map(|(i, o)| nearest(&o.outline).map(|p| ((p - place).norm(), i, p)))
+        .collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let (_, first, p) = *near.first()?;
+    // Two walls that meet in a corner touch the disc as well; the other side is where it is squeezed.
+    let across = |q: Vec2| (p - place).dot(&(q - place));
+    let touching = near.iter().skip(1).take_while(|(d, ..)| *d <= near[0].0 + FIT);
+    let (_, second, q) = *touching.min_by(|a, b| across(a.2).total_cmp(&across(b.2))).or(near.get(1))?;
+    Some(Gap { width: (q - p).norm(), between: [first, second], at: [p, q] })
+}

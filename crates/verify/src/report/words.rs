@@ -1,0 +1,102 @@
+//! Explanations as people read them: what pulls the other way, and what to do, with what that would do to the rest.
+
+use crate::check::{Checked, Judged, Subject};
+use crate::explain::{Mend, RowRef, move_in_words, row_in_words};
+use crate::report::model::Kind;
+use scenelang_base::codes;
+use scenelang_lang::program::{ObjectId, Program};
+
+/// What the words of one report need to know.
+pub(super) struct Words<'a> {
+    checked: &'a Checked,
+    /// Pairs that an assertion already says collide.
+    said: Vec<[ObjectId; 2]>,
+}
+
+impl<'a> Words<'a> {
+    pub fn new(checked: &'a Checked) -> Self {
+        let stated = checked.verdict.rows.iter().filter(|row| row.code == codes::V0102 && row.kind == Kind::Assert);
+        let said = stated.filter(|row| row.satisfied == Some(false)).filter_map(|row| match row.objects[..] {
+            [a, b] => Some([a, b]),
+            _ => None,
+        });
+        Self { checked, said: said.collect() }
+    }
+
+    /// Whether a row is P-COLLIDE of a pair of which an assertion says the same.
+    pub fn is_said(&self, row: &Judged) -> bool {
+        let Subject::Pair(a, b) = row.subject else { return false };
+        self.said.contains(&[a, b]) || self.said.contains(&[b, a])
+    }
+
+    /// Whether a row is an assertion that says what P-COLLIDE says as well.
+    pub fn says_rule(&self, row: &Judged) -> bool {
+        let pairs = self.checked.verdict.rows.iter().filter(|other| other.kind == Kind::Collision);
+        let fails = |other: &Judged| other.satisfied == Some(false) && self.is_said(other);
+        let same = |other: &Judged| other.objects.iter().all(|id| row.objects.contains(id));
+        row.kind == Kind::Assert && row.code == codes::V0102 && pairs.into_iter().any(|o| fails(o) && same(o))
+    }
+
+    /// Adds what the explanation of a row has to say.
+    pub fn explain(&self, row: &Judged, notes: &mut Vec<String>, hints: &mut Vec<String>) {
+        let (Some(explanation), Some(program)) = (&row.explanation, &self.checked.program) else { return };
+        let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
+        for against in &explanation.opposing {
+            notes.push(format!("{} pulls the other way", name(against)));
+        }
+        if let Some(mend) = &explanation.mend {
+            hints.push(format!("{}{}", move_in_words(program, mend), self.effect(mend, row, &name)));
+        } else if explanation.searched {
+            notes.push("no move of one object, or of a few, was found that mends it".to_owned());
+        }
+        if !explanation.pinned.is_empty() {
+            let pins: Vec<String> = explanation.pinned.iter().map(name).collect();
+            hints.push(format!("its objects are pinned: relax {}", pins.join(" or ")));
+        }
+    }
+
+    /// Where a statement stands, as seen from a row.
+    fn line(&self, program: &Program, index: usize, from: &Judged) -> String {
+        let span = program.constraints[index].span;
+        let line = self.checked.sources.lines(span).0.line;
+        if span.file == from.place.file {
+            format!("line {line}")
+        } else {
+            format!("{}:{line}", self.checked.sources.get(span.file).name())
+        }
+    }
+
+    /// What a move does to the rest.
+    fn effect(&self, mend: &Mend, row: &Judged, name: &dyn Fn(&RowRef) -> String) -> String {
+        let rows = self.checked.verdict.rows.iter();
+        let held = rows.filter(|other| other.kind == Kind::Assert && other.satisfied == Some(true)).count();
+        let broken = mend.breaks.iter().filter(|other| other.kind == Kind::Assert).count();
+        let list = |rows: &[RowRef]| {
+            const MOST: usize = 3;
+            let mut names: Vec<String> = rows.iter().take(MOST).map(name).collect();
+            if rows.len() > MOST {
+                names.push(format!("{} more", rows.len() - MOST));
+            }
+            match names.split_last() {
+                Some((last, [])) => last.clone(),
+                Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+                None => String::new(),
+            }
+        };
+        let mut parts = Vec::new();
+        if held > 0 {
+            let what = if row.kind == Kind::Assert { "other assertions" } else { "assertions" };
+            parts.push(format!("{} of {held} {what} still hold", held - broken));
+        }
+        if held == 0 && mend.breaks.is_empty() {
+            parts.push("nothing else breaks".to_owned());
+        }
+        if !mend.breaks.is_empty() {
+            parts.push(format!("it breaks {}", list(&mend.breaks)));
+        }
+        if !mend.mends.is_empty() {
+            parts.push(format!("it also mends {}", list(&mend.mends)));
+        }
+        format!(": {}", parts.join("; "))
+    }
+}
