@@ -19,7 +19,7 @@ mod world;
 pub use check::{Checked, Verdict, check, check_file, check_layout_text};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use natives::{gap, in_region};
-pub use number::{Dual, Number};
+pub use number::{Algebra, Dual, Logic, Number};
 pub use report::{Report, exit_code};
 pub use scenelang_layout::Geometry;
 pub use tolerances::{DEFAULT_ETA, Options, Tolerances};

@@ -22,7 +22,7 @@ use scenelang_lang::program::{Arg, Measure, Native, NodeId, ObjectId, Program, R
 
 /// A use of a built-in: its arguments, evaluated, and the instance it speaks of.
 #[derive(Clone, Copy)]
-pub(crate) struct Call<'a, N> {
+pub(crate) struct Call<'a, N: Number> {
     /// The arguments.
     pub args: &'a [Arg],
     /// What the nodes before it have yielded.
