@@ -43,6 +43,9 @@ pub struct Check {
     /// List physical rules that hold, too
     #[arg(long)]
     pub all: bool,
+    /// With each contradiction in a program, say step by step why it is one
+    #[arg(long)]
+    pub explain_proof: bool,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,

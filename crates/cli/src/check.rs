@@ -2,6 +2,7 @@
 
 use crate::args::{Check, Format, Geometry, Judging};
 use crate::{GOOD, progress::Progress};
+use scenelang_verify::prove::ProveOptions;
 use scenelang_verify::report::{self, Human, Report};
 use scenelang_verify::{Options, check_file, exit_code};
 use std::io::{IsTerminal, Write};
@@ -9,6 +10,7 @@ use std::io::{IsTerminal, Write};
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
     let options = Options { all: args.all, ..options(args.judging) };
+    let proofs = ProveOptions { judging: options, explain: args.explain_proof, ..ProveOptions::default() };
     let compile = scenelang_lang::Options { core: args.core };
     let mut reports: Vec<Report> = Vec::with_capacity(args.files.len());
     let mut out = std::io::stdout().lock();
@@ -17,7 +19,7 @@ pub fn run(args: &Check) -> u8 {
         let name = path.display().to_string();
         let checked = {
             let _progress = Progress::new(format!("checking {name}"));
-            check_file(&name, path, &options, compile)
+            check_file(&name, path, &options, &proofs, compile)
         };
         worst = worst.max(exit_code(&checked.report));
         // A closed pipe is no reason to fail: whoever reads has seen enough.

@@ -10,6 +10,7 @@ pub mod eval;
 mod natives;
 mod navigation;
 pub mod number;
+pub mod prove;
 pub mod report;
 pub mod rules;
 mod tolerances;

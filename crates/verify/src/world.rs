@@ -75,6 +75,12 @@ impl Body {
             aabb: OnceLock::new(),
         }
     }
+    /// A cube of one metre at the origin, where no body is looked at.
+    pub(crate) fn unit() -> Self {
+        let (pos, rot, scale) = (Vec3::zeros(), Vec3::zeros(), Vec3::repeat(1.0));
+        let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None };
+        Self::new(&placement, Geometry::Box)
+    }
     /// Whether it is more than its box.
     pub fn has_parts(&self) -> bool {
         self.parts.is_some()
@@ -322,6 +328,21 @@ impl<N: Number> World<N> {
 }
 
 impl<N: Algebra> World<N> {
+    /// An instance that lacks everything.
+    pub(crate) fn nowhere(program: &Program, options: &Options) -> Self {
+        Self {
+            objects: program.objects.iter().map(|_| None).collect(),
+            regions: program.regions.iter().map(|_| None).collect(),
+            variables: (0..program.variables.len())
+                .map(|i| Err(Cause::MissingVariable(VariableId(i as u32))))
+                .collect(),
+            draws: (0..program.draws.len()).map(|i| Err(Cause::MissingDraw(DrawId(i as u32)))).collect(),
+            allow: program.allow.clone(),
+            options: *options,
+            walks: Walks::default(),
+        }
+    }
+
     /// An object.
     ///
     /// # Errors

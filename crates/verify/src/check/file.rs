@@ -1,6 +1,7 @@
 //! The judgement of a file, from disk or from an editor: a program by itself, or a layout with its program.
 
 use super::{Verdict, check_at, matching};
+use crate::prove::{ProveOptions, prove};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
 use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
@@ -37,11 +38,23 @@ struct Job<'a> {
 
 /// Judges a file from disk: a layout (`.json`) with its program, or else a program by itself. In messages it is called
 /// `name`, and other files accordingly.
-pub fn check_file(name: &str, path: &Path, options: &Options, compile: compile::Options) -> Checked {
+///
+/// Of a program alone it tells what is proved of it; `proofs` says how, `options` how layouts are judged.
+pub fn check_file(
+    name: &str,
+    path: &Path,
+    options: &Options,
+    proofs: &ProveOptions,
+    compile: compile::Options,
+) -> Checked {
     let job = Job { name, path, options, compile, loader: &Disk };
     if !is_layout(path) {
         let compiled = compile_with(name, path, compile, &Disk, SourceMap::new());
-        let verdict = Verdict { diagnostics: compiled.diagnostics, ..Verdict::default() };
+        let mut diagnostics = compiled.diagnostics;
+        if let Some(program) = &compiled.program {
+            diagnostics.extend(prove(program, proofs).diagnostics(program));
+        }
+        let verdict = Verdict { diagnostics, ..Verdict::default() };
         let out = Unfinished { sources: compiled.sources, program: compiled.program, layout: None, verdict };
         return out.finish(&job);
     }

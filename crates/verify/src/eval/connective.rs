@@ -6,7 +6,7 @@ use super::Values;
 use super::value::{EvalError, Truth, Value};
 use crate::number::{Algebra, Logic, Number};
 use crate::tolerances::Tolerances;
-use crate::vector::M3;
+use crate::vector::{M3, V3};
 use scenelang_lang::program::{Comparison, Node, NodeId, Unit};
 
 /// Equality holds exactly up to its tolerance; this is for the rounding of 1 − 0.999.
@@ -60,10 +60,14 @@ fn within<N: Algebra>(tolerance: f64, difference: N, unit: Unit) -> Truth<N> {
     Truth { margin, holds: margin.at_least(-ROUNDING), unit }
 }
 
-/// Two vectors at the same point, or two rotations of the same orientation.
-pub(super) fn same<N: Algebra>(a: Value<N>, b: Value<N>, tolerances: &Tolerances) -> Truth<N> {
+/// Two vectors at the same point.
+pub(super) fn same_point<N: Algebra>(a: V3<N>, b: V3<N>, tolerances: &Tolerances) -> Truth<N> {
+    within(tolerances.equal, (a - b).length(), Unit::Metre)
+}
+
+/// Two rotations of the same orientation.
+pub(super) fn same_turn<N: Number>(a: Value<N>, b: Value<N>, tolerances: &Tolerances) -> Truth<N> {
     match (a, b) {
-        (Value::Vector(a), Value::Vector(b)) => within(tolerances.equal, (a - b).length(), Unit::Metre),
         (Value::Rotation(a), Value::Rotation(b)) => {
             within(tolerances.angle, M3::rotation(a).angle(&M3::rotation(b)), Unit::Degree)
         }

@@ -10,6 +10,7 @@ mod connective;
 mod property;
 mod value;
 
+pub(crate) use property::of_region as rectangle;
 pub use value::{Cause, EvalError, Truth, Value};
 
 use crate::natives::{self, Call};
@@ -29,7 +30,7 @@ pub struct Scratch<N: Algebra> {
     greatest: Vec<Truth<N>>,
 }
 
-/// Who knows what takes geometry to know: built-ins, outlines, declared surfaces, draws.
+/// Who knows what takes geometry to know: built-ins, outlines, declared surfaces, equal orientations; and draws.
 pub(crate) trait Oracle<N: Algebra> {
     /// The value of such a node; `values` are those of the nodes before it.
     fn ask(&mut self, node: &Node, id: NodeId, values: &Values<N>, world: &World<N>) -> Result<Value<N>, EvalError>;
@@ -50,6 +51,10 @@ impl<N: Number> Oracle<N> for Measured {
             }
             Node::Measure(measure, args) => {
                 Ok(Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?))
+            }
+            Node::Same(a, b) => {
+                let (a, b) = (values[a.0 as usize]?, values[b.0 as usize]?);
+                Ok(Value::Truth(connective::same_turn(a, b, &world.options.tolerances)))
             }
             Node::SamePolygon(region, vertices) => {
                 Ok(Value::Truth(property::same_polygon(world, *region, values, vertices, id)?))
@@ -168,7 +173,12 @@ impl<N: Algebra> Scratch<N> {
                 let (a, b) = (arithmetic::number(get(*a)?), arithmetic::number(get(*b)?));
                 Value::Truth(connective::compare(*op, *unit, a, b, &world.options.tolerances))
             }
-            Node::Same(a, b) => Value::Truth(connective::same(get(*a)?, get(*b)?, &world.options.tolerances)),
+            Node::Same(a, b) => match (get(*a)?, get(*b)?) {
+                (Value::Vector(a), Value::Vector(b)) => {
+                    Value::Truth(connective::same_point(a, b, &world.options.tolerances))
+                }
+                _ => oracle.ask(formula.node(id), id, values, world)?,
+            },
             Node::And(parts) => Value::Truth(connective::all(values, parts)?),
             Node::Or(parts) => Value::Truth(connective::any(values, parts)?),
             Node::Not(a) => Value::Truth(connective::truth(get(*a)?).negated()),

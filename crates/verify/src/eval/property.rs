@@ -41,7 +41,7 @@ pub(super) fn surface<N: Number>(world: &World<N>, object: ObjectId) -> Result<V
 }
 
 /// A property of a region, taken as a rectangle.
-pub(super) fn of_region<N: Algebra>(
+pub(crate) fn of_region<N: Algebra>(
     world: &World<N>,
     property: RegionProperty,
     region: RegionId,

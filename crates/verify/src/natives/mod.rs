@@ -12,6 +12,7 @@ mod visible;
 
 pub use collides::gap;
 pub(crate) use collides::in_words as gap_in_words;
+pub(crate) use inside::in_box;
 pub use inside::in_region;
 
 use crate::eval::{Cause, EvalError, Truth, Value};

@@ -19,6 +19,7 @@ mod drawing;
 
 use blocks::{Block, Mark, PENDING, agree, blocks, expected, relevant};
 use scenelang_lang::sources::Loader;
+use scenelang_verify::prove::ProveOptions;
 use scenelang_verify::report::model::{Finding, Row};
 use scenelang_verify::report::{Human, human};
 use scenelang_verify::{Checked, Geometry, Options, check_file, check_layout_text};
@@ -102,7 +103,7 @@ fn checked(page: &Page, scene: &Block) -> Checked {
     let path = folder.path().join(name_of(scene));
     fs::write(&path, &scene.text).unwrap();
     let compile = scenelang_lang::Options { core: scene.words().contains(&"core") };
-    check_file(name_of(scene), &path, &Options::default(), compile)
+    check_file(name_of(scene), &path, &Options::default(), &ProveOptions::default(), compile)
 }
 
 /// What the `//=` of a line say: the line and one of the things.
