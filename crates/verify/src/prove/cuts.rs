@@ -33,7 +33,9 @@ const MOST: usize = 48;
 pub(super) fn broken(problem: &Problem, state: &State, simplex: &Simplex, points: &Points, work: &mut u64) -> Vec<Cut> {
     let mut out = Gather { problem, state, simplex, cuts: Vec::new() };
     for (index, kind) in problem.kinds.iter().enumerate() {
-        if let Kind::Apply(function, a, b) = kind {
+        if let Kind::Apply(function, a, b) = kind
+            && !problem.curved[index]
+        {
             *work += 1;
             out.operation(*function, index as Var, *a, *b);
         }

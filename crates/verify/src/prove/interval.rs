@@ -52,16 +52,6 @@ impl Interval {
     pub fn meet(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
-    /// The smallest interval that holds both.
-    pub fn join(self, other: Self) -> Self {
-        if self.is_empty() {
-            return other;
-        }
-        if other.is_empty() {
-            return self;
-        }
-        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
-    }
     pub fn abs(self) -> Self {
         if self.lo >= 0.0 {
             self

@@ -82,7 +82,25 @@ impl<'a> Prover<'a> {
         let mut search = Search::new(problem, &packing, most, self.options.cancel.as_deref());
         search.told = tell.then(Vec::new);
         let given: Vec<_> = model.given.iter().map(|g| g.claim).collect();
+        let n0 = search.problem.kinds.len();
+        let r0 = search.problem.kinds.iter().filter(|k| matches!(k, super::problem::Kind::Row(_))).count();
+        let t0 = std::time::Instant::now();
         let used = search.refute(&model.always, &given);
+        if std::env::var("PVD").is_ok() && choice.contrary.is_none() {
+            eprintln!(
+                "refute st={} vars={} rows={} facts={} -> kinds {} work={} of {} refuted={} {:?} {:?}",
+                choice.statements.len(),
+                n0,
+                r0,
+                search.state.verdict.len(),
+                search.problem.kinds.len(),
+                search.state.work,
+                most,
+                used.is_some(),
+                search.stats,
+                t0.elapsed()
+            );
+        }
         self.spent += search.state.work;
         self.short |= search.state.work >= most;
         let used = used?;
@@ -129,7 +147,11 @@ impl<'a> Prover<'a> {
         }
         let told = if self.options.explain { self.refute(whole(&core.statements), SMALLER, true) } else { None };
         let Core { statements, rules, proof } = core;
-        Some(Contradiction { statements, rules, proof: told.map_or(proof, |t| t.proof) })
+        let mut definitions: Vec<usize> =
+            statements.iter().flat_map(|s| self.program.constraints[*s].definitions.iter().copied()).collect();
+        definitions.sort_unstable();
+        definitions.dedup();
+        Some(Contradiction { statements, definitions, rules, proof: told.map_or(proof, |t| t.proof) })
     }
 
     fn redundancies(&mut self, findings: &mut Findings) {

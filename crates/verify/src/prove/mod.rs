@@ -43,7 +43,7 @@ pub struct ProveOptions {
 }
 
 /// Work enough for rooms and houses, little enough not to be waited for.
-pub const WORK: u64 = 30_000_000;
+pub const WORK: u64 = 6_000_000;
 
 impl Default for ProveOptions {
     fn default() -> Self {
@@ -71,6 +71,9 @@ pub struct Findings {
 pub struct Contradiction {
     /// Indices into [`Program::constraints`], in their order: assertions and assignments.
     pub statements: Vec<usize>,
+    /// Assignments to variables that these were made with: indices into [`Program::definitions`]. They are members too,
+    /// though whether the set is contradictory without one of them is not tried: without it there is another program.
+    pub definitions: Vec<usize>,
     /// Physical rules that take part, in words.
     pub rules: Vec<String>,
     /// Why, if that was asked for.

@@ -16,6 +16,7 @@ use scenelang_lang::program::{
 };
 use scenelang_layout::Geometry;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// Something that is taken as given.
 #[derive(Clone, Debug)]
@@ -42,6 +43,8 @@ pub(super) struct Model {
     pub tape: Tape,
     /// What holds in every instance.
     pub always: Vec<Claim>,
+    /// Those of them that linear reasoning leaves out.
+    pub curved: Vec<Claim>,
     pub given: Vec<Given>,
     pub groups: Vec<Group<Term>>,
     /// Names of unknowns.
@@ -69,9 +72,10 @@ impl Model {
     pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
         Tape::begin();
         let counts = |statement: usize| choice.statements.binary_search(&statement).is_ok();
-        let mut unknowns = Unknowns::new(program, options, &counts);
-        let mut builder =
-            Builder { program, options, given: Vec::new(), objects: BTreeSet::new(), regions: BTreeSet::new() };
+        let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
+        let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
+        let mut unknowns = Unknowns::new(program, options, &counts, &objects);
+        let mut builder = Builder { program, options, given: Vec::new(), objects };
         for &statement in choice.statements {
             builder.statement(&mut unknowns, statement, false);
         }
@@ -80,20 +84,20 @@ impl Model {
         }
         let mut groups = Vec::new();
         if choice.rules && options.physics {
-            builder.bounds(&mut unknowns);
+            builder.bounds(&mut unknowns, choice.statements);
             builder.collisions(&mut unknowns);
             groups = builder.groups(&mut unknowns, choice.statements);
         }
         builder.frames(&mut unknowns, &groups);
         let names = unknowns.names();
-        let always = unknowns.always;
-        Self { tape: Tape::end(), always, given: builder.given, groups, names }
+        let (always, curved) = (unknowns.always, unknowns.curved);
+        Self { tape: Tape::end(), always, curved, given: builder.given, groups, names }
     }
 
     /// As equations.
     pub fn problem(&self) -> Problem {
         let roots: Vec<Claim> = self.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
-        Problem::new(&self.tape, &roots, &wanted(&self.groups))
+        Problem::new(&self.tape, &roots, &wanted(&self.groups), &self.curved)
     }
 }
 
@@ -106,8 +110,8 @@ struct Builder<'a> {
     program: &'a Program,
     options: &'a Options,
     given: Vec<Given>,
+    /// The objects that are spoken of.
     objects: BTreeSet<ObjectId>,
-    regions: BTreeSet<RegionId>,
 }
 
 impl Builder<'_> {
@@ -116,12 +120,10 @@ impl Builder<'_> {
         let (objects, regions) = (formula.objects(), regions_of(formula));
         let mut premises: Vec<usize> = objects.iter().filter_map(|o| unknowns.turned.get(o).copied()).collect();
         premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
-        self.objects.extend(objects);
-        self.regions.extend(regions);
         if !walks_are_compared(formula) {
             return;
         }
-        let world = unknowns.world.clone();
+        let world = Rc::clone(&unknowns.world);
         let claim = match Scratch::new().evaluate_with(formula, &world, unknowns) {
             Ok(Value::Truth(truth)) => truth.holds,
             // It has no value in any layout; that is told where a layout is judged.
@@ -142,13 +144,17 @@ impl Builder<'_> {
     }
 
     /// P-BOUNDS of what is spoken of: one of the regions holds it.
-    fn bounds(&mut self, unknowns: &mut Unknowns<'_>) {
+    fn bounds(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) {
         let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
         if regions.is_empty() {
             return;
         }
         let scope = scope(self.program, self.options);
-        for &object in self.objects.clone().iter().filter(|o| scope.bounds(**o)) {
+        // What is said to be in a region is in one.
+        let said: BTreeSet<ObjectId> =
+            statements.iter().flat_map(|s| insides(&self.program.constraints[*s].formula)).map(|(_, o)| o).collect();
+        let speaks = |o: &&ObjectId| scope.bounds(**o) && !said.contains(o);
+        for &object in self.objects.clone().iter().filter(speaks) {
             let holds: Vec<Claim> = regions.iter().map(|r| unknowns.in_region(object, *r)).collect();
             let mut premises: Vec<usize> = unknowns.turned.get(&object).copied().into_iter().collect();
             premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
@@ -159,7 +165,6 @@ impl Builder<'_> {
             });
             self.given.push(Given { claim: any(&holds), what, premises });
         }
-        self.regions.extend(regions);
     }
 
     /// P-COLLIDE of pairs whose gap is spoken of. The rule is that they do not collide: the rounding that its verdict
@@ -233,8 +238,7 @@ impl Builder<'_> {
         let roots: Vec<Claim> = unknowns.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
         let (_, terms) = look(|tape| reached(tape, &roots, &wanted(groups)));
         let is_reached = |term: &Term| terms.get(term.0 as usize).copied().unwrap_or(false);
-        for index in 0..self.program.objects.len() {
-            let id = ObjectId(index as u32);
+        for &id in &self.objects {
             if unknowns.axes(id).iter().any(is_reached) {
                 unknowns.orientation(id);
             }
@@ -355,7 +359,7 @@ impl Unknowns<'_> {
 
     fn member(&mut self, object: ObjectId, region: RegionId) -> Member<Term> {
         let inside = self.in_region(object, region);
-        let thing = self.world.objects[object.0 as usize].as_ref().expect("every object is there");
+        let thing = self.world.objects[object.0 as usize].as_ref().expect("every object that is spoken of is there");
         let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
         Member { inside, size: thing.scale.0, bottom: center - reach, top: center + reach, up: thing.axes.0[1].0[1] }
     }
@@ -366,7 +370,8 @@ impl Unknowns<'_> {
     /// along an axis, since boxes along the axes are (or overlap along each by more than the two overlap). And how far a
     /// box reaches along an axis is at most its extent there and `skew` times the others.
     fn beside(&mut self, a: ObjectId, b: ObjectId, skew: f64) -> Claim {
-        let things = [a, b].map(|o| self.world.objects[o.0 as usize].clone().expect("every object is there"));
+        let things =
+            [a, b].map(|o| self.world.objects[o.0 as usize].clone().expect("every object that is spoken of is there"));
         let along = |claims: &mut Vec<Claim>, c: Term| {
             claims.push(any(&[
                 all(&[c.at_least(-skew), (-c).at_least(-skew)]),
@@ -398,7 +403,8 @@ impl Unknowns<'_> {
                 out.insert(term, format!("{name}.{axis}"));
             }
         };
-        for (object, thing) in self.program_objects().zip(self.world.objects.iter().flatten()) {
+        let objects = self.program_objects().zip(&self.world.objects);
+        for (object, thing) in objects.filter_map(|(name, thing)| Some((name, thing.as_ref()?))) {
             note(thing.pos.0, format!("{object}.pos"));
             note(thing.scale.0, format!("{object}.scale"));
             note(thing.rot.0, format!("{object}.rot"));

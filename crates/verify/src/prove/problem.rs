@@ -3,7 +3,7 @@
 
 use super::interval::Interval;
 use super::tape::{Claim, Fact, Op, Tape, Term};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A variable: index into [`Problem::kinds`]. Variable 0 is the number 0.
 pub(super) type Var = u32;
@@ -84,6 +84,8 @@ pub(super) struct Problem {
     pub above: Vec<Vec<u32>>,
     /// Lengths: the variable, and the differences it is the length of.
     pub lengths: Vec<(Var, Vec<Affine>)>,
+    /// By variable: whether linear reasoning leaves it out.
+    pub curved: Vec<bool>,
     /// By term, for words.
     pub terms: Vec<Option<Affine>>,
     rows: FxHashMap<Vec<(Var, u64)>, Var>,
@@ -98,7 +100,7 @@ struct Sum {
 
 impl Problem {
     /// What of a tape these claims and terms need.
-    pub fn new(tape: &Tape, roots: &[Claim], wanted: &[Term]) -> Self {
+    pub fn new(tape: &Tape, roots: &[Claim], wanted: &[Term], curved: &[Claim]) -> Self {
         let (facts, terms) = reached(tape, roots, wanted);
         let mut own = Self {
             kinds: Vec::new(),
@@ -108,6 +110,7 @@ impl Problem {
             verdicts: vec![Verdict::Open; tape.facts.len()],
             above: vec![Vec::new(); tape.facts.len()],
             lengths: Vec::new(),
+            curved: Vec::new(),
             terms: vec![None; tape.ops.len()],
             rows: FxHashMap::default(),
         };
@@ -138,7 +141,20 @@ impl Problem {
             }
             own.verdicts[index] = verdict;
         }
+        own.leave_out(curved);
         own
+    }
+
+    /// Marks the rows that these claims are about, and operations that stand in such rows only.
+    fn leave_out(&mut self, curved: &[Claim]) {
+        let only: FxHashSet<u32> = curved.iter().map(|c| c.index() as u32).collect();
+        self.curved = vec![false; self.kinds.len()];
+        for var in (1..self.kinds.len()).rev() {
+            let atoms = self.atoms[var].iter().all(|a| only.contains(a));
+            let parents = self.parents[var].iter().all(|p| self.curved[*p as usize]);
+            let used = !(self.atoms[var].is_empty() && self.parents[var].is_empty());
+            self.curved[var] = used && atoms && parents && !matches!(self.kinds[var], Kind::Free);
+        }
     }
 
     fn variable(&mut self, kind: Kind, domain: Interval) -> Var {
@@ -157,6 +173,7 @@ impl Problem {
         self.initial.push(domain);
         self.parents.push(Vec::new());
         self.atoms.push(Vec::new());
+        self.curved.push(false);
         var
     }
 

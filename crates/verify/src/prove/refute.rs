@@ -18,7 +18,7 @@ const DEEPEST: usize = 60;
 /// So often a variable is halved on one path.
 const HALVINGS: usize = 10;
 /// Rounds of inequalities for operations, at the start and below a supposition.
-const ROUNDS: [usize; 2] = [24, 6];
+const ROUNDS: [usize; 2] = [12, 3];
 /// So many rows may be added.
 const MOST_ROWS: usize = 4000;
 
@@ -45,6 +45,8 @@ pub(super) struct Search<'a> {
     simplex: Simplex,
     points: Points,
     packing: &'a Packing,
+    /// Rows from here on were added by the search.
+    first_row: usize,
     most: u64,
     cancel: Option<&'a AtomicBool>,
     /// How often a fact took part in a conflict lately.
@@ -53,6 +55,7 @@ pub(super) struct Search<'a> {
     /// The proof, if it is to be told.
     pub told: Option<Vec<Told>>,
     told_as: Vec<Option<usize>>,
+    pub stats: [u64; 8],
 }
 
 /// How a part of the search ended.
@@ -69,18 +72,21 @@ impl<'a> Search<'a> {
         let state = State::new(&problem);
         let points = Points::new(&problem);
         let activity = vec![0.0; problem.verdicts.len()];
+        let first_row = problem.kinds.len();
         Self {
             problem,
             state,
             simplex: Simplex::default(),
             points,
             packing,
+            first_row,
             most,
             cancel,
             activity,
             weight: 1.0,
             told: None,
             told_as: Vec::new(),
+            stats: [0; 8],
         }
     }
 
@@ -141,13 +147,21 @@ impl<'a> Search<'a> {
     /// Draws consequences by all rules.
     fn consequences(&mut self, depth: usize) -> Result<(), Conflict> {
         for _ in 0..ROUNDS[usize::from(depth > 0)] {
-            self.state.propagate(&self.problem, self.most)?;
+            let w0 = self.state.work;
+            let r = self.state.propagate(&self.problem, self.most);
+            self.stats[0] += self.state.work - w0;
+            self.stats[4] += 1;
+            r?;
             self.packing.check(&mut self.state)?;
             if self.stopped() {
                 return Ok(());
             }
             let most = self.most;
-            match self.simplex.check(&self.problem, &self.state.domain, &mut self.state.work, most) {
+            let mut work = self.state.work;
+            let o = self.simplex.check(&self.problem, &self.state, &mut work, most);
+            self.stats[1] += work - self.state.work;
+            self.state.work = work;
+            match o {
                 Outcome::Contradiction(shares) => {
                     if let Some(shares) = Simplex::certificate(&self.problem, &self.state.domain, &shares) {
                         let reasons: Vec<EventId> =
@@ -159,12 +173,14 @@ impl<'a> Search<'a> {
                 Outcome::Unknown => return Ok(()),
                 Outcome::Fits => {}
             }
-            if self.problem.kinds.len() > self.state.verdict.len() + MOST_ROWS {
+            if self.problem.kinds.len() > self.first_row + MOST_ROWS {
                 return Ok(());
             }
             let mut work = 0;
             let cuts = cuts::broken(&self.problem, &self.state, &self.simplex, &self.points, &mut work);
             self.state.work += work;
+            self.stats[2] += work;
+            self.stats[5] += cuts.len() as u64;
             if cuts.is_empty() {
                 return Ok(());
             }
@@ -202,6 +218,8 @@ impl<'a> Search<'a> {
             }
             let Some((supposition, halving)) = self.choose(halvings) else { return End::Open };
             let mark = self.state.mark();
+            self.stats[6] += 1;
+            self.stats[7] = self.stats[7].max(depth as u64);
             let event = self.state.event(What::Supposed, &[]);
             let tried = match supposition {
                 Supposition::Claim(claim) => self.state.decide(claim, &[event]),

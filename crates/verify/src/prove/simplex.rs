@@ -7,6 +7,7 @@
 
 use super::interval::Interval;
 use super::problem::{Kind, Problem, Var};
+use super::state::{EventId, State};
 use std::collections::BTreeMap;
 
 /// How far a value may be off its bound before it has to move.
@@ -41,8 +42,8 @@ pub(super) struct Simplex {
     /// By independent variable: the rows it stands in.
     columns: BTreeMap<Var, Vec<Var>>,
     values: Vec<f64>,
-    /// Variables of the problem that were looked at.
-    seen: usize,
+    /// By variable: whether its row was taken in (it may be independent since).
+    is_in: Vec<bool>,
 }
 
 impl Simplex {
@@ -51,29 +52,54 @@ impl Simplex {
         self.values.get(var as usize).copied().unwrap_or(0.0)
     }
 
-    /// Takes in rows that were added to the problem.
-    fn grow(&mut self, problem: &Problem) {
-        for var in self.seen..problem.kinds.len() {
-            self.values.push(0.0);
-            if let Kind::Row(parts) = &problem.kinds[var] {
-                let mut row: BTreeMap<Var, f64> = BTreeMap::new();
-                for (part, factor) in parts {
-                    match self.rows.get(part) {
-                        Some(inner) => inner.iter().for_each(|(v, c)| *row.entry(*v).or_default() += factor * c),
-                        None => *row.entry(*part).or_default() += factor,
-                    }
-                }
-                row.retain(|_, c| c.abs() > TINY);
-                row.keys().for_each(|v| self.columns.entry(*v).or_default().push(var as Var));
-                self.rows.insert(var as Var, row);
+    /// Takes in the rows that have a bound by now which their variables do not give them.
+    fn grow(&mut self, problem: &Problem, why: &[[EventId; 2]]) {
+        self.values.resize(problem.kinds.len(), 0.0);
+        self.is_in.resize(problem.kinds.len(), false);
+        for (var, why) in why.iter().enumerate() {
+            let Kind::Row(parts) = &problem.kinds[var] else { continue };
+            if *why == [0, 0] || problem.curved[var] || self.rows.contains_key(&(var as Var)) || self.is_in[var] {
+                continue;
+            }
+            self.is_in[var] = true;
+            let mut row: BTreeMap<Var, f64> = BTreeMap::new();
+            self.flatten(problem, parts, 1.0, &mut row);
+            row.retain(|_, c| c.abs() > TINY);
+            row.keys().for_each(|v| self.columns.entry(*v).or_default().push(var as Var));
+            self.rows.insert(var as Var, row);
+        }
+    }
+
+    /// A sum by what is independent now.
+    fn flatten(&self, problem: &Problem, parts: &[(Var, f64)], factor: f64, out: &mut BTreeMap<Var, f64>) {
+        for (part, c) in parts {
+            let factor = factor * c;
+            match (self.rows.get(part), &problem.kinds[*part as usize]) {
+                (Some(inner), _) => inner.iter().for_each(|(v, c)| *out.entry(*v).or_default() += factor * c),
+                (None, Kind::Row(inner)) if !self.is_in[*part as usize] => self.flatten(problem, inner, factor, out),
+                _ => *out.entry(*part).or_default() += factor,
             }
         }
-        self.seen = problem.kinds.len();
     }
 
     /// Looks for values within the bounds; `work` counts what it costs, up to `most`.
-    pub fn check(&mut self, problem: &Problem, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
-        self.grow(problem);
+    pub fn check(&mut self, problem: &Problem, state: &State, work: &mut u64, most: u64) -> Outcome {
+        self.grow(problem, &state.why);
+        let domain = &state.domain[..];
+        let outcome = self.mend(domain, work, most);
+        // Rows that stayed out are what their variables make them.
+        for (var, kind) in problem.kinds.iter().enumerate() {
+            if let Kind::Row(parts) = kind
+                && !self.is_in[var]
+            {
+                self.values[var] = parts.iter().map(|(v, c)| c * self.values[*v as usize]).sum();
+            }
+        }
+        *work += problem.kinds.len() as u64 / 4;
+        outcome
+    }
+
+    fn mend(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
         // Independent ones to within their bounds, dependent ones by their rows.
         for var in 0..self.values.len() {
             if !self.rows.contains_key(&(var as Var)) {

@@ -21,6 +21,8 @@ use scenelang_lang::program::{
 };
 use scenelang_layout::Prism;
 use scenelang_layout::file::LARGEST;
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// Rounding of what holds exactly (unit vectors, equations of a frame).
 const EXACT: f64 = 1e-9;
@@ -33,9 +35,11 @@ const NO_WAY: f64 = 1e12;
 pub(super) struct Unknowns<'p> {
     program: &'p Program,
     pub options: Options,
-    pub world: World<Term>,
+    pub world: Rc<World<Term>>,
     /// Claims that hold in every instance.
     pub always: Vec<Claim>,
+    /// Those of them that are equations of frames: too far from linear to be of use to linear reasoning.
+    pub curved: Vec<Claim>,
     /// Statements that fix the orientation of an object for good.
     pub turned: FxHashMap<ObjectId, usize>,
     /// Statements that a region's frame rests on: its orientation, and that it is a rectangle at all.
@@ -52,13 +56,20 @@ pub(super) struct Unknowns<'p> {
 }
 
 impl<'p> Unknowns<'p> {
-    /// The unknowns of a program of which only some statements count.
-    pub fn new(program: &'p Program, options: &Options, counts: &dyn Fn(usize) -> bool) -> Self {
+    /// The unknowns of a program of which only some statements count, and only some objects are spoken of.
+    pub fn new(
+        program: &'p Program,
+        options: &Options,
+        counts: &dyn Fn(usize) -> bool,
+        objects: &BTreeSet<ObjectId>,
+    ) -> Self {
+        let mut world = World::nowhere(program, options);
         let mut own = Self {
             program,
             options: *options,
-            world: World::nowhere(program, options),
+            world: Rc::new(world.clone()),
             always: Vec::new(),
+            curved: Vec::new(),
             turned: FxHashMap::default(),
             framed: FxHashMap::default(),
             rectangles: FxHashSet::default(),
@@ -69,8 +80,7 @@ impl<'p> Unknowns<'p> {
             frames: FxHashMap::default(),
         };
         let turns = own.pinned_turns(counts);
-        for index in 0..program.objects.len() {
-            let id = ObjectId(index as u32);
+        for &id in objects {
             let turn = turns.get(&Owner::Object(id));
             if let Some((statement, _)) = turn {
                 own.turned.insert(id, *statement);
@@ -80,7 +90,7 @@ impl<'p> Unknowns<'p> {
                 None => (own.angles(Owner::Object(id)), M3(std::array::from_fn(|_| triple(-1.0, 1.0)))),
             };
             let thing = Thing { pos: place(), rot, scale: size(), axes, body: Body::unit() };
-            own.world.objects[index] = Some(thing);
+            world.objects[id.0 as usize] = Some(thing);
         }
         for index in 0..program.regions.len() {
             let id = RegionId(index as u32);
@@ -97,14 +107,19 @@ impl<'p> Unknowns<'p> {
             own.framed.insert(id, rests);
             let (rot, yaw) = match turn {
                 Some((_, rot)) => (*rot, [rot.0[1].cos(), rot.0[1].sin()]),
-                None => (own.angles(Owner::Region(id)), [(); 2].map(|()| unknown(Interval::new(-1.0, 1.0)))),
+                // A rectangle turned by half a turn is the same one, and it is all that the frame is used for: so the
+                // cosine is not negative.
+                None => {
+                    let frame = [Interval::new(0.0, 1.0), Interval::new(-1.0, 1.0)].map(unknown);
+                    (own.angles(Owner::Region(id)), frame)
+                }
             };
             own.yaws.push(yaw);
-            own.world.regions[index] =
+            world.regions[index] =
                 Some(Room { pos: place(), rot, scale: size(), outlined: false, prism: Prism::unit() });
         }
         for (index, variable) in program.variables.iter().enumerate() {
-            own.world.variables[index] = Ok(match variable.kind {
+            world.variables[index] = Ok(match variable.kind {
                 VariableKind::Number => Value::Number(unknown(Interval::new(-LARGEST, LARGEST))),
                 VariableKind::Degree => Value::Number(turn()),
                 VariableKind::Bool => {
@@ -114,6 +129,7 @@ impl<'p> Unknowns<'p> {
                 VariableKind::Rotation => Value::Rotation(V3(std::array::from_fn(|_| turn()))),
             });
         }
+        own.world = Rc::new(world);
         own
     }
 
@@ -137,7 +153,7 @@ impl<'p> Unknowns<'p> {
             // Nothing is in the instance yet, so that whatever depends on it has no value.
             let plain =
                 formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::Native(..) | Node::Measure(..)));
-            let world = self.world.clone();
+            let world = Rc::clone(&self.world);
             if plain
                 && let Ok(Value::Rotation(rot)) = scratch.evaluate_with(formula, &world, self)
                 && rot.0.iter().all(|c| c.known().is_some())
@@ -187,7 +203,9 @@ impl<'p> Unknowns<'p> {
     fn equal(&mut self, a: Term, b: Term) {
         if a != b {
             let d = a - b;
-            self.always.extend([d.at_least(-EXACT), (-d).at_least(-EXACT)]);
+            let sides = [d.at_least(-EXACT), (-d).at_least(-EXACT)];
+            self.always.extend(sides);
+            self.curved.extend(sides);
         }
     }
 
@@ -201,7 +219,7 @@ impl<'p> Unknowns<'p> {
     }
 
     fn thing(&self, id: ObjectId) -> Thing<Term> {
-        self.world.objects[id.0 as usize].clone().expect("every object is there")
+        self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
     }
 
     fn room(&self, id: RegionId) -> Room<Term> {

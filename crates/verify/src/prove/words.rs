@@ -7,8 +7,8 @@ use super::state::{Rule, What};
 use super::tape::{Claim, Op, Term};
 use super::{Contradiction, Findings, Proof, Step};
 use rustc_hash::FxHashMap;
-use scenelang_base::{Diagnostic, codes};
-use scenelang_lang::program::{Constraint, Program};
+use scenelang_base::{Diagnostic, Span, codes};
+use scenelang_lang::program::Program;
 
 /// Findings as diagnostics.
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
@@ -40,21 +40,18 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         [one, two] => format!(": {one}, {two}"),
         [one, rest @ ..] => format!(": {one}, and {} more rules take part", rest.len()),
     };
-    let mut finding = match found.statements.as_slice() {
-        [one] => Diagnostic::new(codes::E0402, of(*one).span, format!("this can never hold{rules}")),
-        several => {
-            // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
-            let main = several.iter().copied().find(|s| !of(*s).formula.objects().is_empty()).unwrap_or(several[0]);
-            let say = format!("these {} statements cannot hold together{rules}", several.len());
-            let mut finding = Diagnostic::new(codes::E0401, of(main).span, say);
-            for &statement in several {
-                finding = finding.related(of(statement).span, label(of(statement)));
-            }
-            finding
-        }
+    // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
+    let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
+    let main = found.statements.iter().copied().find(speaks).unwrap_or(found.statements[0]);
+    let mut members: Vec<(Span, &str)> = found.statements.iter().map(|s| (of(*s).span, of(*s).text.as_str())).collect();
+    members.extend(found.definitions.iter().map(|d| &program.definitions[*d]).map(|d| (d.span, d.text.as_str())));
+    members.sort_by_key(|(span, _)| (span.file, span.range.start));
+    let mut finding = match members.len() {
+        1 => Diagnostic::new(codes::E0402, of(main).span, format!("this can never hold{rules}")),
+        n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements cannot hold together{rules}")),
     };
-    if let [one] = found.statements.as_slice() {
-        finding = finding.related(of(*one).span, label(of(*one)));
+    for (span, text) in members {
+        finding = finding.related(span, format!("`{text}`"));
     }
     if let Some(proof) = &found.proof {
         for step in &proof.steps {
@@ -62,10 +59,6 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         }
     }
     finding
-}
-
-fn label(constraint: &Constraint) -> String {
-    format!("`{}`", constraint.text)
 }
 
 /// A proof in words.

@@ -3,5 +3,6 @@
 
 mod cases;
 mod gradients;
+mod proofs;
 mod reports;
 mod spec;
