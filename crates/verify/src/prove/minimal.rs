@@ -1,6 +1,6 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, Model, Source, regions_of};
+use super::model::{Choice, Model, Source, crowds, regions_of};
 use super::packing::Packing;
 use super::refute::Search;
 use super::words;
@@ -43,10 +43,23 @@ impl<'a> Prover<'a> {
     pub fn findings(mut self) -> Findings {
         let mut findings = Findings::default();
         let mut open: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        // Crowded regions by themselves, then everything, again and again without what was found.
+        let mut looks = crowds(self.program, &self.options.judging, &open);
+        looks.reverse();
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
-            let Some(found) = self.contradiction(&open) else { break };
-            open.retain(|i| !found.statements.contains(i));
-            findings.contradictions.push(found);
+            let (among, part, last) = match looks.pop() {
+                Some(crowd) => (crowd, SMALLER, false),
+                None => (open.clone(), WHOLE, true),
+            };
+            let fresh = among.iter().all(|s| open.binary_search(s).is_ok());
+            match if fresh { self.contradiction(&among, part) } else { None } {
+                Some(found) => {
+                    open.retain(|i| !found.statements.contains(i));
+                    findings.contradictions.push(found);
+                }
+                None if last => break,
+                None => {}
+            }
         }
         findings.contradictions.sort_by(|a, b| a.statements.cmp(&b.statements));
         if findings.contradictions.is_empty() {
@@ -82,25 +95,7 @@ impl<'a> Prover<'a> {
         let mut search = Search::new(problem, &packing, most, self.options.cancel.as_deref());
         search.told = tell.then(Vec::new);
         let given: Vec<_> = model.given.iter().map(|g| g.claim).collect();
-        let n0 = search.problem.kinds.len();
-        let r0 = search.problem.kinds.iter().filter(|k| matches!(k, super::problem::Kind::Row(_))).count();
-        let t0 = std::time::Instant::now();
         let used = search.refute(&model.always, &given);
-        if std::env::var("PVD").is_ok() && choice.contrary.is_none() {
-            eprintln!(
-                "refute st={} vars={} rows={} facts={} -> kinds {} work={} of {} refuted={} {:?} {:?}",
-                choice.statements.len(),
-                n0,
-                r0,
-                search.state.verdict.len(),
-                search.problem.kinds.len(),
-                search.state.work,
-                most,
-                used.is_some(),
-                search.stats,
-                t0.elapsed()
-            );
-        }
         self.spent += search.state.work;
         self.short |= search.state.work >= most;
         let used = used?;
@@ -123,8 +118,8 @@ impl<'a> Prover<'a> {
     }
 
     /// A minimal set among these that cannot hold together, if one is found.
-    fn contradiction(&mut self, among: &[usize]) -> Option<Contradiction> {
-        let mut core = self.refute(whole(among), WHOLE, false)?;
+    fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
+        let mut core = self.refute(whole(among), part, false)?;
         // Small first: a core of a core is often smaller, and costs little.
         while let Some(next) = self.refute(whole(&core.statements), SMALLER, false) {
             let done = next.statements.len() >= core.statements.len();

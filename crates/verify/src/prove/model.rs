@@ -186,30 +186,11 @@ impl Builder<'_> {
 
     /// Boxes of known size that are said to be in one region, for each rectangular region of known size.
     fn groups(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) -> Vec<Group<Term>> {
-        let sizes = nominal_sizes(self.program, statements);
         let scope = scope(self.program, self.options);
-        let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
-        for &index in statements {
-            said.extend(insides(&self.program.constraints[index].formula));
-        }
-        if self.program.regions.len() == 1 {
-            said.extend(self.objects.iter().filter(|o| scope.bounds(**o)).map(|o| (RegionId(0), *o)));
-        }
         let mut groups = Vec::new();
         let mut apart = None;
-        for region in (0..self.program.regions.len() as u32).map(RegionId) {
-            let Some(room_size) = sizes.get(&Owner::Region(region)) else { continue };
-            let objects: Vec<ObjectId> = said
-                .range((region, ObjectId(0))..=(region, ObjectId(u32::MAX)))
-                .map(|(_, object)| *object)
-                .filter(|o| sizes.contains_key(&Owner::Object(*o)) && is_box(self.program, self.options, *o))
-                .collect();
-            if objects.len() < 2 {
-                continue;
-            }
+        for Company { region, objects, full } in companies(self.program, self.options, statements) {
             let apart = *apart.get_or_insert_with(open);
-            let footprint = |o: &ObjectId| sizes.get(&Owner::Object(*o)).map_or(0.0, |s| s[0] * s[2]);
-            let full = objects.iter().map(footprint).sum::<f64>() >= 0.5 * room_size[0] * room_size[2];
             if full && objects.len() <= CLOSE_COMPANY {
                 for (i, &a) in objects.iter().enumerate() {
                     for &b in objects[i + 1..].iter().filter(|b| scope.collide(a, **b)) {
@@ -258,6 +239,56 @@ fn scope(program: &Program, options: &Options) -> Scope {
 fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
     let object = &program.objects[object.0 as usize];
     options.geometry == Geometry::Box || object.category.is_empty() && usual_size(&object.name).is_none()
+}
+
+/// Boxes of known size in a rectangular region of known size.
+struct Company {
+    region: RegionId,
+    objects: Vec<ObjectId>,
+    /// Whether they take up much of it.
+    full: bool,
+}
+
+/// The companies that statements make.
+fn companies(program: &Program, options: &Options, statements: &[usize]) -> Vec<Company> {
+    let sizes = nominal_sizes(program, statements);
+    let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
+    for &index in statements {
+        said.extend(insides(&program.constraints[index].formula));
+    }
+    if program.regions.len() == 1 && options.physics {
+        let scope = scope(program, options);
+        let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
+        said.extend(all.filter(|o| scope.bounds(*o)).map(|o| (RegionId(0), o)));
+    }
+    let mut out = Vec::new();
+    for region in (0..program.regions.len() as u32).map(RegionId) {
+        let Some(room) = sizes.get(&Owner::Region(region)) else { continue };
+        let objects: Vec<ObjectId> = said
+            .range((region, ObjectId(0))..=(region, ObjectId(u32::MAX)))
+            .map(|(_, object)| *object)
+            .filter(|o| sizes.contains_key(&Owner::Object(*o)) && is_box(program, options, *o))
+            .collect();
+        let footprint = |o: &ObjectId| sizes.get(&Owner::Object(*o)).map_or(0.0, |s| s[0] * s[2]);
+        let full = objects.iter().map(footprint).sum::<f64>() >= 0.5 * room[0] * room[2];
+        if objects.len() > 1 {
+            out.push(Company { region, objects, full });
+        }
+    }
+    out
+}
+
+/// The statements about each company that takes up much of its region: worth a look of their own.
+pub(super) fn crowds(program: &Program, options: &Options, statements: &[usize]) -> Vec<Vec<usize>> {
+    let full = companies(program, options, statements).into_iter().filter(|c| c.full);
+    full.map(|company| {
+        let about = |s: &usize| {
+            let objects = program.constraints[*s].formula.objects();
+            objects.iter().all(|o| company.objects.binary_search(o).is_ok())
+        };
+        statements.iter().copied().filter(about).collect()
+    })
+    .collect()
 }
 
 /// Sizes that statements assign as constants.

@@ -9,7 +9,7 @@ use super::interval::Interval;
 use super::packing::Packing;
 use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
 use super::simplex::{Outcome, Simplex};
-use super::state::{Conflict, EventId, State, What};
+use super::state::{Conflict, EventId, Rule, State, What};
 use super::tape::Claim;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -55,7 +55,6 @@ pub(super) struct Search<'a> {
     /// The proof, if it is to be told.
     pub told: Option<Vec<Told>>,
     told_as: Vec<Option<usize>>,
-    pub stats: [u64; 8],
 }
 
 /// How a part of the search ended.
@@ -86,7 +85,6 @@ impl<'a> Search<'a> {
             weight: 1.0,
             told: None,
             told_as: Vec::new(),
-            stats: [0; 8],
         }
     }
 
@@ -147,48 +145,37 @@ impl<'a> Search<'a> {
     /// Draws consequences by all rules.
     fn consequences(&mut self, depth: usize) -> Result<(), Conflict> {
         for _ in 0..ROUNDS[usize::from(depth > 0)] {
-            let w0 = self.state.work;
-            let r = self.state.propagate(&self.problem, self.most);
-            self.stats[0] += self.state.work - w0;
-            self.stats[4] += 1;
-            r?;
+            self.state.propagate(&self.problem, self.most)?;
             self.packing.check(&mut self.state)?;
             if self.stopped() {
                 return Ok(());
             }
-            let most = self.most;
-            let mut work = self.state.work;
-            let o = self.simplex.check(&self.problem, &self.state, &mut work, most);
-            self.stats[1] += work - self.state.work;
-            self.state.work = work;
-            match o {
-                Outcome::Contradiction(shares) => {
-                    if let Some(shares) = Simplex::certificate(&self.problem, &self.state.domain, &shares) {
-                        let reasons: Vec<EventId> =
-                            shares.iter().map(|s| self.state.why[s.var as usize][usize::from(s.upper)]).collect();
-                        return Err(Conflict(self.state.event(What::Conflict(super::state::Rule::Sum), &reasons)));
-                    }
-                    return Ok(());
-                }
-                Outcome::Unknown => return Ok(()),
-                Outcome::Fits => {}
-            }
-            if self.problem.kinds.len() > self.first_row + MOST_ROWS {
+            if !self.linear(false)? || self.problem.kinds.len() > self.first_row + MOST_ROWS {
                 return Ok(());
             }
             let mut work = 0;
             let cuts = cuts::broken(&self.problem, &self.state, &self.simplex, &self.points, &mut work);
             self.state.work += work;
-            self.stats[2] += work;
-            self.stats[5] += cuts.len() as u64;
             if cuts.is_empty() {
-                return Ok(());
+                return self.linear(true).map(|_| ());
             }
             for cut in cuts {
                 self.cut(&cut)?;
             }
         }
         self.state.propagate(&self.problem, self.most)
+    }
+
+    /// Linear reasoning; whether it came to its end.
+    fn linear(&mut self, strictly: bool) -> Result<bool, Conflict> {
+        let mut work = self.state.work;
+        let outcome = self.simplex.check(&self.problem, &self.state, strictly, &mut work, self.most);
+        self.state.work = work;
+        let Outcome::Contradiction(shares) = outcome else { return Ok(outcome == Outcome::Fits) };
+        let Some(shares) = Simplex::certificate(&self.problem, &self.state.domain, &shares) else { return Ok(false) };
+        let reasons: Vec<EventId> =
+            shares.iter().map(|s| self.state.why[s.var as usize][usize::from(s.upper)]).collect();
+        Err(Conflict(self.state.event(What::Conflict(Rule::Sum), &reasons)))
     }
 
     fn cut(&mut self, cut: &cuts::Cut) -> Result<(), Conflict> {
@@ -218,8 +205,6 @@ impl<'a> Search<'a> {
             }
             let Some((supposition, halving)) = self.choose(halvings) else { return End::Open };
             let mark = self.state.mark();
-            self.stats[6] += 1;
-            self.stats[7] = self.stats[7].max(depth as u64);
             let event = self.state.event(What::Supposed, &[]);
             let tried = match supposition {
                 Supposition::Claim(claim) => self.state.decide(claim, &[event]),

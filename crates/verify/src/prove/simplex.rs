@@ -12,6 +12,8 @@ use std::collections::BTreeMap;
 
 /// How far a value may be off its bound before it has to move.
 const SLACK: f64 = 1e-9;
+/// By how much intervals are narrowed to find what holds strictly only.
+const INSIDE: f64 = 1e-7;
 /// Smaller factors are rounding.
 const TINY: f64 = 1e-11;
 
@@ -83,10 +85,17 @@ impl Simplex {
     }
 
     /// Looks for values within the bounds; `work` counts what it costs, up to `most`.
-    pub fn check(&mut self, problem: &Problem, state: &State, work: &mut u64, most: u64) -> Outcome {
+    ///
+    /// `strictly`: every interval is taken a little narrower, so that a circle of `<` shows; the contradiction must then
+    /// be tried on the true ones, as ever.
+    pub fn check(&mut self, problem: &Problem, state: &State, strictly: bool, work: &mut u64, most: u64) -> Outcome {
         self.grow(problem, &state.why);
-        let domain = &state.domain[..];
-        let outcome = self.mend(domain, work, most);
+        let narrower = |d: &Interval| {
+            if d.width() > 4.0 * INSIDE { Interval::new(d.lo + INSIDE, d.hi - INSIDE) } else { *d }
+        };
+        let domain: Vec<Interval> =
+            if strictly { state.domain.iter().map(narrower).collect() } else { state.domain.clone() };
+        let outcome = self.mend(&domain, work, most);
         // Rows that stayed out are what their variables make them.
         for (var, kind) in problem.kinds.iter().enumerate() {
             if let Kind::Row(parts) = kind

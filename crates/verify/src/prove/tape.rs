@@ -415,6 +415,13 @@ impl Mul for Term {
 impl Div for Term {
     type Output = Self;
     fn div(self, other: Self) -> Self {
+        // By a constant it is linear. The reciprocal may be rounded, as the quotient is when a layout is judged.
+        if let (None, Some(divisor)) = (self.value(), other.value())
+            && divisor != 0.0
+            && (1.0 / divisor).is_finite()
+        {
+            return self.scale(1.0 / divisor);
+        }
         self.binary(other, Op::Div(self, other), |a, b| a / b, Interval::over)
     }
 }
