@@ -64,8 +64,8 @@ pub(super) struct Choice<'a> {
 
 /// Boxes in one region between which every order is looked at, at most.
 const CLOSE_COMPANY: usize = 8;
-/// The sine of how far boxes may be turned off the axes to be looked at so.
-const SKEW: f64 = 0.0035;
+/// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
+const SKEW: f64 = 0.0018;
 
 impl Model {
     /// The model of a choice.

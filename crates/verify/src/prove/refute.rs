@@ -142,9 +142,9 @@ impl<'a> Search<'a> {
         self.state.work > self.most || self.cancel.is_some_and(|c| c.load(Ordering::Relaxed))
     }
 
-    /// Draws consequences by all rules.
-    fn consequences(&mut self, depth: usize) -> Result<(), Conflict> {
-        for _ in 0..ROUNDS[usize::from(depth > 0)] {
+    /// Draws consequences by all rules, with inequalities for operations in so many rounds.
+    fn consequences(&mut self, rounds: usize) -> Result<(), Conflict> {
+        for _ in 0..rounds {
             self.state.propagate(&self.problem, self.most)?;
             self.packing.check(&mut self.state)?;
             if self.stopped() {
@@ -196,14 +196,22 @@ impl<'a> Search<'a> {
 
     fn search(&mut self, depth: usize, halvings: usize, supposed: Option<EventId>) -> End {
         let start = supposed.unwrap_or(0);
+        let mut rounds = ROUNDS[usize::from(depth > 0)];
         loop {
-            if let Err(conflict) = self.consequences(depth) {
+            if let Err(conflict) = self.consequences(rounds) {
                 return self.refuted(conflict.0, start, depth);
             }
             if self.stopped() || depth >= DEEPEST {
                 return End::Open;
             }
-            let Some((supposition, halving)) = self.choose(halvings) else { return End::Open };
+            let Some((supposition, halving)) = self.choose(halvings) else {
+                // Before it gives up here it looks as closely as it can.
+                if rounds == ROUNDS[0] {
+                    return End::Open;
+                }
+                rounds = ROUNDS[0];
+                continue;
+            };
             let mark = self.state.mark();
             let event = self.state.event(What::Supposed, &[]);
             let tried = match supposition {

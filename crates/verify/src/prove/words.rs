@@ -95,15 +95,23 @@ impl Speaker<'_> {
             What::Supposed => return None,
             What::Decided(claim) => {
                 let supposed = step.reasons.iter().any(|r| told[*r].what == What::Supposed);
-                // What is part of something said already needs no words.
-                if !supposed && matches!(self.problem.verdicts[claim.index()], Verdict::Open | Verdict::All(_)) {
+                // What is part of something said already needs no words, and a comparison is said as a bound.
+                let plain = matches!(self.problem.verdicts[claim.index()], Verdict::AtLeast(..) | Verdict::Iff(..));
+                if !supposed && !plain {
                     return None;
                 }
                 format!("{} {}", if supposed { "suppose" } else { "so" }, self.claim(claim))
             }
             What::Bound { var, upper, value } => {
-                let way = if upper { "at most" } else { "at least" };
-                format!("{} is {way} {}", self.var(var, 0), short(value))
+                // The float next to 0 stands for what is strictly beyond it.
+                let strict = value != 0.0 && value.abs() < f64::MIN_POSITIVE;
+                let way = match (upper, strict) {
+                    (true, false) => "at most",
+                    (false, false) => "at least",
+                    (true, true) => "less than",
+                    (false, true) => "more than",
+                };
+                format!("{} is {way} {}", self.var(var, 0), short(if strict { 0.0 } else { value }))
             }
             What::Conflict(rule) => match rule {
                 Rule::Empty(var) => format!("no value is left for {}", self.var(var, 0)),

@@ -77,6 +77,28 @@ fn planted_contradictions_are_found_exactly() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
+#[test]
+fn a_proof_names_what_is_given_and_ends_in_the_impossible() {
+    let program = compiled("object a; object b;\nassert a.pos.x < b.pos.x; assert b.pos.x + 1 <= a.pos.x;");
+    let findings = prove(&program, &ProveOptions { explain: true, ..ProveOptions::default() });
+    let proof = findings.contradictions[0].proof.as_ref().unwrap();
+    let steps: Vec<&str> = proof.steps.iter().map(|s| s.text.as_str()).collect();
+    for given in ["given: `a.pos.x < b.pos.x`", "given: `b.pos.x + 1 <= a.pos.x`"] {
+        assert!(steps.contains(&given), "{steps:#?}");
+    }
+    assert!(steps.last().is_some_and(|s| s.starts_with("no value") || s.contains("contradict")), "{steps:#?}");
+}
+
+#[test]
+fn a_search_that_is_called_off_finds_nothing_and_says_so() {
+    let program = compiled("object a;\nassert a.pos.x < 1; assert a.pos.x > 2;");
+    let cancel = Some(std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)));
+    let findings = prove(&program, &ProveOptions { cancel, ..ProveOptions::default() });
+    assert!(findings.contradictions.is_empty() && !findings.complete);
+    let findings = prove(&program, &ProveOptions { work: 0, ..ProveOptions::default() });
+    assert!(findings.contradictions.is_empty() && !findings.complete);
+}
+
 /// A small generator of numbers: the same seed gives the same program everywhere.
 struct Dice(u64);
 
