@@ -59,6 +59,9 @@ pub struct Check {
     /// How many violations are explained in full, with the smallest move that mends them
     #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
     pub explain: scenelang_verify::Explain,
+    /// With each contradiction in a program, say step by step why it is one
+    #[arg(long)]
+    pub explain_proof: bool,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,

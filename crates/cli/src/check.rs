@@ -8,7 +8,7 @@ use scenelang_base::{Diagnostic, SourceMap, codes};
 use scenelang_export::embedded;
 use scenelang_lang::sources::{Disk, Loader};
 use scenelang_verify::report::{self, Human};
-use scenelang_verify::{Checked, Options, check_file_with, check_layout_text, exit_code};
+use scenelang_verify::{Checked, Detail, Options, check_file_with, check_layout_text, exit_code};
 use std::io::{IsTerminal, Write};
 
 /// Judges each file; the worst exit code.
@@ -34,13 +34,13 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     };
     let look = Human { color: color(), all: args.all };
     // People read what fails; machines all there is.
-    let listing = Options {
+    let detail = Detail {
         all: args.all,
         sentences: args.all || args.format != Format::Human,
         explain: args.explain,
-        ..Options::default()
+        proofs: args.explain_proof,
     };
-    let work = |target: &Target| judge(target, &args.judging, &listing, args.core, loader);
+    let work = |target: &Target| judge(target, &args.judging, detail, args.core, loader);
     parallel::in_order(&targets, jobs, work, |mut checked| {
         match fixed.next() {
             Some(Ok(fixed)) => checked.report.fixed = fixed,
@@ -74,13 +74,11 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     worst
 }
 
-/// Judges one target by its settings; what is listed and said, `listing` tells.
-pub fn judge(target: &Target, judging: &Judging, listing: &Options, core: bool, loader: &dyn Loader) -> Checked {
+/// Judges one target by its settings.
+pub fn judge(target: &Target, judging: &Judging, detail: Detail, core: bool, loader: &dyn Loader) -> Checked {
     let (path, name) = (target.path(), target.path().display().to_string());
     let (options, allowed) = match settings::options(judging, path, loader) {
-        Ok((options, allowed)) => {
-            (Options { all: listing.all, sentences: listing.sentences, explain: listing.explain, ..options }, allowed)
-        }
+        Ok((options, allowed)) => (Options { detail, ..options }, allowed),
         Err(settings::Refused { sources, diagnostics }) => {
             return Checked::refused(&name, sources, diagnostics, &Options::default());
         }

@@ -9,13 +9,13 @@ use crate::targets::{Target, find};
 use scenelang_base::Diagnostic;
 use scenelang_lang::sources::Disk;
 use scenelang_verify::compare::{Changed, Comparison, Difference, Side, Thing, compare};
-use scenelang_verify::{Checked, Options, report};
+use scenelang_verify::{Checked, Detail, report};
 use std::path::PathBuf;
 
 /// Compares; 0 if geometry and verdicts are the same, 1 if not, 2 if one cannot be judged.
 pub fn run(args: &Diff) -> u8 {
     let [before, after] = match [&args.before, &args.after].map(target) {
-        [Ok(before), Ok(after)] => [before, after].map(|t| judge(&t, &args.judging, &Options::default(), false, &Disk)),
+        [Ok(before), Ok(after)] => [before, after].map(|t| judge(&t, &args.judging, Detail::default(), false, &Disk)),
         [Err(message), _] | [_, Err(message)] => {
             eprintln!("error: {message}");
             return FAILED;

@@ -37,6 +37,8 @@ pub struct Program {
     pub variables: Vec<Variable>,
     /// Names of variables that are assigned (a layout's value for one of these is ignored).
     pub assigned_variables: Vec<SmolStr>,
+    /// Their assignments, where a formula came to use them.
+    pub definitions: Vec<Definition>,
     /// Occurrences of `rand`, in order of their bounds' dependence: a draw's bounds use earlier draws only.
     pub draws: Vec<Draw>,
     /// Assertions, preferences and pins, main file first, then imports, in source order.
@@ -111,6 +113,17 @@ pub struct Variable {
     pub used: bool,
 }
 
+/// An assignment to a variable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    /// The variable.
+    pub name: SmolStr,
+    /// The statement.
+    pub span: Span,
+    /// As written, blanks folded.
+    pub text: String,
+}
+
 /// What a decision variable holds. The solver starts from 0, `false`, the zero vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VariableKind {
@@ -152,6 +165,8 @@ pub struct Constraint {
     pub text: String,
     /// `@req` sentences of the statement.
     pub requirements: Vec<String>,
+    /// Assignments to variables that the formula was made with: indices into [`Program::definitions`], sorted.
+    pub definitions: Vec<usize>,
 }
 
 /// What kind of constraint it is.

@@ -49,6 +49,11 @@ impl Prism {
         };
         Ok(Self { polygon, floor: region.pos.y, ceiling: region.pos.y + region.scale.y })
     }
+    /// A cube of one metre over the origin.
+    pub fn unit() -> Self {
+        let polygon = Polygon::rectangle(Vec2::zeros(), Vec2::repeat(1.0), 0.0);
+        Self { polygon, floor: 0.0, ceiling: 1.0 }
+    }
     /// Square metres of floor.
     pub fn area(&self) -> f64 {
         self.polygon.area()

@@ -23,7 +23,7 @@ pub(crate) const COMFORT: f64 = 0.2;
 const EASE: f64 = 1e-3;
 
 /// A formula as last evaluated.
-pub(crate) struct Merit<'a, N> {
+pub(crate) struct Merit<'a, N: Number> {
     /// The formula.
     pub formula: &'a Formula,
     /// The values of its nodes.
@@ -123,7 +123,7 @@ impl<N: Number> Merit<'_, N> {
 }
 
 /// A truth that is not made of others, in the sense that is wanted.
-struct Atom<N> {
+struct Atom<N: Number> {
     truth: Truth<N>,
     target: f64,
 }

@@ -1,7 +1,5 @@
-//! What the evaluator computes with: plain floats, or floats with their derivatives.
-//!
-//! The evaluator decides by `min`, `max` and `abs`, never by comparing values where one of these would do, so that a
-//! number that is a set of values (an interval) can be added without a second evaluator.
+//! What the evaluator computes with: plain floats, or floats with their derivatives; a third kind, unknowns of which
+//! only bounds are known, is in `prove`.
 //!
 //! Where a function has no derivative (`sqrt` at 0, `abs` at 0, an angle between vectors of which one is zero) the
 //! derivative is 0: a margin sits in such points exactly when it is satisfied, and a NaN there would end a search.
@@ -10,10 +8,56 @@ use scenelang_layout::rotation::sin_cos;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number, or something that behaves like one. Angles are degrees.
-pub trait Number:
+/// A verdict, or something that behaves like one.
+pub trait Logic: Copy + Debug + PartialEq + 'static {
+    /// A verdict that depends on nothing.
+    fn constant(holds: bool) -> Self;
+    /// The verdict, where it is settled.
+    fn known(self) -> Option<bool>;
+    /// Both.
+    fn and(self, other: Self) -> Self;
+    /// Either.
+    fn or(self, other: Self) -> Self;
+    /// The contrary.
+    fn negated(self) -> Self;
+    /// Both or neither.
+    fn iff(self, other: Self) -> Self;
+    /// At least `n` of them.
+    fn at_least(n: usize, of: impl Iterator<Item = Self>) -> Self;
+}
+
+impl Logic for bool {
+    fn constant(holds: bool) -> Self {
+        holds
+    }
+    fn known(self) -> Option<bool> {
+        Some(self)
+    }
+    fn and(self, other: Self) -> Self {
+        self && other
+    }
+    fn or(self, other: Self) -> Self {
+        self || other
+    }
+    fn negated(self) -> Self {
+        !self
+    }
+    fn iff(self, other: Self) -> Self {
+        self == other
+    }
+    fn at_least(n: usize, of: impl Iterator<Item = Self>) -> Self {
+        of.filter(|holds| *holds).count() >= n
+    }
+}
+
+/// What formulas are evaluated in. Angles are degrees.
+///
+/// It need not have a value: of what is unknown (see `prove`) the evaluator may ask only what is [known](Self::known),
+/// and decides by `min`, `max`, `abs` and verdicts.
+pub trait Algebra:
     Copy
     + Debug
+    + PartialEq
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -21,13 +65,18 @@ pub trait Number:
     + Neg<Output = Self>
     + 'static
 {
+    /// What comparisons of it yield.
+    type Verdict: Logic;
     /// A number that depends on nothing.
     fn constant(value: f64) -> Self;
-    /// Its plain value.
-    fn value(self) -> f64;
-    /// A number whose value was measured by geometry on plain floats. `slope` moves as it does, to first order; only
-    /// its derivatives are used, and it is not asked for where there are none to find.
-    fn measured(value: f64, slope: impl FnOnce() -> Self) -> Self;
+    /// Its plain value, if it has one.
+    fn known(self) -> Option<f64>;
+    /// 1 where the verdict is yes, else 0.
+    fn indicator(verdict: Self::Verdict) -> Self;
+    /// Whether it is `bound` or more.
+    fn at_least(self, bound: f64) -> Self::Verdict;
+    /// Whether it is more than `bound`.
+    fn above(self, bound: f64) -> Self::Verdict;
     /// Without its sign.
     fn abs(self) -> Self;
     /// The smaller; of equals, `self`.
@@ -48,6 +97,15 @@ pub trait Number:
     fn scale(self, factor: f64) -> Self;
 }
 
+/// A number with a plain value, which geometry can measure: a float, alone or with derivatives.
+pub trait Number: Algebra<Verdict = bool> {
+    /// Its plain value.
+    fn value(self) -> f64;
+    /// A number whose value was measured by geometry on plain floats. `slope` moves as it does, to first order; only
+    /// its derivatives are used, and it is not asked for where there are none to find.
+    fn measured(value: f64, slope: impl FnOnce() -> Self) -> Self;
+}
+
 /// Degrees modulo 360; a tiny negative angle is 0, not 360.
 fn wrap(degrees: f64) -> f64 {
     let turned = degrees.rem_euclid(360.0);
@@ -55,14 +113,30 @@ fn wrap(degrees: f64) -> f64 {
 }
 
 impl Number for f64 {
-    fn constant(value: f64) -> Self {
-        value
-    }
     fn value(self) -> f64 {
         self
     }
     fn measured(value: f64, _: impl FnOnce() -> Self) -> Self {
         value
+    }
+}
+
+impl Algebra for f64 {
+    type Verdict = bool;
+    fn constant(value: f64) -> Self {
+        value
+    }
+    fn known(self) -> Option<f64> {
+        Some(self)
+    }
+    fn indicator(verdict: bool) -> Self {
+        f64::from(u8::from(verdict))
+    }
+    fn at_least(self, bound: f64) -> bool {
+        self >= bound
+    }
+    fn above(self, bound: f64) -> bool {
+        self > bound
     }
     fn abs(self) -> Self {
         self.abs()
@@ -124,14 +198,30 @@ impl<const K: usize> Dual<K> {
 }
 
 impl<const K: usize> Number for Dual<K> {
-    fn constant(value: f64) -> Self {
-        Self { value, slope: [0.0; K] }
-    }
     fn value(self) -> f64 {
         self.value
     }
     fn measured(value: f64, slope: impl FnOnce() -> Self) -> Self {
         Self { value, ..slope() }
+    }
+}
+
+impl<const K: usize> Algebra for Dual<K> {
+    type Verdict = bool;
+    fn constant(value: f64) -> Self {
+        Self { value, slope: [0.0; K] }
+    }
+    fn known(self) -> Option<f64> {
+        Some(self.value)
+    }
+    fn indicator(verdict: bool) -> Self {
+        Self::constant(f64::from(u8::from(verdict)))
+    }
+    fn at_least(self, bound: f64) -> bool {
+        self.value >= bound
+    }
+    fn above(self, bound: f64) -> bool {
+        self.value > bound
     }
     fn abs(self) -> Self {
         let sign = if self.value == 0.0 { 0.0 } else { self.value.signum() };
@@ -158,7 +248,7 @@ impl<const K: usize> Number for Dual<K> {
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         let per = 1f64.to_degrees() / square;
-        self.join(x, Number::atan2(self.value, x.value), x.value * per, -self.value * per)
+        self.join(x, Algebra::atan2(self.value, x.value), x.value * per, -self.value * per)
     }
     fn wrap(self) -> Self {
         self.chain(wrap(self.value), 1.0)
@@ -255,9 +345,9 @@ mod tests {
     #[test]
     fn quarter_turns_are_exact() {
         for (angle, sin, cos) in [(90.0, 1.0, 0.0), (-90.0, -1.0, 0.0), (450.0, 1.0, 0.0), (-180.0, 0.0, -1.0)] {
-            assert_eq!((Number::sin(angle), Number::cos(angle)), (sin, cos));
+            assert_eq!((Algebra::sin(angle), Algebra::cos(angle)), (sin, cos));
         }
-        assert_eq!(Number::wrap(-1e-20), 0.0);
-        assert_eq!(Number::wrap(-5.0), 355.0);
+        assert_eq!(Algebra::wrap(-1e-20), 0.0);
+        assert_eq!(Algebra::wrap(-5.0), 355.0);
     }
 }

@@ -63,12 +63,27 @@ pub struct Options {
     pub geometry: Geometry,
     /// Whether the physical rules apply.
     pub physics: bool,
+    /// How much is said.
+    pub detail: Detail,
+}
+
+/// How much a report says. No verdict depends on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Detail {
     /// Whether physical rows that hold are listed too.
     pub all: bool,
     /// Whether rows that hold say what was measured, too: a sentence takes longer than the verdict.
     pub sentences: bool,
     /// How many violations are explained in full.
     pub explain: Explain,
+    /// Whether contradictions come with their proofs, step by step.
+    pub proofs: bool,
+}
+
+impl Default for Detail {
+    fn default() -> Self {
+        Self { all: false, sentences: true, explain: Explain::default(), proofs: false }
+    }
 }
 
 impl Default for Options {
@@ -78,9 +93,7 @@ impl Default for Options {
             eta: DEFAULT_ETA,
             geometry: Geometry::default(),
             physics: true,
-            all: false,
-            sentences: true,
-            explain: Explain::default(),
+            detail: Detail::default(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Vectors, matrices and rotations over any [`Number`]. Metres and degrees; left-handed frame, y up.
 
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use nalgebra::Vector3;
 use std::ops::{Add, Neg, Sub};
 
@@ -9,13 +9,16 @@ use std::ops::{Add, Neg, Sub};
 pub struct V3<N>(pub [N; 3]);
 
 impl<N: Number> V3<N> {
-    /// From plain numbers.
-    pub fn constant(v: &Vector3<f64>) -> Self {
-        Self([N::constant(v.x), N::constant(v.y), N::constant(v.z)])
-    }
     /// Its plain value.
     pub fn value(&self) -> Vector3<f64> {
         Vector3::new(self.0[0].value(), self.0[1].value(), self.0[2].value())
+    }
+}
+
+impl<N: Algebra> V3<N> {
+    /// From plain numbers.
+    pub fn constant(v: &Vector3<f64>) -> Self {
+        Self([N::constant(v.x), N::constant(v.y), N::constant(v.z)])
     }
     /// Each component by itself.
     pub fn map(self, f: impl FnMut(N) -> N) -> Self {
@@ -48,21 +51,21 @@ impl<N: Number> V3<N> {
     }
 }
 
-impl<N: Number> Add for V3<N> {
+impl<N: Algebra> Add for V3<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
-impl<N: Number> Sub for V3<N> {
+impl<N: Algebra> Sub for V3<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] - other.0[i]))
     }
 }
 
-impl<N: Number> Neg for V3<N> {
+impl<N: Algebra> Neg for V3<N> {
     type Output = Self;
     fn neg(self) -> Self {
         self.map(|c| -c)
@@ -73,7 +76,7 @@ impl<N: Number> Neg for V3<N> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct M3<N>(pub [V3<N>; 3]);
 
-impl<N: Number> M3<N> {
+impl<N: Algebra> M3<N> {
     /// R = Ry·Rz·Rx of an Euler triple: first about x, then z, then y, about the fixed world axes.
     pub fn rotation(euler: V3<N>) -> Self {
         let [x, y, z] = euler.0;

@@ -5,7 +5,7 @@
 
 use crate::eval::{Cause, Value};
 use crate::navigation::Walks;
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
 use rustc_hash::FxHashMap;
@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 
 /// An instance of a program.
 #[derive(Clone, Debug)]
-pub struct World<N> {
+pub struct World<N: Algebra> {
     /// By [`ObjectId`].
     pub(crate) objects: Vec<Option<Thing<N>>>,
     /// By [`RegionId`].
@@ -35,7 +35,7 @@ pub struct World<N> {
 
 /// An object in an instance.
 #[derive(Clone, Debug)]
-pub struct Thing<N> {
+pub struct Thing<N: Algebra> {
     /// Centre of the bottom face (metres).
     pub pos: V3<N>,
     /// Euler triple (degrees).
@@ -74,6 +74,12 @@ impl Body {
             solid: OnceLock::new(),
             aabb: OnceLock::new(),
         }
+    }
+    /// A cube of one metre at the origin, where no body is looked at.
+    pub(crate) fn unit() -> Self {
+        let (pos, rot, scale) = (Vec3::zeros(), Vec3::zeros(), Vec3::repeat(1.0));
+        let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None };
+        Self::new(&placement, Geometry::Box)
     }
     /// Whether it is more than its box.
     pub fn has_parts(&self) -> bool {
@@ -139,7 +145,9 @@ impl<N: Number> Thing<N> {
         let half = self.body.obb.half;
         V3(std::array::from_fn(|i| self.scale.0[i].scale(local[i] / (2.0 * half[i]))))
     }
+}
 
+impl<N: Algebra> Thing<N> {
     /// Centre of the box.
     pub fn center(&self) -> V3<N> {
         self.pos + self.axes.0[1].times(self.scale.0[1].scale(0.5))
@@ -157,7 +165,7 @@ impl<N: Number> Thing<N> {
 
 /// A region in an instance.
 #[derive(Clone, Debug)]
-pub struct Room<N> {
+pub struct Room<N: Algebra> {
     /// Centre of the rectangle's floor (metres).
     pub pos: V3<N>,
     /// Euler triple (degrees); only y turns it.
@@ -301,6 +309,40 @@ impl<N: Number> World<N> {
         self.draws[draw.0 as usize] = value;
     }
 
+    /// Ids and bodies of the objects that are there.
+    pub fn bodies(&self) -> impl Iterator<Item = (ObjectId, &Body)> {
+        self.objects.iter().enumerate().filter_map(|(i, thing)| Some((ObjectId(i as u32), &thing.as_ref()?.body)))
+    }
+    /// Ids and prisms of the regions that are there.
+    pub fn prisms(&self) -> impl Iterator<Item = (RegionId, &Prism)> {
+        self.regions.iter().enumerate().filter_map(|(i, room)| Some((RegionId(i as u32), &room.as_ref()?.prism)))
+    }
+    /// The first object that the layout lacks, if any.
+    pub fn missing_object(&self) -> Option<Cause> {
+        self.objects.iter().position(Option::is_none).map(|i| Cause::MissingObject(ObjectId(i as u32)))
+    }
+    /// The first region that the layout lacks, if any.
+    pub fn missing_region(&self) -> Option<Cause> {
+        self.regions.iter().position(Option::is_none).map(|i| Cause::MissingRegion(RegionId(i as u32)))
+    }
+}
+
+impl<N: Algebra> World<N> {
+    /// An instance that lacks everything.
+    pub(crate) fn nowhere(program: &Program, options: &Options) -> Self {
+        Self {
+            objects: program.objects.iter().map(|_| None).collect(),
+            regions: program.regions.iter().map(|_| None).collect(),
+            variables: (0..program.variables.len())
+                .map(|i| Err(Cause::MissingVariable(VariableId(i as u32))))
+                .collect(),
+            draws: (0..program.draws.len()).map(|i| Err(Cause::MissingDraw(DrawId(i as u32)))).collect(),
+            allow: program.allow.clone(),
+            options: *options,
+            walks: Walks::default(),
+        }
+    }
+
     /// An object.
     ///
     /// # Errors
@@ -328,22 +370,6 @@ impl<N: Number> World<N> {
     /// The layout does not record it, or outside its bounds.
     pub fn draw(&self, id: DrawId) -> Result<f64, Cause> {
         self.draws[id.0 as usize]
-    }
-    /// Ids and bodies of the objects that are there.
-    pub fn bodies(&self) -> impl Iterator<Item = (ObjectId, &Body)> {
-        self.objects.iter().enumerate().filter_map(|(i, thing)| Some((ObjectId(i as u32), &thing.as_ref()?.body)))
-    }
-    /// Ids and prisms of the regions that are there.
-    pub fn prisms(&self) -> impl Iterator<Item = (RegionId, &Prism)> {
-        self.regions.iter().enumerate().filter_map(|(i, room)| Some((RegionId(i as u32), &room.as_ref()?.prism)))
-    }
-    /// The first object that the layout lacks, if any.
-    pub fn missing_object(&self) -> Option<Cause> {
-        self.objects.iter().position(Option::is_none).map(|i| Cause::MissingObject(ObjectId(i as u32)))
-    }
-    /// The first region that the layout lacks, if any.
-    pub fn missing_region(&self) -> Option<Cause> {
-        self.regions.iter().position(Option::is_none).map(|i| Cause::MissingRegion(RegionId(i as u32)))
     }
 }
 

@@ -359,6 +359,7 @@ impl<'a> Lowerer<'a, '_> {
         let written = self.sources.text(span);
         let written = written.strip_prefix(keyword).unwrap_or(written);
         let mut formula = self.f.b.extract(root);
+        let definitions = self.definitions_used();
         for range in &mut formula.ranges {
             // From the start of the text that belongs to the statement (`@req` and all) to the start of its span.
             let from = place.stmt.range.start;
@@ -370,7 +371,27 @@ impl<'a> Lowerer<'a, '_> {
             span,
             text: folded(written),
             requirements: requirements(place.stmt),
+            definitions,
         });
+    }
+
+    /// The assignments that the formula under construction was made with.
+    fn definitions_used(&mut self) -> Vec<usize> {
+        let mut names: Vec<SmolStr> = self.f.defined.keys().cloned().collect();
+        names.sort_unstable();
+        let mut used = Vec::new();
+        for name in &names {
+            let Some(assignment) = self.items.assignments.get(&self.key(name, None, "")) else { continue };
+            let Some(span) = assignment.place.span(assignment.place.stmt.range) else { continue };
+            let known = self.program.definitions.iter().position(|d| d.span == span);
+            used.push(known.unwrap_or_else(|| {
+                let text = self.sources.text(span).split_whitespace().collect::<Vec<_>>().join(" ");
+                self.program.definitions.push(Definition { name: name.clone(), span, text });
+                self.program.definitions.len() - 1
+            }));
+        }
+        used.sort_unstable();
+        used
     }
 
     /// The place to blame for something in the current expression.

@@ -5,9 +5,6 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
-/// Codes that nothing reports yet. Their marks wait; who reports one takes it off this list.
-pub const PENDING: [&str; 4] = ["E0401", "E0402", "W0401", "W0402"];
-
 /// A fenced block.
 pub struct Block {
     /// Line of the Markdown file where its text begins.

@@ -10,7 +10,7 @@ use crate::pose::{Pose, round_turn};
 use crate::state::{Change, State};
 use scenelang_lang::program::{ObjectId, RegionId, VariableId, VariableKind};
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Dual, Number, Scratch, Truth, Value, World};
+use scenelang_verify::{Algebra, Dual, Number, Scratch, Truth, Value, World};
 use system::System;
 
 /// Unknowns that are differentiated by at a time: two objects on a floor.

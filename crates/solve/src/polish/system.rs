@@ -13,7 +13,7 @@ use crate::state::State;
 use nalgebra::{DMatrix, DVector};
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Dual, Number, Scratch, World, gap, rules};
+use scenelang_verify::{Algebra, Dual, Number, Scratch, World, gap, rules};
 
 /// Pairs further apart than this are not looked at (metres).
 const NEAR: f64 = 0.25;

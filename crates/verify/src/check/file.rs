@@ -1,6 +1,7 @@
 //! The judgement of a file, from disk or from an editor: a program by itself, or a layout with its program.
 
 use super::{Verdict, check_at, matching};
+use crate::prove::{ProveOptions, prove};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
 use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
@@ -53,6 +54,8 @@ struct Job<'a> {
 
 /// Judges a file from disk: a layout (`.json`) with its program, or else a program by itself. In messages it is called
 /// `name`, and other files accordingly.
+///
+/// Of a program alone it tells what is proved of it.
 pub fn check_file(name: &str, path: &Path, options: &Options, compile: compile::Options) -> Checked {
     check_file_with(name, path, options, compile, &Disk)
 }
@@ -68,7 +71,12 @@ pub fn check_file_with(
     let job = Job { name, path, options, compile, loader };
     if !is_layout(path) {
         let compiled = compile_with(name, path, compile, loader, SourceMap::new());
-        let verdict = Verdict { diagnostics: compiled.diagnostics, ..Verdict::default() };
+        let mut diagnostics = compiled.diagnostics;
+        if let Some(program) = &compiled.program {
+            let proofs = ProveOptions { judging: *options, explain: options.detail.proofs, ..ProveOptions::default() };
+            diagnostics.extend(prove(program, &proofs).diagnostics(program));
+        }
+        let verdict = Verdict { diagnostics, ..Verdict::default() };
         let out = Unfinished { sources: compiled.sources, program: compiled.program, layout: None, verdict };
         return out.finish(&job);
     }

@@ -115,7 +115,7 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
     verdict.diagnostics.append(&mut physical.diagnostics);
-    explain::complete(program, &world, &mut verdict, options.explain);
+    explain::complete(program, &world, &mut verdict, options.detail.explain);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     verdict
 }

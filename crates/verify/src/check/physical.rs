@@ -78,7 +78,7 @@ impl Rows<'_> {
         measured: impl FnOnce(&Self) -> String,
     ) {
         let satisfied = outcome.map(|t| t.holds);
-        if satisfied != Some(false) && !self.world.options.all {
+        if satisfied != Some(false) && !self.world.options.detail.all {
             return;
         }
         let objects = match subject {
@@ -118,7 +118,7 @@ fn collisions(rows: &mut Rows<'_>, scope: &Scope, near: &[(ObjectId, ObjectId)])
     let world = rows.world;
     let everything: Vec<(ObjectId, ObjectId)>;
     // Pairs that are not near each other hold without a look.
-    let pairs: &[(ObjectId, ObjectId)] = if world.options.all {
+    let pairs: &[(ObjectId, ObjectId)] = if world.options.detail.all {
         everything = ids(rows.program).flat_map(|a| (0..a.0).map(move |b| (ObjectId(b), a))).collect();
         &everything
     } else {

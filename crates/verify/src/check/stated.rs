@@ -43,7 +43,7 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
                 row.satisfied = Some(truth.holds);
                 row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
                 row.objects = objects(constraint, deciding);
-                if !truth.holds || world.options.sentences {
+                if !truth.holds || world.options.detail.sentences {
                     row.measured = measured(program, world, &constraint.formula, &scratch, deciding, truth.holds);
                 }
                 if !truth.holds {

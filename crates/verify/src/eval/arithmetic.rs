@@ -5,18 +5,18 @@
 
 use super::Values;
 use super::value::{Cause, EvalError, Value};
-use crate::number::Number;
+use crate::number::Algebra;
 use crate::vector::{M3, V3};
 use scenelang_lang::program::{Arith, Axis, Function, NodeId};
 
 /// Formulas are typed by the front end; a value of another kind is a mistake there.
 #[track_caller]
-fn ill_typed<N: Number>(value: Value<N>) -> ! {
+fn ill_typed<N: Algebra>(value: Value<N>) -> ! {
     unreachable!("a formula of the wrong types: {value:?}")
 }
 
 /// A number.
-pub(super) fn number<N: Number>(value: Value<N>) -> N {
+pub(super) fn number<N: Algebra>(value: Value<N>) -> N {
     match value {
         Value::Number(n) => n,
         other => ill_typed(other),
@@ -24,7 +24,7 @@ pub(super) fn number<N: Number>(value: Value<N>) -> N {
 }
 
 /// Three numbers, as they are.
-pub(super) fn triple<N: Number>(value: Value<N>) -> V3<N> {
+pub(super) fn triple<N: Algebra>(value: Value<N>) -> V3<N> {
     match value {
         Value::Vector(v) | Value::Rotation(v) => v,
         other => ill_typed(other),
@@ -32,13 +32,13 @@ pub(super) fn triple<N: Number>(value: Value<N>) -> V3<N> {
 }
 
 /// A vector from the nodes of its components.
-pub(super) fn vector<N: Number>(values: &Values<N>, parts: &[NodeId; 3]) -> Result<V3<N>, EvalError> {
+pub(super) fn vector<N: Algebra>(values: &Values<N>, parts: &[NodeId; 3]) -> Result<V3<N>, EvalError> {
     let get = |i: usize| values[parts[i].0 as usize].map(number);
     Ok(V3([get(0)?, get(1)?, get(2)?]))
 }
 
 /// Minus a number or a vector.
-pub(super) fn negate<N: Number>(value: Value<N>) -> Value<N> {
+pub(super) fn negate<N: Algebra>(value: Value<N>) -> Value<N> {
     match value {
         Value::Number(n) => Value::Number(-n),
         other => Value::Vector(-triple(other)),
@@ -46,9 +46,9 @@ pub(super) fn negate<N: Number>(value: Value<N>) -> Value<N> {
 }
 
 /// `+ - * /`.
-pub(super) fn combine<N: Number>(op: Arith, a: Value<N>, b: Value<N>) -> Result<Value<N>, Cause> {
+pub(super) fn combine<N: Algebra>(op: Arith, a: Value<N>, b: Value<N>) -> Result<Value<N>, Cause> {
     match (op, a, b) {
-        (Arith::Div, _, Value::Number(d)) if d.value() == 0.0 => Err(Cause::DivisionByZero),
+        (Arith::Div, _, Value::Number(d)) if d.known() == Some(0.0) => Err(Cause::DivisionByZero),
         (_, Value::Number(x), Value::Number(y)) => {
             let result = match op {
                 Arith::Add => x + y,
@@ -56,7 +56,7 @@ pub(super) fn combine<N: Number>(op: Arith, a: Value<N>, b: Value<N>) -> Result<
                 Arith::Mul => x * y,
                 Arith::Div => x / y,
             };
-            checked(result, x.value().is_infinite() || y.value().is_infinite()).map(Value::Number)
+            checked(result, [x, y].into_iter().filter_map(N::known).any(f64::is_infinite)).map(Value::Number)
         }
         (Arith::Add, Value::Vector(x), Value::Vector(y)) => finite(x + y),
         (Arith::Sub, Value::Vector(x), Value::Vector(y)) => finite(x - y),
@@ -68,13 +68,12 @@ pub(super) fn combine<N: Number>(op: Arith, a: Value<N>, b: Value<N>) -> Result<
     }
 }
 
-fn checked<N: Number>(result: N, may_be_infinite: bool) -> Result<N, Cause> {
-    let value = result.value();
-    let fine = value.is_finite() || may_be_infinite && !value.is_nan();
+fn checked<N: Algebra>(result: N, may_be_infinite: bool) -> Result<N, Cause> {
+    let fine = result.known().is_none_or(|value| value.is_finite() || may_be_infinite && !value.is_nan());
     if fine { Ok(result) } else { Err(Cause::NotFinite) }
 }
 
-fn finite<N: Number>(v: V3<N>) -> Result<Value<N>, Cause> {
+fn finite<N: Algebra>(v: V3<N>) -> Result<Value<N>, Cause> {
     for c in v.0 {
         checked(c, false)?;
     }
@@ -82,13 +81,13 @@ fn finite<N: Number>(v: V3<N>) -> Result<Value<N>, Cause> {
 }
 
 /// x, y or z; of a rotation in [0, 360).
-pub(super) fn component<N: Number>(axis: Axis, value: Value<N>) -> Value<N> {
+pub(super) fn component<N: Algebra>(axis: Axis, value: Value<N>) -> Value<N> {
     let c = triple(value).0[axis as usize];
     Value::Number(if matches!(value, Value::Rotation(_)) { c.wrap() } else { c })
 }
 
 /// A function of numbers, vectors or rotations.
-pub(super) fn call<N: Number>(
+pub(super) fn call<N: Algebra>(
     function: Function,
     values: &Values<N>,
     args: &[NodeId],
@@ -106,7 +105,11 @@ pub(super) fn call<N: Number>(
         Function::Max => fold(N::max).map(Value::Number),
         Function::Sqrt => {
             let x = number(get(0)?);
-            if x.value() < 0.0 { Err(fail(Cause::NegativeRoot)) } else { Ok(Value::Number(x.sqrt())) }
+            if x.known().is_some_and(|value| value < 0.0) {
+                Err(fail(Cause::NegativeRoot))
+            } else {
+                Ok(Value::Number(x.sqrt()))
+            }
         }
         Function::Sin => check(number(get(0)?).sin()),
         Function::Cos => check(number(get(0)?).cos()),
@@ -114,7 +117,7 @@ pub(super) fn call<N: Number>(
         Function::Normalize => {
             let v = triple(get(0)?);
             let length = v.length();
-            if length.value() == 0.0 {
+            if length.known() == Some(0.0) {
                 return Err(fail(Cause::ZeroVector));
             }
             finite(v.map(|c| c / length)).map_err(fail)
@@ -126,7 +129,7 @@ pub(super) fn call<N: Number>(
             (Value::Rotation(a), Value::Rotation(b)) => Ok(Value::Number(M3::rotation(a).angle(&M3::rotation(b)))),
             (a, b) => {
                 let (a, b) = (triple(a), triple(b));
-                if a.length().value() == 0.0 || b.length().value() == 0.0 {
+                if a.length().known() == Some(0.0) || b.length().known() == Some(0.0) {
                     return Err(fail(Cause::ZeroVector));
                 }
                 check(a.angle(b))

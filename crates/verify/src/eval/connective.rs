@@ -4,9 +4,9 @@
 
 use super::Values;
 use super::value::{EvalError, Truth, Value};
-use crate::number::Number;
+use crate::number::{Algebra, Logic, Number};
 use crate::tolerances::Tolerances;
-use crate::vector::M3;
+use crate::vector::{M3, V3};
 use scenelang_lang::program::{Comparison, Node, NodeId, Unit};
 
 /// Equality holds exactly up to its tolerance; this is for the rounding of 1 − 0.999.
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// A truth. Formulas are typed by the front end; another kind of value is a mistake there.
 #[track_caller]
-pub(super) fn truth<N: Number>(value: Value<N>) -> Truth<N> {
+pub(super) fn truth<N: Algebra>(value: Value<N>) -> Truth<N> {
     match value {
         Value::Truth(t) => t,
         other => unreachable!("a formula of the wrong types: {other:?}"),
@@ -22,14 +22,14 @@ pub(super) fn truth<N: Number>(value: Value<N>) -> Truth<N> {
 }
 
 /// A comparison of numbers.
-pub(super) fn compare<N: Number>(op: Comparison, unit: Unit, a: N, b: N, tolerances: &Tolerances) -> Truth<N> {
+pub(super) fn compare<N: Algebra>(op: Comparison, unit: Unit, a: N, b: N, tolerances: &Tolerances) -> Truth<N> {
     let over = |more: N, less: N, strict: bool| {
         // Two walks without a way are equally long; their difference is no number.
-        if more.value().is_infinite() && more.value() == less.value() {
+        if more.known().is_some_and(f64::is_infinite) && more.known() == less.known() {
             return Truth::discrete(!strict);
         }
         let margin = more - less;
-        let holds = if strict { margin.value() > 0.0 } else { margin.value() >= -tolerances.order };
+        let holds = if strict { margin.above(0.0) } else { margin.at_least(-tolerances.order) };
         Truth { margin, holds, unit }
     };
     match op {
@@ -42,8 +42,8 @@ pub(super) fn compare<N: Number>(op: Comparison, unit: Unit, a: N, b: N, toleran
     }
 }
 
-fn equal<N: Number>(unit: Unit, a: N, b: N, tolerances: &Tolerances) -> Truth<N> {
-    if a.value().is_infinite() && a.value() == b.value() {
+fn equal<N: Algebra>(unit: Unit, a: N, b: N, tolerances: &Tolerances) -> Truth<N> {
+    if a.known().is_some_and(f64::is_infinite) && a.known() == b.known() {
         return Truth::discrete(true);
     }
     match unit {
@@ -55,15 +55,19 @@ fn equal<N: Number>(unit: Unit, a: N, b: N, tolerances: &Tolerances) -> Truth<N>
     }
 }
 
-fn within<N: Number>(tolerance: f64, difference: N, unit: Unit) -> Truth<N> {
+fn within<N: Algebra>(tolerance: f64, difference: N, unit: Unit) -> Truth<N> {
     let margin = N::constant(tolerance) - difference;
-    Truth { margin, holds: margin.value() >= -ROUNDING, unit }
+    Truth { margin, holds: margin.at_least(-ROUNDING), unit }
 }
 
-/// Two vectors at the same point, or two rotations of the same orientation.
-pub(super) fn same<N: Number>(a: Value<N>, b: Value<N>, tolerances: &Tolerances) -> Truth<N> {
+/// Two vectors at the same point.
+pub(super) fn same_point<N: Algebra>(a: V3<N>, b: V3<N>, tolerances: &Tolerances) -> Truth<N> {
+    within(tolerances.equal, (a - b).length(), Unit::Metre)
+}
+
+/// Two rotations of the same orientation.
+pub(super) fn same_turn<N: Number>(a: Value<N>, b: Value<N>, tolerances: &Tolerances) -> Truth<N> {
     match (a, b) {
-        (Value::Vector(a), Value::Vector(b)) => within(tolerances.equal, (a - b).length(), Unit::Metre),
         (Value::Rotation(a), Value::Rotation(b)) => {
             within(tolerances.angle, M3::rotation(a).angle(&M3::rotation(b)), Unit::Degree)
         }
@@ -72,16 +76,16 @@ pub(super) fn same<N: Number>(a: Value<N>, b: Value<N>, tolerances: &Tolerances)
 }
 
 /// All of them.
-pub(super) fn all<N: Number>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
+pub(super) fn all<N: Algebra>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
     join(values, parts, true, Truth::and)
 }
 
 /// One of them.
-pub(super) fn any<N: Number>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
+pub(super) fn any<N: Algebra>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
     join(values, parts, false, Truth::or)
 }
 
-fn join<N: Number>(
+fn join<N: Algebra>(
     values: &Values<N>,
     parts: &[NodeId],
     empty: bool,
@@ -91,7 +95,7 @@ fn join<N: Number>(
     for part in parts {
         joined = with(joined, truth(values[part.0 as usize]?));
         // A discrete fact that decides: what stands to its right has no say, errors included.
-        if joined.holds != empty && joined.is_discrete() {
+        if joined.holds.known() == Some(!empty) && joined.is_discrete() {
             break;
         }
     }
@@ -99,26 +103,24 @@ fn join<N: Number>(
 }
 
 /// How many hold.
-pub(super) fn count<N: Number>(values: &Values<N>, parts: &[NodeId]) -> Result<N, EvalError> {
-    let mut n = 0;
+pub(super) fn count<N: Algebra>(values: &Values<N>, parts: &[NodeId]) -> Result<N, EvalError> {
+    let mut sum = N::constant(0.0);
     for part in parts {
-        n += usize::from(truth(values[part.0 as usize]?).holds);
+        sum = sum + N::indicator(truth(values[part.0 as usize]?).holds);
     }
-    Ok(N::constant(n as f64))
+    Ok(sum)
 }
 
 /// At least n hold: the n-th greatest margin, kept by min and max alone.
-pub(super) fn at_least<N: Number>(
+pub(super) fn at_least<N: Algebra>(
     n: usize,
     values: &Values<N>,
     parts: &[NodeId],
     greatest: &mut Vec<Truth<N>>,
 ) -> Result<Truth<N>, EvalError> {
     greatest.clear();
-    let mut holding = 0;
     for part in parts {
         let mut next = truth(values[part.0 as usize]?);
-        holding += usize::from(next.holds);
         for kept in greatest.iter_mut() {
             (*kept, next) = (kept.or(next), kept.and(next));
         }
@@ -126,8 +128,10 @@ pub(super) fn at_least<N: Number>(
             greatest.push(next);
         }
     }
+    let verdicts = parts.iter().filter_map(|part| values[part.0 as usize].ok()).map(|value| truth(value).holds);
+    let holds = N::Verdict::at_least(n, verdicts);
     let nth = if n == 0 { Some(Truth::discrete(true)) } else { greatest.get(n - 1).copied() };
-    Ok(nth.map_or(Truth::discrete(false), |t| Truth { holds: holding >= n, ..t }))
+    Ok(nth.map_or(Truth::discrete(false), |t| Truth { holds, ..t }))
 }
 
 /// Of a connective the part that its margin comes from; `None` for what decides by itself.

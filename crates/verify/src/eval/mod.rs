@@ -1,5 +1,7 @@
-//! The evaluator: one walk over the nodes of a formula, with any [`Number`].
+//! The evaluator: one walk over the nodes of a formula, in any [`Algebra`].
 //!
+//! What takes geometry to know (built-ins, outlines, surfaces) is asked of an [`Oracle`]: with plain values that is
+//! [`Measured`].
 //! Each node yields a value or the reason why there is none. `and`, `or` and `implies` forget the reasons that stand to
 //! the right of a discrete fact which decides them already; everything else passes them on.
 
@@ -8,42 +10,73 @@ mod connective;
 mod property;
 mod value;
 
+pub(crate) use property::of_region as rectangle;
 pub use value::{Cause, EvalError, Truth, Value};
 
 use crate::natives::{self, Call};
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::world::World;
 use arithmetic::vector;
-use scenelang_lang::program::{Formula, Node, NodeId, ObjectId};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, RegionProperty};
 
 /// What nodes have yielded so far, by their index.
-type Values<N> = [Result<Value<N>, EvalError>];
+pub(crate) type Values<N> = [Result<Value<N>, EvalError>];
 
 /// Room for the values of a formula's nodes: keep one and evaluate without allocating.
-#[derive(Clone, Debug, Default)]
-pub struct Scratch<N> {
+#[derive(Clone, Debug)]
+pub struct Scratch<N: Algebra> {
     values: Vec<Result<Value<N>, EvalError>>,
     /// The greatest margins of an `AtLeast`.
     greatest: Vec<Truth<N>>,
 }
 
-impl<N: Number> Scratch<N> {
-    /// Nothing evaluated yet.
-    pub fn new() -> Self {
-        Self { values: Vec::new(), greatest: Vec::new() }
-    }
+/// Who knows what takes geometry to know: built-ins, outlines, declared surfaces, equal orientations; and draws.
+pub(crate) trait Oracle<N: Algebra> {
+    /// The value of such a node; `values` are those of the nodes before it.
+    fn ask(&mut self, node: &Node, id: NodeId, values: &Values<N>, world: &World<N>) -> Result<Value<N>, EvalError>;
+}
 
+/// What geometry measures on plain floats.
+struct Measured;
+
+impl<N: Number> Oracle<N> for Measured {
+    fn ask(&mut self, node: &Node, id: NodeId, values: &Values<N>, world: &World<N>) -> Result<Value<N>, EvalError> {
+        let fail = |cause: Cause| EvalError { cause, node: id };
+        match node {
+            Node::Object(ObjectProperty::Surface, object) => property::surface(world, *object).map_err(fail),
+            Node::Region(property, region) => property::of_outline(world, *property, *region).map_err(fail),
+            Node::Draw(draw) => Ok(Value::Number(N::constant(world.draw(*draw).map_err(fail)?))),
+            Node::Native(native, args) => {
+                Ok(Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?))
+            }
+            Node::Measure(measure, args) => {
+                Ok(Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?))
+            }
+            Node::Same(a, b) => {
+                let (a, b) = (values[a.0 as usize]?, values[b.0 as usize]?);
+                Ok(Value::Truth(connective::same_turn(a, b, &world.options.tolerances)))
+            }
+            Node::SamePolygon(region, vertices) => {
+                Ok(Value::Truth(property::same_polygon(world, *region, values, vertices, id)?))
+            }
+            other => unreachable!("no geometry in {other:?}"),
+        }
+    }
+}
+
+impl<N: Algebra> Default for Scratch<N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<N: Number> Scratch<N> {
     /// The value of the whole formula.
     ///
     /// # Errors
     /// The first reason, in the order of the nodes, why it cannot be judged.
     pub fn evaluate(&mut self, formula: &Formula, world: &World<N>) -> Result<Value<N>, EvalError> {
-        self.values.clear();
-        for index in 0..=formula.root.0 {
-            let value = self.node(formula, NodeId(index), world);
-            self.values.push(value);
-        }
-        self.values[formula.root.0 as usize]
+        self.evaluate_with(formula, world, &mut Measured)
     }
 
     /// The value of the last of `nodes`, which are those it depends on, see [`cone`].
@@ -60,7 +93,7 @@ impl<N: Number> Scratch<N> {
         self.values.resize(formula.nodes.len(), Err(UNUSED));
         let mut last = Err(UNUSED);
         for &id in nodes {
-            last = self.node(formula, id, world);
+            last = self.node(formula, id, world, &mut Measured);
             self.values[id.0 as usize] = last;
         }
         last
@@ -87,8 +120,39 @@ impl<N: Number> Scratch<N> {
         }
         at
     }
+}
 
-    fn node(&mut self, formula: &Formula, id: NodeId, world: &World<N>) -> Result<Value<N>, EvalError> {
+impl<N: Algebra> Scratch<N> {
+    /// Nothing evaluated yet.
+    pub fn new() -> Self {
+        Self { values: Vec::new(), greatest: Vec::new() }
+    }
+
+    /// The value of the whole formula; what takes geometry to know is asked of `oracle`.
+    ///
+    /// # Errors
+    /// The first reason, in the order of the nodes, why it cannot be judged.
+    pub(crate) fn evaluate_with(
+        &mut self,
+        formula: &Formula,
+        world: &World<N>,
+        oracle: &mut impl Oracle<N>,
+    ) -> Result<Value<N>, EvalError> {
+        self.values.clear();
+        for index in 0..=formula.root.0 {
+            let value = self.node(formula, NodeId(index), world, oracle);
+            self.values.push(value);
+        }
+        self.values[formula.root.0 as usize]
+    }
+
+    fn node(
+        &mut self,
+        formula: &Formula,
+        id: NodeId,
+        world: &World<N>,
+        oracle: &mut impl Oracle<N>,
+    ) -> Result<Value<N>, EvalError> {
         let values = &self.values[..];
         let get = |n: NodeId| values[n.0 as usize];
         let fail = |cause: Cause| EvalError { cause, node: id };
@@ -97,10 +161,15 @@ impl<N: Number> Scratch<N> {
             Node::Truth(holds) => Value::Truth(Truth::discrete(*holds)),
             Node::Vector(parts) => Value::Vector(vector(values, parts)?),
             Node::Rotation(parts) => Value::Rotation(vector(values, parts)?),
+            node @ (Node::Object(ObjectProperty::Surface, _)
+            | Node::Region(RegionProperty::Area | RegionProperty::Center, _)
+            | Node::Draw(_)
+            | Node::Native(..)
+            | Node::Measure(..)
+            | Node::SamePolygon(..)) => oracle.ask(node, id, values, world)?,
             Node::Object(property, object) => property::of_object(world, *property, *object).map_err(fail)?,
             Node::Region(property, region) => property::of_region(world, *property, *region).map_err(fail)?,
             Node::Variable(variable) => world.variable(*variable).map_err(fail)?,
-            Node::Draw(draw) => Value::Number(N::constant(world.draw(*draw).map_err(fail)?)),
             Node::Neg(a) => arithmetic::negate(get(*a)?),
             Node::Arith(op, a, b) => arithmetic::combine(*op, get(*a)?, get(*b)?).map_err(fail)?,
             Node::Component(axis, a) => arithmetic::component(*axis, get(*a)?),
@@ -109,7 +178,12 @@ impl<N: Number> Scratch<N> {
                 let (a, b) = (arithmetic::number(get(*a)?), arithmetic::number(get(*b)?));
                 Value::Truth(connective::compare(*op, *unit, a, b, &world.options.tolerances))
             }
-            Node::Same(a, b) => Value::Truth(connective::same(get(*a)?, get(*b)?, &world.options.tolerances)),
+            Node::Same(a, b) => match (get(*a)?, get(*b)?) {
+                (Value::Vector(a), Value::Vector(b)) => {
+                    Value::Truth(connective::same_point(a, b, &world.options.tolerances))
+                }
+                _ => oracle.ask(formula.node(id), id, values, world)?,
+            },
             Node::And(parts) => Value::Truth(connective::all(values, parts)?),
             Node::Or(parts) => Value::Truth(connective::any(values, parts)?),
             Node::Not(a) => Value::Truth(connective::truth(get(*a)?).negated()),
@@ -117,15 +191,6 @@ impl<N: Number> Scratch<N> {
             Node::Count(parts) => Value::Number(connective::count(values, parts)?),
             Node::AtLeast(n, parts) => {
                 Value::Truth(connective::at_least(*n as usize, values, parts, &mut self.greatest)?)
-            }
-            Node::Native(native, args) => {
-                Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?)
-            }
-            Node::Measure(measure, args) => {
-                Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?)
-            }
-            Node::SamePolygon(region, vertices) => {
-                Value::Truth(property::same_polygon(world, *region, values, vertices, id)?)
             }
         };
         Ok(value)

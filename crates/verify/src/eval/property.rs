@@ -3,14 +3,14 @@
 use super::Values;
 use super::arithmetic::triple;
 use super::value::{Cause, EvalError, Truth, Value};
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::vector::V3;
 use crate::world::World;
 use scenelang_lang::program::{NodeId, ObjectId, ObjectProperty, RegionId, RegionProperty};
 use scenelang_layout::Vec3;
 
-/// A property of an object.
-pub(super) fn of_object<N: Number>(
+/// A property of an object that needs no geometry; the surface is in [`surface`].
+pub(super) fn of_object<N: Algebra>(
     world: &World<N>,
     property: ObjectProperty,
     object: ObjectId,
@@ -21,12 +21,8 @@ pub(super) fn of_object<N: Number>(
         ObjectProperty::Rot => Value::Rotation(thing.rot),
         ObjectProperty::Scale => Value::Vector(thing.scale),
         ObjectProperty::Center => Value::Vector(thing.center()),
-        ObjectProperty::Top => Value::Number(top(thing.center(), thing.reach())),
+        ObjectProperty::Top | ObjectProperty::Surface => Value::Number((thing.center() + thing.reach()).0[1]),
         ObjectProperty::Bottom => Value::Number((thing.center() - thing.reach()).0[1]),
-        ObjectProperty::Surface => Value::Number(match thing.body.surface {
-            Some(height) => (thing.pos + thing.axes.turn_constant(&Vec3::new(0.0, height, 0.0))).0[1],
-            None => top(thing.center(), thing.reach()),
-        }),
         ObjectProperty::Right => Value::Vector(thing.axes.0[0]),
         ObjectProperty::Up => Value::Vector(thing.axes.0[1]),
         ObjectProperty::Front => Value::Vector(thing.axes.0[2]),
@@ -35,38 +31,51 @@ pub(super) fn of_object<N: Number>(
     })
 }
 
-fn top<N: Number>(center: V3<N>, reach: V3<N>) -> N {
-    center.0[1] + reach.0[1]
+/// The height of the support surface of an object: the declared one, else the top.
+pub(super) fn surface<N: Number>(world: &World<N>, object: ObjectId) -> Result<Value<N>, Cause> {
+    let thing = world.object(object)?;
+    match thing.body.surface {
+        Some(height) => Ok(Value::Number((thing.pos + thing.axes.turn_constant(&Vec3::new(0.0, height, 0.0))).0[1])),
+        None => of_object(world, ObjectProperty::Top, object),
+    }
 }
 
-/// A property of a region.
-pub(super) fn of_region<N: Number>(
+/// A property of a region, taken as a rectangle.
+pub(crate) fn of_region<N: Algebra>(
     world: &World<N>,
     property: RegionProperty,
     region: RegionId,
 ) -> Result<Value<N>, Cause> {
     let room = world.region(region)?;
-    let height = room.pos.0[1] + room.scale.0[1];
+    let ceiling = room.pos.0[1] + room.scale.0[1];
     Ok(match property {
         RegionProperty::Pos => Value::Vector(room.pos),
         RegionProperty::Rot => Value::Rotation(room.rot),
         RegionProperty::Scale => Value::Vector(room.scale),
         RegionProperty::Floor => Value::Number(room.pos.0[1]),
-        RegionProperty::Ceiling => Value::Number(height),
-        RegionProperty::Area => Value::Number(if room.outlined {
-            N::constant(room.prism.area())
-        } else {
-            room.scale.0[0] * room.scale.0[2]
-        }),
+        RegionProperty::Ceiling => Value::Number(ceiling),
+        RegionProperty::Area => Value::Number(room.scale.0[0] * room.scale.0[2]),
         RegionProperty::Center => {
-            let middle = (room.pos.0[1] + height).scale(0.5);
-            Value::Vector(if room.outlined {
-                let c = room.prism.center();
-                V3([N::constant(c.x), middle, N::constant(c.z)])
-            } else {
-                V3([room.pos.0[0], middle, room.pos.0[2]])
-            })
+            Value::Vector(V3([room.pos.0[0], (room.pos.0[1] + ceiling).scale(0.5), room.pos.0[2]]))
         }
+    })
+}
+
+/// The same, of the outline that it has.
+pub(super) fn of_outline<N: Number>(
+    world: &World<N>,
+    property: RegionProperty,
+    region: RegionId,
+) -> Result<Value<N>, Cause> {
+    let room = world.region(region)?;
+    let rectangle = of_region(world, property, region)?;
+    Ok(match (property, rectangle) {
+        (RegionProperty::Area, _) if room.outlined => Value::Number(N::constant(room.prism.area())),
+        (RegionProperty::Center, Value::Vector(center)) if room.outlined => {
+            let c = room.prism.center();
+            Value::Vector(V3([N::constant(c.x), center.0[1], N::constant(c.z)]))
+        }
+        _ => rectangle,
     })
 }
 

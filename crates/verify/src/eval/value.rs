@@ -1,54 +1,57 @@
 //! What a node of a formula yields: a number, a vector, a rotation, or a truth; or the reason why it yields nothing.
 
-use crate::number::Number;
+use crate::number::{Algebra, Logic, Number};
 use crate::vector::V3;
 use scenelang_base::{Code, codes};
 use scenelang_lang::program::{DrawId, NodeId, ObjectId, RegionId, Unit, VariableId};
 
 /// A verdict with its signed margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Truth<N> {
+pub struct Truth<N: Algebra> {
     /// By how much it holds (> 0) or fails (< 0), tolerances included; ±∞ for a discrete fact.
     pub margin: N,
     /// Whether it holds.
-    pub holds: bool,
+    pub holds: N::Verdict,
     /// Unit of the margin.
     pub unit: Unit,
 }
 
-impl<N: Number> Truth<N> {
+impl<N: Algebra> Truth<N> {
     /// A fact that has no metres.
     pub fn discrete(holds: bool) -> Self {
         let margin = if holds { f64::INFINITY } else { f64::NEG_INFINITY };
-        Self { margin: N::constant(margin), holds, unit: Unit::Metre }
+        Self { margin: N::constant(margin), holds: N::Verdict::constant(holds), unit: Unit::Metre }
     }
     /// A margin in metres that holds down to minus `slack`.
     pub fn metres(margin: N, slack: f64) -> Self {
-        Self { margin, holds: margin.value() >= -slack, unit: Unit::Metre }
+        Self { margin, holds: margin.at_least(-slack), unit: Unit::Metre }
     }
     /// Whether it is a discrete fact: nothing that is measured can change it.
     pub fn is_discrete(&self) -> bool {
-        self.margin.value().is_infinite()
+        self.margin.known().is_some_and(f64::is_infinite)
     }
     /// Both: the least margin.
     pub fn and(self, other: Self) -> Self {
-        let unit = if other.margin.value() < self.margin.value() { other.unit } else { self.unit };
-        Self { margin: self.margin.min(other.margin), holds: self.holds && other.holds, unit }
+        let unit = if other.margin.known() < self.margin.known() { other.unit } else { self.unit };
+        Self { margin: self.margin.min(other.margin), holds: self.holds.and(other.holds), unit }
     }
     /// Either: the greatest margin.
     pub fn or(self, other: Self) -> Self {
-        let unit = if other.margin.value() > self.margin.value() { other.unit } else { self.unit };
-        Self { margin: self.margin.max(other.margin), holds: self.holds || other.holds, unit }
+        let unit = if other.margin.known() > self.margin.known() { other.unit } else { self.unit };
+        Self { margin: self.margin.max(other.margin), holds: self.holds.or(other.holds), unit }
     }
     /// The contrary of it.
     pub fn negated(self) -> Self {
-        Self { margin: -self.margin, holds: !self.holds, unit: self.unit }
+        Self { margin: -self.margin, holds: self.holds.negated(), unit: self.unit }
     }
     /// Both or neither.
     pub fn iff(self, other: Self) -> Self {
         let same = self.and(other).or(self.negated().and(other.negated()));
-        Self { holds: self.holds == other.holds, ..same }
+        Self { holds: self.holds.iff(other.holds), ..same }
     }
+}
+
+impl<N: Number> Truth<N> {
     /// On plain floats.
     pub fn plain(self) -> Truth<f64> {
         Truth { margin: self.margin.value(), holds: self.holds, unit: self.unit }
@@ -57,7 +60,7 @@ impl<N: Number> Truth<N> {
 
 /// What a node yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value<N> {
+pub enum Value<N: Algebra> {
     /// A number: metres, degrees or plain.
     Number(N),
     /// A point, a direction, extents.

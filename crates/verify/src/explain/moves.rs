@@ -6,7 +6,6 @@
 use super::RowRef;
 use super::search::{Freedom, Search};
 use super::stage::{Consequences, Goal, Stage, row_of};
-use crate::report::model::Kind;
 use scenelang_lang::program::ObjectId;
 
 /// What looking for a move may cost, in small comparisons.

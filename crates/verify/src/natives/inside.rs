@@ -3,7 +3,7 @@
 
 use super::{Call, Predicate, metres};
 use crate::eval::{EvalError, Truth};
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::tolerances::Tolerances;
 use crate::vector::V3;
 use crate::world::{Room, Thing};
@@ -104,7 +104,7 @@ pub(super) fn wall_along<N: Number>(room: &Room<N>, clearance: &Clearance) -> N 
 }
 
 /// Whether the box of an object is in the box of another.
-fn in_box<N: Number>(thing: &Thing<N>, outer: &Thing<N>, tolerances: &Tolerances) -> Truth<N> {
+pub(crate) fn in_box<N: Algebra>(thing: &Thing<N>, outer: &Thing<N>, tolerances: &Tolerances) -> Truth<N> {
     let between = thing.center() - outer.center();
     let clearance = |axis: usize| {
         let way = outer.axes.0[axis];

@@ -12,6 +12,7 @@ mod visible;
 
 pub use collides::gap;
 pub(crate) use collides::in_words as gap_in_words;
+pub(crate) use inside::in_box;
 pub use inside::in_region;
 
 use crate::eval::{Cause, EvalError, Truth, Value};
@@ -22,7 +23,7 @@ use scenelang_lang::program::{Arg, Measure, Native, NodeId, ObjectId, Program, R
 
 /// A use of a built-in: its arguments, evaluated, and the instance it speaks of.
 #[derive(Clone, Copy)]
-pub(crate) struct Call<'a, N> {
+pub(crate) struct Call<'a, N: Number> {
     /// The arguments.
     pub args: &'a [Arg],
     /// What the nodes before it have yielded.

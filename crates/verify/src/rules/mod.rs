@@ -101,7 +101,7 @@ pub fn mounts(allow: &Allowances, object: ObjectId) -> impl Iterator<Item = &Mou
 /// Contents with their containers, where these have no parts that could collide with or carry them.
 fn hollow<N: Number>(world: &World<N>) -> Vec<(ObjectId, ObjectId)> {
     let has_parts = |id: ObjectId| world.object(id).is_ok_and(|thing| thing.body.has_parts());
-    world.allow.contents.iter().copied().filter(|&(_, container)| !has_parts(container)).collect()
+    world.allow.contents.iter().copied().filter(|&(own, container)| own != container && !has_parts(container)).collect()
 }
 
 /// The content of a content, with the outer container.

@@ -3,7 +3,7 @@
 use crate::cases::{cases, judged, layout};
 use scenelang_verify::report::model::{Report, Row};
 use scenelang_verify::report::{Human, human};
-use scenelang_verify::{Explain, Options};
+use scenelang_verify::{Detail, Explain, Options};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -42,7 +42,7 @@ fn hold_to_its_word(scene: &str, layout: &str, report: &Report, row: &Row) -> bo
             place["rot"] = vec![0.0, yaw, 0.0].into();
         }
     }
-    let options = Options { explain: Explain::First(0), ..Options::default() };
+    let options = Options { detail: Detail { explain: Explain::First(0), ..Detail::default() }, ..Options::default() };
     let after = failing(&judged(scene, &moved.to_string(), &options).report);
     let before = failing(report);
     assert!(!after.contains(&row.id), "{} does not mend {}\n{scene}\n{layout}", mend.text, row.id);
@@ -112,7 +112,7 @@ fn moves_in_random_rooms_do_what_they_say() {
         object("shelf", 0.0, [1.0, 1.8, 0.4]);
         text += &format!("object door {:.3} 0 -2.03 | 0.9 2.1 0.06\n", 3.0 * unit() - 1.5);
         let layout = layout(&text);
-        let options = Options { explain: Explain::All, ..Options::default() };
+        let options = Options { detail: Detail { explain: Explain::All, ..Detail::default() }, ..Options::default() };
         let report = judged(ROOM, &layout, &options).report;
         for row in report.constraints.iter().filter(|row| row.satisfied == Some(false)) {
             failed += 1;
@@ -133,7 +133,9 @@ fn only_the_first_are_explained_in_full() {
         (Explain::First(2), [true, false, true]),
         (Explain::All, [true, true, true]),
     ] {
-        let report = judged(scene, &layout, &Options { explain, ..Options::default() }).report;
+        let report =
+            judged(scene, &layout, &Options { detail: Detail { explain, ..Detail::default() }, ..Options::default() })
+                .report;
         let rows = report.constraints.iter().map(|row| row.explanation.as_ref().expect("it fails"));
         let explained: Vec<bool> = rows.clone().map(|e| e.mend.is_some()).collect();
         assert_eq!(explained, want, "{explain:?}");

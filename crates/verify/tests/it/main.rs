@@ -5,6 +5,7 @@ mod cases;
 mod explanations;
 mod gradients;
 mod navigation;
+mod proofs;
 mod reports;
 mod schemas;
 mod spec;

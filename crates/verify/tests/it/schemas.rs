@@ -4,7 +4,7 @@ use crate::cases::{judged, layout};
 use jsonschema::Validator;
 use scenelang_base::FileId;
 use scenelang_verify::compare::compare;
-use scenelang_verify::{Options, Tolerances, schemas, settings};
+use scenelang_verify::{Detail, Options, Tolerances, schemas, settings};
 use serde_json::{Value, json};
 
 /// The validator of a schema.
@@ -111,7 +111,9 @@ fn reports_fit_and_what_is_no_report_does_not() {
     let scene = "object a; object b;\nassert a.pos.x > 1;\nprefer a = b weight 2;\n@req(\"x\") assert b.pos.x / 0 > 1;\na.pos <- vec3(0, 0, 0)";
     for text in [layout("object a 0 0 0\nobject b 3 0 0"), layout("object a 0 0 0"), "{".to_owned()] {
         for all in [false, true] {
-            let report = judged(scene, &text, &Options { all, ..Options::default() }).report;
+            let report =
+                judged(scene, &text, &Options { detail: Detail { all, ..Detail::default() }, ..Options::default() })
+                    .report;
             assert_eq!(faults(&reports, &serde_json::to_value(&report).unwrap()), Vec::<String>::new());
         }
     }

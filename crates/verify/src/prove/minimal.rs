@@ -1,0 +1,264 @@
+//! From "these cannot all hold" to minimal sets; redundancy; the budget.
+
+use super::model::{Choice, Model, Source, crowds, regions_of};
+use super::packing::Packing;
+use super::refute::Search;
+use super::words;
+use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
+use rustc_hash::{FxHashMap, FxHashSet};
+use scenelang_lang::program::{Arith, ConstraintKind, Formula, Function, Node, Program};
+use std::sync::atomic::Ordering;
+
+/// So many contradictions are looked for.
+const MOST_CONTRADICTIONS: usize = 10;
+/// A statement is compared with at most so many others that speak of the same things.
+const NEIGHBOURS: usize = 24;
+/// The part of the work that one question may take: of all statements, of a smaller set, of one redundancy.
+const WHOLE: u64 = 2;
+const SMALLER: u64 = 8;
+const ONE: u64 = 400;
+
+/// What a refutation rests on.
+struct Core {
+    statements: Vec<usize>,
+    rules: Vec<String>,
+    proof: Option<Proof>,
+}
+
+/// The answers to one program's questions.
+pub(super) struct Prover<'a> {
+    program: &'a Program,
+    options: &'a ProveOptions,
+    spent: u64,
+    /// Whether some question ended for lack of work.
+    short: bool,
+}
+
+impl<'a> Prover<'a> {
+    pub fn new(program: &'a Program, options: &'a ProveOptions) -> Self {
+        Self { program, options, spent: 0, short: false }
+    }
+
+    /// Everything.
+    pub fn findings(mut self) -> Findings {
+        let mut findings = Findings::default();
+        let mut open: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        // Crowded regions by themselves, then everything, again and again without what was found.
+        let mut looks = crowds(self.program, &self.options.judging, &open);
+        looks.reverse();
+        while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
+            let (among, part, last) = match looks.pop() {
+                Some(crowd) => (crowd, SMALLER, false),
+                None => (open.clone(), WHOLE, true),
+            };
+            let fresh = among.iter().all(|s| open.binary_search(s).is_ok());
+            match if fresh { self.contradiction(&among, part) } else { None } {
+                Some(found) => {
+                    open.retain(|i| !found.statements.contains(i));
+                    findings.contradictions.push(found);
+                }
+                None if last => break,
+                None => {}
+            }
+        }
+        findings.contradictions.sort_by(|a, b| a.statements.cmp(&b.statements));
+        if findings.contradictions.is_empty() {
+            self.redundancies(&mut findings);
+        }
+        findings.work_spent = self.spent;
+        findings.complete = !self.short && !self.is_stopped();
+        findings
+    }
+
+    fn is_hard(&self, statement: usize) -> bool {
+        !matches!(self.program.constraints[statement].kind, ConstraintKind::Prefer { .. })
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.options.cancel.as_ref().is_some_and(|c| c.load(Ordering::Relaxed))
+    }
+
+    /// Whether a choice cannot be, in a part of the work.
+    fn refute(&mut self, choice: Choice<'_>, part: u64, tell: bool) -> Option<Core> {
+        let left = self.options.work.saturating_sub(self.spent);
+        let most = (self.options.work / part).min(left);
+        if most == 0 || self.is_stopped() {
+            self.short = true;
+            return None;
+        }
+        let model = Model::new(self.program, &self.options.judging, choice);
+        let problem = model.problem();
+        // Making the model is work, too.
+        self.spent += (model.tape.ops.len() + model.tape.facts.len()) as u64;
+        let tolerances = &self.options.judging.tolerances;
+        let packing = Packing::new(&model.groups, &problem, tolerances.contact + 2.0 * tolerances.order);
+        let mut search = Search::new(problem, &packing, most, self.options.cancel.as_deref());
+        search.told = tell.then(Vec::new);
+        let given: Vec<_> = model.given.iter().map(|g| g.claim).collect();
+        let used = search.refute(&model.always, &given);
+        self.spent += search.state.work;
+        self.short |= search.state.work >= most;
+        let used = used?;
+        let mut core = Core { statements: Vec::new(), rules: Vec::new(), proof: None };
+        for index in used {
+            let given = &model.given[index];
+            match &given.what {
+                Source::Statement(statement) => core.statements.push(*statement),
+                Source::Rule(rule) => core.rules.push(rule.clone()),
+                Source::Contrary(_) => {}
+            }
+            core.statements.extend(&given.premises);
+        }
+        core.statements.sort_unstable();
+        core.statements.dedup();
+        core.rules.sort();
+        core.rules.dedup();
+        core.proof = search.told.take().map(|told| words::proof(self.program, &model, &search.problem, &told));
+        Some(core)
+    }
+
+    /// A minimal set among these that cannot hold together, if one is found.
+    fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
+        let mut core = self.refute(whole(among), part, false)?;
+        // Small first: a core of a core is often smaller, and costs little.
+        while let Some(next) = self.refute(whole(&core.statements), SMALLER, false) {
+            let done = next.statements.len() >= core.statements.len();
+            core = next;
+            if done {
+                break;
+            }
+        }
+        // Without any one of them there is no refutation: the last first, so that what was said first is kept.
+        let mut tried: FxHashSet<usize> = FxHashSet::default();
+        while let Some(&statement) = core.statements.iter().rev().find(|s| !tried.contains(*s)) {
+            tried.insert(statement);
+            let rest: Vec<usize> = core.statements.iter().copied().filter(|s| *s != statement).collect();
+            if let Some(smaller) = self.refute(whole(&rest), SMALLER, false) {
+                core = smaller;
+            }
+        }
+        if core.statements.is_empty() {
+            return None;
+        }
+        let told = if self.options.explain { self.refute(whole(&core.statements), SMALLER, true) } else { None };
+        let Core { statements, rules, proof } = core;
+        let mut definitions: Vec<usize> =
+            statements.iter().flat_map(|s| self.program.constraints[*s].definitions.iter().copied()).collect();
+        definitions.sort_unstable();
+        definitions.dedup();
+        Some(Contradiction { statements, definitions, rules, proof: told.map_or(proof, |t| t.proof) })
+    }
+
+    fn redundancies(&mut self, findings: &mut Findings) {
+        let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        let neighbours = Neighbours::new(self.program, &hard);
+        let mut flagged: FxHashSet<usize> = FxHashSet::default();
+        // The last first: of equal statements the first stays.
+        for &statement in hard.iter().rev() {
+            let constraint = &self.program.constraints[statement];
+            if constraint.kind != ConstraintKind::Assert || is_partial(&constraint.formula) {
+                continue;
+            }
+            let alone = Choice { statements: &[], contrary: Some(statement), rules: false };
+            if self.refute(alone, ONE, false).is_some() {
+                findings.always.push(statement);
+                flagged.insert(statement);
+                continue;
+            }
+            let others: Vec<usize> =
+                neighbours.of(self.program, statement).into_iter().filter(|s| !flagged.contains(s)).collect();
+            if others.is_empty() {
+                continue;
+            }
+            let choice = Choice { statements: &others, contrary: Some(statement), rules: false };
+            if let Some(core) = self.refute(choice, ONE, false)
+                && core.statements.iter().any(|s| *s != statement)
+            {
+                flagged.insert(statement);
+                findings.redundant.push(Redundancy { statement, by: core.statements });
+            }
+        }
+        findings.always.sort_unstable();
+        findings.redundant.sort_by_key(|r| r.statement);
+    }
+}
+
+/// Statements with the rules.
+fn whole(statements: &[usize]) -> Choice<'_> {
+    Choice { statements, contrary: None, rules: true }
+}
+
+/// Which statements speak of the same things.
+struct Neighbours {
+    by_thing: FxHashMap<Thing, Vec<usize>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Thing {
+    Object(u32),
+    Region(u32),
+    Variable(u32),
+    Draw(u32),
+}
+
+impl Neighbours {
+    fn new(program: &Program, among: &[usize]) -> Self {
+        let mut by_thing: FxHashMap<Thing, Vec<usize>> = FxHashMap::default();
+        for &statement in among {
+            for thing in things(&program.constraints[statement].formula) {
+                by_thing.entry(thing).or_default().push(statement);
+            }
+        }
+        Self { by_thing }
+    }
+
+    /// Others that speak of something that a statement speaks of, or that those speak of; nearest first, sorted.
+    fn of(&self, program: &Program, statement: usize) -> Vec<usize> {
+        let mut found: Vec<usize> = Vec::new();
+        let mut seen: FxHashSet<usize> = FxHashSet::from_iter([statement]);
+        let mut front = vec![statement];
+        for _ in 0..3 {
+            let mut next = Vec::new();
+            for at in front {
+                for thing in things(&program.constraints[at].formula) {
+                    let Some(list) = self.by_thing.get(&thing) else { continue };
+                    // Of something that everything speaks of (the room) only the nearest.
+                    let here = list.partition_point(|s| *s < statement);
+                    let near = &list[here.saturating_sub(NEIGHBOURS)..(here + NEIGHBOURS).min(list.len())];
+                    next.extend(near.iter().copied().filter(|s| seen.insert(*s)));
+                }
+            }
+            next.sort_by_key(|s| s.abs_diff(statement));
+            found.extend(&next);
+            front = next;
+            if found.len() >= NEIGHBOURS {
+                break;
+            }
+        }
+        found.truncate(NEIGHBOURS);
+        found.sort_unstable();
+        found
+    }
+}
+
+fn things(formula: &Formula) -> Vec<Thing> {
+    let mut out: Vec<Thing> = formula.objects().into_iter().map(|o| Thing::Object(o.0)).collect();
+    out.extend(regions_of(formula).into_iter().map(|r| Thing::Region(r.0)));
+    for node in &formula.nodes {
+        match node {
+            Node::Variable(v) => out.push(Thing::Variable(v.0)),
+            Node::Draw(d) => out.push(Thing::Draw(d.0)),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Whether a formula may have no value somewhere: then it does not hold there, whatever it says.
+fn is_partial(formula: &Formula) -> bool {
+    formula.nodes.iter().any(|node| match node {
+        Node::Arith(Arith::Div, _, by) => !matches!(formula.node(*by), Node::Number(n) if *n != 0.0),
+        Node::Call(function, _) => matches!(function, Function::Sqrt | Function::Normalize | Function::Angle),
+        _ => false,
+    })
+}

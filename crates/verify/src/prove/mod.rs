@@ -1,0 +1,118 @@
+//! What can be proved of a program without a layout: that statements contradict each other, that one is implied by
+//! others, that one always holds. Sound, not complete: what is reported is proved, and much is not.
+//!
+//! A formula keeps its one meaning: the evaluator runs over unknowns (`tape`, `unknowns`) and leaves equations
+//! (`problem`). A refutation (`refute`) joins narrowing of intervals (`narrow`, `state`), linear reasoning (`simplex`,
+//! with inequalities for what is not linear in `cuts`), sums of volumes and areas (`packing`), and cases. Whatever it
+//! uses is remembered, so that a contradiction is first small, and then made minimal by leaving out one statement after
+//! the other (`minimal`).
+//!
+//! All of it is counted as work, never timed; the same program has the same findings everywhere.
+
+mod cuts;
+mod interval;
+mod minimal;
+mod model;
+mod narrow;
+mod packing;
+mod problem;
+mod refute;
+mod simplex;
+mod state;
+mod tape;
+mod unknowns;
+mod words;
+
+use crate::tolerances::Options;
+use scenelang_base::Diagnostic;
+use scenelang_lang::program::Program;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// How to look for proofs.
+#[derive(Clone, Debug)]
+pub struct ProveOptions {
+    /// Tolerances, what a solid is, and whether the physical rules count.
+    pub judging: Options,
+    /// How much work may be done in all. A step is a look at one part of one formula.
+    pub work: u64,
+    /// Whether findings come with their proof.
+    pub explain: bool,
+    /// Set from elsewhere, it ends the search; what was proved until then is kept.
+    pub cancel: Option<Arc<AtomicBool>>,
+}
+
+/// Work enough for rooms and houses, little enough not to be waited for.
+pub const WORK: u64 = 6_000_000;
+
+impl Default for ProveOptions {
+    fn default() -> Self {
+        Self { judging: Options::default(), work: WORK, explain: false, cancel: None }
+    }
+}
+
+/// What was proved.
+#[derive(Clone, Debug, Default)]
+pub struct Findings {
+    /// Statements that cannot hold together: minimal sets, no two of which share a statement.
+    pub contradictions: Vec<Contradiction>,
+    /// Statements implied by others.
+    pub redundant: Vec<Redundancy>,
+    /// Statements that hold in every layout: indices into [`Program::constraints`].
+    pub always: Vec<usize>,
+    /// The work that it took.
+    pub work_spent: u64,
+    /// Whether the search came to its end; if not, more work might find more.
+    pub complete: bool,
+}
+
+/// A minimal set of statements that cannot hold together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contradiction {
+    /// Indices into [`Program::constraints`], in their order: assertions and assignments.
+    pub statements: Vec<usize>,
+    /// Assignments to variables that these were made with: indices into [`Program::definitions`]. They are members too,
+    /// though whether the set is contradictory without one of them is not tried: without it there is another program.
+    pub definitions: Vec<usize>,
+    /// Physical rules that take part, in words.
+    pub rules: Vec<String>,
+    /// Why, if that was asked for.
+    pub proof: Option<Proof>,
+}
+
+/// A statement that others imply.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Redundancy {
+    /// An index into [`Program::constraints`].
+    pub statement: usize,
+    /// Others that imply it.
+    pub by: Vec<usize>,
+}
+
+/// A chain of reasoning that ends in the impossible.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proof {
+    /// The steps, in order.
+    pub steps: Vec<Step>,
+}
+
+/// A step of a proof.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// How many suppositions it stands under.
+    pub depth: usize,
+    /// A sentence.
+    pub text: String,
+}
+
+/// Looks for what can be proved of a program.
+pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
+    minimal::Prover::new(program, options).findings()
+}
+
+impl Findings {
+    /// As diagnostics, in the order of their places.
+    pub fn diagnostics(&self, program: &Program) -> Vec<Diagnostic> {
+        words::diagnostics(self, program)
+    }
+}

@@ -1,0 +1,464 @@
+//! Some statements of a program, and the physical rules about what they speak of, as claims about unknowns.
+
+use super::packing::{Group, Member};
+use super::problem::{Problem, reached};
+use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
+use super::unknowns::Unknowns;
+use crate::eval::{Scratch, Value};
+use crate::number::{Algebra, Logic};
+use crate::rules::Scope;
+use crate::tolerances::Options;
+use crate::world::World;
+use rustc_hash::FxHashMap;
+use scenelang_lang::library::usual_size;
+use scenelang_lang::program::{
+    Arg, Comparison, Formula, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
+};
+use scenelang_layout::Geometry;
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// Something that is taken as given.
+#[derive(Clone, Debug)]
+pub(super) struct Given {
+    pub claim: Claim,
+    pub what: Source,
+    /// Statements that its meaning rests on, beside what it says: orientations, rectangles.
+    pub premises: Vec<usize>,
+}
+
+/// Where something given comes from.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Source {
+    /// An index into the constraints of the program.
+    Statement(usize),
+    /// The contrary of a statement, to see whether the others imply it.
+    Contrary(usize),
+    /// A physical rule, in words.
+    Rule(String),
+}
+
+/// Claims, and the tape that they are on.
+pub(super) struct Model {
+    pub tape: Tape,
+    /// What holds in every instance.
+    pub always: Vec<Claim>,
+    /// Those of them that linear reasoning leaves out.
+    pub curved: Vec<Claim>,
+    pub given: Vec<Given>,
+    pub groups: Vec<Group<Term>>,
+    /// Names of unknowns.
+    pub names: FxHashMap<Term, String>,
+}
+
+/// What a model is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Choice<'a> {
+    /// Statements that hold, sorted.
+    pub statements: &'a [usize],
+    /// One that does not.
+    pub contrary: Option<usize>,
+    /// Whether the physical rules count.
+    pub rules: bool,
+}
+
+/// Boxes in one region between which every order is looked at, at most.
+const CLOSE_COMPANY: usize = 8;
+/// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
+const SKEW: f64 = 0.0018;
+
+impl Model {
+    /// The model of a choice.
+    pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
+        Tape::begin();
+        let counts = |statement: usize| choice.statements.binary_search(&statement).is_ok();
+        let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
+        let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
+        let mut unknowns = Unknowns::new(program, options, &counts, &objects);
+        let mut builder = Builder { program, options, given: Vec::new(), objects };
+        for &statement in choice.statements {
+            builder.statement(&mut unknowns, statement, false);
+        }
+        if let Some(statement) = choice.contrary {
+            builder.statement(&mut unknowns, statement, true);
+        }
+        let mut groups = Vec::new();
+        if choice.rules && options.physics {
+            builder.bounds(&mut unknowns, choice.statements);
+            builder.collisions(&mut unknowns);
+            groups = builder.groups(&mut unknowns, choice.statements);
+        }
+        builder.frames(&mut unknowns, &groups);
+        let names = unknowns.names();
+        let (always, curved) = (unknowns.always, unknowns.curved);
+        Self { tape: Tape::end(), always, curved, given: builder.given, groups, names }
+    }
+
+    /// As equations.
+    pub fn problem(&self) -> Problem {
+        let roots: Vec<Claim> = self.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
+        Problem::new(&self.tape, &roots, &wanted(&self.groups), &self.curved)
+    }
+}
+
+fn wanted(groups: &[Group<Term>]) -> Vec<Term> {
+    let member = |m: &Member<Term>| [m.size[0], m.size[1], m.size[2], m.bottom, m.top, m.up];
+    groups.iter().flat_map(|g| g.size.into_iter().chain(g.members.iter().flat_map(member))).collect()
+}
+
+struct Builder<'a> {
+    program: &'a Program,
+    options: &'a Options,
+    given: Vec<Given>,
+    /// The objects that are spoken of.
+    objects: BTreeSet<ObjectId>,
+}
+
+impl Builder<'_> {
+    fn statement(&mut self, unknowns: &mut Unknowns<'_>, index: usize, contrary: bool) {
+        let formula = &self.program.constraints[index].formula;
+        let (objects, regions) = (formula.objects(), regions_of(formula));
+        let mut premises: Vec<usize> = objects.iter().filter_map(|o| unknowns.turned.get(o).copied()).collect();
+        premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
+        if !walks_are_compared(formula) {
+            return;
+        }
+        let world = Rc::clone(&unknowns.world);
+        let claim = match Scratch::new().evaluate_with(formula, &world, unknowns) {
+            Ok(Value::Truth(truth)) => truth.holds,
+            // It has no value in any layout; that is told where a layout is judged.
+            _ => return,
+        };
+        for object in objects_of_angles(formula) {
+            unknowns.angles_turn_axes(object);
+        }
+        let (claim, what) = match contrary {
+            true => (claim.negated(), Source::Contrary(index)),
+            false => (claim, Source::Statement(index)),
+        };
+        self.given.push(Given { claim, what, premises });
+    }
+
+    fn name(&self, object: ObjectId) -> &str {
+        &self.program.objects[object.0 as usize].name
+    }
+
+    /// P-BOUNDS of what is spoken of: one of the regions holds it.
+    fn bounds(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) {
+        let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
+        if regions.is_empty() {
+            return;
+        }
+        let scope = scope(self.program, self.options);
+        // What is said to be in a region is in one.
+        let said: BTreeSet<ObjectId> =
+            statements.iter().flat_map(|s| insides(&self.program.constraints[*s].formula)).map(|(_, o)| o).collect();
+        let speaks = |o: &&ObjectId| scope.bounds(**o) && !said.contains(o);
+        for &object in self.objects.clone().iter().filter(speaks) {
+            let holds: Vec<Claim> = regions.iter().map(|r| unknowns.in_region(object, *r)).collect();
+            let mut premises: Vec<usize> = unknowns.turned.get(&object).copied().into_iter().collect();
+            premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
+            let name = self.name(object);
+            let what = Source::Rule(match regions.as_slice() {
+                [one] => format!("P-BOUNDS keeps `{name}` in `{}`", self.program.regions[one.0 as usize].name),
+                _ => format!("P-BOUNDS keeps `{name}` in a region"),
+            });
+            self.given.push(Given { claim: any(&holds), what, premises });
+        }
+    }
+
+    /// P-COLLIDE of pairs whose gap is spoken of. The rule is that they do not collide: the rounding that its verdict
+    /// allows beyond that is no room to build in.
+    fn collisions(&mut self, unknowns: &mut Unknowns<'_>) {
+        let scope = scope(self.program, self.options);
+        let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
+        for (i, &a) in objects.iter().enumerate() {
+            for &b in &objects[i + 1..] {
+                if !unknowns.speaks_of_gap(a, b) || !scope.collide(a, b) {
+                    continue;
+                }
+                let claim = unknowns.collides(a, b).negated();
+                let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+                self.given.push(Given { claim, what, premises: Vec::new() });
+            }
+        }
+    }
+
+    /// Boxes of known size that are said to be in one region, for each rectangular region of known size.
+    fn groups(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) -> Vec<Group<Term>> {
+        let scope = scope(self.program, self.options);
+        let mut groups = Vec::new();
+        let mut apart = None;
+        for Company { region, objects, full } in companies(self.program, self.options, statements) {
+            let apart = *apart.get_or_insert_with(open);
+            if full && objects.len() <= CLOSE_COMPANY {
+                for (i, &a) in objects.iter().enumerate() {
+                    for &b in objects[i + 1..].iter().filter(|b| scope.collide(a, **b)) {
+                        let orders = unknowns.beside(a, b, SKEW);
+                        unknowns.always.push(implies(apart, orders));
+                    }
+                }
+            }
+            let excepted = (0..objects.len())
+                .flat_map(|i| (i + 1..objects.len()).map(move |k| (i, k)))
+                .filter(|(i, k)| !scope.collide(objects[*i], objects[*k]))
+                .collect();
+            let members = objects.iter().map(|o| unknowns.member(*o, region)).collect();
+            let size = unknowns.room_size(region);
+            groups.push(Group { size, members, excepted, apart });
+        }
+        if let Some(claim) = apart {
+            let what = Source::Rule("P-COLLIDE keeps boxes from overlapping".to_owned());
+            self.given.push(Given { claim, what, premises: Vec::new() });
+        }
+        groups
+    }
+
+    /// What is always true of the orientations that claims came to speak of.
+    fn frames(&mut self, unknowns: &mut Unknowns<'_>, groups: &[Group<Term>]) {
+        let roots: Vec<Claim> = unknowns.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
+        let (_, terms) = look(|tape| reached(tape, &roots, &wanted(groups)));
+        let is_reached = |term: &Term| terms.get(term.0 as usize).copied().unwrap_or(false);
+        for &id in &self.objects {
+            if unknowns.axes(id).iter().any(is_reached) {
+                unknowns.orientation(id);
+            }
+        }
+        for index in 0..self.program.regions.len() {
+            unknowns.yaw(RegionId(index as u32));
+        }
+    }
+}
+
+/// Which rules apply to what, whatever the assets are made of.
+fn scope(program: &Program, options: &Options) -> Scope {
+    Scope::new(&World::<f64>::nowhere(program, options))
+}
+
+/// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
+fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
+    let object = &program.objects[object.0 as usize];
+    options.geometry == Geometry::Box || object.category.is_empty() && usual_size(&object.name).is_none()
+}
+
+/// Boxes of known size in a rectangular region of known size.
+struct Company {
+    region: RegionId,
+    objects: Vec<ObjectId>,
+    /// Whether they take up much of it.
+    full: bool,
+}
+
+/// The companies that statements make.
+fn companies(program: &Program, options: &Options, statements: &[usize]) -> Vec<Company> {
+    let sizes = nominal_sizes(program, statements);
+    let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
+    for &index in statements {
+        said.extend(insides(&program.constraints[index].formula));
+    }
+    if program.regions.len() == 1 && options.physics {
+        let scope = scope(program, options);
+        let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
+        said.extend(all.filter(|o| scope.bounds(*o)).map(|o| (RegionId(0), o)));
+    }
+    let mut out = Vec::new();
+    for region in (0..program.regions.len() as u32).map(RegionId) {
+        let Some(room) = sizes.get(&Owner::Region(region)) else { continue };
+        let objects: Vec<ObjectId> = said
+            .range((region, ObjectId(0))..=(region, ObjectId(u32::MAX)))
+            .map(|(_, object)| *object)
+            .filter(|o| sizes.contains_key(&Owner::Object(*o)) && is_box(program, options, *o))
+            .collect();
+        let footprint = |o: &ObjectId| sizes.get(&Owner::Object(*o)).map_or(0.0, |s| s[0] * s[2]);
+        let full = objects.iter().map(footprint).sum::<f64>() >= 0.5 * room[0] * room[2];
+        if objects.len() > 1 {
+            out.push(Company { region, objects, full });
+        }
+    }
+    out
+}
+
+/// The statements about each company that takes up much of its region: worth a look of their own.
+pub(super) fn crowds(program: &Program, options: &Options, statements: &[usize]) -> Vec<Vec<usize>> {
+    let full = companies(program, options, statements).into_iter().filter(|c| c.full);
+    full.map(|company| {
+        let about = |s: &usize| {
+            let objects = program.constraints[*s].formula.objects();
+            objects.iter().all(|o| company.objects.binary_search(o).is_ok())
+        };
+        statements.iter().copied().filter(about).collect()
+    })
+    .collect()
+}
+
+/// Sizes that statements assign as constants.
+fn nominal_sizes(program: &Program, statements: &[usize]) -> FxHashMap<Owner, [f64; 3]> {
+    let mut out = FxHashMap::default();
+    let nowhere = World::<f64>::nowhere(program, &Options::default());
+    for pin in
+        program.pins.iter().filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
+    {
+        if let Some(Ok(Value::Vector(size))) = pin.values.first().map(|f| crate::eval::evaluate(f, &nowhere)) {
+            out.insert(pin.owner, size.0);
+        }
+    }
+    out
+}
+
+/// What a formula says at its top level to be inside a region.
+fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
+    let mut out = Vec::new();
+    let mut open = vec![formula.root];
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            Node::Native(Native::Inside, args) => {
+                if let [Arg::Object(object), Arg::Region(region)] = &**args {
+                    out.push((*region, *object));
+                }
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+pub(super) fn regions_of(formula: &Formula) -> Vec<RegionId> {
+    let mut out = Vec::new();
+    for node in &formula.nodes {
+        match node {
+            Node::Region(_, id) | Node::SamePolygon(id, _) => out.push(*id),
+            Node::Native(_, args) | Node::Measure(_, args) => {
+                out.extend(args.iter().filter_map(|a| if let Arg::Region(id) = a { Some(*id) } else { None }));
+            }
+            _ => {}
+        }
+    }
+    out.sort_unstable();
+    out.dedup();
+    out
+}
+
+/// Objects of which a component of the rotation is read.
+fn objects_of_angles(formula: &Formula) -> Vec<ObjectId> {
+    let of = |node: &Node| match node {
+        Node::Component(_, of) => match formula.node(*of) {
+            Node::Object(ObjectProperty::Rot, id) => Some(*id),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut out: Vec<ObjectId> = formula.nodes.iter().filter_map(of).collect();
+    out.sort_unstable();
+    out.dedup();
+    out
+}
+
+/// A walk may be infinite, where no way leads. Reasoning knows finite numbers only, and takes a long one instead; that is
+/// the same wherever a walk is compared, by order, with something that has no walk in it.
+fn walks_are_compared(formula: &Formula) -> bool {
+    let mut walks = vec![false; formula.nodes.len()];
+    for (index, node) in formula.nodes.iter().enumerate() {
+        let mut own = false;
+        node.for_each_child(|child| own |= walks[child.0 as usize]);
+        let is_walk = |id: &NodeId| matches!(formula.node(*id), Node::Measure(Measure::WalkDistance, _));
+        match node {
+            Node::Measure(Measure::WalkDistance, _) => walks[index] = true,
+            Node::Compare(op, _, a, b) => {
+                let ordered = !matches!(op, Comparison::Eq | Comparison::Ne);
+                let both = walks[a.0 as usize] && walks[b.0 as usize];
+                if own && (!ordered || both || !(is_walk(a) || is_walk(b))) {
+                    return false;
+                }
+            }
+            _ => walks[index] = own,
+        }
+    }
+    true
+}
+
+impl Unknowns<'_> {
+    /// The components of an object's axes.
+    fn axes(&self, id: ObjectId) -> Vec<Term> {
+        let thing = self.world.objects[id.0 as usize].as_ref();
+        thing.map_or(Vec::new(), |t| t.axes.0.iter().flat_map(|v| v.0).collect())
+    }
+
+    fn room_size(&self, id: RegionId) -> [Term; 3] {
+        self.world.regions[id.0 as usize].as_ref().expect("every region is there").scale.0
+    }
+
+    fn member(&mut self, object: ObjectId, region: RegionId) -> Member<Term> {
+        let inside = self.in_region(object, region);
+        let thing = self.world.objects[object.0 as usize].as_ref().expect("every object that is spoken of is there");
+        let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
+        Member { inside, size: thing.scale.0, bottom: center - reach, top: center + reach, up: thing.axes.0[1].0[1] }
+    }
+
+    /// If both boxes stand along the axes of the world, up to `skew`, they are apart along one of these.
+    ///
+    /// Each holds a box along the axes whose extents are less than its own by `skew` times the other two; these are apart
+    /// along an axis, since boxes along the axes are (or overlap along each by more than the two overlap). And how far a
+    /// box reaches along an axis is at most its extent there and `skew` times the others.
+    fn beside(&mut self, a: ObjectId, b: ObjectId, skew: f64) -> Claim {
+        let things =
+            [a, b].map(|o| self.world.objects[o.0 as usize].clone().expect("every object that is spoken of is there"));
+        let along = |claims: &mut Vec<Claim>, c: Term| {
+            claims.push(any(&[
+                all(&[c.at_least(-skew), (-c).at_least(-skew)]),
+                c.at_least(1.0 - skew),
+                (-c).at_least(1.0 - skew),
+            ]));
+        };
+        let mut straight = Vec::new();
+        for thing in &things {
+            thing.axes.0.iter().flat_map(|v| v.0).for_each(|c| along(&mut straight, c));
+        }
+        let tolerances = &self.options.tolerances;
+        let contact = Term::constant(tolerances.contact + 2.0 * tolerances.order);
+        let [x, y] = &things;
+        let extents = |t: &crate::world::Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
+        let slack = (extents(x) + extents(y)).scale(skew) + contact;
+        let (between, reach) = (x.center() - y.center(), x.reach() + y.reach());
+        let ways: Vec<Claim> = (0..3)
+            .flat_map(|i| [between.0[i], -between.0[i]].map(|d| (d - reach.0[i] + slack).at_least(0.0)))
+            .collect();
+        implies(all(&straight), any(&ways))
+    }
+
+    /// Names of unknowns, for people.
+    fn names(&self) -> FxHashMap<Term, String> {
+        let mut out = FxHashMap::default();
+        let mut note = |terms: [Term; 3], name: String| {
+            for (term, axis) in terms.into_iter().zip(["x", "y", "z"]) {
+                out.insert(term, format!("{name}.{axis}"));
+            }
+        };
+        let objects = self.program_objects().zip(&self.world.objects);
+        for (object, thing) in objects.filter_map(|(name, thing)| Some((name, thing.as_ref()?))) {
+            note(thing.pos.0, format!("{object}.pos"));
+            note(thing.scale.0, format!("{object}.scale"));
+            note(thing.rot.0, format!("{object}.rot"));
+            for (axis, name) in thing.axes.0.iter().zip(["right", "up", "front"]) {
+                note(axis.0, format!("{object}.{name}"));
+            }
+        }
+        for (region, room) in self.program_regions().zip(self.world.regions.iter().flatten()) {
+            note(room.pos.0, format!("{region}.pos"));
+            note(room.scale.0, format!("{region}.scale"));
+            note(room.rot.0, format!("{region}.rot"));
+        }
+        for (variable, value) in self.program_variables().zip(&self.world.variables) {
+            match value {
+                Ok(Value::Number(n)) => drop(out.insert(*n, variable.to_owned())),
+                Ok(Value::Vector(v) | Value::Rotation(v)) => {
+                    for (term, axis) in v.0.into_iter().zip(["x", "y", "z"]) {
+                        out.insert(term, format!("{variable}.{axis}"));
+                    }
+                }
+                _ => {}
+            }
+        }
+        out
+    }
+}

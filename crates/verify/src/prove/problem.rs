@@ -1,0 +1,350 @@
+//! A tape as equations between variables: sums become rows of coefficients, everything else an operation on variables
+//! up to sign and offset. So `a.pos.x + 1 <= b.pos.x` and `b.pos.x - a.pos.x > 3` bound one and the same row.
+
+use super::interval::Interval;
+use super::tape::{Claim, Fact, Op, Tape, Term};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// A variable: index into [`Problem::kinds`]. Variable 0 is the number 0.
+pub(super) type Var = u32;
+
+/// A variable up to sign and offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Affine {
+    pub var: Var,
+    pub minus: bool,
+    pub add: Interval,
+}
+
+impl Affine {
+    /// What it is, where the variable is in an interval.
+    pub fn of(self, domain: Interval) -> Interval {
+        if self.minus { self.add - domain } else { self.add + domain }
+    }
+    /// What the variable is, where it is in an interval.
+    pub fn solve(self, whole: Interval) -> Interval {
+        if self.minus { self.add - whole } else { whole - self.add }
+    }
+}
+
+/// What a variable is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kind {
+    Free,
+    /// The sum of variables times coefficients, sorted by variable.
+    Row(Box<[(Var, f64)]>),
+    Apply(Function, Affine, Affine),
+    Indicator(Claim),
+}
+
+/// An operation of one or two arguments (of one: both are the same).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Function {
+    Mul,
+    Div,
+    Square,
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Sin,
+    Cos,
+    Atan,
+    Wrap,
+}
+
+/// A verdict in terms of variables.
+#[derive(Clone, Debug)]
+pub(super) enum Verdict {
+    Open,
+    /// The term is at least the bound; strict: more.
+    Atom {
+        term: Affine,
+        bound: f64,
+        strict: bool,
+    },
+    All(Box<[Claim]>),
+    AtLeast(u32, Box<[Claim]>),
+    Iff(Claim, Claim),
+}
+
+/// Variables and verdicts; those of the tape that no claim asked for are left out.
+#[derive(Clone, Debug)]
+pub(super) struct Problem {
+    pub kinds: Vec<Kind>,
+    /// What each is in whatever happens.
+    pub initial: Vec<Interval>,
+    /// By variable: the variables that are made of it.
+    pub parents: Vec<Vec<Var>>,
+    /// By variable: the verdicts about it.
+    pub atoms: Vec<Vec<u32>>,
+    /// By index of a fact of the tape.
+    pub verdicts: Vec<Verdict>,
+    /// By index of a fact: the facts that are made of it.
+    pub above: Vec<Vec<u32>>,
+    /// Lengths: the variable, and the differences it is the length of.
+    pub lengths: Vec<(Var, Vec<Affine>)>,
+    /// By variable: whether linear reasoning leaves it out.
+    pub curved: Vec<bool>,
+    /// By term, for words.
+    pub terms: Vec<Option<Affine>>,
+    rows: FxHashMap<Vec<(Var, u64)>, Var>,
+}
+
+/// A sum of variables with coefficients, and a constant.
+#[derive(Clone, Debug, Default)]
+struct Sum {
+    parts: Vec<(Var, f64)>,
+    add: Option<Interval>,
+}
+
+impl Problem {
+    /// What of a tape these claims and terms need.
+    pub fn new(tape: &Tape, roots: &[Claim], wanted: &[Term], curved: &[Claim]) -> Self {
+        let (facts, terms) = reached(tape, roots, wanted);
+        let mut own = Self {
+            kinds: Vec::new(),
+            initial: Vec::new(),
+            parents: Vec::new(),
+            atoms: Vec::new(),
+            verdicts: vec![Verdict::Open; tape.facts.len()],
+            above: vec![Vec::new(); tape.facts.len()],
+            lengths: Vec::new(),
+            curved: Vec::new(),
+            terms: vec![None; tape.ops.len()],
+            rows: FxHashMap::default(),
+        };
+        own.variable(Kind::Free, Interval::point(0.0));
+        let mut sums: Vec<Sum> = vec![Sum::default(); tape.ops.len()];
+        for index in (0..tape.ops.len()).filter(|&i| terms[i]) {
+            sums[index] = own.sum(tape, &sums, index);
+        }
+        for index in (0..tape.facts.len()).filter(|&i| facts[i]) {
+            let verdict = match &tape.facts[index] {
+                Fact::True | Fact::Open(_) => Verdict::Open,
+                Fact::Atom { term, bound, strict } => {
+                    let term = own.affine(&sums[term.0 as usize]);
+                    own.atoms[term.var as usize].push(index as u32);
+                    Verdict::Atom { term, bound: f64::from_bits(*bound), strict: *strict }
+                }
+                Fact::All(parts) => Verdict::All(parts.clone()),
+                Fact::AtLeast(n, parts) => Verdict::AtLeast(*n, parts.clone()),
+                Fact::Iff(a, b) => Verdict::Iff(*a, *b),
+            };
+            let children: Vec<Claim> = match &verdict {
+                Verdict::All(parts) | Verdict::AtLeast(_, parts) => parts.to_vec(),
+                Verdict::Iff(a, b) => vec![*a, *b],
+                Verdict::Open | Verdict::Atom { .. } => Vec::new(),
+            };
+            for child in children {
+                own.above[child.index()].push(index as u32);
+            }
+            own.verdicts[index] = verdict;
+        }
+        own.leave_out(curved);
+        own
+    }
+
+    /// Marks the rows that these claims are about, and operations that stand in such rows only.
+    fn leave_out(&mut self, curved: &[Claim]) {
+        let only: FxHashSet<u32> = curved.iter().map(|c| c.index() as u32).collect();
+        self.curved = vec![false; self.kinds.len()];
+        for var in (1..self.kinds.len()).rev() {
+            let atoms = self.atoms[var].iter().all(|a| only.contains(a));
+            let parents = self.parents[var].iter().all(|p| self.curved[*p as usize]);
+            let used = !(self.atoms[var].is_empty() && self.parents[var].is_empty());
+            self.curved[var] = used && atoms && parents && !matches!(self.kinds[var], Kind::Free);
+        }
+    }
+
+    fn variable(&mut self, kind: Kind, domain: Interval) -> Var {
+        let var = self.kinds.len() as Var;
+        let mut of = |v: Var| {
+            if v != 0 && self.parents[v as usize].last() != Some(&var) {
+                self.parents[v as usize].push(var);
+            }
+        };
+        match &kind {
+            Kind::Row(parts) => parts.iter().for_each(|(v, _)| of(*v)),
+            Kind::Apply(_, a, b) => [a.var, b.var].into_iter().for_each(&mut of),
+            Kind::Free | Kind::Indicator(_) => {}
+        }
+        self.kinds.push(kind);
+        self.initial.push(domain);
+        self.parents.push(Vec::new());
+        self.atoms.push(Vec::new());
+        self.curved.push(false);
+        var
+    }
+
+    /// The row of these coefficients (sorted, none 0, the first positive), made where it is new.
+    pub fn row(&mut self, parts: &[(Var, f64)]) -> Var {
+        let key: Vec<(Var, u64)> = parts.iter().map(|(v, c)| (*v, c.to_bits())).collect();
+        if let Some(known) = self.rows.get(&key) {
+            return *known;
+        }
+        let domain = parts.iter().fold(Interval::point(0.0), |sum, (v, c)| sum + self.initial[*v as usize].scale(*c));
+        let var = self.variable(Kind::Row(parts.into()), domain);
+        self.rows.insert(key, var);
+        var
+    }
+
+    /// A sum as a variable up to sign and offset.
+    fn affine(&mut self, sum: &Sum) -> Affine {
+        let add = sum.add.unwrap_or(Interval::point(0.0));
+        match sum.parts.as_slice() {
+            [] => Affine { var: 0, minus: false, add },
+            [(var, c)] if c.abs() == 1.0 => Affine { var: *var, minus: *c < 0.0, add },
+            parts => {
+                let minus = parts[0].1 < 0.0;
+                let sign = if minus { -1.0 } else { 1.0 };
+                let parts: Vec<(Var, f64)> = parts.iter().map(|(v, c)| (*v, c * sign)).collect();
+                Affine { var: self.row(&parts), minus, add }
+            }
+        }
+    }
+
+    /// One combination of two sums. A coefficient that had to be rounded is made good in the constant; where that
+    /// cannot be (the variable has no bounds), there is no sum.
+    fn combine(&self, a: &Sum, p: f64, b: &Sum, q: f64) -> Option<Sum> {
+        let zero = Interval::point(0.0);
+        let mut add = a.add.unwrap_or(zero).scale(p) + b.add.unwrap_or(zero).scale(q);
+        let mut parts = Vec::with_capacity(a.parts.len() + b.parts.len());
+        let (mut i, mut k) = (0, 0);
+        loop {
+            let (x, y) = (a.parts.get(i), b.parts.get(k));
+            let Some(var) = x.map(|x| x.0).into_iter().chain(y.map(|y| y.0)).min() else { break };
+            let mut exact = zero;
+            let mut plain = 0.0;
+            if let Some((v, c)) = x.filter(|x| x.0 == var) {
+                debug_assert_eq!(*v, var);
+                exact = exact + Interval::point(*c) * Interval::point(p);
+                plain += c * p;
+                i += 1;
+            }
+            if let Some((_, c)) = y.filter(|y| y.0 == var) {
+                exact = exact + Interval::point(*c) * Interval::point(q);
+                plain += c * q;
+                k += 1;
+            }
+            let rest = exact - Interval::point(plain);
+            if rest != zero {
+                let domain = self.initial[var as usize];
+                if !domain.magnitude().is_finite() {
+                    return None;
+                }
+                add = add + rest * domain;
+            }
+            if plain != 0.0 {
+                parts.push((var, plain));
+            }
+        }
+        Some(Sum { parts, add: Some(add) })
+    }
+
+    fn sum(&mut self, tape: &Tape, sums: &[Sum], index: usize) -> Sum {
+        let of = |t: Term| &sums[t.0 as usize];
+        let range = tape.ranges[index];
+        let none = Sum::default();
+        let linear = match tape.ops[index] {
+            Op::Constant(bits) if f64::from_bits(bits).is_finite() => {
+                Some(Sum { parts: Vec::new(), add: Some(Interval::point(f64::from_bits(bits))) })
+            }
+            Op::Add(a, b) => self.combine(of(a), 1.0, of(b), 1.0),
+            Op::Sub(a, b) => self.combine(of(a), 1.0, of(b), -1.0),
+            Op::Scale(a, factor) if f64::from_bits(factor).is_finite() => {
+                self.combine(of(a), f64::from_bits(factor), &none, 1.0)
+            }
+            _ => None,
+        };
+        if let Some(sum) = linear {
+            self.terms[index] = Some(self.affine(&sum));
+            return sum;
+        }
+        let kind = match tape.ops[index] {
+            Op::Mul(a, b) => self.apply(Function::Mul, of(a), of(b)),
+            Op::Div(a, b) => self.apply(Function::Div, of(a), of(b)),
+            Op::Min(a, b) => self.apply(Function::Min, of(a), of(b)),
+            Op::Max(a, b) => self.apply(Function::Max, of(a), of(b)),
+            Op::Atan(a, b) => self.apply(Function::Atan, of(a), of(b)),
+            Op::Square(a) => self.apply(Function::Square, of(a), of(a)),
+            Op::Sqrt(a) => self.apply(Function::Sqrt, of(a), of(a)),
+            Op::Abs(a) => self.apply(Function::Abs, of(a), of(a)),
+            Op::Sin(a) => self.apply(Function::Sin, of(a), of(a)),
+            Op::Cos(a) => self.apply(Function::Cos, of(a), of(a)),
+            Op::Wrap(a) => self.apply(Function::Wrap, of(a), of(a)),
+            Op::Indicator(claim) => Kind::Indicator(claim),
+            // An unknown; or a sum that could not be joined, of which only the range is known.
+            _ => Kind::Free,
+        };
+        let var = self.variable(kind, range);
+        if let Op::Sqrt(a) = tape.ops[index] {
+            self.length(sums, var, a);
+        }
+        self.terms[index] = Some(Affine { var, minus: false, add: Interval::point(0.0) });
+        Sum { parts: vec![(var, 1.0)], add: None }
+    }
+
+    fn apply(&mut self, function: Function, a: &Sum, b: &Sum) -> Kind {
+        let (a, b) = (self.affine(a), self.affine(b));
+        Kind::Apply(function, a, b)
+    }
+
+    /// Notes the root of a sum of squares as a length.
+    fn length(&mut self, sums: &[Sum], var: Var, of: Term) {
+        let sum = &sums[of.0 as usize];
+        let zero = |add: Option<Interval>| add.is_none_or(|a| a == Interval::point(0.0));
+        let squares: Option<Vec<Affine>> = sum
+            .parts
+            .iter()
+            .map(|(v, c)| match &self.kinds[*v as usize] {
+                Kind::Apply(Function::Square, a, _) if *c == 1.0 => Some(*a),
+                _ => None,
+            })
+            .collect();
+        let squares = squares.filter(|s| !s.is_empty() && zero(sum.add));
+        if let Some(parts) = squares {
+            self.lengths.push((var, parts));
+        }
+    }
+}
+
+/// Facts and terms that claims need.
+pub(super) fn reached(tape: &Tape, roots: &[Claim], wanted: &[Term]) -> (Vec<bool>, Vec<bool>) {
+    let mut facts = vec![false; tape.facts.len()];
+    let mut terms = vec![false; tape.ops.len()];
+    let mut open: Vec<usize> = roots.iter().map(|c| c.index()).collect();
+    let mut wanted: Vec<Term> = wanted.to_vec();
+    loop {
+        while let Some(index) = open.pop() {
+            if std::mem::replace(&mut facts[index], true) {
+                continue;
+            }
+            match &tape.facts[index] {
+                Fact::True | Fact::Open(_) => {}
+                Fact::Atom { term, .. } => wanted.push(*term),
+                Fact::All(parts) | Fact::AtLeast(_, parts) => open.extend(parts.iter().map(|c| c.index())),
+                Fact::Iff(a, b) => open.extend([a.index(), b.index()]),
+            }
+        }
+        let Some(term) = wanted.pop() else { break };
+        if std::mem::replace(&mut terms[term.0 as usize], true) {
+            continue;
+        }
+        match tape.ops[term.0 as usize] {
+            Op::Constant(_) | Op::Unknown(_) => {}
+            Op::Indicator(claim) => open.push(claim.index()),
+            Op::Add(a, b)
+            | Op::Sub(a, b)
+            | Op::Mul(a, b)
+            | Op::Div(a, b)
+            | Op::Min(a, b)
+            | Op::Max(a, b)
+            | Op::Atan(a, b) => wanted.extend([a, b]),
+            Op::Scale(a, _) | Op::Square(a) | Op::Sqrt(a) | Op::Abs(a) | Op::Sin(a) | Op::Cos(a) | Op::Wrap(a) => {
+                wanted.push(a)
+            }
+        }
+    }
+    (facts, terms)
+}

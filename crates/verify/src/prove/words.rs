@@ -1,0 +1,236 @@
+//! Findings in words: diagnostics, and the steps of a proof.
+
+use super::model::{Model, Source};
+use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
+use super::refute::Told;
+use super::state::{Rule, What};
+use super::tape::{Claim, Op, Term};
+use super::{Contradiction, Findings, Proof, Step};
+use rustc_hash::FxHashMap;
+use scenelang_base::{Diagnostic, Span, codes};
+use scenelang_lang::program::Program;
+
+/// Findings as diagnostics.
+pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
+    let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
+    for &statement in &findings.always {
+        let place = program.constraints[statement].span;
+        out.push(
+            Diagnostic::new(codes::W0402, place, "this always holds")
+                .note("it asks for nothing: it holds in every layout"),
+        );
+    }
+    for redundancy in &findings.redundant {
+        let place = program.constraints[redundancy.statement].span;
+        let mut finding = Diagnostic::new(codes::W0401, place, "this is implied by other statements");
+        for &by in &redundancy.by {
+            finding = finding.related(program.constraints[by].span, "one of them");
+        }
+        out.push(finding);
+    }
+    out.sort_by_key(|d| d.primary.as_ref().map(|p| (p.place.file, p.place.range.start)));
+    out
+}
+
+fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
+    let of = |index: usize| &program.constraints[index];
+    let rules = match found.rules.as_slice() {
+        [] => String::new(),
+        [one] => format!(": {one}"),
+        [one, two] => format!(": {one}, {two}"),
+        [one, rest @ ..] => format!(": {one}, and {} more rules take part", rest.len()),
+    };
+    // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
+    let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
+    let main = found.statements.iter().copied().find(speaks).unwrap_or(found.statements[0]);
+    let mut members: Vec<(Span, &str)> = found.statements.iter().map(|s| (of(*s).span, of(*s).text.as_str())).collect();
+    members.extend(found.definitions.iter().map(|d| &program.definitions[*d]).map(|d| (d.span, d.text.as_str())));
+    members.sort_by_key(|(span, _)| (span.file, span.range.start));
+    let mut finding = match members.len() {
+        1 => Diagnostic::new(codes::E0402, of(main).span, format!("this can never hold{rules}")),
+        n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements cannot hold together{rules}")),
+    };
+    for (span, text) in members {
+        finding = finding.related(span, format!("`{text}`"));
+    }
+    if let Some(proof) = &found.proof {
+        for step in &proof.steps {
+            finding = finding.note(format!("{}{}", "  ".repeat(step.depth), step.text));
+        }
+    }
+    finding
+}
+
+/// A proof in words.
+pub(super) fn proof(program: &Program, model: &Model, problem: &Problem, told: &[Told]) -> Proof {
+    let mut speaker = Speaker { model, problem, names: FxHashMap::default() };
+    for (index, term) in problem.terms.iter().enumerate() {
+        if let (Some(name), Some(Affine { var, minus: false, .. })) = (model.names.get(&Term(index as u32)), term) {
+            speaker.names.insert(*var, name.clone());
+        }
+    }
+    let mut steps: Vec<Step> = Vec::new();
+    for step in told {
+        let Some(text) = speaker.step(program, step, told) else { continue };
+        if steps.last().is_none_or(|last| last.text != text) {
+            steps.push(Step { depth: step.depth, text });
+        }
+    }
+    Proof { steps }
+}
+
+struct Speaker<'a> {
+    model: &'a Model,
+    problem: &'a Problem,
+    names: FxHashMap<Var, String>,
+}
+
+impl Speaker<'_> {
+    fn step(&self, program: &Program, step: &Told, told: &[Told]) -> Option<String> {
+        Some(match step.what {
+            What::Given(index) => match &self.model.given[index as usize].what {
+                Source::Statement(s) | Source::Contrary(s) => format!("given: `{}`", program.constraints[*s].text),
+                Source::Rule(rule) => format!("rule: {rule}"),
+            },
+            What::Supposed => return None,
+            What::Decided(claim) => {
+                let supposed = step.reasons.iter().any(|r| told[*r].what == What::Supposed);
+                // What is part of something said already needs no words, and a comparison is said as a bound.
+                let plain = matches!(self.problem.verdicts[claim.index()], Verdict::AtLeast(..) | Verdict::Iff(..));
+                if !supposed && !plain {
+                    return None;
+                }
+                format!("{} {}", if supposed { "suppose" } else { "so" }, self.claim(claim))
+            }
+            What::Bound { var, upper, value } => {
+                // The float next to 0 stands for what is strictly beyond it.
+                let strict = value != 0.0 && value.abs() < f64::MIN_POSITIVE;
+                let way = match (upper, strict) {
+                    (true, false) => "at most",
+                    (false, false) => "at least",
+                    (true, true) => "less than",
+                    (false, true) => "more than",
+                };
+                format!("{} is {way} {}", self.var(var, 0), short(if strict { 0.0 } else { value }))
+            }
+            What::Conflict(rule) => match rule {
+                Rule::Empty(var) => format!("no value is left for {}", self.var(var, 0)),
+                Rule::Verdict(_) => "that contradicts what is known".to_owned(),
+                Rule::Sum => "added up, these inequalities contradict each other".to_owned(),
+                Rule::Packing => "together the boxes are too large for the region".to_owned(),
+            },
+            What::Excluded => "that cannot be".to_owned(),
+        })
+    }
+
+    fn claim(&self, claim: Claim) -> String {
+        let contrary = claim.is_contrary();
+        match &self.problem.verdicts[claim.index()] {
+            Verdict::Atom { term, bound, strict } => {
+                let sign = match (contrary, strict) {
+                    (false, false) => ">=",
+                    (false, true) => ">",
+                    (true, false) => "<",
+                    (true, true) => "<=",
+                };
+                format!("{} {sign} {}", self.affine(*term, 0), short(*bound))
+            }
+            Verdict::All(parts) if contrary => {
+                let parts: Vec<String> = parts.iter().take(4).map(|p| self.claim(Claim(p.0 ^ 1))).collect();
+                parts.join(" or ")
+            }
+            Verdict::All(parts) => {
+                let parts: Vec<String> = parts.iter().take(4).map(|p| self.claim(*p)).collect();
+                parts.join(" and ")
+            }
+            Verdict::AtLeast(n, parts) => {
+                format!("{}at least {n} of {} hold", if contrary { "not " } else { "" }, parts.len())
+            }
+            Verdict::Iff(a, b) => {
+                format!(
+                    "{} {} {}",
+                    self.claim(*a),
+                    if contrary { "differs from" } else { "is the same as" },
+                    self.claim(*b)
+                )
+            }
+            Verdict::Open => (if contrary { "a predicate fails" } else { "a predicate holds" }).to_owned(),
+        }
+    }
+
+    fn affine(&self, term: Affine, depth: usize) -> String {
+        let own = if term.var == 0 { String::new() } else { self.var(term.var, depth) };
+        let add = term.add.lo + term.add.width() / 2.0;
+        match (own.is_empty(), term.minus, add == 0.0) {
+            (true, ..) => short(add),
+            (_, false, true) => own,
+            (_, true, true) => format!("-({own})"),
+            (_, false, false) => format!("{own} + {}", short(add)),
+            (_, true, false) => format!("{} - ({own})", short(add)),
+        }
+    }
+
+    fn var(&self, var: Var, depth: usize) -> String {
+        if let Some(name) = self.names.get(&var) {
+            return name.clone();
+        }
+        if depth > 4 {
+            return "…".to_owned();
+        }
+        match &self.problem.kinds[var as usize] {
+            Kind::Free => self.measure(var),
+            Kind::Row(parts) => {
+                let mut out = String::new();
+                for (index, (part, c)) in parts.iter().take(8).enumerate() {
+                    let sign = match (index, *c < 0.0) {
+                        (0, false) => "",
+                        (0, true) => "-",
+                        (_, false) => " + ",
+                        (_, true) => " - ",
+                    };
+                    out += sign;
+                    if c.abs() != 1.0 {
+                        out += &format!("{}·", short(c.abs()));
+                    }
+                    out += &self.var(*part, depth + 1);
+                }
+                out
+            }
+            Kind::Apply(function, a, b) => {
+                let (x, y) = (self.affine(*a, depth + 1), self.affine(*b, depth + 1));
+                match function {
+                    Function::Mul => format!("({x})·({y})"),
+                    Function::Div => format!("({x}) / ({y})"),
+                    Function::Square => format!("({x})²"),
+                    Function::Sqrt => format!("√({x})"),
+                    Function::Abs => format!("|{x}|"),
+                    Function::Min => format!("min({x}, {y})"),
+                    Function::Max => format!("max({x}, {y})"),
+                    Function::Sin => format!("sin({x})"),
+                    Function::Cos => format!("cos({x})"),
+                    Function::Atan => format!("atan({x}, {y})"),
+                    Function::Wrap => format!("({x} modulo 360)"),
+                }
+            }
+            Kind::Indicator(claim) => format!("[{}]", self.claim(*claim)),
+        }
+    }
+
+    /// An unknown without a name: something that geometry measures.
+    fn measure(&self, var: Var) -> String {
+        let term = self.problem.terms.iter().position(|t| t.is_some_and(|t| t.var == var));
+        match term.map(|t| self.model.tape.ops[t]) {
+            Some(Op::Unknown(n)) => format!("measure {n}"),
+            _ => "a measure".to_owned(),
+        }
+    }
+}
+
+/// A number for people: six digits.
+fn short(value: f64) -> String {
+    if value.abs() >= 1e5 || value != 0.0 && value.abs() < 1e-4 {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

@@ -1,0 +1,407 @@
+//! Static proofs: planted contradictions are found, exactly; what can be satisfied is never called contradictory.
+//!
+//! The second is tested with programs that are made from a layout: random objects, and random constraints of which the
+//! verifier itself says that they hold there. None of these programs is contradictory, whatever a prover says.
+
+use scenelang_base::{SourceFile, SourceMap};
+use scenelang_lang::compile::compile_main;
+use scenelang_lang::program::Program;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::Layout;
+use scenelang_layout::file::read;
+use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use scenelang_verify::{Options, check};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{fs, io};
+
+struct Nothing;
+
+impl Loader for Nothing {
+    fn load(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+}
+
+fn compiled(text: &str) -> Program {
+    let mut sources = SourceMap::new();
+    let main = sources.add(SourceFile::new("room.scene", "room.scene", text));
+    let compiled = compile_main(main, scenelang_lang::Options { core: false }, &Nothing, sources);
+    compiled.program.unwrap_or_else(|| panic!("{:?}\n{text}", compiled.diagnostics))
+}
+
+fn proved(program: &Program) -> Findings {
+    prove(program, &ProveOptions::default())
+}
+
+/// The lines of the members of each contradiction.
+fn lines(text: &str, program: &Program, findings: &Findings) -> Vec<Vec<usize>> {
+    let line = |offset: u32| text[..offset as usize].matches('\n').count() + 1;
+    let of = |c: &scenelang_verify::prove::Contradiction| {
+        let statements = c.statements.iter().map(|s| program.constraints[*s].span);
+        let definitions = c.definitions.iter().map(|d| program.definitions[*d].span);
+        let mut lines: Vec<usize> = statements.chain(definitions).map(|s| line(s.range.start)).collect();
+        lines.sort_unstable();
+        lines
+    };
+    findings.contradictions.iter().map(of).collect()
+}
+
+/// Programs in `tests/proofs`: the lines that end in `//!` are the one contradiction, or several, by a digit behind it.
+#[test]
+fn planted_contradictions_are_found_exactly() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/proofs");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    files.sort();
+    assert!(files.len() > 10, "only {} files", files.len());
+    let mut wrong = String::new();
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        let mut wanted: Vec<(String, Vec<usize>)> = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let Some((_, name)) = line.split_once("//!") else { continue };
+            match wanted.iter_mut().find(|(n, _)| n == name) {
+                Some((_, lines)) => lines.push(index + 1),
+                None => wanted.push((name.to_owned(), vec![index + 1])),
+            }
+        }
+        let mut wanted: Vec<Vec<usize>> = wanted.into_iter().map(|(_, lines)| lines).collect();
+        wanted.sort();
+        let program = compiled(&text);
+        let mut found = lines(&text, &program, &proved(&program));
+        found.sort();
+        if found != wanted {
+            writeln!(wrong, "{}: expected {wanted:?}, found {found:?}", file.display()).unwrap();
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn a_proof_names_what_is_given_and_ends_in_the_impossible() {
+    let program = compiled("object a; object b;\nassert a.pos.x < b.pos.x; assert b.pos.x + 1 <= a.pos.x;");
+    let findings = prove(&program, &ProveOptions { explain: true, ..ProveOptions::default() });
+    let proof = findings.contradictions[0].proof.as_ref().unwrap();
+    let steps: Vec<&str> = proof.steps.iter().map(|s| s.text.as_str()).collect();
+    for given in ["given: `a.pos.x < b.pos.x`", "given: `b.pos.x + 1 <= a.pos.x`"] {
+        assert!(steps.contains(&given), "{steps:#?}");
+    }
+    assert!(steps.last().is_some_and(|s| s.starts_with("no value") || s.contains("contradict")), "{steps:#?}");
+}
+
+#[test]
+fn a_search_that_is_called_off_finds_nothing_and_says_so() {
+    let program = compiled("object a;\nassert a.pos.x < 1; assert a.pos.x > 2;");
+    let cancel = Some(std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)));
+    let findings = prove(&program, &ProveOptions { cancel, ..ProveOptions::default() });
+    assert!(findings.contradictions.is_empty() && !findings.complete);
+    let findings = prove(&program, &ProveOptions { work: 0, ..ProveOptions::default() });
+    assert!(findings.contradictions.is_empty() && !findings.complete);
+}
+
+/// A small generator of numbers: the same seed gives the same program everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> u64 {
+        // SplitMix64.
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+    fn below(&mut self, n: usize) -> usize {
+        (self.next() % n as u64) as usize
+    }
+    fn one<T: Clone>(&mut self, list: &[T]) -> T {
+        list[self.below(list.len())].clone()
+    }
+    /// With three digits.
+    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        let part = self.below(100_001) as f64 / 1e5;
+        ((lo + part * (hi - lo)) * 1000.0).round() / 1000.0
+    }
+    fn chance(&mut self, percent: usize) -> bool {
+        self.below(100) < percent
+    }
+}
+
+/// A hidden layout: objects `a`, `b`, …, a room and perhaps a zone, a number and a flag.
+struct Hidden {
+    names: Vec<&'static str>,
+    regions: Vec<&'static str>,
+    declarations: String,
+    pins: Vec<String>,
+    layout: Layout,
+}
+
+fn hidden(dice: &mut Dice) -> Hidden {
+    let names = ["a", "b", "c", "d", "e", "f"][..2 + dice.below(5)].to_vec();
+    let mut regions = vec!["room"];
+    if dice.chance(40) {
+        regions.push("zone");
+    }
+    let (mut declarations, mut pins) = (String::new(), Vec::new());
+    let mut json = String::from("{ \"format\": \"scenelang.layout/1\", \"objects\": {");
+    let triple = |v: [f64; 3]| format!("[{}, {}, {}]", v[0], v[1], v[2]);
+    let vec3 = |v: [f64; 3], f: &str| format!("{f}({}, {}, {})", v[0], v[1], v[2]);
+    for (i, name) in names.iter().enumerate() {
+        let yaw = if dice.chance(60) { 90.0 * dice.below(4) as f64 } else { dice.between(0.0, 359.0) };
+        let tilt = if dice.chance(10) { dice.between(-60.0, 60.0) } else { 0.0 };
+        let pos = [
+            dice.between(-2.0, 2.0),
+            if dice.chance(70) { 0.0 } else { dice.between(0.0, 2.0) },
+            dice.between(-2.0, 2.0),
+        ];
+        let (rot, scale) = ([tilt, yaw, 0.0], [0, 1, 2].map(|_| dice.between(0.1, 1.2)));
+        writeln!(declarations, "object {name};").unwrap();
+        pins.push(format!("{name}.pos <- {}", vec3(pos, "vec3")));
+        pins.push(format!("{name}.rot <- {}", vec3(rot, "rot")));
+        pins.push(format!("{name}.scale <- {}", vec3(scale, "vec3")));
+        let comma = if i > 0 { "," } else { "" };
+        write!(
+            json,
+            "{comma} \"{name}\": {{ \"pos\": {}, \"rot\": {}, \"scale\": {} }}",
+            triple(pos),
+            triple(rot),
+            triple(scale)
+        )
+        .unwrap();
+    }
+    json += " }, \"regions\": {";
+    for (i, name) in regions.iter().enumerate() {
+        let yaw = if dice.chance(70) { 0.0 } else { dice.between(0.0, 359.0) };
+        let side = if i == 0 { 5.0 } else { 2.0 };
+        let (pos, rot) = ([dice.between(-0.5, 0.5), 0.0, dice.between(-0.5, 0.5)], [0.0, yaw, 0.0]);
+        let scale = [dice.between(side, side + 2.0), dice.between(2.0, 4.0), dice.between(side, side + 2.0)];
+        writeln!(declarations, "region {name};").unwrap();
+        pins.push(format!("{name}.pos <- {}", vec3(pos, "vec3")));
+        pins.push(format!("{name}.rot <- {}", vec3(rot, "rot")));
+        pins.push(format!("{name}.scale <- {}", vec3(scale, "vec3")));
+        let comma = if i > 0 { "," } else { "" };
+        write!(
+            json,
+            "{comma} \"{name}\": {{ \"pos\": {}, \"rot\": {}, \"scale\": {} }}",
+            triple(pos),
+            triple(rot),
+            triple(scale)
+        )
+        .unwrap();
+    }
+    let (number, flag) = (dice.between(-3.0, 3.0), dice.chance(50));
+    write!(json, " }}, \"variables\": {{ \"n\": {number}, \"p\": {flag} }} }}").unwrap();
+    declarations += "Number n;\nBool p;\n";
+    let mut sources = SourceMap::new();
+    let file = sources.add(SourceFile::new("room.layout.json", "room.layout.json", json.as_str()));
+    Hidden { names, regions, declarations, pins, layout: read(&json, file).layout }
+}
+
+impl Hidden {
+    /// What statements come to in the layout: whether they hold, and their margins.
+    fn judged(&self, statements: &[String]) -> Vec<(Option<bool>, Option<f64>)> {
+        let text = statements.iter().fold(self.declarations.clone(), |t, s| t + "assert " + s + ";\n");
+        let options = Options { physics: false, ..Options::default() };
+        let verdict = check(&compiled(&text), &self.layout, &options);
+        verdict.rows.iter().map(|r| (r.satisfied, r.margin.map(|m| m.0))).collect()
+    }
+
+    /// Statements that allow what the layout does against the physical rules.
+    fn allowances(&self, text: &str) -> String {
+        use scenelang_verify::check::Subject;
+        let program = compiled(text);
+        let name = |id: scenelang_lang::program::ObjectId| program.objects[id.0 as usize].name.clone();
+        let mut out = String::new();
+        for row in check(&program, &self.layout, &Options::default()).rows {
+            match (row.subject, row.satisfied) {
+                (_, Some(true)) | (Subject::Statement(_), _) => {}
+                (Subject::Pair(a, b), _) => writeln!(out, "allowCollide({}, {});", name(a), name(b)).unwrap(),
+                (Subject::Object(a), _) if row.text.contains("region") => {
+                    writeln!(out, "allowOutside({});", name(a)).unwrap();
+                }
+                (Subject::Object(a), _) => writeln!(out, "allowFloat({});", name(a)).unwrap(),
+            }
+        }
+        out
+    }
+
+    /// A number that the layout knows.
+    fn expression(&self, dice: &mut Dice) -> String {
+        let (a, b) = (dice.one(&self.names), dice.one(&self.names));
+        let r = dice.one(&self.regions);
+        let axis = dice.one(&["x", "y", "z"]);
+        match dice.below(22) {
+            0 | 1 => format!("{a}.pos.{axis}"),
+            2 | 3 => format!("{a}.pos.{axis} - {b}.pos.{axis}"),
+            4 => format!("{a}.center.{axis} + {b}.scale.{axis}"),
+            5 | 6 => format!("distance({a}, {b})"),
+            7 => format!("length(vec3({a}.center.x - {b}.center.x, 0, {a}.center.z - {b}.center.z))"),
+            8 if a != b => format!("gap({a}, {b})"),
+            9 => format!("gap({a}, {r})"),
+            10 => format!("{a}.top - {b}.bottom"),
+            11 => format!("{a}.size.x * {b}.size.z"),
+            12 => format!("dot({a}.center - {b}.center, {b}.right)"),
+            13 => format!("abs({a}.pos.x) + max({b}.pos.z, {a}.pos.z, n)"),
+            14 => format!("{a}.front.{axis}"),
+            15 => format!("min({a}.pos.x, {b}.pos.x, {a}.scale.{axis} * 2)"),
+            16 => format!("{a}.pos.x * {a}.pos.x + {b}.pos.z * {b}.pos.z"),
+            17 => format!("distance({a}, {b}) + distance({b}, {})", dice.one(&self.names)),
+            18 => "n".to_owned(),
+            19 => format!("{a}.max.{axis} - {b}.min.{axis}"),
+            20 => format!("gap({a}.center, {r})"),
+            _ => format!("{r}.scale.{axis} - {a}.scale.{axis}"),
+        }
+    }
+
+    /// A predicate that holds or not.
+    fn predicate(&self, dice: &mut Dice) -> String {
+        let (a, b, c) = (dice.one(&self.names), dice.one(&self.names), dice.one(&self.names));
+        let r = dice.one(&self.regions);
+        let x = dice.between(-2.0, 2.0);
+        match dice.below(14) {
+            0..4 => {
+                let of = [
+                    "leftOf",
+                    "rightOf",
+                    "inFrontOf",
+                    "behind",
+                    "above",
+                    "below",
+                    "facing",
+                    "aligned",
+                    "parallel",
+                    "on",
+                    "under",
+                    "beside",
+                ];
+                format!("{}({a}, {b})", dice.one(&of))
+            }
+            4 => format!("between({a}, {b}, {c})"),
+            5 => format!("inside({a}, {r})"),
+            6 => format!("{}({a}, {r})", dice.one(&["againstWall", "inCorner", "centeredIn", "onFloor"])),
+            7 => format!("inside({a}, {b})"),
+            8 if a != b => format!("{}({a}, {b})", dice.one(&["collides", "visible"])),
+            9 => format!("clear({a}, {}, {})", dice.one(&["front", "behind", "left", "right", "above"]), x.abs()),
+            10 => format!("count(o in objects: o.pos.x > {x}) >= {}", dice.below(self.names.len() + 1)),
+            11 => format!("{}(o in objects: o.pos.z < {x} or o.top > {})", dice.one(&["count"]), x.abs()) + " <= 2",
+            12 => format!("({} o in objects: distance(o, {a}) <= {})", dice.one(&["forall", "exists"]), x.abs() + 1.0),
+            _ => dice.one(&["p", "p = (n > 0)", "(n < 1) = p"]).to_owned(),
+        }
+    }
+
+    /// Statements that hold in the layout, about `count` of them.
+    fn truths(&self, dice: &mut Dice, count: usize) -> Vec<String> {
+        let expressions: Vec<String> = (0..count).map(|_| self.expression(dice)).collect();
+        let zeros: Vec<String> = expressions.iter().map(|e| format!("{e} >= 0")).collect();
+        let values = self.judged(&zeros);
+        let mut atoms: Vec<String> = expressions
+            .iter()
+            .zip(values)
+            .filter_map(|(e, (_, value))| {
+                // As near to the truth as can be, or not.
+                let off = dice.one(&[0.0, 0.0005, -0.0005, 0.001, -0.001, 0.02, -0.02, 0.5, -0.5]);
+                let sign = dice.one(&["<", "<=", ">", ">=", "=", "!=", "<=", ">="]);
+                Some(format!("{e} {sign} {:.4}", value? + off))
+            })
+            .collect();
+        atoms.extend((0..count / 2).map(|_| self.predicate(dice)));
+        let mut truths: Vec<String> = Vec::new();
+        for (atom, (holds, _)) in atoms.iter().zip(self.judged(&atoms)) {
+            match holds {
+                Some(true) => truths.push(atom.clone()),
+                Some(false) => truths.push(format!("not ({atom})")),
+                None => {}
+            }
+        }
+        // Joined with others, true or not.
+        let mut out = Vec::new();
+        for truth in &truths {
+            let other = dice.one(&atoms);
+            out.push(match dice.below(8) {
+                0 => format!("({truth}) or ({other})"),
+                1 => format!("({other}) implies ({truth})"),
+                2 => format!("not (not ({truth}) and ({other}))"),
+                3 => format!("({truth}) and ({})", dice.one(&truths)),
+                _ => truth.clone(),
+            });
+        }
+        out
+    }
+}
+
+/// A program that the hidden layout of a seed satisfies, as the verifier itself says.
+fn satisfiable(seed: u64) -> Option<(String, Program)> {
+    let mut dice = Dice(seed);
+    let hidden = hidden(&mut dice);
+    let count = 3 + dice.below(14);
+    let mut text = hidden.declarations.clone();
+    for pin in &hidden.pins {
+        if dice.chance(35) {
+            writeln!(text, "{pin};").unwrap();
+        }
+    }
+    for truth in hidden.truths(&mut dice, count) {
+        writeln!(text, "assert {truth};").unwrap();
+    }
+    // Twice: what an allowance lifts may have stood for something else.
+    for _ in 0..2 {
+        text += &hidden.allowances(&text);
+    }
+    let program = compiled(&text);
+    let verdict = check(&program, &hidden.layout, &Options::default());
+    verdict.rows.iter().all(|r| r.satisfied == Some(true)).then_some((text, program))
+}
+
+/// How many are made; `SCENELANG_PROOFS=10000` makes more.
+fn how_many() -> u64 {
+    std::env::var("SCENELANG_PROOFS").ok().and_then(|n| n.parse().ok()).unwrap_or(150)
+}
+
+#[test]
+fn what_a_layout_satisfies_is_not_contradictory() {
+    let (mut made, mut wrong) = (0, String::new());
+    for seed in 0..how_many() {
+        let Some((text, program)) = satisfiable(seed) else { continue };
+        made += 1;
+        let findings = prove(&program, &ProveOptions { work: 1_000_000, ..ProveOptions::default() });
+        if !findings.contradictions.is_empty() {
+            let lines = lines(&text, &program, &findings);
+            writeln!(wrong, "seed {seed}: {lines:?}\n{text}").unwrap();
+        }
+    }
+    println!("{made} programs that their layout satisfies");
+    assert!(wrong.is_empty(), "\n{wrong}");
+    assert!(made * 10 > how_many() * 8, "only {made} programs");
+}
+
+/// What is said to be redundant follows: so without it, and with its contrary, nothing in sight may hold. Here: whatever
+/// holds in the layout of the others holds for it.
+#[test]
+fn what_is_called_always_true_holds_in_every_layout() {
+    let mut wrong = String::new();
+    for seed in 0..how_many() / 3 {
+        let mut dice = Dice(seed ^ 0xa11);
+        let (first, second) = (hidden(&mut dice), hidden(&mut dice));
+        if first.declarations != second.declarations {
+            continue;
+        }
+        // True in the one; judged in the other.
+        let truths = first.truths(&mut dice, 8);
+        let text = truths.iter().fold(first.declarations.clone(), |t, s| t + "assert " + s + ";\n");
+        let program = compiled(&text);
+        let findings = prove(&program, &ProveOptions { work: 1_000_000, ..ProveOptions::default() });
+        let there = second.judged(&truths);
+        for always in findings.always {
+            if there[always].0 == Some(false) {
+                writeln!(wrong, "seed {seed}: `{}` does not always hold", truths[always]).unwrap();
+            }
+        }
+        for redundancy in findings.redundant {
+            let given = redundancy.by.iter().all(|s| there[*s].0 == Some(true));
+            if given && there[redundancy.statement].0 == Some(false) {
+                writeln!(wrong, "seed {seed}: `{}` does not follow", truths[redundancy.statement]).unwrap();
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
