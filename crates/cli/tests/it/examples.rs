@@ -71,13 +71,14 @@ mod compile_without_a_word {
 }
 
 /// One object of each example, how far it is moved, and the text or the id of a row that must fail for it.
-const MOVES: [(&str, &str, [f64; 3], &str); 6] = [
+const MOVES: [(&str, &str, [f64; 3], &str); 7] = [
     ("meeting-room", "whiteboard", [0.0, 0.0, 0.4], "wallMounted(whiteboard, room)"),
     ("bedroom", "bedLamp[1]", [0.0, 0.2, 0.0], "P-SUPPORT:bedLamp[1]"),
     ("apartment", "sofa", [0.0, 0.0, 20.0], "P-BOUNDS:sofa"),
     ("classroom", "chair[5]", [0.0, 0.0, 1.6], "near(chair[i], desk[i], 0.3)"),
     ("restaurant", "stool[0]", [0.9, 0.0, 0.0], "P-COLLIDE:stool[0]:stool[1]"),
     ("robot-lab", "extinguisher[0]", [9.0, 0.0, 0.0], "walkDistance(w, e) <= 2"),
+    ("workshop-safety", "extinguisher[1]", [0.0, 0.0, -1.0], "wallMounted(extinguisher[i], workshop)"),
 ];
 
 mod notice_a_hand_in_the_layout {

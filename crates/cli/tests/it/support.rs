@@ -35,12 +35,17 @@ macro_rules! for_each_example {
         fn robot_lab() {
             $test("robot-lab");
         }
+        #[test]
+        fn workshop_safety() {
+            $test("workshop-safety");
+        }
     };
 }
 pub(crate) use for_each_example;
 
 /// The same list as names.
-pub const EXAMPLES: [&str; 6] = ["apartment", "bedroom", "classroom", "meeting-room", "restaurant", "robot-lab"];
+pub const EXAMPLES: [&str; 7] =
+    ["apartment", "bedroom", "classroom", "meeting-room", "restaurant", "robot-lab", "workshop-safety"];
 
 /// A process that runs longer hangs. No test measures time; this only ends what would never end.
 const HANGS: Duration = Duration::from_secs(300);

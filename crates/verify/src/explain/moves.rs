@@ -31,7 +31,7 @@ pub struct Mend {
 }
 
 /// A move of one object from where the layout has it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Which.
     pub object: ObjectId,
@@ -167,7 +167,7 @@ impl Mender<'_, '_> {
         for &object in objects.iter().take(OBJECTS) {
             let [pos, turn] = self.stage.pins(object, self.row);
             let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
-            let earlier = steps.iter().find(|s| s.object == object).cloned();
+            let earlier = steps.iter().find(|s| s.object == object).copied();
             let from = earlier.unwrap_or(Step { object, by: [0.0; 3], turn: 0.0, with: None });
             // Each object has its share, so that a dear row does not spend all on the first one.
             let share = self.limit.saturating_sub(self.stage.work) / (OBJECTS + 1);
@@ -205,8 +205,8 @@ impl Mender<'_, '_> {
         goal: Goal,
         most: Option<(usize, usize)>,
     ) -> Vec<Judged> {
-        let mut all: Vec<Step> = steps.iter().filter(|s| s.object != step.object).cloned().collect();
-        all.push(step.clone());
+        let mut all: Vec<Step> = steps.iter().filter(|s| s.object != step.object).copied().collect();
+        all.push(step);
         let carried = self.stage.carried_by(step.object);
         // With something on it, the harm of moving it alone says little.
         let first = most.filter(|_| carried.is_empty());

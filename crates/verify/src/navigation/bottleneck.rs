@@ -44,19 +44,18 @@ pub(crate) enum Blocker {
 }
 
 /// A place where two things that block come near each other.
-struct Gap {
-    width: f64,
-    between: [usize; 2],
-    at: [Vec2; 2],
+pub(super) struct Gap {
+    /// Metres.
+    pub width: f64,
+    /// What blocks, by index into [`Ground::obstacles`].
+    pub between: [usize; 2],
+    /// Their nearest points.
+    pub at: [Vec2; 2],
 }
 
-/// The widest way between two footprints on the ground, which is known not to have one for a disc of `radius`; the
-/// obstacles by index, see [`Ground::obstacles`]. `None`: there is no way at all.
-pub(super) fn find(
-    ground: &Ground,
-    ends: [&[Vec2]; 2],
-    radius: f64,
-) -> Option<(f64, [usize; 2], [Vec2; 2], Option<usize>)> {
+/// The narrowest place on the widest way between two footprints, which is known not to be wide enough for a disc of
+/// `radius`; with the end beside which it is, if it is an end. `None`: there is no way at all.
+pub(super) fn find(ground: &Ground, ends: [&[Vec2]; 2], radius: f64) -> Option<(Gap, Option<usize>)> {
     let (mut passes, mut fails) = (FIT, radius);
     if fails <= passes || !Try::new(ground, ends, passes, None).is_way() {
         return None;
@@ -76,7 +75,7 @@ pub(super) fn find(
     if let Some(i) = end {
         let place = last.common().and_then(|piece| last.places[i][piece].some())?;
         let gap = beside(ground, place)?;
-        return Some((2.0 * passes, gap.between, gap.at, end));
+        return Some((Gap { width: 2.0 * passes, ..gap }, end));
     }
     let mut gaps = gaps(&ground.obstacles, 2.0 * passes);
     gaps.truncate(MOST);
@@ -85,8 +84,8 @@ pub(super) fn find(
         let [p, q] = gap.at;
         !Try::new(ground, ends, passes - 2.0 * FIT, Some(&[p, q])).is_way()
     };
-    let gap = gaps.iter().find(separates).or(gaps.first())?;
-    Some((gap.width, gap.between, gap.at, None))
+    let which = gaps.iter().position(|gap| separates(&gap)).unwrap_or(0);
+    (!gaps.is_empty()).then(|| (gaps.swap_remove(which), None))
 }
 
 /// A disc of some radius set out between two ends.

@@ -97,25 +97,32 @@ pub(crate) fn bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, 
     if let Some((_, known)) = world.walks.lock().bottlenecks.iter().find(|(k, _)| *k == key) {
         return known.clone();
     }
-    let found = (|| {
-        let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
-        let storey = storey(world, from);
-        if storey != self::storey(world, to) {
-            return None;
-        }
-        let ground = ground(world, storey, radius);
-        let found = bottleneck::find(&ground, [&from.footprint(), &to.footprint()], radius)?;
-        let (width, between, at, end) = found;
-        let door = door_at(world, at).filter(|_| between.iter().all(|&i| ground.obstacles[i].object.is_none()));
-        let blocker = |i: usize| match (ground.obstacles[between[i]].object, door) {
-            (Some(object), _) => Blocker::Object(object),
-            (None, Some(door)) => Blocker::Door(door),
-            (None, None) => wall_at(world, at[i]),
-        };
-        Some(Bottleneck { width, between: [blocker(0), blocker(1)], at, end })
-    })();
+    let found = find_bottleneck(world, a, b, radius);
     world.walks.lock().bottlenecks.push((key, found.clone()));
     found
+}
+
+fn find_bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius: f64) -> Option<Bottleneck> {
+    let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
+    let storey = storey(world, from);
+    if storey != self::storey(world, to) {
+        return None;
+    }
+    let ground = ground(world, storey, radius);
+    let (gap, end) = bottleneck::find(&ground, [&from.footprint(), &to.footprint()], radius)?;
+    let bare = gap.between.iter().all(|&i| ground.obstacles[i].object.is_none());
+    let door = door_at(world, gap.at).filter(|_| bare);
+    let blocker = |i: usize| match (ground.obstacles[gap.between[i]].object, door) {
+        (Some(object), _) => Blocker::Object(object),
+        (None, Some(door)) => Blocker::Door(door),
+        (None, None) => wall_at(world, gap.at[i]),
+    };
+    let mut sides = [(blocker(0), gap.at[0]), (blocker(1), gap.at[1])];
+    // Things are named before walls.
+    if sides[1].0 < sides[0].0 {
+        sides.swap(0, 1);
+    }
+    Some(Bottleneck { width: gap.width, between: sides.map(|s| s.0), at: sides.map(|s| s.1), end })
 }
 
 /// The door in whose opening both points are.

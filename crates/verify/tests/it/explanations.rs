@@ -20,6 +20,19 @@ fn every_kind_of_violation_is_explained() {
     }
 }
 
+/// The example of the published requirement, with its trolley pushed into the aisle.
+#[test]
+fn the_safety_requirement_names_its_bottleneck() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/workshop-safety.scene");
+    let scene = std::fs::read_to_string(path).unwrap();
+    let layout = layout(include_str!("workshop-blocked.txt"));
+    let checked = judged(&scene, &layout, &Options::default());
+    insta::assert_snapshot!(human(&checked, Human::default()));
+    let row = checked.report.constraints.iter().find(|row| row.text.contains("canEscape")).expect("it is stated");
+    assert!(row.message.starts_with("the passage between `table` and `trolley` is 1.45 m wide, 0.05 m short"));
+    assert!(hold_to_its_word(&scene, &layout, &checked.report, row), "a move is offered");
+}
+
 /// Ids of rows that fail, with all rows listed that can be.
 fn failing(report: &Report) -> BTreeSet<String> {
     report.constraints.iter().filter(|row| row.satisfied == Some(false)).map(|row| row.id.clone()).collect()

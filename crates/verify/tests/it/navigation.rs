@@ -332,3 +332,34 @@ fn a_walk_lengthens_as_its_ends_and_bends_move() {
         }
     }
 }
+
+#[test]
+fn the_slope_of_a_way_that_is_not_there_is_that_of_its_bottleneck() {
+    let scene = Scene {
+        floor: Vec::new(),
+        things: Vec::new(),
+        width: 0.9,
+        program: "region room; object a; object b; object desk; object shelf;
+            assert reachable(a, b, 0.9); assert gap(desk, shelf) >= 0.9;"
+            .to_owned(),
+        layout: layout(
+            "region room 0 0 0 | 6 3 4\nobject a -2.5 0 0 | 0.4 1 0.4\nobject b 2.5 0 0 | 0.4 1 0.4
+             object desk 0 0 -1.2 | 0.8 1 1.6 | 0 20 0\nobject shelf 0.1 0 1.2 | 0.8 1 1.6 | 0 -10 0",
+        ),
+    };
+    let (program, plain) = world(&scene);
+    let id = scenelang_lang::program::ObjectId(2);
+    let thing = plain.object(id).expect("it is there");
+    let x = [thing.pos.0[0], thing.pos.0[2], thing.rot.0[1]];
+    let mut dual: World<Dual<3>> = plain.constant();
+    let unknown = |i: usize| Dual::<3>::unknown(x[i], i);
+    let zero = unknown(0) - unknown(0);
+    let scale = dual.object(id).expect("it is there").scale;
+    dual.place(id, V3([unknown(0), zero, unknown(1)]), V3([zero, unknown(2), zero]), scale);
+    let [way, gap] = [0, 1].map(|i| judge(&program.constraints[i].formula, &dual).expect("all is there").margin);
+    assert_eq!(way.value, f64::NEG_INFINITY);
+    assert!(gap.value < 0.0 && gap.slope.iter().any(|s| s.abs() > 0.5), "{gap:?}");
+    for (a, b) in way.slope.iter().zip(gap.slope) {
+        assert!((a - b).abs() < 1e-6, "{way:?}, {gap:?}");
+    }
+}
