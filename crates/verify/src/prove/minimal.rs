@@ -15,8 +15,8 @@ const MOST_CONTRADICTIONS: usize = 10;
 const NEIGHBOURS: usize = 24;
 /// The part of the work that one question may take: of all statements, of a smaller set, of one redundancy.
 const WHOLE: u64 = 2;
-const SMALLER: u64 = 8;
-const ONE: u64 = 400;
+const SMALLER: u64 = 4;
+const ONE: u64 = 300;
 
 /// What a refutation rests on.
 struct Core {

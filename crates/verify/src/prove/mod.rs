@@ -43,7 +43,7 @@ pub struct ProveOptions {
 }
 
 /// Work enough for rooms and houses, little enough not to be waited for.
-pub const WORK: u64 = 6_000_000;
+pub const WORK: u64 = 3_000_000;
 
 impl Default for ProveOptions {
     fn default() -> Self {

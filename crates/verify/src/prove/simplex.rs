@@ -110,9 +110,9 @@ impl Simplex {
 
     fn mend(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
         // Independent ones to within their bounds, dependent ones by their rows.
-        for var in 0..self.values.len() {
+        for (var, bounds) in domain.iter().enumerate() {
             if !self.rows.contains_key(&(var as Var)) {
-                let near = self.values[var].max(domain[var].lo).min(domain[var].hi);
+                let near = self.values[var].max(bounds.lo).min(bounds.hi);
                 self.values[var] = if near.is_finite() { near } else { 0.0 };
             }
         }

@@ -87,7 +87,7 @@ pub(super) struct Mark {
 }
 
 /// A bound must move by this part of the interval to be worth telling; linear reasoning takes what is smaller.
-const PROGRESS: f64 = 0.02;
+const PROGRESS: f64 = 0.005;
 
 impl State {
     /// Nothing is known but what is always so.

@@ -265,7 +265,7 @@ impl<'p> Unknowns<'p> {
     }
 
     /// How far an object is from the side walls and from the end walls of a rectangular region, at least.
-    fn from_walls(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
+    fn wall_distances(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
         let (thing, room) = (self.thing(object), self.room(region));
         let rows = self.frame(object, region);
         let between = thing.center() - room.pos;
@@ -287,7 +287,7 @@ impl<'p> Unknowns<'p> {
         let mut parts = vec![floor, ceiling];
         let rectangle = self.rectangles.contains(&region);
         if rectangle {
-            parts.extend(self.from_walls(object, region));
+            parts.extend(self.wall_distances(object, region));
         }
         let parts: Vec<Claim> = parts.iter().map(|p| (*p + contact).at_least(-tolerances.order)).collect();
         if rectangle { all(&parts) } else { self.open(format!("inside {object:?} {region:?}"), &parts) }
@@ -376,7 +376,7 @@ impl<'p> Unknowns<'p> {
                 let (gap, new) = self.term(format!("gap {a:?} {r:?}"), everything);
                 if new && self.rectangles.contains(r) {
                     // Inside it is the least of the two; outside a corner may be farther off than either, at most √2 times.
-                    let [x, z] = self.from_walls(*a, *r);
+                    let [x, z] = self.wall_distances(*a, *r);
                     let least = x.min(z);
                     let zero = Term::constant(0.0);
                     self.always.push((least - gap).at_least(-EXACT));
