@@ -165,7 +165,7 @@ fn a_compact_report_has_a_line_for_each_finding() {
     let report = bedroom().report;
     insta::assert_snapshot!(compact(&report, Human::default()), @r##"
     room.scene:4:1: error[V0101]: nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
-    room.scene:5:1: error[V0101]: not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    room.scene:5:1: error[V0102]: not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     room.scene:6:1: advice[V0106]: nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
     room.scene:1:8: error[V0102]: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
@@ -188,7 +188,7 @@ fn annotations_are_escaped_as_the_runner_undoes_it() {
     let mut report = bedroom().report;
     insta::assert_snapshot!(github(&[report.clone()]), @r##"
     ::error file=room.scene,line=4,endLine=4,col=1,endColumn=29,title=V0101::nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
-    ::error file=room.scene,line=5,endLine=5,col=1,endColumn=36,title=V0101::not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
+    ::error file=room.scene,line=5,endLine=5,col=1,endColumn=36,title=V0102::not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     ::notice file=room.scene,line=6,endLine=6,col=1,endColumn=37,title=V0106::nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
     ::error file=room.scene,line=1,endLine=1,col=8,endColumn=10,title=V0102::`bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     "##);
