@@ -6,9 +6,9 @@ use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_solve::{Outcome, Placed, Problem, Progress};
-use scenelang_verify::{Checked, check_layout_text};
+use scenelang_verify::{Checked, check_layout_of};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What to lay out.
 #[derive(Clone, Copy, Debug)]
@@ -126,26 +126,16 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
     let layout_text = layout_file::to_json(&outcome.layout, start.as_ref().map(|s| &s.document));
-    let checked = check_layout_text(
+    let checked = check_layout_of(
         request.layout_name,
-        &beside(request),
         layout_text.clone(),
+        (request.name, request.path),
         &request.judge,
         scenelang_lang::Options::default(),
         &Disk,
     );
     observer.leave(Stage::Layout);
     Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, checked, warnings, compiled })
-}
-
-/// The place from which `scene_member` leads to the program as it is now, which need not be where the layout goes.
-fn beside(request: &Request<'_>) -> PathBuf {
-    let depth = Path::new(request.scene_member).components().count();
-    let mut folder = request.path.to_path_buf();
-    for _ in 0..depth {
-        folder.pop();
-    }
-    folder.join(Path::new(request.layout_name).file_name().unwrap_or_default())
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

@@ -50,6 +50,8 @@ struct Job<'a> {
     options: &'a Options,
     compile: compile::Options,
     loader: &'a dyn Loader,
+    /// The program's name and path, where it is not to be looked for where the layout says.
+    program: Option<(&'a str, &'a Path)>,
 }
 
 /// Judges a file from disk: a layout (`.json`) with its program, or else a program by itself. In messages it is called
@@ -68,7 +70,7 @@ pub fn check_file_with(
     compile: compile::Options,
     loader: &dyn Loader,
 ) -> Checked {
-    let job = Job { name, path, options, compile, loader };
+    let job = Job { name, path, options, compile, loader, program: None };
     if !is_layout(path) {
         let compiled = compile_with(name, path, compile, loader, SourceMap::new());
         let mut diagnostics = compiled.diagnostics;
@@ -106,7 +108,20 @@ pub fn check_layout_text(
     compile: compile::Options,
     loader: &dyn Loader,
 ) -> Checked {
-    judge_layout(text, &Job { name, path, options, compile, loader })
+    judge_layout(text, &Job { name, path, options, compile, loader, program: None })
+}
+
+/// Judges the text of a layout that is called `name` and belongs to the program at `program` (name and path), wherever
+/// the layout will be.
+pub fn check_layout_of(
+    name: &str,
+    text: String,
+    program: (&str, &Path),
+    options: &Options,
+    compile: compile::Options,
+    loader: &dyn Loader,
+) -> Checked {
+    judge_layout(text, &Job { name, path: Path::new(name), options, compile, loader, program: Some(program) })
 }
 
 fn judge_layout(text: String, job: &Job<'_>) -> Checked {
@@ -146,7 +161,10 @@ impl Unfinished {
             let say = format!("`{}` is a layout, not a program", scene.display());
             return vec![Diagnostic::new(codes::E0510, place, say)];
         }
-        let (shown, path) = beside(&scene, job.name, job.path);
+        let (shown, path) = match job.program {
+            Some((name, path)) => (name.to_owned(), path.to_path_buf()),
+            None => beside(&scene, job.name, job.path),
+        };
         let sources = std::mem::take(&mut self.sources);
         let compiled = compile_with(&shown, &path, job.compile, job.loader, sources);
         self.sources = compiled.sources;
