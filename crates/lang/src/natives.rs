@@ -3,6 +3,7 @@
 //! What they compute is not here: values are computed by the evaluator, which holds one entry for each of these.
 
 use crate::types::Ty;
+use scenelang_base::suggest::nearest;
 
 /// One signature; a name may have several.
 #[derive(Debug, PartialEq, Eq)]
@@ -178,4 +179,31 @@ pub fn property(of: Ty, name: &str) -> Option<&'static Property> {
         _ => return None,
     };
     table.iter().find(|p| p.name == name)
+}
+
+/// The property that other tools call by this name, or one nearly like it.
+pub fn property_called(ty: Ty, name: &str) -> Option<&'static str> {
+    let of_both = [
+        ("position", "pos"),
+        ("location", "pos"),
+        ("x", "pos.x"),
+        ("y", "pos.y"),
+        ("z", "pos.z"),
+        ("rotation", "rot"),
+        ("orientation", "rot"),
+        ("angle", "rot.y"),
+        ("yaw", "rot.y"),
+        ("width", "scale.x"),
+        ("height", "scale.y"),
+        ("depth", "scale.z"),
+        ("length", "scale.z"),
+    ];
+    let of_objects = [("type", "category"), ("kind", "category"), ("colour", "color"), ("forward", "front")];
+    let all = of_both.iter().chain(of_objects.iter().filter(|_| ty == Ty::Object));
+    let called = |word: &str| all.clone().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
+    called(name).or_else(|| {
+        let own = if ty == Ty::Object { OBJECT_PROPERTIES } else { REGION_PROPERTIES };
+        let words = own.iter().map(|p| p.name).chain(all.clone().map(|(other, _)| *other));
+        called(nearest(name, words)?)
+    })
 }

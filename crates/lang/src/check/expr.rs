@@ -269,7 +269,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
         } else if let Some(near) = nearest(name, near) {
             d = d
-                .fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(range), near)
+                .fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(range), near)
                 .label(format!("did you mean `{near}`?"));
             if self.names.item(near).is_some() {
                 d = d.related(Where::Item(near.into()), format!("`{near}` is declared here"));
@@ -310,10 +310,11 @@ impl<'n, 'a> Checker<'n, 'a> {
         };
         let mut d =
             Diagnostic::new(codes::E0207, Where::Here(name.range), format!("{ty} has no property `{}`", name.text));
-        d = match nearest(&name.text, known.iter().copied()) {
+        let called = matches!(ty, Ty::Object | Ty::Region).then(|| natives::property_called(ty, &name.text)).flatten();
+        d = match called.or_else(|| nearest(&name.text, known.iter().copied())) {
             Some(near) => d.label(format!("did you mean `{near}`?")).fix(
                 Applicability::Unsafe,
-                format!("did you mean `{near}`?"),
+                format!("write `{near}`"),
                 Where::Here(name.range),
                 near,
             ),
@@ -354,7 +355,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         )
         .note("what a set holds must be known without a layout; move other conditions behind the colon");
         if let Some(near) = nearest(&name.text, STATIC) {
-            d = d.fix(Applicability::Unsafe, format!("did you mean `{near}`?"), Where::Here(name.range), near);
+            d = d.fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(name.range), near);
         }
         self.push(d);
         Ty::Error
@@ -622,7 +623,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         d = match nearest(&name.text, known) {
             Some(near) => d.label(format!("did you mean `{near}`?")).fix(
                 Applicability::Unsafe,
-                format!("did you mean `{near}`?"),
+                format!("write `{near}`"),
                 Where::Here(name.range),
                 near,
             ),
@@ -691,7 +692,11 @@ impl<'n, 'a> Checker<'n, 'a> {
             Where::Here(self.range(args[bad])),
             format!("`{}` takes {} here, and this is {}", name.text, words.join(" or "), types[bad]),
         );
-        if let [only] = wanted.as_slice() {
+        let mut swapped = types.clone();
+        swapped.reverse();
+        if let Some(s) = fitting.iter().find(|s| accepts(s, &swapped)) {
+            d = d.note(format!("the other way round it would fit: `{}({})`", s.name, s.names));
+        } else if let [only] = wanted.as_slice() {
             d = self.mended(d, args[bad], *only, types[bad]);
         }
         self.push(d);
@@ -746,9 +751,9 @@ fn hint(wanted: Ty, found: Ty) -> Option<&'static str> {
     Some(match (wanted, found) {
         (Ty::Degree, Ty::Number) => "a Number is not a Degree; declare the variable as `Degree`, or multiply by `1deg`",
         (Ty::Number, Ty::Degree) => "degrees are no lengths; take `sin`, `cos`, or divide by `1deg`",
-        (Ty::Number, Ty::Vector3) => "take one component (`.x`, `.y`, `.z`) or the `length`",
+        (Ty::Number | Ty::Literal, Ty::Vector3) => "take one component (`.x`, `.y`, `.z`) or the `length`",
         (Ty::Vector3, Ty::Object) => "take a point of it: `.pos` or `.center`",
-        (Ty::Number, Ty::Object) => "take a property of it, such as `.pos.x` or `.top`",
+        (Ty::Number | Ty::Literal, Ty::Object) => "take a property of it, such as `.pos.x` or `.top`",
         (Ty::Rotation, Ty::Degree | Ty::Number | Ty::Literal) => "write `rot(0, …, 0)` for a turn about the vertical",
         (Ty::Color | Ty::Material | Ty::String, Ty::Object) => "text stands in double quotes",
         _ => return None,

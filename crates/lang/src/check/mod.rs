@@ -11,7 +11,7 @@ use crate::natives::{self, property};
 use crate::types::Ty;
 use expr::Checker;
 use scenelang_base::suggest::nearest;
-use scenelang_base::{Diagnostic, TextRange, codes};
+use scenelang_base::{Applicability, Diagnostic, Edit, Fix, TextRange, codes};
 use smol_str::SmolStr;
 
 /// Checks one statement. What is found depends on the statement's text and on what `names` says of the names in it, not
@@ -173,7 +173,8 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             Some(p) if p.assignable => checker.expect(*value, p.ty, &format!("`{}`", p.name)),
             Some(p) => {
                 let message = format!("`{}` follows from other properties and cannot be assigned", p.name);
-                checker.error(codes::E0211, *target, message);
+                let d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
+                checker.push(asserted(d, *target, stmt.expr(*value).range));
                 checker.ty(*value);
             }
             None => {
@@ -183,9 +184,9 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
                 let mut d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
                 match nearest(&prop.text, names.clone()) {
                     Some(near) => {
-                        d = d.fix(
-                            scenelang_base::Applicability::Unsafe,
-                            format!("did you mean `{near}`?"),
+                        d = d.label(format!("did you mean `{near}`?")).fix(
+                            Applicability::Unsafe,
+                            format!("write `{near}`"),
                             Where::Here(prop.range),
                             near,
                         );
@@ -198,9 +199,8 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
         },
         (Ty::Object | Ty::Region, [first, ..]) => {
             let message = format!("only whole properties can be assigned, not a part of `{}`", first.text);
-            let d = Diagnostic::new(codes::E0211, Where::Here(*target), message)
-                .note("assert an equality instead, and the solver will set it");
-            checker.push(d);
+            let d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
+            checker.push(asserted(d, *target, stmt.expr(*value).range));
             checker.ty(*value);
         }
         (ty, []) => checker.expect(*value, ty, &format!("`{}`", name.text)),
@@ -216,4 +216,12 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
     {
         checker.error(codes::E0301, call.range, "a polygon can only be assigned to the `vertices` of a region");
     }
+}
+
+/// What to write instead of an assignment of `target` that cannot be.
+fn asserted(d: Diagnostic<Where>, target: TextRange, value: TextRange) -> Diagnostic<Where> {
+    let edit = |start, end, text: &str| Edit { place: Where::Here(TextRange { start, end }), text: text.to_owned() };
+    let edits = vec![edit(target.start, target.start, "assert "), edit(target.end, value.start, " = ")];
+    let title = "assert an equation instead, and the solver will make it true".to_owned();
+    Diagnostic { fixes: vec![Fix { title, edits, applicability: Applicability::Unsafe }], ..d }
 }

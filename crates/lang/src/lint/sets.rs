@@ -107,7 +107,7 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                     && let Some((range, near)) = filters.iter().find_map(|f| misspelt(given, stmt, *f))
                     && let Some(at) = linted.place.span(range)
                 {
-                    let title = format!("did you mean \"{near}\"?");
+                    let title = format!("write \"{near}\"");
                     d = d.fix(Applicability::Unsafe, title, at, format!("\"{near}\""));
                 }
                 out.push(d);

@@ -186,7 +186,12 @@ impl Finding<'_> {
         let related = self.related.iter().filter(|(place, _)| files.can_show(*place));
         let mut labels: Vec<(&Span, &str, Color)> =
             related.map(|(place, message)| (place, message.as_str(), Color::Blue)).collect();
-        labels.push((place, message, paint));
+        // A place whose parts speak for themselves need not be pointed at, too.
+        let parts =
+            |(at, ..): &(&Span, &str, Color)| at.file == place.file && place.range.cover(at.range) == place.range;
+        if !message.is_empty() || !labels.iter().any(parts) {
+            labels.push((place, message, paint));
+        }
         // In the order of the text, the file of the finding first: then each file is shown once.
         labels.sort_by_key(|(at, ..)| (at.file != place.file, at.file, at.range));
         let labels = labels.into_iter().map(|(at, message, color)| label(files.id(at), message, color));

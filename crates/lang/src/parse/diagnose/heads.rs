@@ -215,7 +215,10 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
             // `Object lamp` can mean nothing else.
             let other_case = near.eq_ignore_ascii_case(site.slice(site.head));
             let applicability = if other_case { Applicability::Safe } else { Applicability::Unsafe };
-            let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
+            let diagnostic = match near {
+                "Number" if !other_case => diagnostic.label("a variable begins with its type, like `Number`"),
+                _ => diagnostic.label(format!("did you mean `{near}`?")),
+            };
             Some(diagnostic.fix(applicability, format!("write `{near}`"), head, near))
         }
         None if is_word(after) || next == Kind::Str => Some(diagnostic.note(
