@@ -21,7 +21,9 @@ mod tolerances;
 pub mod vector;
 mod world;
 
-pub use check::{Checked, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, program_of};
+pub use check::{
+    Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, program_of,
+};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
 pub use natives::{gap, in_region};

@@ -3,6 +3,7 @@
 mod describe;
 mod draws;
 mod file;
+mod live;
 mod matching;
 mod physical;
 mod rooms;
@@ -10,6 +11,7 @@ mod stated;
 
 pub(crate) use describe::number as measure_in_words;
 pub use file::{Checked, check_file, check_file_with, check_layout_of, check_layout_text, program_of};
+pub use live::Live;
 
 use crate::eval::Cause;
 use crate::explain::{self, Explanation};

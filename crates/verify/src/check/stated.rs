@@ -15,66 +15,81 @@ const MOST: usize = 100;
 
 pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
     let mut scratch = Scratch::new();
-    let mut told = FxHashSet::default();
-    for (index, constraint) in program.constraints.iter().enumerate() {
-        let (kind, weight) = match constraint.kind {
-            ConstraintKind::Assert => (Kind::Assert, None),
-            ConstraintKind::Prefer { weight } => (Kind::Prefer, Some(weight)),
-            ConstraintKind::Pin => (Kind::Pin, None),
-        };
-        let mut row = Judged {
-            kind,
-            subject: Subject::Statement(index),
-            satisfied: None,
-            margin: None,
-            objects: Vec::new(),
-            text: constraint.text.clone(),
-            measured: String::new(),
-            place: constraint.span,
-            related: Vec::new(),
-            weight,
-            requirements: constraint.requirements.clone(),
-            code: kind.code(),
-            explanation: None,
-        };
-        match scratch.evaluate(&constraint.formula, world) {
-            Ok(Value::Truth(truth)) => {
-                let deciding = scratch.deciding(&constraint.formula);
-                row.satisfied = Some(truth.holds);
-                row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
-                row.objects = objects(constraint, deciding);
-                if !truth.holds || world.options.detail.sentences {
-                    row.measured = measured(program, world, &constraint.formula, &scratch, deciding, truth.holds);
-                }
-                if !truth.holds {
-                    row.related = declarations(program, world, &row.objects);
-                    let measured = explain::of_statement(world, &constraint.formula, &scratch, deciding);
-                    row.explanation = Some(Box::new(Explanation { measured, ..Explanation::default() }));
-                    // What is wrong is called the same whether a rule or a statement forbids it.
-                    let collide = matches!(constraint.formula.node(deciding), Node::Native(Native::Collides, _));
-                    if collide && kind == Kind::Assert && truth_of(&scratch, deciding) {
-                        row.code = codes::V0102;
-                    }
-                }
-            }
-            Ok(other) => unreachable!("a constraint that is no truth: {other:?}"),
-            Err(error) => {
-                row.objects = objects(constraint, error.node);
-                let reason = reason(program, error.cause);
-                row.measured = format!("cannot be judged: {reason}");
-                if verdict.diagnostics.len() < MOST {
-                    verdict.diagnostics.extend(diagnostic(constraint, error, reason, &mut told));
-                }
-            }
-        }
-        let summary = &mut verdict.summary;
-        match kind {
-            Kind::Prefer => summary.preferences.add(row.satisfied),
-            Kind::Pin => summary.pins.add(row.satisfied),
-            _ => summary.assertions.add(row.satisfied),
-        }
+    let mut errors = Vec::new();
+    for index in 0..program.constraints.len() {
+        let (row, error) = judge_one(program, world, &mut scratch, index);
+        errors.extend(error.map(|e| (index, e)));
+        verdict.summary.stated(row.kind).add(row.satisfied);
         verdict.rows.push(row);
     }
+    verdict.diagnostics.extend(diagnostics(program, errors));
+}
+
+/// The row of a constraint and, if it cannot be judged, why.
+pub(super) fn judge_one(
+    program: &Program,
+    world: &World<f64>,
+    scratch: &mut Scratch<f64>,
+    index: usize,
+) -> (Judged, Option<EvalError>) {
+    let constraint = &program.constraints[index];
+    let (kind, weight) = match constraint.kind {
+        ConstraintKind::Assert => (Kind::Assert, None),
+        ConstraintKind::Prefer { weight } => (Kind::Prefer, Some(weight)),
+        ConstraintKind::Pin => (Kind::Pin, None),
+    };
+    let mut row = Judged {
+        kind,
+        subject: Subject::Statement(index),
+        satisfied: None,
+        margin: None,
+        objects: Vec::new(),
+        text: constraint.text.clone(),
+        measured: String::new(),
+        place: constraint.span,
+        related: Vec::new(),
+        weight,
+        requirements: constraint.requirements.clone(),
+        code: kind.code(),
+        explanation: None,
+    };
+    match scratch.evaluate(&constraint.formula, world) {
+        Ok(Value::Truth(truth)) => {
+            let deciding = scratch.deciding(&constraint.formula);
+            row.satisfied = Some(truth.holds);
+            row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
+            row.objects = objects(constraint, deciding);
+            if !truth.holds || world.options.detail.sentences {
+                row.measured = measured(program, world, &constraint.formula, scratch, deciding, truth.holds);
+            }
+            if !truth.holds {
+                row.related = declarations(program, world, &row.objects);
+                let measured = explain::of_statement(world, &constraint.formula, scratch, deciding);
+                row.explanation = Some(Box::new(Explanation { measured, ..Explanation::default() }));
+                // What is wrong is called the same whether a rule or a statement forbids it.
+                let collide = matches!(constraint.formula.node(deciding), Node::Native(Native::Collides, _));
+                if collide && kind == Kind::Assert && truth_of(scratch, deciding) {
+                    row.code = codes::V0102;
+                }
+            }
+            (row, None)
+        }
+        Ok(other) => unreachable!("a constraint that is no truth: {other:?}"),
+        Err(error) => {
+            row.objects = objects(constraint, error.node);
+            row.measured = format!("cannot be judged: {}", reason(program, error.cause));
+            (row, Some(error))
+        }
+    }
+}
+
+/// What to say of the constraints that cannot be judged, in their order.
+pub(super) fn diagnostics(program: &Program, errors: impl IntoIterator<Item = (usize, EvalError)>) -> Vec<Diagnostic> {
+    let mut told = FxHashSet::default();
+    let say = |(index, error): (usize, EvalError)| {
+        diagnostic(&program.constraints[index], error, reason(program, error.cause), &mut told)
+    };
+    errors.into_iter().filter_map(say).take(MOST).collect()
 }
 
 /// Whether a part of the formula held when it was last evaluated.

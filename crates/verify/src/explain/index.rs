@@ -4,7 +4,7 @@ use scenelang_lang::program::{Formula, Measure, Native, Node, ObjectId, Program}
 
 /// Rows by the objects they mention.
 #[derive(Debug)]
-pub(super) struct Index {
+pub(crate) struct Index {
     /// By [`ObjectId`], sorted: indices of constraints.
     rows: Vec<Vec<u32>>,
     /// Constraints that see whatever stands around: ways, lines of sight, free space.

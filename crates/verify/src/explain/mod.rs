@@ -14,6 +14,7 @@ mod places;
 mod search;
 mod stage;
 
+pub(crate) use index::Index;
 pub use measured::{Measured, Quantity};
 pub(crate) use measured::{of_rule, of_statement};
 pub use moves::{Mend, Step};

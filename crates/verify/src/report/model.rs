@@ -46,6 +46,17 @@ pub struct Summary {
     pub pins: Tally,
 }
 
+impl Summary {
+    /// The count of a kind of statement.
+    pub fn stated(&mut self, kind: Kind) -> &mut Tally {
+        match kind {
+            Kind::Prefer => &mut self.preferences,
+            Kind::Pin => &mut self.pins,
+            _ => &mut self.assertions,
+        }
+    }
+}
+
 /// A count with the part of it that holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
@@ -60,6 +71,11 @@ impl Tally {
     pub fn add(&mut self, satisfied: Option<bool>) {
         self.total += 1;
         self.satisfied += usize::from(satisfied == Some(true));
+    }
+    /// Takes back what was added.
+    pub fn remove(&mut self, satisfied: Option<bool>) {
+        self.total -= 1;
+        self.satisfied -= usize::from(satisfied == Some(true));
     }
 }
 

@@ -4,6 +4,7 @@
 mod cases;
 mod explanations;
 mod gradients;
+mod live;
 mod navigation;
 mod proofs;
 mod reports;

@@ -1,0 +1,223 @@
+//! A judgement that follows a layout while objects move, as under an editor's pointer: what a move cannot change is not
+//! judged again.
+
+use super::physical::{Ruled, Rules, ids};
+use super::{Judged, Verdict, draws, rooms, stated};
+use crate::eval::{EvalError, Scratch};
+use crate::explain::Index;
+use crate::report::model::Summary;
+use crate::rules::{Support, pairs_within};
+use crate::tolerances::Options;
+use crate::vector::V3;
+use crate::world::World;
+use scenelang_base::Diagnostic;
+use scenelang_lang::program::{ObjectId, Program};
+use scenelang_layout::{Aabb, Layout, Vec3};
+use std::collections::BTreeMap;
+
+/// The judgement of a layout whose objects can be moved. It says at any time what [`check`](super::check) would say of
+/// the layout as it then is, except that it lists only the physical rules that fail, and looks for no moves that would
+/// mend a violation.
+pub struct Live<'a> {
+    program: &'a Program,
+    world: World<f64>,
+    rules: Option<Rules<'a>>,
+    index: Index,
+    scratch: Scratch<f64>,
+    summary: Summary,
+    stated: Vec<Judged>,
+    errors: BTreeMap<usize, EvalError>,
+    /// Pairs that collide, smaller id first.
+    collisions: BTreeMap<(ObjectId, ObjectId), Judged>,
+    /// By object, what P-BOUNDS and P-SUPPORT say; `None`: nothing.
+    bounds: Vec<Option<Ruled>>,
+    support: Vec<Option<Ruled>>,
+    /// Objects whose support fails by what is nearest, wherever that is.
+    unsupported: Vec<ObjectId>,
+    draws: Vec<Diagnostic>,
+    rooms: Vec<Diagnostic>,
+    /// By object; `None`: the layout lacks it.
+    boxes: Vec<Option<Aabb>>,
+}
+
+impl<'a> Live<'a> {
+    /// Judges everything once.
+    pub fn new(program: &'a Program, layout: &Layout, options: &Options) -> Self {
+        let mut options = *options;
+        options.detail.all = false;
+        let mut world = World::new(program, layout, &options);
+        let mut draws = Vec::new();
+        draws::check(program, &mut world, None, &mut draws);
+        let nothing = || ids(program).map(|_| None).collect::<Vec<_>>();
+        let mut live = Self {
+            program,
+            rules: options.physics.then(|| Rules::new(program, &world)),
+            index: Index::new(program),
+            scratch: Scratch::new(),
+            summary: Summary::default(),
+            stated: Vec::with_capacity(program.constraints.len()),
+            errors: BTreeMap::new(),
+            collisions: BTreeMap::new(),
+            bounds: nothing(),
+            support: nothing(),
+            unsupported: Vec::new(),
+            draws,
+            rooms: Vec::new(),
+            boxes: ids(program).map(|id| world.object(id).ok().map(|thing| thing.body.aabb())).collect(),
+            world,
+        };
+        for index in 0..program.constraints.len() {
+            let (row, error) = stated::judge_one(program, &live.world, &mut live.scratch, index);
+            live.summary.stated(row.kind).add(row.satisfied);
+            live.errors.extend(error.map(|e| (index, e)));
+            live.stated.push(row);
+        }
+        live.judge_rules();
+        rooms::warn(program, &live.world, &mut live.rooms);
+        live
+    }
+
+    /// The physical rules, all of them.
+    fn judge_rules(&mut self) {
+        let Some(rules) = &self.rules else { return };
+        let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); self.boxes.len()];
+        let (total, judged) = rules.pairs(&self.world);
+        self.summary.physical.total += total;
+        self.summary.physical.satisfied += judged;
+        for (a, b) in pairs_within(&self.world, rules.reach()) {
+            neighbours[a.0 as usize].push(b);
+            neighbours[b.0 as usize].push(a);
+            if rules.scope.collide(a, b)
+                && let Some(row) = rules.collision(&self.world, a, b).row
+            {
+                self.summary.physical.satisfied -= 1;
+                self.collisions.insert((a, b), row);
+            }
+        }
+        for id in ids(self.program) {
+            self.judge_bounds(id);
+            self.judge_support(id, &neighbours[id.0 as usize]);
+        }
+    }
+
+    fn judge_bounds(&mut self, id: ObjectId) {
+        let Some(rules) = self.rules.as_ref().filter(|rules| rules.bounds(id)) else { return };
+        let now = rules.bounded(&self.world, id);
+        replace(&mut self.summary, &mut self.bounds[id.0 as usize], now);
+    }
+
+    fn judge_support(&mut self, id: ObjectId, neighbours: &[ObjectId]) {
+        let Some(rules) = &self.rules else { return };
+        let how = rules.scope.support(id);
+        if how == Support::Lifted {
+            return;
+        }
+        let now = rules.supported(&self.world, id, neighbours);
+        let place = self.unsupported.binary_search(&id);
+        match (place, how == Support::Rests && now.holds != Some(true)) {
+            (Err(at), true) => self.unsupported.insert(at, id),
+            (Ok(at), false) => drop(self.unsupported.remove(at)),
+            _ => {}
+        }
+        replace(&mut self.summary, &mut self.support[id.0 as usize], now);
+    }
+
+    /// Moves an object: `pos` in metres, the centre of its bottom face; `rot` in degrees about x, y and z. Judges what
+    /// that can change. Returns how many rows were judged; none if the layout lacks the object.
+    pub fn place(&mut self, object: ObjectId, pos: Vec3, rot: Vec3) -> usize {
+        let Ok(thing) = self.world.object(object) else { return 0 };
+        let scale = thing.scale;
+        self.world.place(object, V3::constant(&pos), V3::constant(&rot), scale);
+        let touched = self.index.touched_by(&[object]);
+        for &index in &touched {
+            let (row, error) = stated::judge_one(self.program, &self.world, &mut self.scratch, index);
+            let tally = self.summary.stated(row.kind);
+            tally.remove(self.stated[index].satisfied);
+            tally.add(row.satisfied);
+            match error {
+                Some(error) => drop(self.errors.insert(index, error)),
+                None => drop(self.errors.remove(&index)),
+            }
+            self.stated[index] = row;
+        }
+        if self.world.allow.outside.contains(&object) {
+            self.rooms.clear();
+            rooms::warn(self.program, &self.world, &mut self.rooms);
+        }
+        touched.len() + self.follow(object)
+    }
+
+    /// The physical rules that the last move of an object can have changed; how many were judged.
+    fn follow(&mut self, object: ObjectId) -> usize {
+        let now = self.world.object(object).ok().map(|thing| thing.body.aabb());
+        let before = std::mem::replace(&mut self.boxes[object.0 as usize], now);
+        let Some(rules) = &self.rules else { return 0 };
+        let here = self.near(object, &now);
+        let pair = |other: ObjectId| (object.min(other), object.max(other));
+        let mut judged = 1;
+        let old = self.near(object, &before);
+        for other in &old {
+            if self.collisions.remove(&pair(*other)).is_some() {
+                self.summary.physical.satisfied += 1;
+            }
+        }
+        for &other in here.iter().filter(|other| rules.scope.collide(object, **other)) {
+            judged += 1;
+            let (a, b) = pair(other);
+            if let Some(row) = rules.collision(&self.world, a, b).row {
+                self.summary.physical.satisfied -= 1;
+                self.collisions.insert((a, b), row);
+            }
+        }
+        self.judge_bounds(object);
+        let mut unsettled: Vec<ObjectId> = here.iter().chain(&old).chain(&self.unsupported).copied().collect();
+        unsettled.push(object);
+        unsettled.sort_unstable();
+        unsettled.dedup();
+        for &id in &unsettled {
+            let around = self.near(id, &self.boxes[id.0 as usize]);
+            self.judge_support(id, &around);
+        }
+        judged + unsettled.len()
+    }
+
+    /// Objects other than one that are within reach of a box.
+    fn near(&self, object: ObjectId, of: &Option<Aabb>) -> Vec<ObjectId> {
+        let (Some(rules), Some(of)) = (&self.rules, of) else { return Vec::new() };
+        let close = |id: &ObjectId| self.boxes[id.0 as usize].as_ref().is_some_and(|b| b.distance(of) <= rules.reach());
+        ids(self.program).filter(|id| *id != object && close(id)).collect()
+    }
+
+    /// The layout as it is now.
+    pub fn world(&self) -> &World<f64> {
+        &self.world
+    }
+
+    /// How many there are of each kind, and how many hold.
+    pub fn summary(&self) -> Summary {
+        self.summary
+    }
+
+    /// All rows: stated constraints in source order, then the physical rules that fail.
+    pub fn rows(&self) -> impl Iterator<Item = &Judged> {
+        let ruled = self.bounds.iter().chain(&self.support).flatten().filter_map(|ruled| ruled.row.as_ref());
+        self.stated.iter().chain(self.collisions.values()).chain(ruled)
+    }
+
+    /// The whole verdict, as a copy.
+    pub fn verdict(&self) -> Verdict {
+        let mut diagnostics = self.draws.clone();
+        diagnostics.extend(stated::diagnostics(self.program, self.errors.iter().map(|(i, e)| (*i, *e))));
+        diagnostics.extend(self.rooms.iter().cloned());
+        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics }
+    }
+}
+
+/// Puts a new finding in the place of an old one.
+fn replace(summary: &mut Summary, old: &mut Option<Ruled>, new: Ruled) {
+    if let Some(old) = old {
+        summary.physical.remove(old.holds);
+    }
+    summary.physical.add(new.holds);
+    *old = Some(new);
+}
