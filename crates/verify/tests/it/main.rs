@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod cases;
+mod dice;
 mod explanations;
 mod gradients;
+mod naive;
 mod navigation;
 mod proofs;
 mod reports;
