@@ -31,20 +31,13 @@ pub enum Trouble {
 
 pub type Outcome<T> = Result<T, Trouble>;
 
-/// A door and the rooms it connects.
-#[derive(Clone, Copy, Debug)]
-pub struct Door {
-    pub thing: usize,
-    pub first: usize,
-    pub second: Option<usize>,
-}
-
 /// Everything that formulas are judged in.
 pub struct World<'s> {
     pub scene: &'s Scene,
     pub solids: Vec<Vec<Solid>>,
     pub boxes: Vec<Solid>,
-    pub doors: Vec<Door>,
+    /// Those that a top-level `connects` speaks of.
+    pub doors: Vec<usize>,
 }
 
 impl<'s> World<'s> {
@@ -127,10 +120,21 @@ impl<'s> World<'s> {
 
     /// The right side is skipped where a discrete left side decides.
     fn both(&self, left: Truth, right: &Term) -> Outcome<Truth> {
-        if left.is_discrete() && left.holds == Some(false) { Ok(left) } else { Ok(left.and(self.truth(right)?)) }
+        if left.is_discrete() && left.holds == Some(false) {
+            return Ok(left);
+        }
+        Ok(left.and(self.beside(left, right)?))
     }
     fn either(&self, left: Truth, right: &Term) -> Outcome<Truth> {
-        if left.is_discrete() && left.holds == Some(true) { Ok(left) } else { Ok(left.or(self.truth(right)?)) }
+        if left.is_discrete() && left.holds == Some(true) {
+            return Ok(left);
+        }
+        Ok(left.or(self.beside(left, right)?))
+    }
+    /// Where the left side's margin is open, it may be infinite, and then an error on the right is skipped.
+    fn beside(&self, left: Truth, right: &Term) -> Outcome<Truth> {
+        let open = |trouble| if left.noise.is_infinite() { Trouble::Unsure } else { trouble };
+        self.truth(right).map_err(open)
     }
 
     fn comparison(&self, order: Order, a: &Term, b: &Term) -> Outcome<Truth> {

@@ -111,22 +111,21 @@ impl World<'_> {
         let unknown = Ok(Value::Truth(Truth { holds: None, ..Truth::sign(0.0) }));
         let (thing, depth) = (&self.scene.things[i], depth.x);
         let [w, h, d] = thing.scale;
-        if h <= 0.055 && side != "above" || depth < 2e-3 {
-            return unknown;
-        }
         let (lo, hi) = match side.as_str() {
-            "front" => ([-w / 2.0, 0.05, d / 2.0], [w / 2.0, h, d / 2.0 + depth]),
-            "behind" => ([-w / 2.0, 0.05, -d / 2.0 - depth], [w / 2.0, h, -d / 2.0]),
-            "left" => ([-w / 2.0 - depth, 0.05, -d / 2.0], [-w / 2.0, h, d / 2.0]),
-            "right" => ([w / 2.0, 0.05, -d / 2.0], [w / 2.0 + depth, h, d / 2.0]),
+            "front" => ([-w / 2.0, 0.0, d / 2.0], [w / 2.0, h, d / 2.0 + depth]),
+            "behind" => ([-w / 2.0, 0.0, -d / 2.0 - depth], [w / 2.0, h, -d / 2.0]),
+            "left" => ([-w / 2.0 - depth, 0.0, -d / 2.0], [-w / 2.0, h, d / 2.0]),
+            "right" => ([w / 2.0, 0.0, -d / 2.0], [w / 2.0 + depth, h, d / 2.0]),
             _ => ([-w / 2.0, h, -d / 2.0], [w / 2.0, h + depth, d / 2.0]),
         };
         let space = Solid::cuboid(sub(hi, lo)).placed(&super::space::euler([0.0; 3]), times(add(lo, hi), 0.5));
         let space = space.placed(&thing.turned(), thing.pos);
+        let low = thing.span().0[1] + 0.05;
+        let Some(space) = (if side == "above" { Some(space) } else { space.above(low) }) else { return unknown };
         let others = (0..self.solids.len()).filter(|o| *o != i).flat_map(|o| &self.solids[o]);
         let gap = others.map(|other| solid::gap(&space, other)).fold(f64::INFINITY, f64::min);
         let mut truth = Truth::geometric(gap + CONTACT);
-        let bounds = match self.doors.iter().find(|door| door.thing == i) {
+        let bounds = match self.doors.iter().find(|door| **door == i) {
             // Which room is on that side is tried by the cases; here nothing is said of it.
             Some(_) => return unknown,
             None => {

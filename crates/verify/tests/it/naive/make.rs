@@ -105,7 +105,7 @@ fn thing(dice: &mut Dice, name: String, scene: &Scene, origin: V) -> Thing {
     // Beside another, touching it.
     if !scene.things.is_empty() && dice.chance(20) {
         let other = dice.one(&scene.things);
-        thing.rot = other.rot;
+        thing.rot = if thing.surface.is_some() { [0.0, other.rot[1], 0.0] } else { other.rot };
         let axis = dice.one(&[0, 2]);
         let off = (thing.scale[axis] + other.scale[axis]) / 2.0 + dice.one(&[0.0, -0.0005, -0.0015, 0.0005, 0.02]);
         let mut local = [0.0; 3];

@@ -1,6 +1,6 @@
 //! The physical rules by their text, over all pairs and all objects.
 
-use super::eval::{Door, World};
+use super::eval::World;
 use super::flat::{self, P};
 use super::program::{Program, conjuncts};
 use super::solid::Solid;
@@ -16,7 +16,7 @@ pub struct Lifted {
     pub contents: Vec<(usize, usize)>,
     /// The object, and the predicate that says where it is held.
     pub mounts: Vec<(usize, Term)>,
-    pub doors: Vec<Door>,
+    pub doors: Vec<usize>,
 }
 
 /// Of the assertions, expanded.
@@ -27,12 +27,9 @@ pub fn lifted(asserted: &[Term]) -> Lifted {
     for term in all {
         let Term::Call(name, arguments) = term else { continue };
         match (name.as_str(), arguments.as_slice()) {
-            ("inside", [Term::Object(a), Term::Object(b)]) => out.contents.push((*a, *b)),
+            ("inside", [Term::Object(a), Term::Object(b)]) if a != b => out.contents.push((*a, *b)),
             ("wallMounted" | "ceilingMounted", [Term::Object(a), _]) => out.mounts.push((*a, term.clone())),
-            ("connects", [Term::Object(a), Term::Region(r), rest @ ..]) => {
-                let second = rest.first().and_then(|t| if let Term::Region(s) = t { Some(*s) } else { None });
-                out.doors.push(Door { thing: *a, first: *r, second });
-            }
+            ("connects", [Term::Object(a), ..]) => out.doors.push(*a),
             _ => {}
         }
     }
@@ -76,7 +73,7 @@ pub fn rulings(world: &World<'_>, program: &Program, lifted: &Lifted) -> Vec<Rul
         }
     }
     for (i, thing) in things.iter().enumerate() {
-        let is_door = lifted.doors.iter().any(|d| d.thing == i);
+        let is_door = lifted.doors.contains(&i);
         if !world.scene.rooms.is_empty() && !is_door && !program.outside.contains(&i) {
             let insides = world.scene.rooms.iter().map(|room| world.inside_room(thing, room));
             let truth = insides.fold(Truth::discrete(false), Truth::or);
@@ -86,9 +83,10 @@ pub fn rulings(world: &World<'_>, program: &Program, lifted: &Lifted) -> Vec<Rul
             continue;
         }
         let held = lifted.contents.iter().any(|(a, b)| *a == i && !things[*b].has_parts());
-        let mut mounts = lifted.mounts.iter().filter(|(a, _)| *a == i);
-        let truth = match mounts.next() {
-            Some((_, on)) => world.touches(on),
+        // Where two statements hold it, one that does is enough.
+        let mounts = lifted.mounts.iter().filter(|(a, _)| *a == i).map(|(_, on)| world.touches(on));
+        let truth = match mounts.reduce(Truth::or) {
+            Some(touches) => touches,
             None if held => Truth::discrete(true),
             None => support(world, i),
         };
@@ -108,7 +106,8 @@ fn support(world: &World<'_>, i: usize) -> Truth {
     let mut bases: Vec<Vec<P>> = Vec::new();
     for solid in solids {
         let above = |c: &[f64; 3]| c[1] - lowest;
-        if solid.corners.iter().any(|c| (1e-7..2.0 * SUPPORT).contains(&above(c))) {
+        let nearly = |face: &Vec<usize>| (1e-3..1.5).contains(&(180.0 - solid.tilt(face)));
+        if solid.faces.iter().any(nearly) || solid.corners.iter().any(|c| (1e-7..2.0 * SUPPORT).contains(&above(c))) {
             return unknown;
         }
         let low: Vec<P> = solid.corners.iter().filter(|c| above(c) < 1e-7).map(|c| [c[0], c[2]]).collect();
@@ -125,7 +124,8 @@ fn support(world: &World<'_>, i: usize) -> Truth {
         off <= SUPPORT
     };
     let over: Vec<_> = world.scene.rooms.iter().filter(|r| flat::holds(&r.polygon(), center)).collect();
-    let edge = world.scene.rooms.iter().any(|r| flat::to_edges(&r.polygon(), center) < 1e-6);
+    // What is a millimetre outside is as good as inside.
+    let edge = world.scene.rooms.iter().any(|r| flat::to_edges(&r.polygon(), center) < 1.1e-3);
     if edge {
         return unknown;
     }
@@ -174,7 +174,7 @@ fn support(world: &World<'_>, i: usize) -> Truth {
 fn tops(solid: &Solid, sure: &mut bool) -> Vec<(Vec<P>, f64)> {
     let mut out = Vec::new();
     for face in &solid.faces {
-        let tilt = solid.normal(face)[1].clamp(-1.0, 1.0).acos().to_degrees();
+        let tilt = solid.tilt(face);
         // The height of a face that is not quite level is not one number.
         *sure &= !(1e-3..1.5).contains(&tilt);
         if tilt < 1e-3 {

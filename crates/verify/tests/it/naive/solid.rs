@@ -76,6 +76,25 @@ impl Solid {
         let normal = times(sum, 1.0 / length(sum));
         if dot(sub(points[0], self.middle()), normal) < 0.0 { times(normal, -1.0) } else { normal }
     }
+    /// Degrees between the outside of a face and straight up.
+    pub fn tilt(&self, face: &[usize]) -> f64 {
+        super::space::angle(self.normal(face), [0.0, 1.0, 0.0])
+    }
+    /// What of it is not lower than a height; `None`: nothing, or next to nothing.
+    pub fn above(&self, height: f64) -> Option<Self> {
+        let mut corners: Vec<V> = self.corners.iter().copied().filter(|c| c[1] >= height).collect();
+        if corners.len() == self.corners.len() {
+            return Some(self.clone());
+        }
+        for (a, b) in self.edges() {
+            if (a[1] < height) != (b[1] < height) {
+                let t = (height - a[1]) / (b[1] - a[1]);
+                corners.push(add(a, times(sub(b, a), t)));
+            }
+        }
+        let highest = corners.iter().map(|c| c[1]).fold(height, f64::max);
+        (highest > height + 1e-6).then(|| Self::hull(&corners)).filter(|s| s.faces.len() > 3)
+    }
     fn edges(&self) -> Vec<(V, V)> {
         let mut pairs: Vec<(usize, usize)> = Vec::new();
         for face in &self.faces {

@@ -71,6 +71,7 @@ impl Truth {
     }
     /// Holds above a threshold.
     fn above(margin: f64, threshold: f64, noise: f64, degrees: bool) -> Self {
+        let noise = noise.max(1e-14 * (1.0 + margin.abs()));
         let holds = ((margin - threshold).abs() > noise).then_some(margin > threshold);
         Self { margin, holds, noise, degrees }
     }
