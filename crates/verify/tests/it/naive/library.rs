@@ -137,7 +137,8 @@ impl World<'_> {
                     by.push((value, clearance.bound, k));
                 }
                 by.sort_by(|a, b| b.0.total_cmp(&a.0));
-                if by.iter().any(|b| b.1) || by.len() > 1 && by[0].0 - by[1].0 < 1e-6 {
+                // Which of several that hold it is the best is not said.
+                if by.iter().any(|b| b.1) || by.len() > 1 && (by[1].0 > -0.01 || by[0].0 - by[1].0 < 1e-6) {
                     return unknown;
                 }
                 by.first().map(|b| &self.scene.rooms[b.2])

@@ -135,8 +135,8 @@ fn differs(row: &Row, expected: &Outcome<Truth>, tally: &mut Tally) -> Option<St
         None => truth.margin.is_infinite(),
         Some(margin) => (margin - truth.margin).abs() <= truth.noise * 4.0 + 1e-9 * (1.0 + margin.abs()),
     };
-    let unit = if truth.degrees { "deg" } else { "m" };
-    let same_unit = row.margin.is_none() || row.unit.as_deref() == Some(unit);
+    let unit = truth.degrees.map(|degrees| if degrees { "deg" } else { "m" });
+    let same_unit = row.margin.is_none() || unit.is_none() || row.unit.as_deref() == unit;
     (!agree || !same_unit).then(|| format!("{truth:?}"))
 }
 
@@ -195,8 +195,8 @@ fn two_verifiers_agree() {
     }
     let Tally { rows, open, margins, holding, errors } = tally;
     println!("{cases} cases, {rows} verdicts ({holding} hold, {errors} errors, {open} open), {margins} margins");
-    let shown = wrong.iter().take(200).fold(String::new(), |all, w| all + w);
+    let shown = wrong.iter().take(10).fold(String::new(), |all, w| all + w);
     assert!(wrong.is_empty(), "{} of {cases} cases:\n{shown}", wrong.len());
-    assert!(open * 20 < rows, "{open} of {rows} verdicts were left open");
+    assert!(open * 16 < rows, "{open} of {rows} verdicts were left open");
     assert!(holding * 4 > rows && holding * 4 < 3 * rows, "{holding} of {rows} hold: too one-sided");
 }

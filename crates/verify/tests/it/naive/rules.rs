@@ -106,8 +106,12 @@ fn support(world: &World<'_>, i: usize) -> Truth {
     let mut bases: Vec<Vec<P>> = Vec::new();
     for solid in solids {
         let above = |c: &[f64; 3]| c[1] - lowest;
-        let nearly = |face: &Vec<usize>| (1e-3..1.5).contains(&(180.0 - solid.tilt(face)));
-        if solid.faces.iter().any(nearly) || solid.corners.iter().any(|c| (1e-7..2.0 * SUPPORT).contains(&above(c))) {
+        let down = |face: &Vec<usize>| 180.0 - solid.tilt(face);
+        let nearly = solid.faces.iter().any(|f| (1e-3..1.5).contains(&down(f)));
+        let level = solid.faces.iter().any(|f| down(f) < 1e-3);
+        let hover = |c: &[f64; 3]| (1e-7..2.0 * SUPPORT).contains(&above(c));
+        let lower = if level { hover(&[0.0, solid.heights().0, 0.0]) } else { solid.corners.iter().any(hover) };
+        if nearly || lower {
             return unknown;
         }
         let low: Vec<P> = solid.corners.iter().filter(|c| above(c) < 1e-7).map(|c| [c[0], c[2]]).collect();
@@ -133,7 +137,7 @@ fn support(world: &World<'_>, i: usize) -> Truth {
         if at_height(room.floor(), &mut sure) {
             let polygon = room.polygon();
             for base in &bases {
-                let whole = base.iter().all(|p| flat::depth(&polygon, *p) >= 0.0) && flat::is_convex(&polygon);
+                let whole = flat::clearance(&polygon, base).value >= -1e-9;
                 if whole { contact.extend(base) } else { perhaps.extend(base) }
             }
         }

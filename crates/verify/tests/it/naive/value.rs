@@ -52,7 +52,8 @@ pub struct Truth {
     pub holds: Option<bool>,
     /// Of the margin. Infinite where the text fixes no more than the sign.
     pub noise: f64,
-    pub degrees: bool,
+    /// `None`: of two parts that decide alike, one is in degrees.
+    pub degrees: Option<bool>,
 }
 
 /// `<=` and `>=`, and the physical rules, hold down to minus this.
@@ -67,13 +68,13 @@ pub const CONTACT: f64 = 1e-3;
 impl Truth {
     pub fn discrete(holds: bool) -> Self {
         let margin = if holds { f64::INFINITY } else { f64::NEG_INFINITY };
-        Self { margin, holds: Some(holds), noise: 0.0, degrees: false }
+        Self { margin, holds: Some(holds), noise: 0.0, degrees: Some(false) }
     }
     /// Holds above a threshold.
     fn above(margin: f64, threshold: f64, noise: f64, degrees: bool) -> Self {
         let noise = noise.max(1e-14 * (1.0 + margin.abs()));
         let holds = ((margin - threshold).abs() > noise).then_some(margin > threshold);
-        Self { margin, holds, noise, degrees }
+        Self { margin, holds, noise, degrees: Some(degrees) }
     }
     /// Built-in predicates and physical rules, of which the text does not say what happens within 1e-6 of 0.
     pub fn geometric(margin: f64) -> Self {
@@ -100,7 +101,8 @@ impl Truth {
         let (taken, left) = if first { (self, other) } else { (other, self) };
         let close = (taken.margin - left.margin).abs() <= taken.noise + left.noise;
         let noise = if close || left.noise.is_infinite() { taken.noise.max(left.noise) } else { taken.noise };
-        Self { holds, noise, ..taken }
+        let degrees = taken.degrees.filter(|d| !close || left.degrees == Some(*d));
+        Self { holds, noise, degrees, ..taken }
     }
     pub fn and(self, other: Self) -> Self {
         let holds = match (self.holds, other.holds) {
