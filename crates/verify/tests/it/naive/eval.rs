@@ -155,7 +155,7 @@ impl<'s> World<'s> {
             _ => {}
         }
         let counted = |t: &Term| matches!(t, Term::Each(Quantity::Count, _));
-        let number = |t: &Term| matches!(t, Term::Number(_) | Term::Neg(_));
+        let number = Term::is_constant;
         // The text gives the margin of a count against a whole number alone.
         let rough = counted(a) && number(b) || counted(b) && number(a);
         let equal = match (self.value(a)?, self.value(b)?) {
@@ -314,7 +314,7 @@ fn product_noise(a: Vector, b: Vector) -> f64 {
 /// The length of what must not be the zero vector.
 fn sized(v: Vector) -> Outcome<f64> {
     let size = length(v.v);
-    if size == 0.0 {
+    if size == 0.0 && v.noise <= 1e-9 {
         return Err(Trouble::Error);
     }
     if size <= v.noise * 1e4 { Err(Trouble::Unsure) } else { Ok(size) }

@@ -32,7 +32,10 @@ impl World<'_> {
 
     pub fn gap(&self, a: &Value, b: &Value) -> Num {
         let (x, noise) = match (a, b) {
-            (Value::Object(a), Value::Object(b)) => (self.gap_of(*a, *b), 1e-8),
+            (Value::Object(a), Value::Object(b)) => {
+                let gap = self.gap_of(*a, *b);
+                (gap, distance_noise(gap))
+            }
             (Value::Object(a), Value::Region(r)) => {
                 let clearance = self.scene.rooms[*r].clearance(&self.scene.things[*a]);
                 (clearance.value, if clearance.bound { f64::INFINITY } else { 1e-8 })
@@ -154,6 +157,11 @@ impl World<'_> {
         }
         Ok(Value::Truth(truth.rough()))
     }
+}
+
+/// Distances of solids that are far apart are found by approaching them.
+pub fn distance_noise(gap: f64) -> f64 {
+    1e-8 + 1e-7 * gap.max(0.0)
 }
 
 /// At most, of plain numbers.

@@ -8,11 +8,13 @@
 
 mod eval;
 mod flat;
+mod hostile;
 mod library;
 mod make;
 mod program;
 mod rules;
 mod say;
+mod scaled;
 mod scene;
 mod solid;
 mod space;
@@ -37,9 +39,14 @@ struct Case {
     physical: Vec<rules::Ruling>,
 }
 
-fn case(seed: u64) -> Case {
+fn case(seed: u64, scale: f64) -> Case {
     let mut dice = Dice(seed);
     let mut scene = make::scene(&mut dice);
+    if scale != 1.0 {
+        let [x, _, z] = scene.things[0].pos;
+        scene.moved([-x, -z]);
+        scene.scaled(scale);
+    }
     let program = say::program(&mut dice, &scene);
     // Expanded, in source order, with what was drawn.
     let (mut asserts, mut prefers, mut expanded) = (0, 0, Vec::new());
@@ -140,12 +147,12 @@ fn differs(row: &Row, expected: &Outcome<Truth>, tally: &mut Tally) -> Option<St
     (!agree || !same_unit).then(|| format!("{truth:?}"))
 }
 
-fn disagreements(seed: u64, tally: &mut Tally) -> String {
+fn disagreements(seed: u64, scale: f64, tally: &mut Tally) -> String {
     let mut options = Options::default();
     options.detail.all = true;
     options.detail.sentences = false;
     options.detail.explain = Explain::First(0);
-    let case = case(seed);
+    let case = case(seed, scale);
     let checked = judged(&case.text, &case.layout, &options);
     let (physical, stated): (Vec<&Row>, Vec<&Row>) = checked.report.constraints.iter().partition(|r| r.rule.is_some());
     let mut out = String::new();
@@ -183,20 +190,38 @@ fn number(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
 }
 
-#[test]
-fn two_verifiers_agree() {
-    let (first, cases) = (number("SCENELANG_SEED", 0), number("SCENELANG_CASES", 2_000));
+/// Both judge so many cases, all lengths multiplied.
+fn hold(cases: u64, scale: f64) -> Tally {
+    let first = number("SCENELANG_SEED", 0);
     let (mut tally, mut wrong) = (Tally::default(), Vec::new());
     for seed in first..first + cases {
-        let found = disagreements(seed, &mut tally);
+        let found = disagreements(seed, scale, &mut tally);
         if !found.is_empty() {
             wrong.push(found);
         }
     }
     let Tally { rows, open, margins, holding, errors } = tally;
-    println!("{cases} cases, {rows} verdicts ({holding} hold, {errors} errors, {open} open), {margins} margins");
+    println!(
+        "{cases} cases times {scale}, {rows} verdicts ({holding} hold, {errors} errors, {open} open), {margins} margins"
+    );
     let shown = wrong.iter().take(10).fold(String::new(), |all, w| all + w);
     assert!(wrong.is_empty(), "{} of {cases} cases:\n{shown}", wrong.len());
+    tally
+}
+
+#[test]
+fn two_verifiers_agree() {
+    let Tally { rows, open, holding, .. } = hold(number("SCENELANG_CASES", 2_000), 1.0);
     assert!(open * 16 < rows, "{open} of {rows} verdicts were left open");
     assert!(holding * 4 > rows && holding * 4 < 3 * rows, "{holding} of {rows} hold: too one-sided");
+}
+
+#[test]
+fn two_verifiers_agree_on_tenths_of_millimetres() {
+    hold(number("SCENELANG_CASES", 2_000) / 10, 2e-4);
+}
+
+#[test]
+fn two_verifiers_agree_on_kilometres() {
+    hold(number("SCENELANG_CASES", 2_000) / 10, 2e3);
 }

@@ -2,6 +2,7 @@
 
 use super::eval::World;
 use super::flat::{self, P};
+use super::library::distance_noise;
 use super::program::{Program, conjuncts};
 use super::solid::Solid;
 use super::term::Term;
@@ -68,7 +69,8 @@ pub fn rulings(world: &World<'_>, program: &Program, lifted: &Lifted) -> Vec<Rul
             }
             let (first, second) =
                 (things[a].name.as_str().min(&things[b].name), things[a].name.as_str().max(&things[b].name));
-            let truth = Truth::geometric(world.gap_of(a, b) + CONTACT);
+            let gap = world.gap_of(a, b);
+            let truth = Truth { noise: distance_noise(gap), ..Truth::geometric(gap + CONTACT) };
             out.push(Ruling { id: format!("P-COLLIDE:{first}:{second}"), truth });
         }
     }
@@ -103,7 +105,7 @@ fn support(world: &World<'_>, i: usize) -> Truth {
     let lowest = solids.iter().map(|s| s.heights().0).fold(f64::MAX, f64::min);
     let center = [thing.center()[0], thing.center()[2]];
     // What of it is lowest. Where more is nearly as low, the text does not say what touches.
-    let mut bases: Vec<Vec<P>> = Vec::new();
+    let (mut bases, mut wides): (Vec<Vec<P>>, Vec<Vec<P>>) = Default::default();
     for solid in solids {
         let above = |c: &[f64; 3]| c[1] - lowest;
         let down = |face: &Vec<usize>| 180.0 - solid.tilt(face);
@@ -117,6 +119,9 @@ fn support(world: &World<'_>, i: usize) -> Truth {
         let low: Vec<P> = solid.corners.iter().filter(|c| above(c) < 1e-7).map(|c| [c[0], c[2]]).collect();
         if !low.is_empty() {
             bases.push(flat::hull(&low));
+            // What is within the tolerance of being lowest may touch, too: it must not matter.
+            let wide = solid.below(lowest + SUPPORT).into_iter().map(|c| [c[0], c[2]]);
+            wides.push(flat::hull(&wide.collect::<Vec<P>>()));
         }
     }
     let mut sure = true;
@@ -136,14 +141,18 @@ fn support(world: &World<'_>, i: usize) -> Truth {
     for room in &over {
         if at_height(room.floor(), &mut sure) {
             let polygon = room.polygon();
+            perhaps.extend(wides.iter().flatten());
             for base in &bases {
                 let whole = flat::clearance(&polygon, base).value >= -1e-9;
-                if whole { contact.extend(base) } else { perhaps.extend(base) }
+                if whole {
+                    contact.extend(base);
+                }
             }
         }
     }
     if over.is_empty() && at_height(0.0, &mut sure) {
-        bases.iter().for_each(|base| contact.extend(base));
+        contact.extend(bases.iter().flatten());
+        perhaps.extend(wides.iter().flatten());
     }
     for other in (0..world.solids.len()).filter(|o| *o != i) {
         for solid in &world.solids[other] {
@@ -154,7 +163,9 @@ fn support(world: &World<'_>, i: usize) -> Truth {
                 for base in &bases {
                     // A hair more and a hair less, so that an edge that only touches is told.
                     contact.extend(flat::clip(&grown(base, 1.0 - 1e-5), &top.0));
-                    perhaps.extend(flat::clip(&grown(base, 1.0 + 1e-5), &grown(&top.0, 1.0 + 1e-5)));
+                }
+                for wide in &wides {
+                    perhaps.extend(flat::clip(&grown(wide, 1.0 + 1e-5), &grown(&top.0, 1.0 + 1e-5)));
                 }
             }
         }

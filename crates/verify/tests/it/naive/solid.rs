@@ -80,18 +80,19 @@ impl Solid {
     pub fn tilt(&self, face: &[usize]) -> f64 {
         super::space::angle(self.normal(face), [0.0, 1.0, 0.0])
     }
+    /// Corners of what of it is not higher than a height.
+    pub fn below(&self, height: f64) -> Vec<V> {
+        let mut corners: Vec<V> = self.corners.iter().copied().filter(|c| c[1] <= height).collect();
+        corners.extend(self.edges().iter().filter_map(|edge| through(*edge, height)));
+        corners
+    }
     /// What of it is not lower than a height; `None`: nothing, or next to nothing.
     pub fn above(&self, height: f64) -> Option<Self> {
         let mut corners: Vec<V> = self.corners.iter().copied().filter(|c| c[1] >= height).collect();
         if corners.len() == self.corners.len() {
             return Some(self.clone());
         }
-        for (a, b) in self.edges() {
-            if (a[1] < height) != (b[1] < height) {
-                let t = (height - a[1]) / (b[1] - a[1]);
-                corners.push(add(a, times(sub(b, a), t)));
-            }
-        }
+        corners.extend(self.edges().iter().filter_map(|edge| through(*edge, height)));
         let highest = corners.iter().map(|c| c[1]).fold(height, f64::max);
         (highest > height + 1e-6).then(|| Self::hull(&corners)).filter(|s| s.faces.len() > 3)
     }
@@ -114,6 +115,12 @@ impl Solid {
     pub fn heights(&self) -> (f64, f64) {
         self.reach([0.0, 1.0, 0.0])
     }
+}
+
+/// Where an edge passes a height.
+fn through((a, b): (V, V), height: f64) -> Option<V> {
+    let t = (height - a[1]) / (b[1] - a[1]);
+    ((a[1] < height) != (b[1] < height)).then(|| add(a, times(sub(b, a), t)))
 }
 
 /// The corners of a face in order around its middle.
