@@ -8,6 +8,7 @@ mod cli;
 mod diff;
 mod documents;
 mod examples;
+mod faults;
 mod fixing;
 mod formats;
 mod hostile;

@@ -380,12 +380,9 @@ impl<'a> Lowerer<'a, '_> {
     fn counted(&mut self, op: Comparison, count: NodeId, n: f64, range: TextRange) -> Option<NodeId> {
         let Node::Count(list) = self.f.b.node(count) else { return None };
         let list = list.clone();
+        // Also of none, which always holds: what is counted may have no value, and then neither has this.
         let at_least = |l: &mut Self, n: f64| {
-            if n <= 0.0 {
-                l.f.b.add(Node::Truth(true), range)
-            } else {
-                l.f.b.add(Node::AtLeast(n.min(f64::from(u32::MAX)) as u32, list.clone()), range)
-            }
+            l.f.b.add(Node::AtLeast(n.clamp(0.0, f64::from(u32::MAX)) as u32, list.clone()), range)
         };
         let whole = n.fract() == 0.0;
         Some(match op {

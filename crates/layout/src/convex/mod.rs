@@ -3,6 +3,7 @@
 //! A box stays a box (its gap to another box has a formula of its own); a cylinder is the regular 24-gon prism inscribed
 //! in it, with a vertex on +x; a hull is computed once, then only moved.
 
+mod cut;
 mod gap;
 mod hull;
 mod solid;
@@ -130,6 +131,11 @@ impl Convex {
             edges: self.edges.iter().map(|e| Edge { normals: e.normals.map(|n| axes * n), ..*e }).collect(),
             obb: self.obb.map(|o| Obb { center: axes * o.center + by, axes: axes * o.axes, half: o.half }),
         }
+    }
+
+    /// What of it is not lower than a height; `None`: it does not reach above it.
+    pub fn above(&self, height: f64) -> Option<Self> {
+        cut::above(self, height)
     }
 
     /// Its corners.

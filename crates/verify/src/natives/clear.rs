@@ -102,7 +102,7 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
     }
     let up = body.obb.axes.column(1);
     if up.y < 1.0 - 1e-12 {
-        return above(&whole, sill);
+        return Convex::from_box(&whole).above(sill);
     }
     // Upright, as nearly everything is: a lower box.
     let height = 2.0 * half.y - SILL;
@@ -114,18 +114,6 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
         };
         Convex::from_box(&raised)
     })
-}
-
-/// What of a box is above a height.
-fn above(whole: &Obb, height: f64) -> Option<Convex> {
-    let mut points: Vec<Vec3> = whole.corners().into_iter().filter(|c| c.y >= height).collect();
-    for [a, b] in whole.edges() {
-        let t = (height - a.y) / (b.y - a.y);
-        if t > 0.0 && t < 1.0 {
-            points.push(a + (b - a) * t);
-        }
-    }
-    Convex::from_hull(&points)
 }
 
 /// The other object nearest to the space.

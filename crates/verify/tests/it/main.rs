@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod cases;
+mod dice;
 mod explanations;
 mod gradients;
 mod live;
+mod naive;
 mod navigation;
 mod proofs;
 mod reports;

@@ -3,6 +3,7 @@
 //! The second is tested with programs that are made from a layout: random objects, and random constraints of which the
 //! verifier itself says that they hold there. None of these programs is contradictory, whatever a prover says.
 
+use crate::dice::Dice;
 use scenelang_base::{SourceFile, SourceMap};
 use scenelang_lang::compile::compile_main;
 use scenelang_lang::program::Program;
@@ -97,34 +98,6 @@ fn a_search_that_is_called_off_finds_nothing_and_says_so() {
     assert!(findings.contradictions.is_empty() && !findings.complete);
     let findings = prove(&program, &ProveOptions { work: 0, ..ProveOptions::default() });
     assert!(findings.contradictions.is_empty() && !findings.complete);
-}
-
-/// A small generator of numbers: the same seed gives the same program everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> u64 {
-        // SplitMix64.
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
-    fn one<T: Clone>(&mut self, list: &[T]) -> T {
-        list[self.below(list.len())].clone()
-    }
-    /// With three digits.
-    fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        let part = self.below(100_001) as f64 / 1e5;
-        ((lo + part * (hi - lo)) * 1000.0).round() / 1000.0
-    }
-    fn chance(&mut self, percent: usize) -> bool {
-        self.below(100) < percent
-    }
 }
 
 /// A hidden layout: objects `a`, `b`, …, a room and perhaps a zone, a number and a flag.
