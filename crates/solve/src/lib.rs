@@ -20,6 +20,7 @@ mod pool;
 mod pose;
 mod problem;
 mod propose;
+mod quick;
 mod regions;
 mod relax;
 mod repair;

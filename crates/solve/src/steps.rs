@@ -61,6 +61,9 @@ pub struct Steps<'s> {
 }
 
 impl Steps<'_> {
+    pub(crate) fn is_default(&self) -> bool {
+        self.placer.is_none() && self.proposers.is_empty()
+    }
     pub(crate) fn rounds(&self) -> usize {
         if self.rounds == 0 { 5 } else { self.rounds }
     }
