@@ -56,11 +56,18 @@ impl<N: Number, T: Truths<N>> Merit<'_, N, T> {
         self.of(self.formula.root, true)
     }
 
-    /// Whether it holds, by the verdicts of what it is made of.
-    pub fn holds(&self) -> bool {
-        self.verdict(self.formula.root)
+    /// What it costs, and whether it holds.
+    pub fn both(&self) -> (f64, bool) {
+        let root = self.formula.root;
+        match self.formula.node(root) {
+            Node::Compare(..) | Node::Native(..) | Node::Same(..) => {
+                self.atom(root, true).map_or((UNKNOWN, false), |a| (a.cost(), a.truth.holds))
+            }
+            _ => (self.cost(), self.verdict(root)),
+        }
     }
 
+    /// Whether a part holds, by the verdicts of what it is made of.
     fn verdict(&self, id: NodeId) -> bool {
         match self.formula.node(id) {
             Node::And(parts) => parts.iter().all(|&p| self.verdict(p)),

@@ -141,6 +141,12 @@ impl Coded {
 }
 
 impl CodedValue {
+    /// Which inputs of which objects it reads: an object, and an index into [`Slots::get`].
+    pub fn reads(&self) -> impl Iterator<Item = (ObjectId, usize)> + '_ {
+        let slots = self.steps.iter().flat_map(|s| [s.a, s.b]).chain(self.parts.iter().copied());
+        let inputs = slots.map(|s| s as usize).filter(|s| *s < self.first);
+        inputs.map(|s| (ObjectId((s / INPUTS) as u32), s % INPUTS))
+    }
     /// Runs it: one number, or three.
     pub fn run(&self, slots: &mut Slots) -> [f64; 3] {
         run(&self.steps, self.first, slots);

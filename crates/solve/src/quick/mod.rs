@@ -16,7 +16,7 @@ use crate::pose::Pose;
 use crate::rules::Sets;
 use crate::state::{Change, State};
 use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId};
-use scenelang_layout::Vec3;
+use scenelang_layout::{Prism, Vec3};
 use scenelang_verify::coded::{Coded, CodedValue, Coder, INPUTS, Slots};
 use scenelang_verify::{Scratch, Tolerances, Truth, Value, World, rules};
 use std::marker::PhantomData;
@@ -26,6 +26,8 @@ const TOUCHING: f64 = 1e-7;
 
 /// How a term is judged here.
 enum Judge {
+    /// An object is in a rectangular room.
+    Inside(usize, (Field, [f64; 2])),
     /// By its code.
     Code(Coded),
     /// It speaks of the turn of one object only, whose yaws are chosen so that it holds.
@@ -131,14 +133,7 @@ impl<'a> Quick<'a> {
         }
         let mut rooms = Vec::new();
         for (_, prism) in world.prisms() {
-            let corners = prism.polygon.corners();
-            let low = corners.iter().copied().reduce(|a, b| a.inf(&b))?;
-            let high = corners.iter().copied().reduce(|a, b| a.sup(&b))?;
-            let whole = (prism.area() - (high - low).x * (high - low).y).abs() < 1e-9;
-            if !whole {
-                return None;
-            }
-            rooms.push((Field { min: [low.x, low.y], max: [high.x, high.y] }, [prism.floor, prism.ceiling]));
+            rooms.push(rectangle(prism)?);
         }
         let floor = rooms.first().map_or(0.0, |(_, [floor, _])| *floor);
         if rooms.iter().any(|(_, [other, _])| *other != floor) {
@@ -149,6 +144,8 @@ impl<'a> Quick<'a> {
         for term in &frame.terms {
             judges.push(if !term.is_hard() || term.sizes_only {
                 Judge::Absent
+            } else if let Some(inside) = in_rectangle(&term.formula, world) {
+                Judge::Inside(inside.0, inside.1)
             } else if let Some(code) = coder.truth(&term.formula) {
                 Judge::Code(code)
             } else if turned(&term.formula).is_some() {
@@ -176,7 +173,7 @@ impl<'a> Quick<'a> {
             tolerances: world.options.tolerances,
             numbering: state.numbering,
             slots: coder.slots(),
-            followers: frame.followers.clone(),
+            followers: Vec::new(),
             terms_of: Vec::new(),
             size,
             span: vec![Span::default(); n],
@@ -208,6 +205,7 @@ impl<'a> Quick<'a> {
             judges,
             frame,
         };
+        quick.followers = frame.objects().map(|id| quick.followers_of(id)).collect();
         quick.terms_of = (0..n).map(|i| quick.sorted_terms(i)).collect();
         for id in frame.objects() {
             let domain = quick.yaws_of(state, id)?;
@@ -219,9 +217,21 @@ impl<'a> Quick<'a> {
         Some(quick)
     }
 
+    /// Rules that have something new to say when an object moves. One of its own that reads only what it fixes itself,
+    /// such as its height over the floor, has not.
+    fn followers_of(&self, id: ObjectId) -> Vec<usize> {
+        let all = &self.frame.followers[id.0 as usize];
+        let fixed = self.frame.fixed(id);
+        let moves = |owner: ObjectId| all.iter().any(|&r| self.rules[r].owner == owner.0 as usize);
+        let news = |rule: &CodedRule| {
+            rule.value.reads().any(|(o, input)| if o == id { input > 2 || !fixed.pos[input] } else { moves(o) })
+        };
+        all.iter().copied().filter(|&r| self.rules[r].owner != id.0 as usize || news(&self.rules[r])).collect()
+    }
+
     fn sorted_terms(&self, i: usize) -> Vec<usize> {
         let mut list: Vec<usize> = self.frame.terms_of[i].to_vec();
-        list.retain(|&t| matches!(self.judges[t], Judge::Code(_)));
+        list.retain(|&t| matches!(self.judges[t], Judge::Code(_) | Judge::Inside(..)));
         list.sort_by_key(|&t| (self.frame.terms[t].objects.len(), self.frame.terms[t].formula.nodes.len()));
         list
     }
@@ -407,15 +417,6 @@ impl<'a> Quick<'a> {
             if delta > limit {
                 return None;
             }
-            let single = self.terms_of[i].iter().take_while(|&&t| self.frame.terms[t].objects.len() == 1).count();
-            for at in 0..single {
-                let t = self.terms_of[i][at];
-                let found = self.term(t);
-                delta += self.note(t, found);
-                if delta > limit {
-                    return None;
-                }
-            }
         }
         for &(i, ..) in moved {
             delta += self.collisions(i, moved);
@@ -423,16 +424,18 @@ impl<'a> Quick<'a> {
                 return None;
             }
         }
+        let alone = moved.len() == 1;
         for &(i, ..) in moved {
             for at in 0..self.terms_of[i].len() {
                 let t = self.terms_of[i][at];
-                if self.frame.terms[t].objects.len() == 1 || self.stamp[t] == self.now {
+                if !alone && std::mem::replace(&mut self.stamp[t], self.now) == self.now {
                     continue;
                 }
-                self.stamp[t] = self.now;
                 let found = self.term(t);
                 delta += self.note(t, found);
                 if delta > limit {
+                    // What often decides is asked earlier the next time.
+                    self.terms_of[i].swap(at, at.saturating_sub(1));
                     return None;
                 }
             }
@@ -447,7 +450,14 @@ impl<'a> Quick<'a> {
     }
 
     fn term(&mut self, t: usize) -> (f64, bool) {
-        let Judge::Code(code) = &self.judges[t] else { return (0.0, true) };
+        let code = match &self.judges[t] {
+            Judge::Code(code) => code,
+            Judge::Inside(i, room) => {
+                let contact = self.tolerances.contact;
+                return self.physical(clearance(&self.span[*i], room) + contact, contact);
+            }
+            Judge::Turn | Judge::Absent => return (0.0, true),
+        };
         self.work += 3 + self.frame.terms[t].formula.nodes.len() as u64 / 2;
         code.run(&mut self.slots);
         let ran = Ran { code, slots: &self.slots };
@@ -457,7 +467,7 @@ impl<'a> Quick<'a> {
             tolerances: &self.tolerances,
             numbers: PhantomData,
         };
-        (merit.cost(), merit.holds())
+        merit.both()
     }
 
     fn physical(&self, margin: f64, target: f64) -> (f64, bool) {
@@ -467,12 +477,7 @@ impl<'a> Quick<'a> {
 
     fn bounds(&self, i: usize) -> (f64, bool) {
         let span = &self.span[i];
-        let clearance = |(field, [floor, ceiling]): &(Field, [f64; 2])| {
-            let x = (span.min[0] - field.min[0]).min(field.max[0] - span.max[0]);
-            let z = (span.min[2] - field.min[1]).min(field.max[1] - span.max[2]);
-            x.min(z).min(span.min[1] - floor).min(ceiling - span.max[1])
-        };
-        let best = self.rooms.iter().map(clearance).fold(f64::NEG_INFINITY, f64::max);
+        let best = self.rooms.iter().map(|room| clearance(span, room)).fold(f64::NEG_INFINITY, f64::max);
         let contact = self.tolerances.contact;
         self.physical(best + contact, contact)
     }
@@ -625,6 +630,29 @@ impl<'a> Quick<'a> {
         };
         self.frame.objects().map(|id| Change::Object(id, pose(id))).collect()
     }
+}
+
+/// The least of three clearances of an upright box in a rectangular room.
+fn clearance(span: &Span, (field, [floor, ceiling]): &(Field, [f64; 2])) -> f64 {
+    let x = (span.min[0] - field.min[0]).min(field.max[0] - span.max[0]);
+    let z = (span.min[2] - field.min[1]).min(field.max[1] - span.max[2]);
+    x.min(z).min(span.min[1] - floor).min(ceiling - span.max[1])
+}
+
+/// A room whose walls run along x and z.
+fn rectangle(prism: &Prism) -> Option<(Field, [f64; 2])> {
+    let corners = prism.polygon.corners();
+    let low = corners.iter().copied().reduce(|a, b| a.inf(&b))?;
+    let high = corners.iter().copied().reduce(|a, b| a.sup(&b))?;
+    let whole = (prism.area() - (high - low).x * (high - low).y).abs() < 1e-9;
+    whole.then(|| (Field { min: [low.x, low.y], max: [high.x, high.y] }, [prism.floor, prism.ceiling]))
+}
+
+/// The object and the room of a term that says the one is in the other.
+fn in_rectangle(formula: &Formula, world: &World<f64>) -> Option<(usize, (Field, [f64; 2]))> {
+    let [id] = formula.objects()[..] else { return None };
+    let room = world.region(inside_of(formula, id)?).ok()?;
+    Some((id.0 as usize, rectangle(&room.prism)?))
 }
 
 /// The object whose turn is all that a formula reads of objects.

@@ -5,7 +5,6 @@
 
 use super::Quick;
 use crate::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
-use crate::pool::Chance;
 use crate::tidy::round_to;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
