@@ -12,11 +12,11 @@ use scenelang_layout::{Aabb, Vec2, Vec3};
 /// Cost of standing at 45° to the room.
 const ASKEW: f64 = 0.01;
 /// Cost of a tall thing whose back is a metre from the wall.
-const ADRIFT: f64 = 0.01;
+pub(crate) const ADRIFT: f64 = 0.01;
 /// Cost of a front that a wall bars.
-const BARRED: f64 = 0.01;
+pub(crate) const BARRED: f64 = 0.01;
 /// Cost of touching something it has nothing to do with.
-const CROWDED: f64 = 0.004;
+pub(crate) const CROWDED: f64 = 0.004;
 /// Cost of standing before a door or a window.
 const IN_THE_WAY: f64 = 0.02;
 /// Cost of sticking out a metre over what carries it.
@@ -30,11 +30,11 @@ const OFF_HEIGHT: f64 = 0.005;
 const UNLIKE: f64 = 0.004;
 
 /// Space that one likes to keep around things (metres).
-const AROUND: f64 = 0.3;
+pub(crate) const AROUND: f64 = 0.3;
 /// Space that one likes to keep before doors and windows (metres).
 const BEFORE_DOOR: f64 = 0.8;
 /// From this height on a thing looks better with its back to a wall (metres).
-const TALL: f64 = 1.1;
+pub(crate) const TALL: f64 = 1.1;
 /// Where the middle of what hangs on a wall usually is (metres above the floor).
 const EYE_LEVEL: f64 = 1.5;
 /// Where the upper edge of doors and windows usually is (metres above the floor).

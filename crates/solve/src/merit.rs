@@ -6,6 +6,7 @@
 
 use scenelang_lang::program::{Comparison, Formula, Native, Node, NodeId, Unit};
 use scenelang_verify::{Number, Scratch, Tolerances, Truth, Value};
+use std::marker::PhantomData;
 
 /// What a violated atom costs beyond the metres that it is off: fewer violations come first.
 pub(crate) const BASE: f64 = 0.1;
@@ -22,20 +23,60 @@ pub(crate) const COMFORT: f64 = 0.2;
 /// How much more than nothing the margin of an inequality should be (metres, or fiftieths of a degree).
 const EASE: f64 = 1e-3;
 
+/// Where the truths are that a formula is made of.
+pub(crate) trait Truths<N: Number> {
+    /// That of a node, as last evaluated; `None`: it has none.
+    fn truth(&self, node: NodeId) -> Option<Truth<N>>;
+}
+
+impl<N: Number> Truths<N> for Scratch<N> {
+    fn truth(&self, node: NodeId) -> Option<Truth<N>> {
+        match self.get(node) {
+            Ok(Value::Truth(truth)) => Some(truth),
+            _ => None,
+        }
+    }
+}
+
 /// A formula as last evaluated.
-pub(crate) struct Merit<'a, N: Number> {
+pub(crate) struct Merit<'a, N: Number, T: Truths<N>> {
     /// The formula.
     pub formula: &'a Formula,
     /// The values of its nodes.
-    pub values: &'a Scratch<N>,
+    pub values: &'a T,
     /// Tolerances.
     pub tolerances: &'a Tolerances,
+    /// What numbers are.
+    pub numbers: PhantomData<N>,
 }
 
-impl<N: Number> Merit<'_, N> {
+impl<N: Number, T: Truths<N>> Merit<'_, N, T> {
     /// What the whole formula costs: 0 where it holds comfortably.
     pub fn cost(&self) -> f64 {
         self.of(self.formula.root, true)
+    }
+
+    /// What it costs, and whether it holds.
+    pub fn both(&self) -> (f64, bool) {
+        let root = self.formula.root;
+        match self.formula.node(root) {
+            Node::Compare(..) | Node::Native(..) | Node::Same(..) => {
+                self.atom(root, true).map_or((UNKNOWN, false), |a| (a.cost(), a.truth.holds))
+            }
+            _ => (self.cost(), self.verdict(root)),
+        }
+    }
+
+    /// Whether a part holds, by the verdicts of what it is made of.
+    fn verdict(&self, id: NodeId) -> bool {
+        match self.formula.node(id) {
+            Node::And(parts) => parts.iter().all(|&p| self.verdict(p)),
+            Node::Or(parts) => parts.iter().any(|&p| self.verdict(p)),
+            Node::Not(part) => !self.verdict(*part),
+            Node::Iff(a, b) => self.verdict(*a) == self.verdict(*b),
+            Node::AtLeast(n, parts) => parts.iter().filter(|&&p| self.verdict(p)).count() >= *n as usize,
+            _ => self.values.truth(id).is_some_and(|t| t.holds),
+        }
     }
 
     /// What misses comfort, in metres, each a number with its slopes; only the branches that count.
@@ -95,7 +136,7 @@ impl<N: Number> Merit<'_, N> {
     }
 
     fn atom(&self, id: NodeId, want: bool) -> Option<Atom<N>> {
-        let Ok(Value::Truth(truth)) = self.values.get(id) else { return None };
+        let truth = self.values.truth(id)?;
         let truth = if want { truth } else { truth.negated() };
         Some(Atom { truth, target: self.target(id, want) })
     }
@@ -109,8 +150,8 @@ impl<N: Number> Merit<'_, N> {
             (Node::Compare(Comparison::Eq, Unit::Degree, ..), true)
             | (Node::Compare(Comparison::Ne, Unit::Degree, ..), false) => t.angle,
             (Node::Compare(_, Unit::Degree, ..), _) => EASE / PER_DEGREE,
-            (Node::Same(..), true) => match self.values.get(id) {
-                Ok(Value::Truth(Truth { unit: Unit::Degree, .. })) => t.angle,
+            (Node::Same(..), true) => match self.values.truth(id) {
+                Some(Truth { unit: Unit::Degree, .. }) => t.angle,
                 _ => t.equal,
             },
             (Node::SamePolygon(..), true) => t.equal,

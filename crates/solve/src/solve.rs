@@ -3,9 +3,11 @@
 use crate::place;
 use crate::polish::Polisher;
 use crate::problem::{Options, Outcome, Phase, Problem, Progress};
+use crate::quick::Quick;
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
-use crate::state::State;
+use crate::state::{Change, State};
+use crate::steps::Steps;
 use crate::{finish, regions, relax, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -16,6 +18,8 @@ use std::ops::ControlFlow;
 const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.15;
+/// The part of the budget that the quick search has.
+const QUICK: f64 = 0.6;
 
 /// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
 ///
@@ -23,6 +27,16 @@ const GROWTH: f64 = 1.15;
 pub fn solve(
     problem: &Problem<'_>,
     options: &Options,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Outcome {
+    solve_with(problem, options, &mut Steps::default(), progress)
+}
+
+/// The same with steps from outside in place of the solver's own, or before them.
+pub fn solve_with(
+    problem: &Problem<'_>,
+    options: &Options,
+    steps: &mut Steps<'_>,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let setup = setup(problem, options);
@@ -37,10 +51,15 @@ pub fn solve(
     };
     let mut attempt = 0;
     let mut state = loop {
-        let (state, going) = run.attempt(attempt, progress);
+        let (state, going) = run.attempt(attempt, steps, progress);
         attempt += 1;
         let solved = run.best.as_ref().is_some_and(|b| b.hard.0 == 0);
-        if solved || going.is_break() || run.work >= options.budget || setup.frame.program.objects.is_empty() {
+        if solved
+            || steps.proposers_only
+            || going.is_break()
+            || run.work >= options.budget
+            || setup.frame.program.objects.is_empty()
+        {
             break state;
         }
     };
@@ -72,10 +91,11 @@ impl<'r, 'a> Run<'r, 'a> {
     fn attempt(
         &mut self,
         attempt: u64,
+        steps: &mut Steps<'_>,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> (State<'r>, ControlFlow<()>) {
         let mut search = self.search(attempt);
-        let going = self.run(&mut search, attempt, progress);
+        let going = self.run(&mut search, attempt, steps, progress);
         self.work = search.state.work;
         let better = |new: &Best, old: &Option<Best>| {
             old.as_ref().is_none_or(|old| Best::is_better((new.hard, new.soft), (old.hard, old.soft)))
@@ -100,6 +120,7 @@ impl<'r, 'a> Run<'r, 'a> {
         &mut self,
         search: &mut Search<'_>,
         attempt: u64,
+        steps: &mut Steps<'_>,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let known = |id: RegionId| {
@@ -108,22 +129,30 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        place::initial(search, &self.setup.given);
+        if attempt == 0 && steps.is_default() && self.setup.given.is_empty() {
+            let solved = self.quick(search);
+            search.note();
+            if solved {
+                if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
+                    self.finish(search, progress)?;
+                }
+                return ControlFlow::Continue(());
+            }
+        }
+        place::initial(search, steps, &self.setup.given);
         progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
-        relax::relax(search);
+        if !search.outside_relax(steps) {
+            relax::relax(search);
+        }
         search.note();
-        let solved = search.repair(self.options.rounds, &mut self.iterations, progress)?;
+        search.outside_rounds(steps, &mut self.iterations, progress)?;
+        let rounds = if steps.proposers_only { 0 } else { self.options.rounds };
+        let solved = search.repair(rounds, steps, &mut self.iterations, progress)?;
         if let Some(best) = search.best.as_ref().map(|b| b.snapshot.clone()) {
             search.restore(&best);
         }
         if solved {
-            progress(search.progress(Phase::Preferences, self.iterations))?;
-            let spent = search.state.work as f64 / self.options.budget as f64;
-            wishes::improve(search, (spent + self.options.polish).min(1.0));
-            for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
-                tidy::object(&mut search.state, id);
-            }
-            search.note();
+            self.finish(search, progress)?;
         } else {
             for check in search.state.failing() {
                 for id in search.state.objects_of(check) {
@@ -131,6 +160,59 @@ impl<'r, 'a> Run<'r, 'a> {
                 }
             }
         }
+        ControlFlow::Continue(())
+    }
+
+    /// The quick search, where it can judge all that must hold. Whether all holds then.
+    fn quick(&self, search: &mut Search<'_>) -> bool {
+        // Far apart, so that nothing has to be judged; what rules say of poses is so from here on.
+        const APART: f64 = 1e3;
+        let homes: Vec<Change> = self
+            .setup
+            .frame
+            .objects()
+            .map(|id| {
+                let home = search.state.home(id);
+                Change::Object(id, home.at(APART * f64::from(id.0 + 1), 0.0, 0.0))
+            })
+            .collect();
+        if search.state.attempt(&homes, f64::INFINITY).is_some() {
+            search.state.keep();
+        }
+        let Some(mut quick) = Quick::new(&search.state) else {
+            self.setup.frame.objects().for_each(|id| search.state.banish(id));
+            return false;
+        };
+        let solved = quick.search(&mut search.chance, (self.options.budget as f64 * QUICK) as u64);
+        if solved {
+            quick.tidy(&mut search.chance);
+        }
+        search.state.work += quick.work;
+        let changes = quick.changes(&search.state);
+        if search.state.attempt(&changes, f64::INFINITY).is_some() {
+            search.state.keep();
+        }
+        let holds = solved && search.state.hard().0 == 0;
+        if !holds {
+            search.note();
+            self.setup.frame.objects().for_each(|id| search.state.banish(id));
+        }
+        holds
+    }
+
+    /// Improves a layout in which everything holds.
+    fn finish(
+        &self,
+        search: &mut Search<'_>,
+        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        progress(search.progress(Phase::Preferences, self.iterations))?;
+        let spent = search.state.work as f64 / self.options.budget as f64;
+        wishes::improve(search, (spent + self.options.polish).min(1.0));
+        for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
+            tidy::object(&mut search.state, id);
+        }
+        search.note();
         ControlFlow::Continue(())
     }
 

@@ -12,6 +12,7 @@ use crate::terms::Force;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_layout::{Aabb, Vec2, obb};
 use scenelang_verify::{Scratch, Truth, Value, World, rules};
+use std::marker::PhantomData;
 
 /// All preferences together cost at most about this, so that none is worth a violation.
 const WISHES: f64 = 0.05;
@@ -620,7 +621,7 @@ impl<'a> State<'a> {
             _ => false,
         };
         let tolerances = &self.world.options.tolerances;
-        let cost = Merit { formula: &term.formula, values: &self.scratch, tolerances }.cost();
+        let cost = Merit { formula: &term.formula, values: &self.scratch, tolerances, numbers: PhantomData }.cost();
         (cost, holds)
     }
 

@@ -6,6 +6,7 @@
 //! Absent here: reading of programs and of layout files (`lang`, `layout`), and any search for a better layout.
 
 pub mod check;
+pub mod coded;
 pub mod compare;
 pub mod eval;
 pub mod explain;

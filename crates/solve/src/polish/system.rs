@@ -326,7 +326,7 @@ fn residuals<N: Number>(
         Check::Term(t) => {
             let formula = &state.frame.terms[t].formula;
             if scratch.evaluate(formula, world).is_ok() {
-                Merit { formula, values: scratch, tolerances }.residuals(out);
+                Merit { formula, values: scratch, tolerances, numbers: std::marker::PhantomData }.residuals(out);
             }
             formula.nodes.len() as u64
         }

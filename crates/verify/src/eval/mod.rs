@@ -10,6 +10,7 @@ mod connective;
 mod property;
 mod value;
 
+pub(crate) use property::of_outline as outline;
 pub(crate) use property::of_region as rectangle;
 pub use value::{Cause, EvalError, Truth, Value};
 
@@ -123,6 +124,10 @@ impl<N: Number> Scratch<N> {
 }
 
 impl<N: Algebra> Scratch<N> {
+    /// As [`Self::get`], of any kind of number.
+    pub(crate) fn value(&self, node: NodeId) -> Result<Value<N>, EvalError> {
+        self.values[node.0 as usize]
+    }
     /// Nothing evaluated yet.
     pub fn new() -> Self {
         Self { values: Vec::new(), greatest: Vec::new() }

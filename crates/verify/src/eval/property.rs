@@ -62,7 +62,7 @@ pub(crate) fn of_region<N: Algebra>(
 }
 
 /// The same, of the outline that it has.
-pub(super) fn of_outline<N: Number>(
+pub(crate) fn of_outline<N: Number>(
     world: &World<N>,
     property: RegionProperty,
     region: RegionId,

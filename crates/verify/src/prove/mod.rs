@@ -10,7 +10,7 @@
 //! All of it is counted as work, never timed; the same program has the same findings everywhere.
 
 mod cuts;
-mod interval;
+pub(crate) mod interval;
 mod minimal;
 mod model;
 mod narrow;
@@ -19,7 +19,7 @@ mod problem;
 mod refute;
 mod simplex;
 mod state;
-mod tape;
+pub(crate) mod tape;
 mod unknowns;
 mod words;
 

@@ -1,0 +1,124 @@
+//! Once all holds: better looks where they cost nothing, and clean numbers.
+//!
+//! The looks are those of the search proper, as far as boxes tell them: tall things like a wall behind them, nothing
+//! likes one in its face, and what has nothing to do with each other keeps apart.
+
+use super::Quick;
+use crate::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
+use crate::tidy::round_to;
+use rand_chacha::ChaCha8Rng;
+use scenelang_lang::program::ObjectId;
+use scenelang_verify::coded::INPUTS;
+
+/// Grids for positions (metres), the coarsest first.
+const GRIDS: [f64; 3] = [0.05, 0.01, 0.001];
+/// What a clean number may cost.
+const HARM: f64 = 1e-6;
+/// How often all objects are gone through for better looks.
+const PASSES: usize = 2;
+/// How many places along walls are tried in each pass.
+const WALLS: usize = 12;
+
+impl Quick<'_> {
+    /// Improves a layout in which everything holds; it keeps holding.
+    pub fn tidy(&mut self, chance: &mut ChaCha8Rng) {
+        let mut poses = Vec::new();
+        for _ in 0..PASSES {
+            for at in 0..self.movable.len() {
+                self.straighten(self.movable[at], chance, &mut poses);
+            }
+        }
+        for at in 0..self.movable.len() {
+            self.round(self.movable[at]);
+        }
+    }
+
+    fn straighten(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<[f64; INPUTS]>) {
+        let now = self.oddity(i);
+        if now < 1e-3 {
+            return;
+        }
+        poses.clear();
+        for _ in 0..WALLS {
+            let pose = self.along_wall(i, chance);
+            poses.push(pose);
+            let pose = self.anywhere(i, chance);
+            poses.push(pose);
+        }
+        let mut best = (now - 1e-4, None);
+        for &pose in poses.iter() {
+            self.go(i, pose);
+            let odd = self.oddity(i);
+            if odd < best.0 && self.judge(HARM).is_some() {
+                best = (odd, Some(pose));
+            }
+            self.undo();
+        }
+        if let Some(pose) = best.1 {
+            self.settle(i, pose);
+        }
+    }
+
+    /// With its back to a wall, somewhere along it.
+    fn along_wall(&self, i: usize, chance: &mut ChaCha8Rng) -> [f64; INPUTS] {
+        let mut pose = self.anywhere(i, chance);
+        let (rx, rz) = self.reach(i, &pose);
+        let field = &self.field[i];
+        let [.., sin, cos] = pose;
+        if cos.abs() > sin.abs() {
+            pose[2] = if cos > 0.0 { field.min[1] + rz } else { field.max[1] - rz };
+        } else {
+            pose[0] = if sin > 0.0 { field.min[0] + rx } else { field.max[0] - rx };
+        }
+        pose
+    }
+
+    /// How odd an object looks where it is.
+    fn oddity(&self, i: usize) -> f64 {
+        let ([x, _, z, _, sin, cos], span, [_, height, depth]) = (self.inputs(i), self.span[i], self.size[i]);
+        let room = self
+            .rooms
+            .iter()
+            .map(|(field, _)| field)
+            .find(|field| (field.min[0]..=field.max[0]).contains(&x) && (field.min[1]..=field.max[1]).contains(&z));
+        let mut cost = 0.0;
+        if let Some(field) = room {
+            let clearance = |ahead: f64| {
+                let (x, z) = (x + sin * ahead, z + cos * ahead);
+                (x - field.min[0]).min(field.max[0] - x).min(z - field.min[1]).min(field.max[1] - z)
+            };
+            if height >= TALL && self.related[i].is_empty() {
+                cost += ADRIFT * clearance(-depth / 2.0).clamp(0.0, 1.0);
+            }
+            if height > 0.3 && clearance(depth / 2.0 + 0.4) < 0.0 {
+                cost += BARRED;
+            }
+        }
+        for j in (0..self.count()).filter(|j| *j != i && !self.related[i].contains(j)) {
+            let other = &self.span[j];
+            let apart = |k: usize| (span.min[k] - other.max[k]).max(other.min[k] - span.max[k]).max(0.0);
+            let apart = apart(0).max(apart(1)).max(apart(2));
+            if apart < AROUND {
+                cost += CROWDED * (1.0 - apart / AROUND);
+            }
+        }
+        cost
+    }
+
+    /// Rounds its position as far as nothing gets worse.
+    fn round(&mut self, i: usize) {
+        let fixed = self.frame.fixed(ObjectId(i as u32));
+        for axis in [0, 2].into_iter().filter(|&axis| !fixed.pos[axis]) {
+            for grid in GRIDS {
+                let mut pose = self.inputs(i);
+                pose[axis] = round_to(pose[axis], grid);
+                self.go(i, pose);
+                if self.judge(HARM).is_some() {
+                    self.keep();
+                    break;
+                }
+                self.undo();
+            }
+        }
+    }
+}

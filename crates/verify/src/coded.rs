@@ -1,0 +1,514 @@
+//! Formulas as straight-line code, for who judges the same ones a million times: a search.
+//!
+//! The code is what the evaluator does: it runs once over numbers that note what is done with them (the tape of
+//! `prove`), with the poses of upright objects as unknowns and all else as it is in the instance. So a formula keeps
+//! its one meaning; only rounding may differ in the last digits. What takes more geometry than boxes and convex rooms
+//! has no code.
+
+use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
+use crate::natives::in_box;
+use crate::number::Algebra;
+use crate::prove::interval::Interval;
+use crate::prove::tape::{Claim, Fact, Op, Tape, Term, look, unknown};
+use crate::vector::{M3, V3};
+use crate::world::{Room, Thing, World};
+use rustc_hash::FxHashMap;
+use scenelang_lang::Program;
+use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
+use scenelang_layout::Vec3;
+use scenelang_layout::rotation::sin_cos;
+
+/// Numbers per object: x, y, z of its position, its yaw (degrees in [0, 360)), the sine and the cosine of that.
+pub const INPUTS: usize = 6;
+/// At most so many intermediate results.
+const TEMPORARIES: usize = 1024;
+/// No coordinate is greater (metres).
+const FAR: f64 = 1e7;
+
+/// What code works on: the inputs of all objects, intermediate results, constants.
+#[derive(Clone, Debug, Default)]
+pub struct Slots(Vec<f64>);
+
+impl Slots {
+    /// Says where an object is and how it is turned.
+    pub fn set(&mut self, id: ObjectId, pos: &Vec3, yaw: f64) {
+        let (sin, cos) = sin_cos(yaw);
+        self.put(id, [pos.x, pos.y, pos.z, yaw, sin, cos]);
+    }
+    /// The inputs of an object, all at once: who goes back and forth saves the sine.
+    pub fn put(&mut self, id: ObjectId, inputs: [f64; INPUTS]) {
+        let at = id.0 as usize * INPUTS;
+        self.0[at..at + INPUTS].copy_from_slice(&inputs);
+    }
+    /// The inputs of an object.
+    pub fn get(&self, id: ObjectId) -> [f64; INPUTS] {
+        std::array::from_fn(|i| self.0[id.0 as usize * INPUTS + i])
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Do {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Sin,
+    Cos,
+    Atan,
+    Wrap,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    what: Do,
+    a: u32,
+    b: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Verdict {
+    Known(bool),
+    Bound { slot: u32, bound: f64, strict: bool, contrary: bool },
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Atom {
+    margin: u32,
+    verdict: Verdict,
+    unit: Unit,
+}
+
+/// The code of a formula whose root is a truth.
+#[derive(Clone, Debug)]
+pub struct Coded {
+    steps: Vec<Step>,
+    first: usize,
+    /// By node: those truths that are not made of others.
+    atoms: Vec<Option<Atom>>,
+}
+
+/// The code of a formula whose root is a number, a vector or a rotation.
+#[derive(Clone, Debug)]
+pub struct CodedValue {
+    steps: Vec<Step>,
+    first: usize,
+    parts: Vec<u32>,
+}
+
+fn run(steps: &[Step], first: usize, slots: &mut Slots) {
+    let slots = &mut slots.0[..];
+    for (at, step) in (first..).zip(steps) {
+        let a = slots[step.a as usize];
+        let b = slots[step.b as usize];
+        slots[at] = match step.what {
+            Do::Add => a + b,
+            Do::Sub => a - b,
+            Do::Mul => a * b,
+            Do::Div => a / b,
+            Do::Sqrt => a.sqrt(),
+            Do::Abs => a.abs(),
+            Do::Min => Algebra::min(a, b),
+            Do::Max => Algebra::max(a, b),
+            Do::Sin => sin_cos(a).0,
+            Do::Cos => sin_cos(a).1,
+            Do::Atan => Algebra::atan2(a, b),
+            Do::Wrap => Algebra::wrap(a),
+        };
+    }
+}
+
+impl Coded {
+    /// Runs it; [`Self::truth`] tells what came of it, until other code runs.
+    pub fn run(&self, slots: &mut Slots) {
+        run(&self.steps, self.first, slots);
+    }
+    /// A truth that is not made of others, as of the last run.
+    pub fn truth(&self, node: NodeId, slots: &Slots) -> Option<Truth<f64>> {
+        let atom = self.atoms[node.0 as usize]?;
+        let holds = match atom.verdict {
+            Verdict::Known(holds) => holds,
+            Verdict::Bound { slot, bound, strict, contrary } => {
+                let value = slots.0[slot as usize];
+                (if strict { value > bound } else { value >= bound }) != contrary
+            }
+        };
+        Some(Truth { margin: slots.0[atom.margin as usize], holds, unit: atom.unit })
+    }
+}
+
+impl CodedValue {
+    /// Which inputs of which objects it reads: an object, and an index into [`Slots::get`].
+    pub fn reads(&self) -> impl Iterator<Item = (ObjectId, usize)> + '_ {
+        let slots = self.steps.iter().flat_map(|s| [s.a, s.b]).chain(self.parts.iter().copied());
+        let inputs = slots.map(|s| s as usize).filter(|s| *s < self.first);
+        inputs.map(|s| (ObjectId((s / INPUTS) as u32), s % INPUTS))
+    }
+    /// Runs it: one number, or three.
+    pub fn run(&self, slots: &mut Slots) -> [f64; 3] {
+        run(&self.steps, self.first, slots);
+        std::array::from_fn(|i| self.parts.get(i).map_or(0.0, |p| slots.0[*p as usize]))
+    }
+}
+
+/// Writes code for formulas of one program in one instance.
+pub struct Coder<'w> {
+    plain: &'w World<f64>,
+    world: World<Term>,
+    objects: usize,
+    /// By the number of an unknown: its slot.
+    constants: Vec<f64>,
+    known: FxHashMap<u64, u32>,
+    scratch: Scratch<Term>,
+}
+
+impl<'w> Coder<'w> {
+    /// For an instance in which some objects never move.
+    pub fn new(program: &Program, plain: &'w World<f64>, still: &dyn Fn(ObjectId) -> bool) -> Self {
+        Tape::begin();
+        let mut world = World::<Term>::nowhere(program, &plain.options);
+        let n = program.objects.len();
+        for index in 0..n as u32 {
+            let id = ObjectId(index);
+            let inputs = [
+                unknown(Interval::new(-FAR, FAR)),
+                unknown(Interval::new(-FAR, FAR)),
+                unknown(Interval::new(-FAR, FAR)),
+                unknown(Interval::new(0.0, 360.0)),
+                unknown(Interval::new(-1.0, 1.0)),
+                unknown(Interval::new(-1.0, 1.0)),
+            ];
+            let Ok(thing) = plain.object(id) else { continue };
+            let upright = thing.rot.0[0] == 0.0 && thing.rot.0[2] == 0.0;
+            let [x, y, z, yaw, sin, cos] = inputs;
+            let (zero, one) = (Term::constant(0.0), Term::constant(1.0));
+            let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
+            let (pos, rot, axes) = if still(id) {
+                (lift(&thing.pos), lift(&thing.rot), M3(thing.axes.0.map(|axis| lift(&axis))))
+            } else if upright {
+                let axes = M3([V3([cos, zero, -sin]), V3([zero, one, zero]), V3([sin, zero, cos])]);
+                (V3([x, y, z]), V3([zero, yaw, zero]), axes)
+            } else {
+                continue;
+            };
+            world.objects[index as usize] =
+                Some(Thing { pos, rot, scale: lift(&thing.scale), axes, body: thing.body.clone() });
+        }
+        for index in 0..program.regions.len() as u32 {
+            let Ok(room) = plain.region(RegionId(index)) else { continue };
+            let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
+            world.regions[index as usize] = Some(Room {
+                pos: lift(&room.pos),
+                rot: lift(&room.rot),
+                scale: lift(&room.scale),
+                outlined: room.outlined,
+                prism: room.prism.clone(),
+            });
+        }
+        for (to, from) in world.variables.iter_mut().zip(&plain.variables) {
+            *to = from.map(|value| match value {
+                Value::Number(n) => Value::Number(Term::constant(n)),
+                Value::Vector(v) => Value::Vector(V3(v.0.map(Term::constant))),
+                Value::Rotation(v) => Value::Rotation(V3(v.0.map(Term::constant))),
+                Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
+            });
+        }
+        Self { plain, world, objects: n, constants: Vec::new(), known: FxHashMap::default(), scratch: Scratch::new() }
+    }
+
+    /// The code of a truth; `None`: it has none.
+    pub fn truth(&mut self, formula: &Formula) -> Option<Coded> {
+        let _ = self.scratch.evaluate_with(formula, &self.world, &mut Boxes { plain: self.plain });
+        let mut open = vec![formula.root];
+        let mut found: Vec<(NodeId, Truth<Term>)> = Vec::new();
+        while let Some(id) = open.pop() {
+            match formula.node(id) {
+                Node::And(parts) | Node::Or(parts) | Node::AtLeast(_, parts) => open.extend(parts.iter()),
+                Node::Not(part) => open.push(*part),
+                Node::Iff(a, b) => open.extend([a, b]),
+                _ => match self.scratch.value(id) {
+                    Ok(Value::Truth(truth)) => found.push((id, truth)),
+                    _ => return None,
+                },
+            }
+        }
+        let mut code = Code::default();
+        let mut atoms = vec![None; formula.nodes.len()];
+        for (node, truth) in found {
+            let margin = self.emit(&mut code, truth.margin)?;
+            let contrary = truth.holds.is_contrary();
+            let fact = look(|tape| tape.facts[truth.holds.index()].clone());
+            let verdict = match fact {
+                Fact::True => Verdict::Known(truth.holds == Claim::TRUE),
+                Fact::Atom { term, bound, strict } => {
+                    Verdict::Bound { slot: self.emit(&mut code, term)?, bound: f64::from_bits(bound), strict, contrary }
+                }
+                _ => return None,
+            };
+            atoms[node.0 as usize] = Some(Atom { margin, verdict, unit: truth.unit });
+        }
+        Some(Coded { steps: code.steps, first: self.objects * INPUTS, atoms })
+    }
+
+    /// The code of a number, a vector or a rotation; `None`: it has none.
+    pub fn value(&mut self, formula: &Formula) -> Option<CodedValue> {
+        let parts = match self.scratch.evaluate_with(formula, &self.world, &mut Boxes { plain: self.plain }).ok()? {
+            Value::Number(n) => vec![n],
+            Value::Vector(v) | Value::Rotation(v) => v.0.to_vec(),
+            Value::Truth(_) => return None,
+        };
+        let mut code = Code::default();
+        let parts = parts.into_iter().map(|p| self.emit(&mut code, p)).collect::<Option<Vec<u32>>>()?;
+        Some(CodedValue { steps: code.steps, first: self.objects * INPUTS, parts })
+    }
+
+    /// Room for all that the code written so far works on.
+    pub fn slots(&self) -> Slots {
+        let mut slots = vec![0.0; self.objects * INPUTS + TEMPORARIES];
+        slots.extend(&self.constants);
+        let mut slots = Slots(slots);
+        for (id, body) in self.plain.bodies() {
+            if let Ok(thing) = self.plain.object(id) {
+                slots.set(id, &body.pos, thing.rot.0[1]);
+            }
+        }
+        slots
+    }
+
+    /// The slot of a number; steps that it needs are added.
+    fn emit(&mut self, code: &mut Code, root: Term) -> Option<u32> {
+        // Arguments first, without recursion: formulas may be deep.
+        let mut open = vec![root];
+        while let Some(&term) = open.last() {
+            if code.slots.contains_key(&term) {
+                open.pop();
+                continue;
+            }
+            let op = look(|tape| tape.ops[term.0 as usize]);
+            let mut arguments = Vec::with_capacity(2);
+            for_each_argument(op, |t| arguments.push(t));
+            let missing: Vec<Term> = arguments.iter().copied().filter(|t| !code.slots.contains_key(t)).collect();
+            if !missing.is_empty() {
+                open.extend(missing);
+                continue;
+            }
+            let at = |t: Term| code.slots[&t];
+            let step = |what, a: u32, b: u32| Some(Step { what, a, b });
+            let step = match op {
+                Op::Constant(bits) => {
+                    let slot = self.constant(f64::from_bits(bits));
+                    code.slots.insert(term, slot);
+                    None
+                }
+                Op::Unknown(number) => {
+                    code.slots.insert(term, number - 1);
+                    None
+                }
+                Op::Add(a, b) => step(Do::Add, at(a), at(b)),
+                Op::Sub(a, b) => step(Do::Sub, at(a), at(b)),
+                Op::Scale(a, by) => step(Do::Mul, at(a), self.constant(f64::from_bits(by))),
+                Op::Mul(a, b) => step(Do::Mul, at(a), at(b)),
+                Op::Div(a, b) => step(Do::Div, at(a), at(b)),
+                Op::Square(a) => step(Do::Mul, at(a), at(a)),
+                Op::Sqrt(a) => step(Do::Sqrt, at(a), at(a)),
+                Op::Abs(a) => step(Do::Abs, at(a), at(a)),
+                Op::Min(a, b) => step(Do::Min, at(a), at(b)),
+                Op::Max(a, b) => step(Do::Max, at(a), at(b)),
+                Op::Sin(a) => step(Do::Sin, at(a), at(a)),
+                Op::Cos(a) => step(Do::Cos, at(a), at(a)),
+                Op::Atan(a, b) => step(Do::Atan, at(a), at(b)),
+                Op::Wrap(a) => step(Do::Wrap, at(a), at(a)),
+                Op::Indicator(_) => return None,
+            };
+            if let Some(step) = step {
+                if code.steps.len() >= TEMPORARIES {
+                    return None;
+                }
+                code.slots.insert(term, (self.objects * INPUTS + code.steps.len()) as u32);
+                code.steps.push(step);
+            }
+        }
+        code.slots.get(&root).copied()
+    }
+
+    fn constant(&mut self, value: f64) -> u32 {
+        let first = self.objects * INPUTS + TEMPORARIES;
+        let constants = &mut self.constants;
+        *self.known.entry(value.to_bits()).or_insert_with(|| {
+            constants.push(value);
+            (first + constants.len() - 1) as u32
+        })
+    }
+}
+
+#[derive(Default)]
+struct Code {
+    steps: Vec<Step>,
+    slots: FxHashMap<Term, u32>,
+}
+
+fn for_each_argument(op: Op, mut f: impl FnMut(Term)) {
+    match op {
+        Op::Constant(_) | Op::Unknown(_) | Op::Indicator(_) => {}
+        Op::Scale(a, _) | Op::Square(a) | Op::Sqrt(a) | Op::Abs(a) | Op::Sin(a) | Op::Cos(a) | Op::Wrap(a) => f(a),
+        Op::Add(a, b)
+        | Op::Sub(a, b)
+        | Op::Mul(a, b)
+        | Op::Div(a, b)
+        | Op::Min(a, b)
+        | Op::Max(a, b)
+        | Op::Atan(a, b) => {
+            f(a);
+            f(b);
+        }
+    }
+}
+
+/// What can be told of boxes and convex rooms without measuring.
+struct Boxes<'w> {
+    plain: &'w World<f64>,
+}
+
+impl Oracle<Term> for Boxes<'_> {
+    fn ask(
+        &mut self,
+        node: &Node,
+        id: NodeId,
+        _values: &Values<Term>,
+        world: &World<Term>,
+    ) -> Result<Value<Term>, EvalError> {
+        let fail = |cause: Cause| EvalError { cause, node: id };
+        let none = || fail(Cause::Refused);
+        match node {
+            Node::Object(ObjectProperty::Surface, object) => {
+                let thing = world.object(*object).map_err(fail)?;
+                let top = thing.center().0[1] + thing.reach().0[1];
+                Ok(Value::Number(
+                    thing.body.surface.map_or(top, |height| {
+                        (thing.pos + thing.axes.turn_constant(&Vec3::new(0.0, height, 0.0))).0[1]
+                    }),
+                ))
+            }
+            Node::Region(property, region) => match outline(self.plain, *property, *region).map_err(fail)? {
+                Value::Number(n) => Ok(Value::Number(Term::constant(n))),
+                Value::Vector(v) => Ok(Value::Vector(V3(v.0.map(Term::constant)))),
+                _ => Err(none()),
+            },
+            Node::Draw(draw) => Ok(Value::Number(Term::constant(self.plain.draw(*draw).map_err(fail)?))),
+            Node::Native(Native::Inside, args) => match **args {
+                [Arg::Object(a), Arg::Object(b)] => {
+                    let (a, b) = (world.object(a).map_err(fail)?, world.object(b).map_err(fail)?);
+                    Ok(Value::Truth(in_box(a, b, &world.options.tolerances)))
+                }
+                [Arg::Object(a), Arg::Region(r)] => {
+                    let (a, r) = (world.object(a).map_err(fail)?, world.region(r).map_err(fail)?);
+                    in_convex(a, r, world).map(Value::Truth).ok_or_else(none)
+                }
+                _ => Err(none()),
+            },
+            _ => Err(none()),
+        }
+    }
+}
+
+/// Whether a box is in a convex region: the least of its clearances from the planes of the walls, the floor and the
+/// ceiling. That is what [`in_region`](crate::in_region) measures of what is inside; of what is outside both say so.
+fn in_convex(thing: &Thing<Term>, room: &Room<Term>, world: &World<Term>) -> Option<Truth<Term>> {
+    let polygon = &room.prism.polygon;
+    if !polygon.is_convex() {
+        return None;
+    }
+    let (center, reach) = (thing.center(), thing.reach());
+    let floor = (center - reach).0[1] - room.pos.0[1];
+    let ceiling = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
+    let mut least = floor.min(ceiling);
+    for (a, b) in polygon.edges() {
+        let along = (b - a).normalize();
+        // The inside is on the left of the way from x towards z.
+        let inward = Vec3::new(-along.y, 0.0, along.x);
+        let own = |axis: usize| thing.axes.0[axis].along(&inward).abs() * thing.scale.0[axis].scale(0.5);
+        let level = Term::constant(inward.x * a.x + inward.z * a.y);
+        // A wall along an axis of the world is shown as far as the box reaches along it.
+        let reach = own(0) + own(1) + own(2);
+        least = least.min(center.along(&inward) - reach - level);
+    }
+    let tolerances = &world.options.tolerances;
+    Some(Truth::metres(least + Term::constant(tolerances.contact), tolerances.order))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Options;
+    use scenelang_lang::{Options as Reading, compile_text};
+    use scenelang_layout::{Layout, Placement};
+    use std::path::Path;
+
+    const SCENE: &str = "
+region room;
+room.pos <- vec3(0, 0, 0);
+room.scale <- vec3(6, 3, 5);
+object a;
+object b;
+assert inside(a, room);
+assert inside(a, b) or a.bottom = b.top;
+assert dot(a.center - b.center, b.right) >= b.size.x / 2 + abs(dot(a.right, b.right)) * a.size.x / 2;
+assert distance(a, b) <= 1.5 and not (a.pos.x < b.pos.z) and angle(a.front, b.front) <= 30;
+assert length(vec3(a.center.x - b.center.x, 0, 1)) = min(a.max.x, sqrt(abs(b.pos.z))) implies a.rot.y = 90;
+assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1;
+";
+
+    #[test]
+    fn code_says_what_the_evaluator_says() {
+        let compiled = compile_text("s.scene", Path::new("s.scene"), SCENE, Reading::default());
+        let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+        let thing = |pos: [f64; 3], yaw: f64, scale: [f64; 3]| Placement {
+            pos: pos.into(),
+            rot: Vec3::new(0.0, yaw, 0.0),
+            scale: scale.into(),
+            parts: Vec::new(),
+            surface: None,
+        };
+        let mut checked = 0;
+        for i in 0..200 {
+            let wave = |k: f64| 2.5 * (k * f64::from(i)).sin();
+            let yaw = |k: i32| if i % 2 == 0 { f64::from(i * k % 4 * 90) } else { f64::from(i * 37 * k % 360) };
+            let a = thing([wave(1.3), 0.8 * f64::from(i % 2), wave(0.7)], yaw(1), [0.5, 0.4, 0.8]);
+            let b = thing([wave(0.37), 0.0, wave(2.1)], yaw(3), [1.0, 0.8, 0.6]);
+            let layout =
+                Layout { objects: vec![("a".into(), a.clone()), ("b".into(), b.clone())], ..Layout::default() };
+            let room = scenelang_layout::RegionPlacement {
+                pos: Vec3::zeros(),
+                rot: Vec3::zeros(),
+                scale: Vec3::new(6.0, 3.0, 5.0),
+                vertices: None,
+            };
+            let layout = Layout { regions: vec![("room".into(), room)], ..layout };
+            let world = World::<f64>::new(program, &layout, &Options::default());
+            let mut coder = Coder::new(program, &world, &|_| false);
+            for constraint in &program.constraints {
+                let formula = &constraint.formula;
+                let Some(code) = coder.truth(formula) else { continue };
+                let mut slots = coder.slots();
+                code.run(&mut slots);
+                let mut scratch = Scratch::new();
+                let _ = scratch.evaluate(formula, &world);
+                for index in 0..formula.nodes.len() as u32 {
+                    let (Some(coded), Ok(Value::Truth(plain))) =
+                        (code.truth(NodeId(index), &slots), scratch.get(NodeId(index)))
+                    else {
+                        continue;
+                    };
+                    let inside = matches!(formula.node(NodeId(index)), Node::Native(..)) && plain.margin < 0.0;
+                    assert_eq!(coded.holds, plain.holds, "{formula:?} {layout:?}");
+                    assert!(inside || (coded.margin - plain.margin).abs() < 1e-9, "{coded:?} {plain:?} {formula:?}");
+                    checked += 1;
+                }
+            }
+        }
+        assert!(checked > 1000, "{checked}");
+    }
+}
