@@ -12,11 +12,7 @@ const EASE: f64 = 1e-4;
 
 /// Brings movable objects back into their regions.
 pub(crate) fn enforce(state: &mut State<'_>) {
-    let outside: Vec<ObjectId> = state
-        .placed()
-        .filter(|&id| state.frame.is_movable(id) && state.is_violated(state.numbering.bounds(id)))
-        .collect();
-    for id in outside {
+    for id in outside(state) {
         let Ok((Some(region), _)) = rules::bounds::best(&state.world, id) else { continue };
         let mut pose = state.pose(id);
         for _ in 0..WALLS {
@@ -38,4 +34,9 @@ pub(crate) fn enforce(state: &mut State<'_>) {
             state.keep();
         }
     }
+}
+
+/// Movable objects that no region holds.
+pub(crate) fn outside(state: &State<'_>) -> Vec<ObjectId> {
+    state.placed().filter(|&id| state.frame.is_movable(id) && state.is_violated(state.numbering.bounds(id))).collect()
 }

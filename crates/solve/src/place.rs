@@ -7,6 +7,7 @@ use crate::frame::{Frame, Hold};
 use crate::pool::Chance;
 use crate::search::Search;
 use crate::state::Change;
+use crate::steps::Steps;
 use crate::terms::Term;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
@@ -46,7 +47,7 @@ pub(crate) fn priority<'t>(terms: impl Iterator<Item = &'t Term>, hold: Hold, si
 }
 
 /// Places everything that has no place yet.
-pub(crate) fn initial(search: &mut Search<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
+pub(crate) fn initial(search: &mut Search<'_>, steps: &mut Steps<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
     for &(id, pose) in given {
         let pose = pose.unwrap_or_else(|| search.state.pose(id));
         if search.state.attempt(&[Change::Object(id, pose)], f64::INFINITY).is_some() {
@@ -59,7 +60,7 @@ pub(crate) fn initial(search: &mut Search<'_>, given: &[(ObjectId, Option<crate:
     while !waiting.is_empty() {
         let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
         let id = waiting.remove(ready);
-        if !search.state.is_placed(id) {
+        if !search.state.is_placed(id) && !search.outside_place(steps, id) {
             search.bring_in(id);
         }
     }

@@ -6,7 +6,7 @@ use scenelang_verify::{Number, Thing, vector::V3};
 
 /// Position, Euler triple and extents of an object or a region (metres, degrees).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pose {
+pub struct Pose {
     /// Centre of the bottom face; of a region, of its floor.
     pub pos: Vec3,
     /// Euler triple.

@@ -7,9 +7,10 @@
 use crate::bounds;
 use crate::pool::Chance;
 use crate::problem::{Phase, Progress};
-use crate::propose::{Numeric, Proposer};
+use crate::propose;
 use crate::search::{STEPS, Search};
 use crate::select;
+use crate::steps::Steps;
 use scenelang_lang::program::ObjectId;
 use std::ops::ControlFlow;
 
@@ -25,6 +26,7 @@ impl<'a> Search<'a> {
     pub fn repair(
         &mut self,
         rounds: usize,
+        steps: &mut Steps<'_>,
         iterations: &mut usize,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> ControlFlow<(), bool> {
@@ -47,6 +49,7 @@ impl<'a> Search<'a> {
                 self.kick(&violated, kicks);
             } else {
                 self.round(&violated);
+                self.enforce_bounds(steps);
             }
             idle = if self.note() { 0 } else { idle + 1 };
             if idle == PATIENCE / 2 {
@@ -72,6 +75,7 @@ impl<'a> Search<'a> {
                 break;
             }
             self.round(&violated);
+            bounds::enforce(&mut self.state);
         }
         self.state.weight = weights;
     }
@@ -79,8 +83,7 @@ impl<'a> Search<'a> {
     /// One round on a batch.
     fn round(&mut self, violated: &[usize]) {
         let batch = select::batch(&self.state, violated, self.options.batch, &mut self.chance);
-        Numeric.propose(self, &batch);
-        bounds::enforce(&mut self.state);
+        propose::numeric(self, &batch);
         for check in batch {
             if self.state.is_violated(check) {
                 self.state.weight[check] += STUBBORN;

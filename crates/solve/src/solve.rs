@@ -6,6 +6,7 @@ use crate::problem::{Options, Outcome, Phase, Problem, Progress};
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::state::State;
+use crate::steps::Steps;
 use crate::{finish, regions, relax, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -25,6 +26,16 @@ pub fn solve(
     options: &Options,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
+    solve_with(problem, options, &mut Steps::default(), progress)
+}
+
+/// The same with steps from outside in place of the solver's own, or before them.
+pub fn solve_with(
+    problem: &Problem<'_>,
+    options: &Options,
+    steps: &mut Steps<'_>,
+    progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Outcome {
     let setup = setup(problem, options);
     let mut run = Run {
         setup: &setup,
@@ -37,10 +48,15 @@ pub fn solve(
     };
     let mut attempt = 0;
     let mut state = loop {
-        let (state, going) = run.attempt(attempt, progress);
+        let (state, going) = run.attempt(attempt, steps, progress);
         attempt += 1;
         let solved = run.best.as_ref().is_some_and(|b| b.hard.0 == 0);
-        if solved || going.is_break() || run.work >= options.budget || setup.frame.program.objects.is_empty() {
+        if solved
+            || steps.proposers_only
+            || going.is_break()
+            || run.work >= options.budget
+            || setup.frame.program.objects.is_empty()
+        {
             break state;
         }
     };
@@ -72,10 +88,11 @@ impl<'r, 'a> Run<'r, 'a> {
     fn attempt(
         &mut self,
         attempt: u64,
+        steps: &mut Steps<'_>,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> (State<'r>, ControlFlow<()>) {
         let mut search = self.search(attempt);
-        let going = self.run(&mut search, attempt, progress);
+        let going = self.run(&mut search, attempt, steps, progress);
         self.work = search.state.work;
         let better = |new: &Best, old: &Option<Best>| {
             old.as_ref().is_none_or(|old| Best::is_better((new.hard, new.soft), (old.hard, old.soft)))
@@ -100,6 +117,7 @@ impl<'r, 'a> Run<'r, 'a> {
         &mut self,
         search: &mut Search<'_>,
         attempt: u64,
+        steps: &mut Steps<'_>,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let known = |id: RegionId| {
@@ -108,11 +126,15 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        place::initial(search, &self.setup.given);
+        place::initial(search, steps, &self.setup.given);
         progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
-        relax::relax(search);
+        if !search.outside_relax(steps) {
+            relax::relax(search);
+        }
         search.note();
-        let solved = search.repair(self.options.rounds, &mut self.iterations, progress)?;
+        search.outside_rounds(steps, &mut self.iterations, progress)?;
+        let rounds = if steps.proposers_only { 0 } else { self.options.rounds };
+        let solved = search.repair(rounds, steps, &mut self.iterations, progress)?;
         if let Some(best) = search.best.as_ref().map(|b| b.snapshot.clone()) {
             search.restore(&best);
         }

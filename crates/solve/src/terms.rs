@@ -20,6 +20,8 @@ pub(crate) enum Force {
 /// A part of a constraint that is judged by itself.
 #[derive(Clone, Debug)]
 pub(crate) struct Term {
+    /// The constraint that it is a part of: an index into `Program::constraints`.
+    pub constraint: usize,
     /// Hard or soft.
     pub force: Force,
     /// What must hold.
@@ -44,9 +46,10 @@ impl Term {
         self.force == Force::Hard
     }
 
-    fn new(force: Force, formula: Formula) -> Self {
+    fn new(constraint: usize, force: Force, formula: Formula) -> Self {
         let reads = Reads::of(&formula);
         Self {
+            constraint,
             force,
             objects: reads.objects,
             regions: reads.regions,
@@ -117,15 +120,16 @@ impl Reads {
 /// All terms of a program; pins are none: they are obeyed, not searched for.
 pub(crate) fn split(program: &Program) -> Vec<Term> {
     let mut terms = Vec::new();
-    for constraint in &program.constraints {
+    for (index, constraint) in program.constraints.iter().enumerate() {
         match constraint.kind {
             ConstraintKind::Assert => {
                 let parts = conjuncts(&constraint.formula);
-                terms.extend(parts.into_iter().map(|root| Term::new(Force::Hard, extract(&constraint.formula, root))));
+                let part = |root| Term::new(index, Force::Hard, extract(&constraint.formula, root));
+                terms.extend(parts.into_iter().map(part));
             }
             ConstraintKind::Prefer { weight } => {
                 let whole = extract(&constraint.formula, constraint.formula.root);
-                terms.push(Term::new(Force::Soft(weight), whole));
+                terms.push(Term::new(index, Force::Soft(weight), whole));
             }
             ConstraintKind::Pin => {}
         }

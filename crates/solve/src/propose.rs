@@ -1,7 +1,6 @@
 //! The numeric proposer: a joint polish of what the batch speaks of, then other places for each of its objects, then
 //! exchanges of places.
 
-use super::Proposer;
 use crate::pool::{Breadth, Chance};
 use crate::pose::Pose;
 use crate::search::{STEPS, Search};
@@ -18,39 +17,36 @@ const GROUP: usize = 40;
 /// How many exchanges of places are tried for each.
 const EXCHANGES: usize = 4;
 
-/// See the file.
-pub(crate) struct Numeric;
-
-impl Proposer for Numeric {
-    fn propose(&mut self, search: &mut Search<'_>, batch: &[usize]) -> bool {
-        let mut objects: Vec<ObjectId> = Vec::new();
-        let mut walks = false;
-        for &check in batch {
-            walks |= search.state.frame.terms.get(check).is_some_and(|t| t.walks);
-            for id in search.blamed(check) {
-                if !objects.contains(&id) {
-                    objects.push(id);
-                }
+/// Moves what a batch of violated checks speaks of, so that less is violated. Whether anything was improved, by the
+/// weights in force.
+pub(crate) fn numeric(search: &mut Search<'_>, batch: &[usize]) -> bool {
+    let mut objects: Vec<ObjectId> = Vec::new();
+    let mut walks = false;
+    for &check in batch {
+        walks |= search.state.frame.terms.get(check).is_some_and(|t| t.walks);
+        for id in search.blamed(check) {
+            if !objects.contains(&id) {
+                objects.push(id);
             }
         }
-        let mut improved = flip(search, batch);
-        search.chance.shuffle(&mut objects);
-        objects.truncate(OBJECTS);
-        improved |= search.polish(objects.clone(), STEPS[1]);
-        if walks {
-            return clear_ways(search, &objects) || improved;
-        }
-        for &id in &objects {
-            improved |= search.place(id, Breadth::Some(PLACES), &[], true);
-            let group = search.dependents(&[id], GROUP);
-            if group.len() > 1 {
-                improved |= search.place(id, Breadth::Some(PLACES), &group, true);
-            }
-            improved |= exchange(search, id);
-            improved |= search.reconcile(id);
-        }
-        improved
     }
+    let mut improved = flip(search, batch);
+    search.chance.shuffle(&mut objects);
+    objects.truncate(OBJECTS);
+    improved |= search.polish(objects.clone(), STEPS[1]);
+    if walks {
+        return clear_ways(search, &objects) || improved;
+    }
+    for &id in &objects {
+        improved |= search.place(id, Breadth::Some(PLACES), &[], true);
+        let group = search.dependents(&[id], GROUP);
+        if group.len() > 1 {
+            improved |= search.place(id, Breadth::Some(PLACES), &group, true);
+        }
+        improved |= exchange(search, id);
+        improved |= search.reconcile(id);
+    }
+    improved
 }
 
 /// Tries the other value of the truths that a batch reads.
