@@ -45,11 +45,13 @@ pub struct Spent {
     pub usage: Usage,
     /// What a token costs, if anybody said so.
     pub price: Option<Price>,
+    /// Why an answer is not in the cache.
+    pub unkept: Option<Error>,
 }
 
 impl Spent {
     pub(crate) fn new(model: &str, price: Option<Price>) -> Self {
-        Self { model: model.to_owned(), calls: 0, again: 0, cached: 0, usage: Usage::default(), price }
+        Self { model: model.to_owned(), calls: 0, again: 0, cached: 0, usage: Usage::default(), price, unkept: None }
     }
 
     /// What it cost; `None`: nobody said what a token costs.
@@ -111,8 +113,12 @@ impl fmt::Display for Spent {
             write!(f, ", {about}{} tokens in, {about}{} out", self.usage.input, self.usage.output)?;
         }
         match self.money() {
-            Some(money) => write!(f, ", cost {money:.4}"),
-            None => write!(f, ", cost unknown: no price is set for this model"),
+            Some(money) => write!(f, ", cost {money:.4}")?,
+            None => write!(f, ", cost unknown: no price is set for this model")?,
+        }
+        match &self.unkept {
+            Some(error) => write!(f, "; answers are not kept: {error}"),
+            None => Ok(()),
         }
     }
 }

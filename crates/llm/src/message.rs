@@ -63,7 +63,8 @@ pub struct Request {
     /// How freely the model chooses its words, from 0; without it, as the provider likes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub temperature: Option<f64>,
-    /// Fixes the model's choices, as far as the provider offers that. Part of what the cache knows a question by.
+    /// Fixes the model's choices, as far as the provider offers that. At most 31 bits. Part of
+    /// what the cache knows a question by.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
     /// At most so many tokens in the answer.

@@ -49,11 +49,13 @@ pub fn typed<T: DeserializeOwned>(model: &mut dyn Model, request: &Request) -> R
     }
 }
 
-/// The JSON object in an answer: all of it, or what stands in a fence or between words.
+/// The JSON object in an answer: all of it, or what stands in a fence or between words. Thoughts that a model lets slip
+/// before its answer do not count.
 ///
 /// # Errors
 /// That there is none.
 pub fn json_of(text: &str) -> Result<&str, String> {
+    let text = text.rsplit_once("</think>").map_or(text, |(_, after)| after);
     match (text.find('{'), text.rfind('}')) {
         (Some(start), Some(end)) if start < end => Ok(&text[start..=end]),
         (Some(_), _) => Err("its JSON object does not end".to_owned()),
@@ -111,7 +113,12 @@ mod tests {
 
     #[test]
     fn an_answer_is_read_wherever_its_json_stands() {
-        for text in ["{\"x\": 1}", "```json\n{\"x\": 1}\n```", "Here you are: {\"x\": 1.0}. Anything else?"] {
+        for text in [
+            "{\"x\": 1}",
+            "```json\n{\"x\": 1}\n```",
+            "Here you are: {\"x\": 1.0}. Anything else?",
+            "<think>{}?</think>\n{\"x\": 1}",
+        ] {
             assert_eq!(ask(&[text]).0, Ok(Point { x: 1.0 }), "{text}");
         }
     }

@@ -12,6 +12,9 @@ use crate::tape::Recorder;
 use std::path::PathBuf;
 use std::time::Duration;
 
+/// A model that still does not know a part of the request after so many tries never will.
+const MOST: u32 = 10;
+
 /// How a session spends, waits and remembers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Limits {
@@ -44,14 +47,14 @@ impl Session {
     /// Puts everything around a model.
     ///
     /// # Errors
-    /// There is a budget of money, but no price.
+    /// There is a budget of money, but no price; the record cannot be written.
     pub fn new(model: Box<dyn Model>, limits: Limits, clock: Box<dyn Clock>) -> Result<Self, Error> {
         let name = model.name().to_owned();
         if limits.budget.money.is_some() && limits.price.is_none() {
             return Err(Error::Setup(format!("a budget of money needs a price, and none is set for {name}")));
         }
         let cache = limits.cache.as_deref().map(Cache::new);
-        let recorder = limits.record.as_deref().map(|path| Recorder::new(path, &name));
+        let recorder = limits.record.as_deref().map(|path| Recorder::new(path, &name)).transpose()?;
         let spent = Spent::new(&name, limits.price);
         Ok(Self { model, clock, limits, cache, recorder, spent, begun: None })
     }
@@ -73,19 +76,21 @@ impl Session {
         if let Some(cache) = &self.cache
             && json_of(&reply.text).is_ok()
         {
-            cache.put(self.model.name(), request, &reply)?;
+            // The answer is paid for and good, kept or not.
+            self.spent.unkept = cache.put(self.model.name(), request, &reply).err().or(self.spent.unkept.take());
         }
         Ok(reply)
     }
 
     /// Over the network, again if need be.
     fn patiently(&mut self, request: &Request) -> Result<Reply, Error> {
-        let mut failures = 0;
+        let (mut tries, mut failures) = (0, 0);
         loop {
             let room = self.spent.admit(&self.limits.budget, request)?;
             self.take_turn()?;
             self.spent.calls += 1;
-            self.spent.again += u64::from(failures > 0);
+            self.spent.again += u64::from(tries > 0);
+            tries += 1;
             let error = match self.model.ask(&Request { max_output: room, ..request.clone() }) {
                 Ok(reply) => {
                     self.spent.add(reply.usage);
@@ -93,19 +98,17 @@ impl Session {
                 }
                 Err(error) => error,
             };
-            if error == Error::Offline {
+            match error {
                 // Nobody was called.
-                self.spent.calls -= 1;
+                Error::Offline => self.spent.calls -= 1,
+                // No failure: the next request is another one.
+                Error::Unsupported(_) if tries < MOST => continue,
+                _ => {}
             }
             failures += 1;
-            let retry = &self.limits.retry;
-            let wait = if matches!(error, Error::Unsupported(_)) {
-                Some(Duration::ZERO)
-            } else {
-                retry.wait(failures, error.wait())
-            };
+            let wait = self.limits.retry.wait(failures, error.wait());
             match wait {
-                Some(wait) if error.is_passing() && failures < retry.tries => {
+                Some(wait) if error.is_passing() && failures < self.limits.retry.tries => {
                     if !self.clock.sleep(wait) {
                         return Err(Error::Interrupted);
                     }

@@ -33,9 +33,20 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    pub(crate) fn new(path: &Path, model: &str) -> Self {
+    /// A recording without turns, so that a file that cannot be written is known before anything is paid.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub(crate) fn new(path: &Path, model: &str) -> Result<Self, Error> {
         let conversation = Conversation { format: FORMAT.into(), model: model.to_owned(), turns: Vec::new() };
-        Self { path: path.to_path_buf(), conversation }
+        let new = Self { path: path.to_path_buf(), conversation };
+        new.write().map(|()| new)
+    }
+
+    fn write(&self) -> Result<(), Error> {
+        let mut text = serde_json::to_vec_pretty(&self.conversation).map_err(|e| Error::File(e.to_string()))?;
+        text.push(b'\n');
+        whole::write(&self.path, &text)
     }
 
     /// Adds a turn.
@@ -48,9 +59,7 @@ impl Recorder {
             reply: answer.as_ref().ok().cloned(),
             error: answer.as_ref().err().map(ToString::to_string),
         });
-        let mut text = serde_json::to_vec_pretty(&self.conversation).map_err(|e| Error::File(e.to_string()))?;
-        text.push(b'\n');
-        whole::write(&self.path, &text)
+        self.write()
     }
 }
 

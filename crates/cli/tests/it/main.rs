@@ -14,6 +14,7 @@ mod hostile;
 mod inspect;
 mod layering;
 mod licences;
+mod model;
 mod support;
 mod watch;
 mod workspace;

@@ -16,8 +16,7 @@ pub(super) fn write(question: &Question<'_>, key: Option<&Key>) -> Call {
         config["temperature"] = temperature.into();
     }
     if let Some(seed) = question.seed() {
-        // It knows seeds of 31 bits.
-        config["seed"] = (seed & 0x7fff_ffff).into();
+        config["seed"] = seed.into();
     }
     if let Some(schema) = question.schema() {
         config["responseJsonSchema"] = schema.clone();

@@ -14,7 +14,7 @@ pub(super) fn write(question: &Question<'_>) -> Call {
         options["temperature"] = temperature.into();
     }
     if let Some(seed) = question.seed() {
-        options["seed"] = (seed & 0x7fff_ffff).into();
+        options["seed"] = seed.into();
     }
     let body = json!({
         "model": question.target.model,

@@ -113,7 +113,7 @@ fn what_a_model_does_not_know_is_left_out() {
     });
     let (mut session, clock) = session(&server, Limits::default());
     assert_eq!(typed(&mut session, &question()), Ok(Point { x: 1.0 }));
-    assert_eq!(clock.seconds(), [0.0, 0.0]);
+    assert_eq!(clock.seconds(), [0.0; 0], "nobody waits for that");
     assert_eq!(session.spent().calls, 3);
     // It is remembered.
     session.ask(&question()).unwrap();
@@ -190,6 +190,20 @@ fn a_question_is_paid_once() {
     assert_eq!(again.ask(&other).unwrap().text, "nothing of use");
     assert_eq!(again.ask(&other).unwrap().text, "{\"x\": 2}");
     assert!(!texts(folder.path()).contains("sk-very-secret"));
+}
+
+#[test]
+fn a_folder_that_takes_nothing_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let server = Server::new(vec![good()]);
+    let (mut model, _) = session(&server, Limits { cache: Some(file.join("cache")), ..Limits::default() });
+    assert!(model.ask(&question()).is_ok());
+    assert!(model.spent().to_string().contains("; answers are not kept: cannot write "), "{}", model.spent());
+    let limits = Limits { record: Some(file.join("tape.json")), ..Limits::default() };
+    let model = Box::new(remote("openai:m", &server.url, None));
+    assert!(matches!(Session::new(model, limits, Box::new(Fake::default())), Err(Error::File(_))));
 }
 
 #[test]
