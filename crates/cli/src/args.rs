@@ -157,9 +157,30 @@ pub struct Solve {
     /// The same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// Which model proposes
+    #[command(flatten)]
+    pub model: Model,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
+#[derive(ClapArgs, Debug, Clone, Default)]
+pub struct Model {
+    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama, compatible; `replay:FILE` plays
+    /// a recorded conversation; `none` [default: none]
+    #[arg(long, value_name = "PROVIDER:NAME")]
+    pub model: Option<String>,
+    /// Where the model is, in place of the provider's own address
+    #[arg(long, value_name = "URL")]
+    pub base_url: Option<String>,
+    /// Use no network: the model's answers come from the cache or not at all
+    #[arg(long)]
+    pub offline: bool,
+    /// Write the conversation with the model to a file
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
 }
 
 /// `scenelang synth`
@@ -180,6 +201,9 @@ pub struct Synth {
     /// Shaders that the Unity materials are for
     #[arg(long, value_enum, default_value_t = Pipeline::Builtin)]
     pub pipeline: Pipeline,
+    /// Which model proposes
+    #[command(flatten)]
+    pub model: Model,
 }
 
 /// `synth --format`, `diff --format`

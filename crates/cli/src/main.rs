@@ -9,6 +9,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod look;
+mod model;
 mod parallel;
 mod progress;
 mod settings;

@@ -20,11 +20,19 @@ pub struct Refused {
 /// # Errors
 /// The settings file cannot be read or has errors.
 pub fn options(judging: &Judging, path: &Path, loader: &dyn Loader) -> Result<(Options, Vec<Code>), Refused> {
+    all(judging, path, loader).map(|(options, settings)| (options, settings.allow))
+}
+
+/// The verifier's options for a file or folder, and the settings as they are.
+///
+/// # Errors
+/// The settings file cannot be read or has errors.
+pub fn all(judging: &Judging, path: &Path, loader: &dyn Loader) -> Result<(Options, Settings), Refused> {
     let mut options = Options::default();
     let settings = above(path, loader)?;
     settings.apply(&mut options);
     given(judging).apply(&mut options);
-    Ok((options, settings.allow))
+    Ok((options, settings))
 }
 
 /// What the command line says.
@@ -37,7 +45,7 @@ fn given(judging: &Judging) -> Settings {
         }),
         eta: judging.eta,
         tolerances: judging.tolerances.clone(),
-        allow: Vec::new(),
+        ..Settings::default()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::args::Solve;
 use crate::check::color;
+use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, settings};
 use scenelang_lang::sources::Disk;
@@ -22,9 +23,16 @@ pub fn run(args: &Solve) -> u8 {
             Err(message) => return fail(&message),
         },
     };
-    let judge = match settings::options(&args.judging, &args.scene, &Disk) {
-        Ok((options, _)) => options,
+    let (judge, settings) = match settings::all(&args.judging, &args.scene, &Disk) {
+        Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
+    let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
+        Ok(model) => model,
+        Err(error) => {
+            eprintln!("error: {error}");
+            return FAILED;
+        }
     };
     let member = relative(&args.scene, &output);
     let request = Request {
@@ -37,7 +45,7 @@ pub fn run(args: &Solve) -> u8 {
         judge,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
-    let solved = match scenelang_synth::solve(&request, &mut watch) {
+    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch) {
         Ok(solved) => solved,
         Err(failure) => return explain(&failure),
     };
@@ -49,6 +57,7 @@ pub fn run(args: &Solve) -> u8 {
     let code = exit_code(&solved.checked.report);
     print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
     println!("{} written after {} rounds", output.display(), solved.outcome.iterations);
+    summary(model.as_ref(), solved.advice.as_ref());
     code
 }
 

@@ -2,6 +2,7 @@
 
 use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
+use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
@@ -24,9 +25,16 @@ pub fn run(args: &Synth) -> u8 {
         return FAILED;
     }
     interrupt::listen();
-    let judge = match settings::options(&Judging::default(), &path, &Disk) {
-        Ok((options, _)) => options,
+    let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
+        Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
+    let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
+        Ok(model) => model,
+        Err(error) => {
+            eprintln!("error: {error}");
+            return FAILED;
+        }
     };
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let request = Request {
@@ -40,7 +48,7 @@ pub fn run(args: &Synth) -> u8 {
         judge,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
-    let solved = match scenelang_synth::solve(&request, &mut stages) {
+    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
         Err(failure) => return explain(&failure),
     };
@@ -60,8 +68,17 @@ pub fn run(args: &Synth) -> u8 {
     let seconds = std::mem::take(&mut stages.seconds);
     drop(stages);
     match args.format {
-        SummaryFormat::Human => human(&solved, &written, &seconds, &args.output),
-        SummaryFormat::Json => println!("{}", json(&solved, &written, &seconds)),
+        SummaryFormat::Human => {
+            human(&solved, &written, &seconds, &args.output);
+            model::summary(model.as_ref(), solved.advice.as_ref());
+        }
+        SummaryFormat::Json => {
+            let mut summary = json(&solved, &written, &seconds);
+            if let Some(said) = model::json(model.as_ref(), solved.advice.as_ref()) {
+                summary["model"] = said;
+            }
+            println!("{summary}");
+        }
     }
     exit_code(&solved.checked.report)
 }

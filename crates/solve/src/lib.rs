@@ -4,7 +4,9 @@
 //! SelectBatch ([`select`]), proposals ([`propose`]) and EnforceBounds ([`bounds`]); the best layout is kept. What holds,
 //! and by how much, is asked of the one evaluator (`verify`); no predicate is known here by name.
 //!
-//! Absent here: reading of files, assets, language models.
+//! A language model may be one of the proposers ([`model`]).
+//!
+//! Absent here: reading of files, assets, how a model is reached.
 
 mod bounds;
 mod checks;
@@ -14,6 +16,7 @@ mod finish;
 mod frame;
 mod looks;
 mod merit;
+mod model;
 mod place;
 mod polish;
 mod pool;
@@ -38,6 +41,7 @@ mod view;
 mod wishes;
 
 pub use draws::draws;
+pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
 pub use pose::Pose;
 pub use problem::{Options, Outcome, Phase, Placed, Problem, Progress, Unsatisfied, What};
 pub use solve::{solve, solve_with};

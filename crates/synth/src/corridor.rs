@@ -5,7 +5,8 @@ use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
 use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
-use scenelang_solve::{Outcome, Placed, Problem, Progress};
+use scenelang_llm::Model;
+use scenelang_solve::{Asking, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Tally, hybrid};
 use scenelang_verify::{Checked, check_layout_of};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -27,6 +28,23 @@ pub struct Request<'a> {
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
     pub judge: scenelang_verify::Options,
+}
+
+/// A language model that proposes moves, and how it is asked.
+pub struct Adviser<'m> {
+    /// The model.
+    pub model: &'m mut dyn Model,
+    /// k, T, temperature and the rest.
+    pub asking: Asking,
+}
+
+/// What came of asking a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advice {
+    /// Rounds, moves, why it ended.
+    pub tally: Tally,
+    /// Whether the numeric search did better without it, and the layout is its.
+    pub without: bool,
 }
 
 /// The stages of the corridor.
@@ -75,6 +93,8 @@ pub struct Solved {
     pub layout_text: String,
     /// How the solver got there.
     pub outcome: Outcome,
+    /// What the model had to do with it, if there was one.
+    pub advice: Option<Advice>,
     /// The judgement of that file, by the same code as `scenelang check`.
     pub checked: Checked,
     /// What had no asset or no usual size.
@@ -96,6 +116,18 @@ pub enum Failure {
 /// # Errors
 /// The program does not compile, the layout to start from cannot be read, or the observer ends it.
 pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
+    solve_with(request, None, observer)
+}
+
+/// The same with a model that proposes, if there is one.
+///
+/// # Errors
+/// As for [`solve`]; a model that does not answer is none of them.
+pub fn solve_with(
+    request: &Request<'_>,
+    adviser: Option<Adviser<'_>>,
+    observer: &mut dyn Observer,
+) -> Result<Solved, Failure> {
     observer.enter(Stage::Program);
     let compiled = compile_file(request.name, request.path, scenelang_lang::Options::default());
     let Some(program) = &compiled.program else {
@@ -115,11 +147,19 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
     let problem = Problem { program, placed: placed(program, previous), start: layout };
     let options = scenelang_solve::Options { seed: request.seed, judge: request.judge, ..Default::default() };
     let mut ended = false;
-    let mut outcome = scenelang_solve::solve(&problem, &options, &mut |progress: Progress| {
+    let mut watch = |progress: Progress| {
         let flow = observer.solving(&progress);
         ended |= flow.is_break();
         flow
-    });
+    };
+    let (mut outcome, advice) = match adviser {
+        None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
+        Some(Adviser { model, asking }) => {
+            let Hybrid { outcome, tally, without } =
+                hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
+            (outcome, Some(Advice { tally, without }))
+        }
+    };
     if ended {
         return Err(Failure::Interrupted);
     }
@@ -135,7 +175,7 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
         &Disk,
     );
     observer.leave(Stage::Layout);
-    Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, checked, warnings, compiled })
+    Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, advice, checked, warnings, compiled })
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

@@ -6,6 +6,6 @@ mod corridor;
 mod furnish;
 mod output;
 
-pub use corridor::{Failure, Observer, Request, Solved, Stage, solve};
+pub use corridor::{Advice, Adviser, Failure, Observer, Request, Solved, Stage, solve, solve_with};
 pub use furnish::{Furnished, asset_of, furnish};
 pub use output::{Written, export, save_layout};

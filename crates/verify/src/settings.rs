@@ -1,10 +1,14 @@
 //! The settings of a workspace, as `scenelang.toml` has them. Finding the file is left to the caller.
 
+mod llm;
+
+pub use llm::Llm;
+
 use crate::tolerances::{Options, Tolerances};
 use scenelang_base::{Code, Diagnostic, FileId, TextRange, codes, suggest};
 use scenelang_layout::Geometry;
 use std::ops::Range;
-use toml_edit::{Document, Item, Table, Value};
+use toml_edit::{Document, Item, Table, TableLike, Value};
 
 /// What the file is called.
 pub const FILE: &str = "scenelang.toml";
@@ -25,6 +29,8 @@ pub struct Settings {
     pub tolerances: Vec<(String, f64)>,
     /// Warnings that are not reported.
     pub allow: Vec<Code>,
+    /// Which language model is asked, and how.
+    pub llm: Llm,
 }
 
 impl Settings {
@@ -118,8 +124,9 @@ impl Reader {
                 "eta" => self.settings.eta = self.number(key, item),
                 "tolerances" => self.tolerances(item),
                 "lints" => self.lints(item),
+                "llm" => self.llm(item),
                 _ => {
-                    let known = ["physics", "geometry", "eta", "tolerances", "lints"];
+                    let known = ["physics", "geometry", "eta", "tolerances", "lints", "llm"];
                     self.error(place_of(table, key), unknown("setting", key, &known));
                 }
             }
@@ -185,7 +192,7 @@ impl Reader {
     }
 }
 
-fn place_of(table: &Table, key: &str) -> Option<Range<usize>> {
+fn place_of(table: &dyn TableLike, key: &str) -> Option<Range<usize>> {
     table.get_key_value(key).and_then(|(key, _)| key.span())
 }
 
@@ -243,10 +250,25 @@ mod tests {
     }
 
     #[test]
+    fn a_model_and_its_prices_are_read() {
+        let text = "[llm]\nmodel = \"openai:m\"\nbatch = 3\ntemperature = 0\nmax_tokens = 1_000_000\ncache = false\n[llm.prices.\"openai:m\"]\ninput = 2.5\noutput = 10";
+        let wanted = Llm {
+            model: Some("openai:m".to_owned()),
+            batch: Some(3),
+            temperature: Some(0.0),
+            max_tokens: Some(1_000_000),
+            cache: Some(false),
+            prices: vec![("openai:m".to_owned(), [2.5, 10.0])],
+            ..Llm::default()
+        };
+        assert_eq!(read(text, FileId(0)).unwrap().llm, wanted);
+    }
+
+    #[test]
     fn every_slip_is_told_at_its_place() {
         for (text, wanted) in [
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
-            ("sofa = 1", "1:1-5 there is no setting `sofa`; there are physics, geometry, eta, tolerances, lints"),
+            ("sofa = 1", "1:1-5 there is no setting `sofa`; there are physics, geometry, eta, tolerances, lints, llm"),
             ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
             ("geometry = \"mesh\"", "1:12-18 `geometry` takes \"parts\" or \"box\", not \"mesh\""),
             ("geometry = true", "1:12-16 `geometry` takes \"parts\" or \"box\", not a truth value"),
@@ -262,6 +284,31 @@ mod tests {
             ("[lints]\nallow = [3]", "2:10-11 `allow` takes codes as strings, such as \"W0203\""),
             ("[lints]\nallow = [\"W0230\"]", "2:10-17 there is no code `W0230`; did you mean `W0203`?"),
             ("[lints]\nallow = [\"E0201\"]", "2:10-17 E0201 is not a warning; only warnings can be silenced"),
+            ("llm = \"openai:m\"", "1:7-17 `llm` takes a table, not a string"),
+            ("[llm]\nmodel = 4", "2:9-10 `model` takes a model as PROVIDER:NAME, not a number"),
+            ("[llm]\nround = 4", "2:1-6 there is no setting of llm `round`; did you mean `rounds`?"),
+            ("[llm]\nrounds = 4.5", "2:10-13 `rounds` takes a whole number, not a number"),
+            ("[llm]\nbatch = 0", "2:9-10 `batch` takes a number from 1 to 1000"),
+            ("[llm]\ntemperature = nan", "2:15-18 `temperature` takes a number from 0 to 2"),
+            ("[llm]\ncache = \"on\"", "2:9-13 `cache` takes true or false, not a string"),
+            (
+                "[llm]\nbase_url = \"https://a.example\"",
+                "2:1-9 `base_url` is no setting: only --base-url may say where a key is sent",
+            ),
+            (
+                "[llm]\napi_key = \"sk-1\"",
+                "2:1-8 `api_key` is no setting: keys come from the environment, never from a file",
+            ),
+            (
+                "[llm]\nprices = 3",
+                "2:10-11 `prices` takes a table of models, each with `input` and `output`, not a number",
+            ),
+            (
+                "[llm]\nprices.m.input = 3",
+                "2:8-9 the price of `m` needs `input` and `output`, each for a million tokens",
+            ),
+            ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no part of a price `in`; there are input, output"),
+            ("[llm]\nprices.m = { input = -3, output = 1 }", "2:22-24 `input` takes a number from 0 to 1000000000"),
             ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
         ] {
             assert_eq!(said(text), wanted, "{text}");

@@ -15,6 +15,7 @@ mod hostile;
 mod inspect;
 mod layering;
 mod licences;
+mod model;
 mod support;
 mod watch;
 mod workspace;

@@ -201,6 +201,19 @@ fn settings_are_refused_by_their_schema_and_by_the_reader_alike() {
         ("[lints]\nallow = \"W0203\"", false),
         ("[lints]\nallow = [\"E0203\"]", false),
         ("[lints]\ndeny = []", false),
+        ("[llm]\nmodel = \"openai:m\"\nbatch = 3\nrounds = 0\ntemperature = 0\nmax_calls = 0\ncache = false", true),
+        ("[llm]\nmax_output = 1\ntimeout = 1\ntries = 1\nper_minute = 0.5\nmax_tokens = 9\nmax_money = 0.5", true),
+        ("[llm.prices.\"openai:m\"]\ninput = 2.5\noutput = 10", true),
+        ("[llm.prices.m]\ninput = 2.5", false),
+        ("[llm.prices.m]\ninput = -1\noutput = 1", false),
+        ("[llm]\nmodel = 3", false),
+        ("[llm]\nbatch = 0", false),
+        ("[llm]\nrounds = 1.5", false),
+        ("[llm]\nmax_output = 0", false),
+        ("[llm]\ntemperature = 3", false),
+        ("[llm]\napi_key = \"x\"", false),
+        ("[llm]\nbase_url = \"x\"", false),
+        ("llm = 3", false),
     ] {
         assert_eq!(settings::read(text, FileId(0)).is_ok(), good, "{text}");
         assert_eq!(faults(&config, &as_json(text)).is_empty(), good, "{text}");

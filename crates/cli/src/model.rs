@@ -1,0 +1,126 @@
+//! The language model that `solve` and `synth` may ask: from options and settings to a session, and what it came to.
+
+use crate::args::Model as Chosen;
+use crate::interrupt;
+use scenelang_llm::{Budget, Error, Limits, Price, Reach, Retry, Session, connect};
+use scenelang_solve::Asking;
+use scenelang_synth::{Advice, Adviser};
+use scenelang_verify::settings::Llm;
+use serde_json::{Value, json};
+use std::env;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The longest wait for an answer, unless the settings say another.
+const TIMEOUT: Duration = Duration::from_secs(120);
+/// The largest answer (bytes): some ten times of what the longest one would need.
+const LARGEST: u64 = 4 << 20;
+/// Says where answers are kept.
+const CACHE: &str = "SCENELANG_CACHE";
+
+/// A model that is asked.
+pub struct Asked {
+    session: Session,
+    asking: Asking,
+}
+
+impl Asked {
+    /// The model of the options, else of the settings, if any.
+    ///
+    /// # Errors
+    /// It cannot even be tried: no such provider, no key.
+    pub fn new(chosen: &Chosen, settings: &Llm, seed: u64) -> Result<Option<Self>, Error> {
+        let model = chosen.model.as_deref().or(settings.model.as_deref());
+        let Some(model) = model.filter(|m| *m != "none") else { return Ok(None) };
+        let reach = Reach {
+            model,
+            base: chosen.base_url.as_deref(),
+            offline: chosen.offline,
+            timeout: settings.timeout.map_or(TIMEOUT, Duration::from_secs_f64),
+            largest: LARGEST,
+            stop: interrupt::asked,
+        };
+        let session = connect(&reach, |name| limits(chosen, settings, name))?;
+        let usual = Asking::default();
+        let count = |given: Option<u64>, usual: usize| given.and_then(|n| usize::try_from(n).ok()).unwrap_or(usual);
+        let asking = Asking {
+            batch: count(settings.batch, usual.batch),
+            rounds: count(settings.rounds, usual.rounds),
+            temperature: settings.temperature.or(usual.temperature),
+            max_output: settings.max_output.unwrap_or(usual.max_output),
+            seed,
+        };
+        Ok(Some(Self { session, asking }))
+    }
+
+    /// For the corridor.
+    pub fn adviser(&mut self) -> Adviser<'_> {
+        Adviser { model: &mut self.session, asking: self.asking }
+    }
+}
+
+fn limits(chosen: &Chosen, settings: &Llm, name: &str) -> Limits {
+    let usual = Retry::default();
+    let tries = settings.tries.and_then(|n| u32::try_from(n).ok()).unwrap_or(usual.tries);
+    let price = settings.prices.iter().find(|(model, _)| model == name);
+    Limits {
+        // Processes that fail together are not to come back together.
+        retry: Retry { tries, seed: u64::from(std::process::id()), ..usual },
+        per_minute: settings.per_minute,
+        budget: Budget { calls: settings.max_calls, tokens: settings.max_tokens, money: settings.max_money },
+        price: price.map(|(_, [input, output])| Price { input: *input, output: *output }),
+        cache: if settings.cache.unwrap_or(true) { cache_folder() } else { None },
+        record: chosen.record.clone(),
+    }
+}
+
+/// Where answers are kept: where the user says, else where the system keeps what can be made again.
+fn cache_folder() -> Option<PathBuf> {
+    let set = |name: &str| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+    if let Some(folder) = set(CACHE) {
+        return Some(folder.join("llm"));
+    }
+    let usual = if cfg!(windows) {
+        set("LOCALAPPDATA")
+    } else if cfg!(target_os = "macos") {
+        set("HOME").map(|home| home.join("Library/Caches"))
+    } else {
+        set("XDG_CACHE_HOME").or_else(|| set("HOME").map(|home| home.join(".cache")))
+    };
+    usual.map(|folder| folder.join("scenelang").join("llm"))
+}
+
+/// Prints what was asked and spent, if a model was there to ask.
+pub fn summary(asked: Option<&Asked>, advice: Option<&Advice>) {
+    let (Some(asked), Some(Advice { tally, without })) = (asked, advice) else { return };
+    println!("\nmodel {}", asked.session.spent());
+    let rounds = if tally.rounds == 1 { "round" } else { "rounds" };
+    println!("  {} of its {} moves were made, in {} {rounds}", tally.taken, tally.proposed, tally.rounds);
+    if *without {
+        println!("  the numeric search did better without it: the layout is that one");
+    }
+    if let Some(error) = &tally.failed {
+        println!("  it did not help to the end: {error}");
+    }
+}
+
+/// The same as JSON.
+pub fn json(asked: Option<&Asked>, advice: Option<&Advice>) -> Option<Value> {
+    let (asked, Advice { tally, without }) = (asked?, advice?);
+    let spent = asked.session.spent();
+    Some(json!({
+        "name": spent.model,
+        "calls": spent.calls,
+        "again": spent.again,
+        "cached": spent.cached,
+        "input_tokens": spent.usage.input,
+        "output_tokens": spent.usage.output,
+        "estimated": spent.usage.estimated,
+        "cost": spent.money(),
+        "rounds": tally.rounds,
+        "proposed": tally.proposed,
+        "taken": tally.taken,
+        "without": without,
+        "failed": tally.failed.as_ref().map(ToString::to_string),
+    }))
+}

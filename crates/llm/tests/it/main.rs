@@ -1,0 +1,34 @@
+//! Models over HTTP, against a scripted server on loopback: what is sent, and what becomes of every kind of answer.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
+
+mod remote;
+mod server;
+mod sessions;
+
+use scenelang_llm::{Key, Message, Remote, Request, Role, Schema, Target};
+use serde_json::json;
+use std::time::Duration;
+
+/// A question for a point.
+fn question() -> Request {
+    let point = json!({
+        "type": "object",
+        "properties": { "x": { "type": "number" } },
+        "required": ["x"],
+        "additionalProperties": false,
+    });
+    Request {
+        messages: vec![Message::new(Role::System, "You place things."), Message::new(Role::User, "Where?")],
+        schema: Schema { name: "point".into(), json: point },
+        temperature: Some(0.7),
+        seed: Some(5),
+        max_output: 500,
+    }
+}
+
+/// A model at a server, with half a second of patience for each request and room for 64 KiB.
+fn remote(model: &str, url: &str, key: Option<&str>) -> Remote {
+    let target = Target::new(model, Some(url)).unwrap();
+    let key = key.map(|k| Key::new(k).unwrap());
+    Remote::new(target, key, Duration::from_millis(500), 65_536, || false).unwrap()
+}
