@@ -256,7 +256,8 @@ def _(place, c):
         space = footprint(a.point(0, sign * (a.d / 2 + (wall + depth_) / 2)), a.w, depth_ - wall, a.yaw)
         rooms = [r for r in place.rooms() if depth(r["polygon"], beyond) >= -0.001]
     else:
-        rooms = [r for r in place.facts["regions"] if within(r["polygon"], a.corners) >= -0.001]
+        fit = {r["id"]: within(r["polygon"], a.corners) for r in place.facts["regions"]}
+        rooms = [max(place.facts["regions"], key=lambda r: (min(fit[r["id"]] + 0.001, 0), fit[r["id"]]))]
     return min(least, max((within(r["polygon"], space) for r in rooms), default=math.inf))
 
 

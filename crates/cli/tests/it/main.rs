@@ -14,6 +14,7 @@ mod hostile;
 mod inspect;
 mod layering;
 mod licences;
+mod problems;
 mod support;
 mod watch;
 mod workspace;
