@@ -38,6 +38,9 @@ pub enum Command {
     Diff(Diff),
     /// Print the JSON Schema of a format
     Schema(Schema),
+    /// Measure how much of a set of problems is solved, and how fast
+    #[command(subcommand)]
+    Bench(Bench),
 }
 
 /// `scenelang check`
@@ -299,6 +302,45 @@ pub struct Schema {
     /// The format
     #[arg(value_parser = schema_names())]
     pub name: String,
+}
+
+/// `scenelang bench`
+#[derive(Subcommand, Debug)]
+pub enum Bench {
+    /// Solve problems and print a table: solved share, constraints held, time to the first full solution
+    Solve(BenchSolve),
+}
+
+/// `scenelang bench solve`
+#[derive(ClapArgs, Debug)]
+pub struct BenchSolve {
+    /// Programs, and folders: all programs below
+    #[arg(required = true, value_name = "FILE | FOLDER")]
+    pub paths: Vec<PathBuf>,
+    /// Solve each from so many seeds: 0, 1, …
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    pub seeds: u64,
+    /// How many problems are solved at once; more than one makes times less sure
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: u16,
+    /// End a run after so long; without it, after the solver's own budget of work
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
+    /// Also write the result there, as JSON
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
+    #[arg(long, value_name = "FOLDER")]
+    pub layouts: Option<PathBuf>,
+}
+
+/// A time limit.
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds: f64 = text.parse().unwrap_or(f64::NAN);
+    if (0.001..=1e6).contains(&seconds) { Ok(seconds) } else { Err("it is a number of seconds above 0".to_owned()) }
 }
 
 fn schema_names() -> clap::builder::PossibleValuesParser {

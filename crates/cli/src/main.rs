@@ -1,6 +1,7 @@
 //! The `scenelang` command line: options in, exit code out. What it does lives in the other rooms.
 
 mod args;
+mod bench;
 mod check;
 mod diff;
 mod fix;
@@ -19,7 +20,7 @@ mod table;
 mod targets;
 mod watch;
 
-use args::{Args, Command};
+use args::{Args, Bench, Command};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Constraints(args) => inspect::constraints(&args),
         Command::Diff(diff) => diff::run(&diff),
         Command::Schema(schema) => look::schema(&schema),
+        Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
     };
     ExitCode::from(code)
 }

@@ -16,6 +16,7 @@ mod inspect;
 mod layering;
 mod licences;
 mod model;
+mod problems;
 mod support;
 mod watch;
 mod workspace;
