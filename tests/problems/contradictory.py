@@ -65,7 +65,7 @@ def certificate(hidden, alike, planted, without):
     for places in itertools.permutations(range(len(alike)), len(members)):
         boxes = {m: Box(hidden.boxes[m].size, poses[k], 0) for m, k in zip(members, places)}
         place = kinds.Place(hidden.facts, boxes)
-        if all(kinds.margin(p, place) >= 0.002 for p in kept):
+        if all(kinds.margin(p, place) >= -1e-9 for p in kept):
             rest = [k for k in range(len(alike)) if k not in places]
             others = [m for m in alike if m not in members]
             return dict(sorted({**dict(zip(members, places)), **dict(zip(others, rest))}.items()))

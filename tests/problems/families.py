@@ -169,7 +169,7 @@ def seating(rng, n, cover):
     packer = Packer(rng, [regions[0]["polygon"]])
     # Islands first: a table with its seats takes the larger half of the cells.
     grid = sorted(cells(rng, (0, 0, w, d), count + max(1, rest // 3)), key=lambda c: -min(c[2] - c[0], c[3] - c[1]))
-    made, islands = [], []
+    made = []
     for k in range(count):
         x0, z0, x1, z1 = grid[k]
         middle = ((x0 + x1) / 2, (z0 + z1) / 2)
@@ -181,7 +181,6 @@ def seating(rng, n, cover):
             trial = [(tw, td, at, yaw)] + spots
             if all(packer.fits(-1, *t) for t in trial):
                 packer.things += [[*t, False] for t in trial]
-                islands.append(at)
                 made.append((tw, td, at, yaw, seat, spots))
                 break
             middle = (rng.uniform(0.9, w - 0.9), rng.uniform(0.9, d - 0.9))

@@ -140,19 +140,28 @@ fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(R
     let contact = world.options.tolerances.contact;
     let Some(way) = leaves_door(world, id, side) else {
         // Of several that hold it (a room and its zones) the one that leaves it most room.
-        let fit = |prism: &Prism| {
+        return best_of(world, |prism| {
             let inside = inside_clearance(&body.obb, prism);
-            ((inside.least() + contact).min(0.0), inside.horizontal.value)
-        };
-        let regions = world.prisms().map(|(region, prism)| (fit(prism), region, prism));
-        let best = regions.max_by(|((a, b), ..), ((c, d), ..)| a.total_cmp(c).then(b.total_cmp(d)));
-        return best.map(|(_, region, prism)| (region, prism));
+            [(inside.least() + contact).min(0.0), inside.horizontal.value]
+        });
     };
     let beyond = body.obb.center + way * (body.obb.half.z + 2.0 * world.options.eta + world.options.tolerances.door);
     let fit = |prism: &Prism| prism.polygon.clearance_of_point(Vec2::new(beyond.x, beyond.z)).value;
-    let regions = world.prisms().map(|(region, prism)| (fit(prism), region, prism));
-    let (fit, region, prism) = regions.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (fit >= -contact).then_some((region, prism))
+    best_of(world, |prism| [fit(prism), 0.0]).filter(|(_, prism)| fit(prism) >= -contact)
+}
+
+/// The region that fits best and, of those that fit equally well, the largest: a zone has no walls of its own.
+fn best_of<N: Number>(world: &World<N>, fit: impl Fn(&Prism) -> [f64; 2]) -> Option<(RegionId, &Prism)> {
+    // Lengths are compared as whole micrometres, so that rounding does not decide.
+    let key = |prism: &Prism| {
+        let [first, then] = fit(prism).map(|metres| (metres * 1e6).round());
+        [first, then, prism.area()]
+    };
+    let best = world.prisms().map(|(region, prism)| (key(prism), region, prism)).max_by(|(a, ..), (b, ..)| {
+        let orders = a.iter().zip(b).map(|(x, y)| x.total_cmp(y));
+        orders.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+    });
+    best.map(|(_, region, prism)| (region, prism))
 }
 
 /// For the front and the back of an asserted door: the direction that leads out of it.
