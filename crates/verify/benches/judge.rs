@@ -61,9 +61,9 @@ fn whole(c: &mut Criterion) {
     let mut group = c.benchmark_group("judge everything");
     group.sample_size(10);
     for n in [1_000, 10_000, 100_000] {
-        let (program, layout) = warehouse(n);
         group.throughput(Throughput::Elements(n as u64));
         group.bench_with_input(BenchmarkId::from_parameter(n), &n, |b, _| {
+            let (program, layout) = warehouse(n);
             b.iter(|| {
                 let verdict = check(&program, black_box(&layout), &verdicts());
                 assert!(verdict.rows.iter().all(|row| row.satisfied == Some(true)));
@@ -77,12 +77,12 @@ fn whole(c: &mut Criterion) {
 fn one_moved(c: &mut Criterion) {
     let mut group = c.benchmark_group("judge what one move changes");
     for n in [1_000, 10_000] {
-        let (program, layout) = warehouse(n);
-        let mut live = Live::new(&program, &layout, &verdicts());
-        let id = ObjectId(n as u32 / 2);
-        let place = &layout.objects[id.0 as usize].1;
-        let mut turn = 0.0;
         group.bench_with_input(BenchmarkId::from_parameter(n), &n, |b, _| {
+            let (program, layout) = warehouse(n);
+            let mut live = Live::new(&program, &layout, &verdicts());
+            let id = ObjectId(n as u32 / 2);
+            let place = &layout.objects[id.0 as usize].1;
+            let mut turn = 0.0;
             b.iter(|| {
                 turn += 10.0;
                 live.place(id, place.pos, Vec3::new(0.0, turn, 0.0))

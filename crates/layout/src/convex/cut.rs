@@ -42,7 +42,7 @@ pub(super) fn above(body: &Convex, height: f64) -> Option<Convex> {
             }
         }
         if corners.len() > 2 {
-            faces.push(Face { normal: face.normal, corners });
+            faces.push(Face { normal: face.normal, corners: corners.into() });
         }
     }
     let mut floor: Vec<u32> = (0..vertices.len() as u32).filter(|&i| vertices[i as usize].y <= height).collect();
@@ -50,7 +50,7 @@ pub(super) fn above(body: &Convex, height: f64) -> Option<Convex> {
     let around = |i: u32| (vertices[i as usize].z - middle.z).atan2(vertices[i as usize].x - middle.x);
     floor.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
     if floor.len() > 2 {
-        faces.push(Face { normal: -Vec3::y(), corners: floor });
+        faces.push(Face { normal: -Vec3::y(), corners: floor.into() });
     }
     Some(Convex::from_faces(vertices, faces))
 }

@@ -104,6 +104,6 @@ fn outline(corners: &[Vec3], normal: Vec3, mut indices: Vec<u32>) -> Face {
     let v = normal.cross(&u);
     let flat = |i: u32| Vec2::new(corners[i as usize].dot(&u), corners[i as usize].dot(&v));
     let order = convex_hull(indices.iter().map(|&i| flat(i)));
-    let corners = order.iter().filter_map(|p| indices.iter().copied().find(|&i| flat(i) == *p)).collect();
-    Face { normal, corners }
+    let corners: Vec<u32> = order.iter().filter_map(|p| indices.iter().copied().find(|&i| flat(i) == *p)).collect();
+    Face { normal, corners: corners.into() }
 }

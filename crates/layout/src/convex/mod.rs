@@ -15,6 +15,7 @@ pub use solid::{Geometry, Nearest, aabb, local_solid, nearest, parts_fill_box, s
 use crate::separation::{Aabb, Separation, contact, highest};
 use crate::{Obb, Part, Vec3, rotation};
 use nalgebra::Matrix3;
+use std::borrow::Cow;
 
 /// How many sides a cylinder has as a solid.
 pub const CYLINDER_SIDES: usize = 24;
@@ -25,7 +26,7 @@ pub struct Face {
     /// Unit, outward.
     pub normal: Vec3,
     /// Indices of its corners, in order round the face.
-    pub corners: Vec<u32>,
+    pub corners: Cow<'static, [u32]>,
 }
 
 /// An edge of a convex polyhedron.
@@ -54,15 +55,30 @@ impl Convex {
     pub fn from_box(obb: &Obb) -> Self {
         const FACES: [[u32; 4]; 6] =
             [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
-        let faces = FACES
-            .iter()
-            .enumerate()
-            .map(|(i, corners)| Face {
-                normal: if i % 2 == 0 { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) },
-                corners: corners.to_vec(),
-            })
-            .collect();
-        Self { obb: Some(*obb), ..Self::from_faces(obb.corners().to_vec(), faces) }
+        /// Ends, and the faces on either side: what [`Self::from_faces`] would find.
+        const EDGES: [([u32; 2], [usize; 2]); 12] = [
+            ([0, 1], [3, 5]),
+            ([0, 2], [1, 5]),
+            ([0, 4], [1, 3]),
+            ([1, 3], [0, 5]),
+            ([1, 5], [0, 3]),
+            ([2, 3], [2, 5]),
+            ([2, 6], [1, 2]),
+            ([3, 7], [0, 2]),
+            ([4, 5], [3, 4]),
+            ([4, 6], [1, 4]),
+            ([5, 7], [0, 4]),
+            ([6, 7], [2, 4]),
+        ];
+        let normal = |i: usize| if i % 2 == 0 { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) };
+        let face = |(i, corners): (usize, &'static [u32; 4])| Face { normal: normal(i), corners: corners.into() };
+        Self {
+            vertices: obb.corners().to_vec(),
+            faces: FACES.iter().enumerate().map(face).collect(),
+            edges: EDGES.iter().map(|&(ends, sides)| Edge { ends, normals: sides.map(normal) }).collect(),
+            aabb: Aabb::of(obb.corners()),
+            obb: Some(*obb),
+        }
     }
 
     /// An upright cylinder about `center`, turned by `axes`.
@@ -78,7 +94,7 @@ impl Convex {
         let mut faces: Vec<Face> = (0..n)
             .map(|i| Face {
                 normal: axes * at(step * (f64::from(i) + 0.5), 0.0, 1.0),
-                corners: vec![i, (i + 1) % n, n + (i + 1) % n, n + i],
+                corners: vec![i, (i + 1) % n, n + (i + 1) % n, n + i].into(),
             })
             .collect();
         faces.push(Face { normal: -axes.column(1), corners: (0..n).collect() });
@@ -142,6 +158,10 @@ impl Convex {
     pub fn vertices(&self) -> &[Vec3] {
         &self.vertices
     }
+    /// The ends of its edges.
+    pub fn edges(&self) -> impl Iterator<Item = [Vec3; 2]> {
+        self.edges.iter().map(|edge| edge.ends.map(|i| self.vertices[i as usize]))
+    }
     /// Its faces.
     pub fn faces(&self) -> &[Face] {
         &self.faces
@@ -169,5 +189,22 @@ impl Convex {
     }
     fn ends(&self, edge: &Edge) -> [Vec3; 2] {
         edge.ends.map(|i| self.vertices[i as usize])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_edges_of_a_box_are_those_of_its_faces() {
+        let obb = Obb {
+            center: Vec3::new(1.0, 2.0, 3.0),
+            axes: rotation::matrix(Vec3::new(10.0, 20.0, 30.0)),
+            half: Vec3::new(0.5, 1.0, 1.5),
+        };
+        let body = Convex::from_box(&obb);
+        let found = Convex::from_faces(body.vertices.clone(), body.faces.clone());
+        assert_eq!(body, Convex { obb: Some(obb), ..found });
     }
 }

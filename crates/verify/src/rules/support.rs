@@ -128,22 +128,12 @@ fn slice(part: &Convex, height: f64) -> Option<Vec<Vec2>> {
     if part.aabb().min.y > height {
         return None;
     }
-    let mut points: Vec<Vec2> = Vec::new();
-    for face in part.faces() {
-        let corners: Vec<Vec3> = part.face_corners(face).collect();
-        for (i, a) in corners.iter().enumerate() {
-            let b = corners[(i + 1) % corners.len()];
-            if a.y <= height {
-                points.push(Vec2::new(a.x, a.z));
-            }
-            let t = (height - a.y) / (b.y - a.y);
-            if t > 0.0 && t < 1.0 {
-                let p = a + (b - a) * t;
-                points.push(Vec2::new(p.x, p.z));
-            }
-        }
-    }
-    Some(convex_hull(points))
+    let corners = part.vertices().iter().copied().filter(|corner| corner.y <= height);
+    let cut = part.edges().filter_map(|[a, b]| {
+        let t = (height - a.y) / (b.y - a.y);
+        (t > 0.0 && t < 1.0).then(|| a + (b - a) * t)
+    });
+    Some(convex_hull(corners.chain(cut).map(|p| Vec2::new(p.x, p.z))))
 }
 
 /// Faces of a solid that point up, to within some degrees.
