@@ -70,6 +70,9 @@ pub fn edges(polygon: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
     polygon.iter().enumerate().map(|(i, &a)| (a, polygon[(i + 1) % polygon.len()]))
 }
 
+/// Points nearer to each other than this are one (metres).
+const SAME: f64 = 1e-9;
+
 /// The convex hull of points, without corners of 180° and without repeats.
 pub fn convex_hull(points: impl IntoIterator<Item = Vec2>) -> Vec<Vec2> {
     let mut points: Vec<Vec2> = points.into_iter().collect();
@@ -91,6 +94,11 @@ pub fn convex_hull(points: impl IntoIterator<Item = Vec2>) -> Vec<Vec2> {
     };
     let mut hull = chain(&mut points.iter().copied());
     hull.extend(chain(&mut points.iter().rev().copied()));
+    // An edge as short as rounding has any direction: the whole hull might lie on its wrong side.
+    hull.dedup_by(|b, a| (*b - *a).norm() < SAME);
+    while hull.len() > 1 && (hull[hull.len() - 1] - hull[0]).norm() < SAME {
+        hull.pop();
+    }
     hull
 }
 
@@ -108,9 +116,8 @@ pub fn depth_in_convex(polygon: &[Vec2], p: Vec2) -> f64 {
 
 /// The overlap of two convex polygons, again convex; touching ones give a point or a segment (within 1e-9 m).
 pub fn convex_overlap(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
-    const SLACK: f64 = 1e-9;
-    let mut points: Vec<Vec2> = a.iter().copied().filter(|&p| depth_in_convex(b, p) >= -SLACK).collect();
-    points.extend(b.iter().copied().filter(|&p| depth_in_convex(a, p) >= -SLACK));
+    let mut points: Vec<Vec2> = a.iter().copied().filter(|&p| depth_in_convex(b, p) >= -SAME).collect();
+    points.extend(b.iter().copied().filter(|&p| depth_in_convex(a, p) >= -SAME));
     for (p, q) in edges(a) {
         points.extend(edges(b).filter_map(|(r, s)| crossing([p, q], [r, s])));
     }
@@ -133,6 +140,23 @@ mod tests {
     use super::*;
     use nalgebra::Vector3;
     use proptest::prelude::*;
+
+    #[test]
+    fn corners_that_rounding_has_split_are_one() {
+        let corners = [[0.217, 0.0], [0.0, 0.217], [-0.217, 0.0], [0.0, -0.217]].map(Vec2::from);
+        for turned in 0..360 {
+            let (sin, cos) = f64::from(turned).to_radians().sin_cos();
+            let turn = |p: Vec2| Vec2::new(1.3 + cos * p.x + sin * p.y, 0.4 - sin * p.x + cos * p.y);
+            let mut points = Vec::new();
+            for corner in corners.map(turn) {
+                let ulp = 2.3e-16;
+                points.extend([[0.0, 0.0], [ulp, 0.0], [-ulp, ulp], [0.0, -ulp]].map(|d| corner + Vec2::from(d)));
+            }
+            let hull = convex_hull(points);
+            assert_eq!(hull.len(), 4, "{turned}");
+            assert!((depth_in_convex(&hull, Vec2::new(1.3, 0.4)) - 0.217 / 2f64.sqrt()).abs() < 1e-9, "{turned}");
+        }
+    }
 
     fn square(x: f64, z: f64, half: f64) -> Vec<Vec2> {
         [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]

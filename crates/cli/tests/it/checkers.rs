@@ -15,6 +15,15 @@ fn synth(folder: &Path, scene: &Path) -> PathBuf {
     out
 }
 
+/// Another layout of an example; its path.
+fn solved(folder: &Path, scene: &Path, seed: &str) -> PathBuf {
+    let layout = folder.join(format!("{seed}.layout.json"));
+    let (scene, to) = (scene.display().to_string(), layout.display().to_string());
+    let ended = scenelang(folder, ["solve", &scene, "--seed", seed, "-o", &to]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    layout
+}
+
 fn oracle(name: &str) -> PathBuf {
     root().join("tests/oracles").join(name)
 }
@@ -22,6 +31,7 @@ fn oracle(name: &str) -> PathBuf {
 /// Runs a checker; what it found, if it found something.
 fn judge(what: &str, command: &mut Command) -> Option<String> {
     let ended = run(command, b"");
+    println!("{what}: {}", ended.stdout.trim());
     (ended.code != 0).then(|| format!("{what} (exit {}):\n{}{}", ended.code, ended.stdout, ended.stderr))
 }
 
@@ -57,9 +67,12 @@ mod agree_on_every_example {
             let program = compile_file(name, &scene, Options::default()).program.expect("it was solved");
             let facts_file = folder.path().join("facts.json");
             std::fs::write(&facts_file, facts(&program).to_string()).unwrap();
-            let layout = out.join(format!("{name}.layout.json"));
-            let command = &mut Command::new(&python);
-            found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(facts_file)));
+            let mut layouts = vec![out.join(format!("{name}.layout.json"))];
+            layouts.extend(["1", "2"].map(|seed| solved(folder.path(), &scene, seed)));
+            for layout in layouts {
+                let command = &mut Command::new(&python);
+                found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(&facts_file)));
+            }
         } else {
             skip("Unity project and physics not checked: no .venv");
         }

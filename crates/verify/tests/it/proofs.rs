@@ -100,7 +100,7 @@ fn a_search_that_is_called_off_finds_nothing_and_says_so() {
     assert!(findings.contradictions.is_empty() && !findings.complete);
 }
 
-/// A hidden layout: objects `a`, `b`, …, a room and perhaps a zone, a number and a flag.
+/// A hidden layout: objects `a`, `b`, …, a room and perhaps a zone, of four walls or more, and variables of each kind.
 struct Hidden {
     names: Vec<&'static str>,
     regions: Vec<&'static str>,
@@ -119,15 +119,28 @@ fn hidden(dice: &mut Dice) -> Hidden {
     let mut json = String::from("{ \"format\": \"scenelang.layout/1\", \"objects\": {");
     let triple = |v: [f64; 3]| format!("[{}, {}, {}]", v[0], v[1], v[2]);
     let vec3 = |v: [f64; 3], f: &str| format!("{f}({}, {}, {})", v[0], v[1], v[2]);
+    // The room comes first, so that things can hang on its back wall, stand in it as doors do, or touch its ceiling.
+    let room = ([dice.between(-0.5, 0.5), 0.0, dice.between(-0.5, 0.5)], [0; 3].map(|_| dice.between(5.0, 7.0)));
+    let ([room_x, _, room_z], [_, height, depth]) = room;
+    let mut last: Option<([f64; 3], [f64; 3])> = None;
     for (i, name) in names.iter().enumerate() {
         let yaw = if dice.chance(60) { 90.0 * dice.below(4) as f64 } else { dice.between(0.0, 359.0) };
         let tilt = if dice.chance(10) { dice.between(-60.0, 60.0) } else { 0.0 };
-        let pos = [
+        let mut pos = [
             dice.between(-2.0, 2.0),
             if dice.chance(70) { 0.0 } else { dice.between(0.0, 2.0) },
             dice.between(-2.0, 2.0),
         ];
-        let (rot, scale) = ([tilt, yaw, 0.0], [0, 1, 2].map(|_| dice.between(0.1, 1.2)));
+        let (mut rot, mut scale) = ([tilt, yaw, 0.0], [0, 1, 2].map(|_| dice.between(0.1, 1.2)));
+        match (dice.below(12), last) {
+            (0, _) => (rot, pos) = ([0.0; 3], [room_x, dice.between(0.0, 2.0), room_z - depth / 2.0 + scale[2] / 2.0]),
+            (1, _) => (rot, pos) = ([0.0; 3], [room_x + dice.between(-1.0, 1.0), 0.0, room_z - depth / 2.0]),
+            (2, _) => (rot, pos[1]) = ([0.0; 3], height - scale[1]),
+            // Within the one before: small, or not small enough.
+            (3 | 4, Some((at, size))) => (pos, scale) = (at, size.map(|s| s * dice.one(&[0.5, 0.7, 1.0]))),
+            _ => {}
+        }
+        last = Some((pos, scale));
         writeln!(declarations, "object {name};").unwrap();
         pins.push(format!("{name}.pos <- {}", vec3(pos, "vec3")));
         pins.push(format!("{name}.rot <- {}", vec3(rot, "rot")));
@@ -146,28 +159,58 @@ fn hidden(dice: &mut Dice) -> Hidden {
     for (i, name) in regions.iter().enumerate() {
         let yaw = if dice.chance(70) { 0.0 } else { dice.between(0.0, 359.0) };
         let side = if i == 0 { 5.0 } else { 2.0 };
-        let (pos, rot) = ([dice.between(-0.5, 0.5), 0.0, dice.between(-0.5, 0.5)], [0.0, yaw, 0.0]);
-        let scale = [dice.between(side, side + 2.0), dice.between(2.0, 4.0), dice.between(side, side + 2.0)];
+        let (mut pos, rot) = ([dice.between(-0.5, 0.5), 0.0, dice.between(-0.5, 0.5)], [0.0, yaw, 0.0]);
+        let mut scale = [dice.between(side, side + 2.0), dice.between(2.0, 4.0), dice.between(side, side + 2.0)];
+        if i == 0 {
+            (pos, scale) = room;
+        }
         writeln!(declarations, "region {name};").unwrap();
-        pins.push(format!("{name}.pos <- {}", vec3(pos, "vec3")));
-        pins.push(format!("{name}.rot <- {}", vec3(rot, "rot")));
-        pins.push(format!("{name}.scale <- {}", vec3(scale, "vec3")));
         let comma = if i > 0 { "," } else { "" };
-        write!(
-            json,
-            "{comma} \"{name}\": {{ \"pos\": {}, \"rot\": {}, \"scale\": {} }}",
-            triple(pos),
-            triple(rot),
-            triple(scale)
-        )
-        .unwrap();
+        let placed = [triple(pos), triple(rot), triple(scale)];
+        let [at, turned, size] = &placed;
+        write!(json, "{comma} \"{name}\": {{ \"pos\": {at}, \"rot\": {turned}, \"scale\": {size}").unwrap();
+        pins.push(format!("{name}.pos <- {}", vec3(pos, "vec3")));
+        if dice.chance(35) {
+            let corners = outline(dice, pos, side);
+            let floor = corners.iter().map(|[x, z]| format!("vec3({x}, 0, {z})")).collect::<Vec<_>>().join(", ");
+            pins.push(format!("{name}.vertices <- polygon({floor})"));
+            write!(json, ", \"vertices\": {corners:?}").unwrap();
+        } else {
+            pins.push(format!("{name}.rot <- {}", vec3(rot, "rot")));
+            pins.push(format!("{name}.scale <- {}", vec3(scale, "vec3")));
+        }
+        json += " }";
     }
-    let (number, flag) = (dice.between(-3.0, 3.0), dice.chance(50));
-    write!(json, " }}, \"variables\": {{ \"n\": {number}, \"p\": {flag} }} }}").unwrap();
-    declarations += "Number n;\nBool p;\n";
+    let (number, flag, turn) = (dice.between(-3.0, 3.0), dice.chance(50), dice.between(0.0, 359.0));
+    let (at, way) = ([0; 3].map(|_| dice.between(-2.0, 2.0)), [0; 3].map(|_| dice.between(0.0, 359.0)));
+    let (at, way) = (triple(at), triple(way));
+    write!(
+        json,
+        " }}, \"variables\": {{ \"n\": {number}, \"p\": {flag}, \"t\": {turn}, \"v\": {at}, \"w\": {way} }} }}"
+    )
+    .unwrap();
+    declarations += "Number n;\nBool p;\nDegree t;\nVector3 v;\nRotation w;\n";
     let mut sources = SourceMap::new();
     let file = sources.add(SourceFile::new("room.layout.json", "room.layout.json", json.as_str()));
     Hidden { names, regions, declarations, pins, layout: read(&json, file).layout }
+}
+
+/// A floor that is no rectangle: an L, or a ring of corners around the middle.
+fn outline(dice: &mut Dice, [x, _, z]: [f64; 3], side: f64) -> Vec<[f64; 2]> {
+    let (w, d) = (dice.between(side, side + 2.0), dice.between(side, side + 2.0));
+    let corners: Vec<[f64; 2]> = if dice.chance(50) {
+        let k = dice.between(0.3, 0.7);
+        vec![[0.0, 0.0], [w, 0.0], [w, d * k], [w * k, d * k], [w * k, d], [0.0, d]]
+            .into_iter()
+            .map(|[a, b]| [a - w / 2.0, b - d / 2.0])
+            .collect()
+    } else {
+        let n = 3 + dice.below(5);
+        let at = |i: usize| (i as f64 * 360.0 / n as f64).to_radians();
+        (0..n).map(|i| (i, dice.between(side / 2.0, side))).map(|(i, r)| [r * at(i).cos(), r * at(i).sin()]).collect()
+    };
+    let near = |v: f64| (v * 1000.0).round() / 1000.0;
+    corners.into_iter().map(|[a, b]| [near(x + a), near(z + b)]).collect()
 }
 
 impl Hidden {
@@ -203,7 +246,7 @@ impl Hidden {
         let (a, b) = (dice.one(&self.names), dice.one(&self.names));
         let r = dice.one(&self.regions);
         let axis = dice.one(&["x", "y", "z"]);
-        match dice.below(22) {
+        match dice.below(34) {
             0 | 1 => format!("{a}.pos.{axis}"),
             2 | 3 => format!("{a}.pos.{axis} - {b}.pos.{axis}"),
             4 => format!("{a}.center.{axis} + {b}.scale.{axis}"),
@@ -222,6 +265,18 @@ impl Hidden {
             18 => "n".to_owned(),
             19 => format!("{a}.max.{axis} - {b}.min.{axis}"),
             20 => format!("gap({a}.center, {r})"),
+            21 => format!("{a}.rot.{axis}"),
+            22 => format!("{a}.rot.y - {b}.rot.y"),
+            23 => format!("angle({a}.front, {b}.{})", dice.one(&["front", "right", "up"])),
+            24 => format!("angle({a}.rot, {})", dice.one(&["w".to_owned(), format!("{b}.rot")])),
+            25 => "t".to_owned(),
+            26 => format!("{a}.rot.y + t"),
+            27 => format!("v.{axis}"),
+            28 => format!("distance({a}, v)"),
+            29 => format!("{}({a}.rot.y)", dice.one(&["sin", "cos"])),
+            30 => format!("{r}.area"),
+            31 => format!("{r}.center.{axis} - {a}.center.{axis}"),
+            32 => format!("count(o in objects: o.pos.x > {a}.pos.x) * 2"),
             _ => format!("{r}.scale.{axis} - {a}.scale.{axis}"),
         }
     }
@@ -231,7 +286,7 @@ impl Hidden {
         let (a, b, c) = (dice.one(&self.names), dice.one(&self.names), dice.one(&self.names));
         let r = dice.one(&self.regions);
         let x = dice.between(-2.0, 2.0);
-        match dice.below(14) {
+        match dice.below(21) {
             0..4 => {
                 let of = [
                     "leftOf",
@@ -258,7 +313,14 @@ impl Hidden {
             10 => format!("count(o in objects: o.pos.x > {x}) >= {}", dice.below(self.names.len() + 1)),
             11 => format!("{}(o in objects: o.pos.z < {x} or o.top > {})", dice.one(&["count"]), x.abs()) + " <= 2",
             12 => format!("({} o in objects: distance(o, {a}) <= {})", dice.one(&["forall", "exists"]), x.abs() + 1.0),
-            _ => dice.one(&["p", "p = (n > 0)", "(n < 1) = p"]).to_owned(),
+            13 => format!("{}({a}, {r})", dice.one(&["wallMounted", "ceilingMounted", "connects", "connects"])),
+            14 => format!("connects({a}, {}, {})", self.regions[0], self.regions[self.regions.len() - 1]),
+            15 => format!("{a}.rot = {}", dice.one(&["w".to_owned(), format!("{b}.rot"), "rot(0, t, 0)".to_owned()])),
+            16 => format!("{a}.{} = {b}.{}", dice.one(&["pos", "center"]), dice.one(&["pos", "max"])),
+            17 => format!("forall o in objects: exists q in objects: o != q and gap(o, q) <= {}", x.abs()),
+            18 => format!("(forall o in objects: o.top <= {r}.ceiling) = (exists o in objects: inside(o, {r}))"),
+            19 => format!("count(o in objects: inside(o, {r})) {} {}", dice.one(&["=", "<", ">"]), dice.below(4)),
+            _ => dice.one(&["p", "p = (n > 0)", "(n < 1) = p", "t < 180 implies p"]).to_owned(),
         }
     }
 

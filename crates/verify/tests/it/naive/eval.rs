@@ -155,9 +155,8 @@ impl<'s> World<'s> {
             _ => {}
         }
         let counted = |t: &Term| matches!(t, Term::Each(Quantity::Count, _));
-        let number = Term::is_constant;
         // The text gives the margin of a count against a whole number alone.
-        let rough = counted(a) && number(b) || counted(b) && number(a);
+        let rough = counted(a) || counted(b);
         let equal = match (self.value(a)?, self.value(b)?) {
             (Value::Num(a), Value::Num(b)) if rough => return Ok(compare(order, a, b).rough()),
             (Value::Num(a), Value::Num(b)) => return Ok(compare(order, a, b)),

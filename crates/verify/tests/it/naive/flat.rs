@@ -157,6 +157,11 @@ pub fn hull(points: &[P]) -> Vec<P> {
     };
     let mut out = half(&mut sorted.iter().copied());
     out.extend(half(&mut sorted.iter().rev().copied()));
+    // What rounding has split is one.
+    out.dedup_by(|b, a| length(sub(*b, *a)) < 1e-9);
+    if out.len() > 1 && length(sub(out[0], out[out.len() - 1])) < 1e-9 {
+        out.pop();
+    }
     out
 }
 

@@ -76,6 +76,10 @@ fn relative(scene: &Scene) -> String {
 /// Whether two rows say the same, as far as rounding allows.
 fn agree(a: &Row, b: &Row) -> bool {
     let near = |x: f64| x.abs() < 1e-5 || (x.abs() - 1e-3).abs() < 1e-5;
+    if a.rule.as_deref() == Some("P-SUPPORT") {
+        // Of its margin the sign alone has a meaning: what nearly carries it may be one thing or another.
+        return a.id == b.id && (a.satisfied == b.satisfied || a.margin.is_some_and(near));
+    }
     match (a.margin, b.margin) {
         // One value for another, or one region for another, within rounding of each other.
         (Some(x), Some(y)) => a.id == b.id && (x - y).abs() < 1e-5 && (a.satisfied == b.satisfied || near(x)),

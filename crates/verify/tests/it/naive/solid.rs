@@ -190,7 +190,7 @@ fn over_faces<'s>(a: &'s Solid, b: &'s Solid) -> impl Iterator<Item = f64> + 's 
                 dot(sub(*p, c), out) * dot(sub(middle, c), out) >= 0.0
             });
             let height = dot(sub(*p, a.corners[face[0]]), normal);
-            (inside && height >= 0.0).then_some(height)
+            (inside && height >= -1e-9).then_some(height.max(0.0))
         };
         b.corners.iter().filter_map(above)
     })
