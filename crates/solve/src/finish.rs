@@ -1,6 +1,6 @@
 //! After the search: the layout with clean numbers, and what does not hold in it.
 
-use crate::problem::{Unsatisfied, What};
+use crate::problem::{Standing, Unsatisfied, What};
 use crate::setup::Setup;
 use crate::state::State;
 use crate::tidy::round_to;
@@ -12,11 +12,15 @@ use scenelang_verify::{Options, Truth, World, judge, rules};
 const DIGITS: f64 = 1e-6;
 
 /// The layout of a state; numbers are cut to six digits where that does no harm.
-pub(crate) fn layout(setup: &Setup<'_>, state: &State<'_>, options: &Options) -> (Layout, Vec<Unsatisfied>) {
+pub(crate) fn layout(
+    setup: &Setup<'_>,
+    state: &State<'_>,
+    options: &Options,
+) -> (Layout, (Vec<Unsatisfied>, Vec<Standing>)) {
     let exact = compose(setup, state, |x| x);
     let short = compose(setup, state, |x| round_to(x, DIGITS));
     let (a, b) = (unsatisfied(setup, &exact, options), unsatisfied(setup, &short, options));
-    if b.len() <= a.len() { (short, b) } else { (exact, a) }
+    if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
 }
 
 fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
@@ -51,17 +55,21 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
 }
 
 /// What does not hold in a layout: stated constraints in order, then physical rules.
-fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> Vec<Unsatisfied> {
+fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
     let program = setup.frame.program;
     let world = World::<f64>::new(program, layout, options);
     let mut found = Vec::new();
+    let mut standings = Vec::new();
     let mut note = |what: What, truth: Option<Truth<f64>>| {
         if truth.is_none_or(|t| !t.holds) {
             found.push(Unsatisfied { what, margin: truth.map(|t| t.margin).filter(|m| m.is_finite()) });
         }
     };
     for (index, constraint) in program.constraints.iter().enumerate() {
-        note(What::Stated(index), judge(&constraint.formula, &world).ok());
+        let truth = judge(&constraint.formula, &world).ok();
+        let margin = truth.map(|t| t.margin).filter(|m| m.is_finite());
+        standings.push(Standing { holds: truth.is_some_and(|t| t.holds), margin });
+        note(What::Stated(index), truth);
     }
     if let Some(scope) = &setup.frame.scope {
         let name = |id| setup.frame.name(id).into();
@@ -85,7 +93,7 @@ fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> Vec<Uns
             }
         }
     }
-    found
+    (found, standings)
 }
 
 /// Whether all of it is preferences.
@@ -94,4 +102,20 @@ pub(crate) fn is_soft(setup: &Setup<'_>, all: &[Unsatisfied]) -> bool {
         What::Stated(index) => matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }),
         _ => false,
     })
+}
+
+/// The stated constraints that must hold and do not, if they are all that is violated.
+pub(crate) fn in_the_way(setup: &Setup<'_>, unsatisfied: &[Unsatisfied]) -> Vec<usize> {
+    let mut found = Vec::new();
+    for each in unsatisfied {
+        match each.what {
+            What::Stated(index) => {
+                if !matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }) {
+                    found.push(index);
+                }
+            }
+            _ => return Vec::new(),
+        }
+    }
+    found
 }

@@ -140,6 +140,17 @@ impl<'a> Frame<'a> {
         }
     }
 
+    /// Leaves an object where it is, whatever the rules say.
+    pub fn lock(&mut self, id: ObjectId) {
+        let i = id.0 as usize;
+        self.rules.fixed[i] = Fixed { pos: [true; 3], rot: true, scale: true };
+        self.rules.own[i].clear();
+        self.sources[i].clear();
+        let rules = &self.rules;
+        let lists = self.followers.iter_mut().chain(&mut self.region_followers).chain(&mut self.variable_followers);
+        lists.for_each(|list| list.retain(|r| rules.list[*r].owner != id));
+    }
+
     /// All objects.
     pub fn objects(&self) -> impl Iterator<Item = ObjectId> + use<> {
         (0..self.program.objects.len() as u32).map(ObjectId)

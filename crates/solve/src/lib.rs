@@ -8,12 +8,14 @@
 //!
 //! Absent here: reading of files, assets, how a model is reached.
 
+mod alternatives;
 mod bounds;
 mod checks;
 mod draws;
 mod equations;
 mod finish;
 mod frame;
+mod freedom;
 mod looks;
 mod merit;
 mod model;
@@ -40,10 +42,12 @@ mod tidy;
 mod view;
 mod wishes;
 
+pub use alternatives::alternatives;
 pub use draws::draws;
+pub use freedom::{Freedom, freedom};
 pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
 pub use pose::Pose;
-pub use problem::{Options, Outcome, Phase, Placed, Problem, Progress, Unsatisfied, What};
+pub use problem::{End, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};
 pub use solve::{solve, solve_with};
 pub use steps::{Bounds, Placer, Proposer, Relaxer, Selector, Steps};
 pub use view::{Concern, Move, Proposal, View};

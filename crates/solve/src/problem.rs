@@ -4,6 +4,7 @@ use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Layout;
 use smol_str::SmolStr;
+use std::time::Duration;
 
 /// A scene to be laid out.
 #[derive(Clone, Debug)]
@@ -54,7 +55,7 @@ impl Placed {
 }
 
 /// How to solve. Budgets count work, not seconds, so that a result does not depend on the machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Fixes draws and every random choice.
     pub seed: u64,
@@ -62,8 +63,14 @@ pub struct Options {
     pub batch: usize,
     /// At most so many rounds of the loop for each initial placement.
     pub rounds: usize,
-    /// At most so much work in all; a unit is about ten nanoseconds.
+    /// At most so much work in all; a unit is some twenty nanoseconds. 0: by the number of objects.
     pub budget: u64,
+    /// At most so long, whatever the budget. What comes of it then depends on the machine.
+    pub time: Option<Duration>,
+    /// Which of the layouts that the seed leads to: draws stay the same, choices differ.
+    pub variant: u64,
+    /// Objects that stay where the layout to start from has them.
+    pub locked: Vec<ObjectId>,
     /// At most this part of the budget goes into preferences and looks once all that must hold does.
     pub polish: f64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -76,11 +83,48 @@ impl Default for Options {
             seed: 0,
             batch: 3,
             rounds: 400,
-            budget: 1_000_000_000,
+            budget: 0,
+            time: None,
+            variant: 0,
+            locked: Vec::new(),
             polish: 0.2,
             judge: scenelang_verify::Options::default(),
         }
     }
+}
+
+impl Options {
+    /// The same with a budget for so many objects.
+    pub(crate) fn budgeted(&self, objects: usize) -> Self {
+        const LEAST: u64 = 60_000_000;
+        const PER_OBJECT: u64 = 6_000_000;
+        let budget = if self.budget == 0 { LEAST + PER_OBJECT * objects as u64 } else { self.budget };
+        Self { budget, ..self.clone() }
+    }
+}
+
+/// Why a search came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// All that must hold does.
+    Solved,
+    /// The work that was allowed is done.
+    Budget,
+    /// The time that was allowed is over.
+    Time,
+    /// There is nothing more to try, or nobody who could.
+    Exhausted,
+    /// The caller ended it.
+    Asked,
+}
+
+/// How a stated constraint stands in the layout found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Whether it holds.
+    pub holds: bool,
+    /// By how much it holds, or fails if negative: metres or degrees; `None`: it has no metres, or cannot be judged.
+    pub margin: Option<f64>,
 }
 
 /// What came of it.
@@ -90,6 +134,13 @@ pub struct Outcome {
     pub layout: Layout,
     /// Whether all that must hold does.
     pub converged: bool,
+    /// Why the search ended.
+    pub end: End,
+    /// How every stated constraint stands, by its index in [`Program::constraints`].
+    pub constraints: Vec<Standing>,
+    /// Where not all that must hold does: the fewest stated constraints found (not proved) without which the rest holds
+    /// in this layout. Empty also where a physical rule is violated.
+    pub in_the_way: Vec<usize>,
     /// Rounds of the loop in all.
     pub iterations: usize,
     /// Work done, see [`Options::budget`].

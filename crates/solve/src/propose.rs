@@ -38,6 +38,9 @@ pub(crate) fn numeric(search: &mut Search<'_>, batch: &[usize]) -> bool {
         return clear_ways(search, &objects) || improved;
     }
     for &id in &objects {
+        if search.is_late() {
+            break;
+        }
         improved |= search.place(id, Breadth::Some(PLACES), &[], true);
         let group = search.dependents(&[id], GROUP);
         if group.len() > 1 {

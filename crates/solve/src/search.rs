@@ -10,6 +10,7 @@ use crate::tidy;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::Value;
+use std::time::Instant;
 
 /// How many of the ranked candidates are polished.
 const POLISHED: usize = 5;
@@ -64,12 +65,19 @@ pub(crate) struct Search<'a> {
     pub priority: Vec<f64>,
     /// The best layout so far.
     pub best: Option<Best>,
+    /// When it is to end.
+    pub deadline: Option<Instant>,
 }
 
 impl<'a> Search<'a> {
     /// Whether the work is used up to a part of the budget.
     pub fn is_spent(&self, part: f64) -> bool {
-        self.state.work as f64 >= self.options.budget as f64 * part
+        self.is_late() || self.state.work as f64 >= self.options.budget as f64 * part
+    }
+
+    /// Whether the time is over.
+    pub fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|end| Instant::now() >= end)
     }
 
     /// The layout as values.
@@ -251,7 +259,11 @@ impl<'a> Search<'a> {
             let ready = waiting.iter().position(|&o| self.is_ready(o, &waiting)).unwrap_or(0);
             let id = waiting.remove(ready);
             if !self.state.is_placed(id) {
-                self.bring_in(id);
+                if self.is_late() {
+                    self.put_anywhere(id);
+                } else {
+                    self.bring_in(id);
+                }
             }
         }
     }
@@ -268,6 +280,13 @@ impl<'a> Search<'a> {
             }
         }
         all
+    }
+
+    /// Gives an object the place that its rules give it, without a look at anything.
+    pub fn put_anywhere(&mut self, id: ObjectId) {
+        if self.state.attempt(&[Change::Join(id)], f64::INFINITY).is_some() {
+            self.state.keep();
+        }
     }
 
     /// Finds a place for an object that has none; those that come with it are looked at, too.

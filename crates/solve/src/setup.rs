@@ -56,7 +56,12 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     size(program, &terms, &mut layout, options, &mut warnings);
     let world = World::<f64>::new(program, &layout, &options.judge);
     let scope = options.judge.physics.then(|| Scope::new(&world));
-    let frame = Frame::new(program, terms, scope, |id| layout.objects[id.0 as usize].1.scale);
+    let mut frame = Frame::new(program, terms, scope, |id| layout.objects[id.0 as usize].1.scale);
+    let known = |id: &&ObjectId| {
+        let object = program.objects.get(id.0 as usize);
+        problem.placed.object(**id) && object.is_some_and(|o| problem.start.object(&o.name).is_some())
+    };
+    options.locked.iter().filter(known).for_each(|id| frame.lock(*id));
     let given = frame
         .objects()
         .filter(|id| problem.placed.object(*id))

@@ -2,7 +2,7 @@
 
 use crate::place;
 use crate::polish::Polisher;
-use crate::problem::{Options, Outcome, Phase, Problem, Progress};
+use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
 use crate::quick::Quick;
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
@@ -13,6 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
 use std::ops::ControlFlow;
+use std::time::Instant;
 
 /// How much earlier an object is placed for each time it was in trouble.
 const TROUBLE: f64 = 0.3;
@@ -39,8 +40,11 @@ pub fn solve_with(
     steps: &mut Steps<'_>,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
+    let options = &options.budgeted(problem.program.objects.len());
+    let deadline = options.time.map(|time| Instant::now() + time);
     let setup = setup(problem, options);
     let mut run = Run {
+        deadline,
         setup: &setup,
         problem,
         options,
@@ -50,33 +54,46 @@ pub fn solve_with(
         work: 0,
     };
     let mut attempt = 0;
-    let mut state = loop {
+    let (mut state, mut end) = loop {
         let (state, going) = run.attempt(attempt, steps, progress);
         attempt += 1;
-        let solved = run.best.as_ref().is_some_and(|b| b.hard.0 == 0);
-        if solved
-            || steps.proposers_only
-            || going.is_break()
-            || run.work >= options.budget
-            || setup.frame.program.objects.is_empty()
-        {
-            break state;
-        }
+        let end = if run.best.as_ref().is_some_and(|b| b.hard.0 == 0) {
+            End::Solved
+        } else if going.is_break() {
+            End::Asked
+        } else if deadline.is_some_and(|end| Instant::now() >= end) {
+            End::Time
+        } else if run.work >= options.budget {
+            End::Budget
+        } else if steps.proposers_only || setup.frame.objects().all(|id| !setup.frame.is_movable(id)) {
+            End::Exhausted
+        } else {
+            continue;
+        };
+        break (state, end);
     };
     if let Some(best) = &run.best {
         state = run.at(&best.snapshot, state);
     }
-    let (layout, unsatisfied) = finish::layout(&setup, &state, &options.judge);
+    let (layout, (unsatisfied, constraints)) = finish::layout(&setup, &state, &options.judge);
     let converged = finish::is_soft(&setup, &unsatisfied);
-    let mut warnings = setup.warnings.clone();
-    if !converged && run.work >= options.budget {
-        warnings.push(format!("the budget of {} units of work is spent", options.budget));
+    if end == End::Solved && !converged {
+        end = End::Exhausted;
     }
-    Outcome { layout, converged, iterations: run.iterations, work: run.work, unsatisfied, warnings }
+    let mut warnings = setup.warnings.clone();
+    match end {
+        End::Budget => warnings.push(format!("the budget of {} units of work is spent", options.budget)),
+        End::Time => warnings.push("the time is over; what was found by then depends on the machine".to_owned()),
+        End::Solved | End::Exhausted | End::Asked => {}
+    }
+    let in_the_way = finish::in_the_way(&setup, &unsatisfied);
+    let (iterations, work) = (run.iterations, run.work);
+    Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 
 /// What attempts share.
 struct Run<'r, 'a> {
+    deadline: Option<Instant>,
     setup: &'r Setup<'a>,
     problem: &'r Problem<'a>,
     options: &'r Options,
@@ -111,9 +128,9 @@ impl<'r, 'a> Run<'r, 'a> {
         state.work = self.work;
         let polisher = Polisher::new(&state);
         let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        chance.set_stream(attempt);
+        chance.set_stream(attempt + (self.options.variant << 32));
         let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
-        Search { state, polisher, chance, options: self.options, priority, best: None }
+        Search { state, polisher, chance, options: self.options, priority, best: None, deadline: self.deadline }
     }
 
     fn run(
@@ -129,7 +146,7 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        if attempt == 0 && steps.is_default() && self.setup.given.is_empty() {
+        if attempt == 0 && steps.is_default() {
             let solved = self.quick(search);
             search.note();
             if solved {
@@ -172,19 +189,23 @@ impl<'r, 'a> Run<'r, 'a> {
             .frame
             .objects()
             .map(|id| {
+                let given = self.setup.given.iter().find(|(o, _)| *o == id).and_then(|(_, pose)| *pose);
                 let home = search.state.home(id);
-                Change::Object(id, home.at(APART * f64::from(id.0 + 1), 0.0, 0.0))
+                Change::Object(id, given.unwrap_or(home.at(APART * f64::from(id.0 + 1), 0.0, 0.0)))
             })
             .collect();
         if search.state.attempt(&homes, f64::INFINITY).is_some() {
             search.state.keep();
         }
+        let mut given = vec![false; self.setup.frame.program.objects.len()];
+        self.setup.given.iter().for_each(|(id, _)| given[id.0 as usize] = true);
         let Some(mut quick) = Quick::new(&search.state) else {
             self.setup.frame.objects().for_each(|id| search.state.banish(id));
             return false;
         };
-        let solved = quick.search(&mut search.chance, (self.options.budget as f64 * QUICK) as u64);
-        if solved {
+        let budget = (self.options.budget as f64 * QUICK) as u64;
+        let solved = quick.search(&mut search.chance, budget, self.deadline, &given);
+        if solved && self.setup.given.is_empty() {
             quick.tidy(&mut search.chance);
         }
         search.state.work += quick.work;
@@ -220,8 +241,15 @@ impl<'r, 'a> Run<'r, 'a> {
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
         let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search =
-            Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
+        let mut search = Search {
+            state: old,
+            polisher,
+            chance,
+            options: self.options,
+            priority: Vec::new(),
+            best: None,
+            deadline: None,
+        };
         search.restore(snapshot);
         search.state
     }

@@ -7,6 +7,7 @@ use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::INPUTS;
+use std::time::Instant;
 
 /// What a violated check gains in weight when no move helps.
 const STUBBORN: f64 = 0.5;
@@ -19,15 +20,19 @@ const EXCHANGES: usize = 2;
 
 impl Quick<'_> {
     /// Searches until all holds that is judged here, or so much work is done. Whether it does.
-    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64) -> bool {
+    /// Objects that are `given` a place start from there at first.
+    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, deadline: Option<Instant>, given: &[bool]) -> bool {
+        let late = || deadline.is_some_and(|end| Instant::now() >= end);
+        let mut kept_in_place = given;
         let end = self.work + budget;
         let mut best = (usize::MAX, f64::INFINITY);
         let mut kept: Vec<[f64; INPUTS]> = Vec::new();
         let mut poses = Vec::new();
-        while self.work < end {
-            self.begin(chance);
+        while self.work < end && !late() {
+            self.begin(chance, kept_in_place);
+            kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
-            while !self.bad.is_empty() && self.work < end && idle < PATIENCE * self.movable.len().max(5) {
+            while !self.bad.is_empty() && self.work < end && !late() && idle < PATIENCE * self.movable.len().max(5) {
                 self.step(chance, &mut poses);
                 idle = if self.bad.len() < least { 0 } else { idle + 1 };
                 least = least.min(self.bad.len());
@@ -47,16 +52,19 @@ impl Quick<'_> {
     }
 
     /// A first layout: one object after the other at the best of some random poses, large ones first.
-    fn begin(&mut self, chance: &mut ChaCha8Rng) {
+    fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool]) {
         self.weight.fill(1.0);
-        for i in self.movable.clone() {
+        self.work += self.count() as u64;
+        let new: Vec<usize> =
+            self.movable.iter().copied().filter(|i| !given.get(*i).copied().unwrap_or(false)).collect();
+        for &i in &new {
             let pose = self.anywhere(i, chance);
             self.go(i, pose);
             self.moved.clear();
         }
         self.judge_all();
         let mut order: Vec<(f64, usize)> =
-            self.movable.iter().map(|&i| (self.size[i][0] * self.size[i][2] * chance.between(0.7, 1.3), i)).collect();
+            new.iter().map(|&i| (self.size[i][0] * self.size[i][2] * chance.between(0.7, 1.3), i)).collect();
         order.sort_by(|a, b| b.0.total_cmp(&a.0));
         for (_, i) in order {
             let mut best = (-1e-9, None);
@@ -99,6 +107,7 @@ impl Quick<'_> {
 
     /// One object of something violated goes to the best of many poses, or changes places with another.
     fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<[f64; INPUTS]>) {
+        self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
         let Some(i) = self.culprit(check, chance) else {
             self.weight[check] += STUBBORN;
