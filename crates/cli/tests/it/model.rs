@@ -92,7 +92,9 @@ fn a_model_proposes_and_its_answers_are_kept() {
         "model {name}: 1 call, 100 tokens in, 20 out, cost unknown: no price is set for this model\n  1 of its 1 moves were made, in 1 round\n"
     );
     assert!(ended.stdout.ends_with(&wanted), "{}", ended.stdout);
-    assert_eq!(server.asked()[0].header("authorization"), Some("Bearer sk-very-secret"));
+    let asked = server.asked().remove(0);
+    assert_eq!((asked.path.as_str(), &asked.body["temperature"]), ("/chat/completions", &json!(0.7)));
+    assert_eq!(asked.header("authorization"), Some("Bearer sk-very-secret"));
     let first = fs::read(folder.path().join("end.json")).unwrap();
 
     // Again, without a network: free, and the same to the byte.
@@ -131,8 +133,11 @@ fn whatever_a_model_does_the_scene_is_solved() {
         (Act::fails(429, "").with("retry-after", "3600"), "the provider has had too many requests (429)"),
         (Act::Endless, "the answer is larger than 4194304 bytes"),
         (Act::HangUp, "the model cannot be reached: "),
+        (Act::Broken(b"{".to_vec()), "the model cannot be reached: "),
+        (Act::Stalled, "the model gave no complete answer within 1 s"),
     ] {
-        let folder = folder("");
+        // Only what never comes is not waited for.
+        let folder = folder(if matches!(act, Act::Stalled) { "[llm]\ntries = 1\ntimeout = 1\n" } else { "" });
         let shown = format!("{act:?}");
         let server = Server::new(vec![act]);
         let ended =

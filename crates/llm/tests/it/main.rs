@@ -26,9 +26,14 @@ fn question() -> Request {
     }
 }
 
-/// A model at a server, with half a second of patience for each request and room for 64 KiB.
+/// A model at a server, with room for 64 KiB in an answer and more patience than any test needs.
 fn remote(model: &str, url: &str, key: Option<&str>) -> Remote {
+    remote_within(Duration::from_secs(60), model, url, key)
+}
+
+/// The same with so much patience.
+fn remote_within(patience: Duration, model: &str, url: &str, key: Option<&str>) -> Remote {
     let target = Target::new(model, Some(url)).unwrap();
     let key = key.map(|k| Key::new(k).unwrap());
-    Remote::new(target, key, Duration::from_millis(500), 65_536, || false).unwrap()
+    Remote::new(target, key, patience, 65_536, || false).unwrap()
 }

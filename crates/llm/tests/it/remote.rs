@@ -1,7 +1,7 @@
 //! One request and its answer: the four shapes, and every way in which an answer can be bad.
 
 use crate::server::{Act, Server};
-use crate::{question, remote};
+use crate::{question, remote, remote_within};
 use scenelang_llm::{Error, Image, Message, Model, Remote, Reply, Role, Target, Usage};
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -137,8 +137,10 @@ fn pictures_go_along() {
 
 /// What becomes of an act, in words.
 fn said(act: Act) -> String {
+    // Only what never comes is not waited for.
+    let patience = if matches!(act, Act::Stalled) { Duration::from_millis(500) } else { Duration::from_secs(60) };
     let server = Server::new(vec![act]);
-    match remote("openai:m", &server.url, Some(KEY)).ask(&question()) {
+    match remote_within(patience, "openai:m", &server.url, Some(KEY)).ask(&question()) {
         Ok(reply) => format!("ok: {}", reply.text),
         Err(error) => {
             let passing = if error.is_passing() { "passing" } else { "final" };

@@ -58,7 +58,7 @@ fn what_passes_is_waited_for() {
             vec![10.0..10.5],
         ),
         (vec![Act::fails(429, ""), Act::fails(500, ""), good()], vec![0.5..1.0, 1.0..2.0]),
-        (vec![Act::HangUp, Act::Stalled, Act::Broken(b"{".to_vec()), good()], vec![0.5..1.0, 1.0..2.0, 2.0..4.0]),
+        (vec![Act::HangUp, Act::HangUp, Act::Broken(b"{".to_vec()), good()], vec![0.5..1.0, 1.0..2.0, 2.0..4.0]),
     ] {
         let shown = format!("{script:?}");
         let n = script.len();
