@@ -20,7 +20,7 @@ impl Quick<'_> {
             let pose = self.anywhere(i, chance);
             out.push(pose);
         }
-        self.to_satisfy(i, chance, out);
+        self.satisfying(i, chance, out);
         for at in 0..self.yaws[i].len() {
             let yaw = self.yaws[i][at];
             if yaw != now[3] {
@@ -58,7 +58,7 @@ impl Quick<'_> {
     }
 
     /// Along x, z or y to where a violated term of it would hold, and some way beyond.
-    fn to_satisfy(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
+    fn satisfying(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
         let now = self.inputs(i);
         let fixed = self.frame.fixed(scenelang_lang::program::ObjectId(i as u32));
         let terms = self.terms_of[i].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX);
