@@ -40,8 +40,8 @@ fn compiled(text: &str) -> Compiled {
 fn run(text: &str, options: &Options, start: Option<&Layout>) -> Outcome {
     let compiled = compiled(text);
     let placed = if start.is_some() { Placed::All } else { Placed::None };
-    let problem =
-        Problem { program: compiled.program.as_ref().unwrap(), start: start.cloned().unwrap_or_default(), placed };
+    let program = compiled.program.as_ref().expect("`compiled` looks at that");
+    let problem = Problem { program, start: start.cloned().unwrap_or_default(), placed };
     solve(&problem, options, &mut |_| ControlFlow::Continue(()))
 }
 
