@@ -96,8 +96,8 @@ impl Default for Options {
 impl Options {
     /// The same with a budget for so many objects.
     pub(crate) fn budgeted(&self, objects: usize) -> Self {
-        const LEAST: u64 = 60_000_000;
-        const PER_OBJECT: u64 = 6_000_000;
+        const LEAST: u64 = 40_000_000;
+        const PER_OBJECT: u64 = 4_000_000;
         let budget = if self.budget == 0 { LEAST + PER_OBJECT * objects as u64 } else { self.budget };
         Self { budget, ..self.clone() }
     }

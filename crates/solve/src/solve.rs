@@ -146,15 +146,12 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        if attempt == 0 && steps.is_default() {
-            let solved = self.quick(search);
+        if attempt == 0 && steps.is_default() && self.quick(search) {
             search.note();
-            if solved {
-                if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
-                    self.finish(search, progress)?;
-                }
-                return ControlFlow::Continue(());
+            if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
+                self.finish(search, progress)?;
             }
+            return ControlFlow::Continue(());
         }
         place::initial(search, steps, &self.setup.given);
         progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;

@@ -13,8 +13,9 @@ use std::time::Instant;
 const STUBBORN: f64 = 0.5;
 /// How many poses are tried for each object of a first layout.
 const FIRST: usize = 24;
-/// So many steps per object without a new best, and all begins anew.
-const PATIENCE: usize = 400;
+/// So many steps without a new best, and all begins anew: per object, and per root of the number of objects, whichever
+/// is less. Large scenes are better begun anew than waited for.
+const PATIENCE: [f64; 2] = [400.0, 2500.0];
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
 
@@ -25,19 +26,21 @@ impl Quick<'_> {
         let late = || deadline.is_some_and(|end| Instant::now() >= end);
         let mut kept_in_place = given;
         let end = self.work + budget;
-        let mut best = (usize::MAX, f64::INFINITY);
+        let n = self.movable.len().max(5) as f64;
+        let patience = (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt()) as usize;
+        let mut best = usize::MAX;
         let mut kept: Vec<[f64; INPUTS]> = Vec::new();
         let mut poses = Vec::new();
         while self.work < end && !late() {
             self.begin(chance, kept_in_place);
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
-            while !self.bad.is_empty() && self.work < end && !late() && idle < PATIENCE * self.movable.len().max(5) {
+            while !self.bad.is_empty() && self.work < end && !late() && idle < patience {
                 self.step(chance, &mut poses);
                 idle = if self.bad.len() < least { 0 } else { idle + 1 };
                 least = least.min(self.bad.len());
-                if self.bad.len() < best.0 {
-                    best = (self.bad.len(), 0.0);
+                if self.bad.len() < best {
+                    best = self.bad.len();
                     kept = (0..self.count()).map(|i| self.inputs(i)).collect();
                 }
             }
