@@ -54,7 +54,7 @@ pub fn hybrid(
     if asking.rounds > 0 {
         steps.proposers.push(&mut proposer);
     }
-    let batched = Options { batch: asking.batch, ..*options };
+    let batched = Options { batch: asking.batch, ..options.to_owned() };
     let outcome = solve_with(problem, &batched, &mut steps, &mut watched);
     drop(steps);
     let tally = proposer.tally().clone();
