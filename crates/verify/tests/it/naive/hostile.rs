@@ -70,10 +70,9 @@ fn numbers(row: &Row) -> Vec<f64> {
     out
 }
 
-/// Words that are no numbers and no names of ours.
+/// How a float that is no number is written.
 fn is_no_number(word: &str) -> bool {
-    let word = word.trim_matches(|c: char| !c.is_alphanumeric());
-    ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str())
+    ["NaN", "inf", "Infinity"].contains(&word.trim_matches(|c: char| !c.is_alphanumeric()))
 }
 
 fn blemishes(checked: &Checked, schema: &jsonschema::Validator) -> Vec<String> {

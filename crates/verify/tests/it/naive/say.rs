@@ -368,10 +368,6 @@ impl Speaker<'_> {
     }
 
     fn count(&mut self, depth: usize) -> Term {
-        self.quantified_count(depth)
-    }
-
-    fn quantified_count(&mut self, depth: usize) -> Term {
         match self.quantified(Quantity::Count, depth) {
             counted @ Term::Quantified(Quantity::Count, ..) => counted,
             _ => Term::Number(1.0),
@@ -505,15 +501,12 @@ impl Speaker<'_> {
                 }
                 1 => Term::call("between", [self.object(), self.object(), self.object()]),
                 _ => {
-                    let domain = self.domain();
-                    let around = Term::name("b");
                     // Itself among them would be a gap to itself.
-                    let set = if self.scene.array.is_some() {
-                        Term::Set(Domain::Array("chair".to_owned()))
-                    } else {
-                        Term::name("a")
+                    let set = match &self.scene.array {
+                        Some((array, _)) => Term::Set(Domain::Array(array.clone())),
+                        None => Term::name("a"),
                     };
-                    let _ = domain;
+                    let around = Term::name("b");
                     Term::call("around", [set, around, Term::Number(self.dice.between(0.0, 3.0))])
                 }
             },
