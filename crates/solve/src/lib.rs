@@ -15,6 +15,7 @@ mod equations;
 mod finish;
 mod frame;
 mod looks;
+pub mod mend;
 mod merit;
 mod model;
 mod place;
