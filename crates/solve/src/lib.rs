@@ -17,6 +17,7 @@ mod finish;
 mod frame;
 mod freedom;
 mod looks;
+pub mod mend;
 mod merit;
 mod model;
 mod place;

@@ -1,0 +1,296 @@
+//! The layout under the solver's own search, with what is wanted of it: from here objects are moved and moved back.
+
+use super::judge::Judge;
+use super::{Alternative, EACH, How, MendOptions, Moved};
+use crate::checks::Check;
+use crate::frame::{Frame, variables};
+use crate::polish::Polisher;
+use crate::pose::Pose;
+use crate::problem::Options;
+use crate::search::{Search, Snapshot};
+use crate::state::{Change, State};
+use crate::terms;
+use crate::tidy::round_to;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::{Layout, Value as Written, Vec3};
+use scenelang_verify::check::Subject;
+use scenelang_verify::explain::RowRef;
+use scenelang_verify::report::model::Kind;
+use scenelang_verify::rules::Scope;
+use scenelang_verify::{Value, World};
+
+/// What is smaller than this is no move (metres, degrees).
+const STILL: f64 = 1e-7;
+/// Digits that are written (metres and degrees).
+const DIGITS: f64 = 1e-6;
+
+/// The solver's options for a search with a budget.
+pub(super) fn solver(options: &MendOptions) -> Options {
+    Options { budget: options.budget, judge: options.judge, ..Options::default() }
+}
+
+/// What stays the same while a layout is mended.
+pub(super) struct Fixtures<'a> {
+    frame: Frame<'a>,
+    world: World<f64>,
+}
+
+impl<'a> Fixtures<'a> {
+    pub fn new(judge: &Judge<'a>) -> Self {
+        let world = World::<f64>::new(judge.program, judge.layout, &judge.options);
+        let scope = judge.options.physics.then(|| Scope::new(&world));
+        let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
+        let frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
+            size(id).unwrap_or_else(|| Vec3::repeat(1.0))
+        });
+        Self { frame, world }
+    }
+}
+
+/// See the file.
+pub(super) struct Room<'r, 'a> {
+    pub judge: &'r Judge<'a>,
+    pub search: Search<'r>,
+    /// The layout as the search has it: rules of the program obeyed.
+    pub start: Snapshot,
+    /// By object: its pose in `start`.
+    pub poses: Vec<Pose>,
+    /// By check: whether it is to hold.
+    wanted: Vec<bool>,
+    /// Whether ways over the floor are among what is wanted: then each look is dear.
+    pub dear: bool,
+}
+
+impl<'r, 'a> Room<'r, 'a> {
+    /// With the layout in it. With `careless`, wishes may break.
+    pub fn new(judge: &'r Judge<'a>, fixtures: &'r Fixtures<'a>, options: &'r Options, careless: bool) -> Self {
+        let frame = &fixtures.frame;
+        let placed: Vec<Change> = frame
+            .objects()
+            .filter_map(|id| fixtures.world.object(id).ok().map(|thing| Change::Object(id, Pose::of(thing))))
+            .collect();
+        let mut state = State::new(frame, fixtures.world.clone());
+        if state.attempt(&placed, f64::INFINITY).is_some() {
+            state.keep();
+        }
+        state.measure_all();
+        state.look_at_ways();
+        let n = frame.program.objects.len();
+        let priority = frame.priority.clone();
+        let wanted: Vec<bool> = (0..state.numbering.len())
+            .map(|check| {
+                let row = row_of(frame, state.numbering.check(check));
+                let soft = !state.is_hard(check);
+                if judge.targets.contains(&row) {
+                    return true;
+                }
+                // A part of a demand that held is kept, even if the whole did not.
+                let held = if soft { !judge.failed(&row) } else { state.does_hold(check) || !judge.failed(&row) };
+                held && !(soft && careless)
+            })
+            .collect();
+        for (check, wanted) in wanted.iter().enumerate() {
+            state.weight[check] = if *wanted { 1.0 } else { 0.0 };
+        }
+        let polisher = Polisher::new(&state);
+        let chance = ChaCha8Rng::seed_from_u64(judge.layout.seed.unwrap_or(0));
+        let poses = frame.objects().map(|id| state.pose(id)).collect();
+        let dear = frame.walks.iter().any(|&t| wanted[t]);
+        let search = Search { state, polisher, chance, options, priority, best: None };
+        debug_assert_eq!(n, search.state.placed().count());
+        Self { judge, start: search.snapshot(), search, poses, wanted, dear }
+    }
+
+    /// What is wanted and does not hold; ways over the floor only where all else holds.
+    pub fn missing(&mut self) -> Vec<usize> {
+        let state = &mut self.search.state;
+        let walks = |c: usize| state.frame.terms.get(c).is_some_and(|t| t.walks);
+        let cheap: Vec<usize> =
+            (0..self.wanted.len()).filter(|&c| self.wanted[c] && !state.does_hold(c) && !walks(c)).collect();
+        if !cheap.is_empty() || !self.dear {
+            return cheap;
+        }
+        state.look_at_ways();
+        (0..self.wanted.len()).filter(|&c| self.wanted[c] && !state.does_hold(c)).collect()
+    }
+
+    /// Whether all that is wanted holds.
+    pub fn holds(&mut self) -> bool {
+        self.missing().is_empty()
+    }
+
+    /// Makes changes; keeps them if all that is wanted holds then. Whether it does.
+    pub fn hold(&mut self, changes: &[Change]) -> bool {
+        let before = self.search.snapshot();
+        if self.search.state.attempt(changes, f64::INFINITY).is_none() {
+            return false;
+        }
+        self.search.state.keep();
+        let holds = self.holds();
+        if !holds {
+            self.search.restore(&before);
+        }
+        holds
+    }
+
+    /// Objects that are elsewhere than at the start.
+    pub fn moved(&self) -> Vec<ObjectId> {
+        let state = &self.search.state;
+        state.frame.objects().filter(|id| differ(&state.pose(*id), &self.poses[id.0 as usize])).collect()
+    }
+
+    /// What a move of an object costs.
+    pub fn travel(&self, id: ObjectId, to: &Pose) -> f64 {
+        travel(&self.poses[id.0 as usize], to)
+    }
+
+    /// What all that is moved costs.
+    pub fn cost(&self) -> f64 {
+        self.moved().iter().map(|&id| EACH + self.travel(id, &self.search.state.pose(id))).sum()
+    }
+
+    /// The layout as it now is, if that mends: as few objects moved as the search has it, or, where that is not enough,
+    /// with everything where the rules of the program put it.
+    pub fn alternative(&mut self) -> Option<Alternative> {
+        let fine = [true, false].into_iter().find_map(|lazy| {
+            [DIGITS, 0.0].into_iter().find_map(|digits| {
+                let layout = self.compose(lazy, digits);
+                let broken = self.judge.judge(&layout)?;
+                Some((layout, broken))
+            })
+        });
+        let (mut layout, mut broken) = fine?;
+        // What need not move after all, stays.
+        for index in 0..layout.objects.len() {
+            let old = &self.judge.layout.objects[index].1;
+            if layout.objects[index].1 == *old {
+                continue;
+            }
+            let mut fewer = layout.clone();
+            fewer.objects[index].1 = old.clone();
+            if let Some(now) = self.judge.judge(&fewer).filter(|now| now.len() <= broken.len()) {
+                (layout, broken) = (fewer, now);
+            }
+        }
+        Some(describe(self.judge, layout, &broken))
+    }
+
+    /// The layout with what the search has moved; `lazy`: what only rules have moved stays.
+    fn compose(&self, lazy: bool, digits: f64) -> Layout {
+        let state = &self.search.state;
+        let frame = state.frame;
+        let cut = |new: f64, old: f64| {
+            if (new - old).abs() < STILL {
+                old
+            } else if digits > 0.0 {
+                round_to(new, digits)
+            } else {
+                new
+            }
+        };
+        let vec = |new: Vec3, old: Vec3| Vec3::from_fn(|i, _| cut(new[i], old[i]));
+        let mut layout = self.judge.layout.clone();
+        for (name, placement) in &mut layout.objects {
+            let Some(id) = frame.objects().find(|id| frame.name(*id) == *name) else { continue };
+            let pose = state.pose(id);
+            let shifted = differ(&pose, &self.poses[id.0 as usize]);
+            if shifted || !lazy {
+                placement.pos = vec(pose.pos, placement.pos);
+                placement.rot = turned(vec(pose.rot, placement.rot), placement.rot);
+                if placement.parts.is_empty() {
+                    placement.scale = vec(pose.scale, placement.scale);
+                }
+            }
+        }
+        for (index, region) in frame.program.regions.iter().enumerate() {
+            let pose = state.region_pose(RegionId(index as u32));
+            if let Some((_, placement)) = layout.regions.iter_mut().find(|(name, _)| *name == region.name) {
+                placement.pos = vec(pose.pos, placement.pos);
+                placement.scale = vec(pose.scale, placement.scale);
+            }
+        }
+        for id in variables(frame.program) {
+            let name = &frame.program.variables[id.0 as usize].name;
+            let Some((_, written)) = layout.variables.iter_mut().find(|(n, _)| n == name) else { continue };
+            match (state.world.variable(id), &mut *written) {
+                (Ok(Value::Number(new)), Written::Number(old)) => *old = cut(new, *old),
+                (Ok(Value::Vector(new) | Value::Rotation(new)), Written::Triple(old)) => {
+                    *old = std::array::from_fn(|i| cut(new.0[i], old[i]));
+                }
+                _ => {}
+            }
+        }
+        layout
+    }
+}
+
+/// What differs between a layout that mends and ours.
+pub(super) fn describe(judge: &Judge<'_>, layout: Layout, broken: &[RowRef]) -> Alternative {
+    let mut moves = Vec::new();
+    for (index, object) in judge.program.objects.iter().enumerate() {
+        let (Some(old), Some(new)) = (judge.layout.object(&object.name), layout.object(&object.name)) else { continue };
+        if old != new {
+            let [from, to] = [old, new].map(|p| Pose { pos: p.pos, rot: p.rot, scale: p.scale });
+            moves.push(Moved { object: ObjectId(index as u32), from, to });
+        }
+    }
+    let regions = judge.layout.regions.iter().filter(|(name, old)| layout.region(name) != Some(old));
+    let value = |name: &str| layout.variables.iter().find(|(n, _)| n == name).map(|(_, v)| v);
+    let values = judge.layout.variables.iter().filter(|(name, old)| value(name) != Some(old));
+    let also: Vec<String> =
+        regions.map(|(name, _)| name.to_string()).chain(values.map(|(name, _)| name.to_string())).collect();
+    let cost = moves.iter().map(|m| EACH + travel(&m.from, &m.to)).sum::<f64>() + EACH * also.len() as f64;
+    let drops = broken.iter().filter_map(|row| match row.subject {
+        Subject::Statement(index) => Some(index),
+        _ => None,
+    });
+    let drops: Vec<usize> = drops.collect();
+    let how = if drops.is_empty() { How::Moves } else { How::Drop };
+    Alternative { how, moves, also, edits: Vec::new(), least: Vec::new(), drops, layout, cost }
+}
+
+/// Metres that the farthest point of an object travels at most; of what is large they count up to twice, since one would
+/// rather move the nightstand than the bed.
+fn travel(from: &Pose, to: &Pose) -> f64 {
+    let per_degree = (from.scale.x.hypot(from.scale.z) / 2.0).max(0.1).to_radians();
+    let turn: f64 = (0..3).map(|i| half_turn(to.rot[i] - from.rot[i]).abs()).sum();
+    let volume: f64 = from.scale.iter().product();
+    ((to.pos - from.pos).norm() + turn * per_degree) * (1.0 + volume / (1.0 + volume))
+}
+
+/// An angle between −180 and 180.
+pub(super) fn half_turn(degrees: f64) -> f64 {
+    let turn = degrees.rem_euclid(360.0);
+    if turn > 180.0 { turn - 360.0 } else { turn }
+}
+
+/// Whether two poses of an object are not the same place.
+fn differ(a: &Pose, b: &Pose) -> bool {
+    (a.pos - b.pos).amax() > STILL
+        || (a.scale - b.scale).amax() > STILL
+        || (0..3).any(|i| half_turn(a.rot[i] - b.rot[i]).abs() > STILL)
+}
+
+/// The angles as they were written, where they are the same but for whole turns.
+fn turned(new: Vec3, old: Vec3) -> Vec3 {
+    Vec3::from_fn(|i, _| if half_turn(new[i] - old[i]).abs() < STILL { old[i] } else { new[i] })
+}
+
+/// The row that a check belongs to.
+fn row_of(frame: &Frame<'_>, check: Check) -> RowRef {
+    let (kind, subject) = match check {
+        Check::Term(t) => {
+            let kind = if frame.terms[t].is_hard() { Kind::Assert } else { Kind::Prefer };
+            (kind, Subject::Statement(frame.terms[t].constraint))
+        }
+        Check::Collide(a, b) => {
+            let sorted = frame.name(a) <= frame.name(b);
+            (Kind::Collision, if sorted { Subject::Pair(a, b) } else { Subject::Pair(b, a) })
+        }
+        Check::Bounds(a) => (Kind::Bounds, Subject::Object(a)),
+        Check::Support(a) => (Kind::Support, Subject::Object(a)),
+    };
+    RowRef { kind, subject }
+}
