@@ -70,7 +70,8 @@ impl Convex {
             ([5, 7], [0, 4]),
             ([6, 7], [2, 4]),
         ];
-        let normal = |i: usize| if i.is_multiple_of(2) { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) };
+        let normal =
+            |i: usize| if i.is_multiple_of(2) { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) };
         let face = |(i, corners): (usize, &'static [u32; 4])| Face { normal: normal(i), corners: corners.into() };
         Self {
             vertices: obb.corners().to_vec(),
