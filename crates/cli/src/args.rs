@@ -20,6 +20,8 @@ pub enum Command {
     Check(Check),
     /// Place the objects of a program so that its constraints hold
     Solve(Solve),
+    /// Mend a layout by the smallest change: moves, or numbers and demands to relax
+    Repair(Repair),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
     /// Write programs in the standard form
@@ -163,6 +165,32 @@ pub struct Solve {
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
+}
+
+/// `scenelang repair`
+#[derive(ClapArgs, Debug)]
+pub struct Repair {
+    /// The layout
+    #[arg(value_name = "FILE.layout.json")]
+    pub layout: PathBuf,
+    /// Mend only this: a line of the program, or an id as in the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
+    #[arg(long, value_name = "LINE | ID")]
+    pub constraint: Option<String>,
+    /// Say what could be done and write nothing
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Make this change, by its number [default: the first, if it only moves things]
+    #[arg(long, value_name = "N", conflicts_with = "dry_run", value_parser = clap::value_parser!(u16).range(1..))]
+    pub apply: Option<u16>,
+    /// How the alternatives are written
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
+    /// Where the mended layout goes [default: in place of the old one]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,

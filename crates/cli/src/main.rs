@@ -13,6 +13,7 @@ mod look;
 mod model;
 mod parallel;
 mod progress;
+mod repair;
 mod settings;
 mod solve;
 mod synth;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
     let code = match args.command {
         Command::Check(check) => check::run(&check),
         Command::Solve(solve) => solve::run(&solve),
+        Command::Repair(repair) => repair::run(&repair),
         Command::Synth(synth) => synth::run(&synth),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),

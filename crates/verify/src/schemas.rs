@@ -1,10 +1,12 @@
-//! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, the settings.
+//! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, what
+//! `repair` prints, the settings.
 
 /// The schemas by name: name and text.
-pub const ALL: [(&str, &str); 4] = [
+pub const ALL: [(&str, &str); 5] = [
     ("config", include_str!("../schemas/config.json")),
     ("diff", include_str!("../schemas/diff.json")),
     ("layout", include_str!("../schemas/layout.json")),
+    ("repair", include_str!("../schemas/repair.json")),
     ("report", include_str!("../schemas/report.json")),
 ];
 

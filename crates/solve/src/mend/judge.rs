@@ -26,7 +26,7 @@ pub(super) fn row(judged: &Judged) -> RowRef {
 }
 
 impl<'a> Judge<'a> {
-    pub fn new(damaged: &Damaged<'a>, which: Which, options: &MendOptions) -> Result<Self, Unjudged> {
+    pub fn new(damaged: &Damaged<'a>, which: &Which, options: &MendOptions) -> Result<Self, Unjudged> {
         let detail = Detail { all: false, sentences: false, explain: Explain::First(0), proofs: false };
         let judging = Options { detail, ..options.judge };
         let verdict = check(damaged.program, damaged.layout, &judging);
@@ -36,7 +36,7 @@ impl<'a> Judge<'a> {
         let failing: Vec<RowRef> = verdict.rows.iter().filter(|r| r.satisfied == Some(false)).map(row).collect();
         let wanted = |r: &RowRef| match which {
             Which::All => r.kind != Kind::Prefer,
-            Which::Row(one) => *r == one,
+            Which::Rows(rows) => rows.contains(r),
         };
         Ok(Self {
             program: damaged.program,

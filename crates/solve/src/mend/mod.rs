@@ -58,12 +58,12 @@ pub struct Text<'a> {
 }
 
 /// What is to be mended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Which {
     /// Whatever must hold and does not.
     All,
-    /// This row, be it a wish. Others may go on failing.
-    Row(RowRef),
+    /// Those of these rows that fail, wishes too. Others may go on failing.
+    Rows(Vec<RowRef>),
 }
 
 /// How to look.
@@ -79,7 +79,7 @@ pub struct MendOptions {
 
 impl Default for MendOptions {
     fn default() -> Self {
-        Self { budget: 500_000_000, alternatives: 3, judge: scenelang_verify::Options::default() }
+        Self { budget: 200_000_000, alternatives: 3, judge: scenelang_verify::Options::default() }
     }
 }
 
@@ -151,7 +151,7 @@ pub struct Unjudged;
 ///
 /// # Errors
 /// The layout cannot be judged.
-pub fn mend(damaged: &Damaged<'_>, which: Which, options: &MendOptions) -> Result<Mended, Unjudged> {
+pub fn mend(damaged: &Damaged<'_>, which: &Which, options: &MendOptions) -> Result<Mended, Unjudged> {
     let judge = Judge::new(damaged, which, options)?;
     let failing = judge.targets.clone();
     if failing.is_empty() {

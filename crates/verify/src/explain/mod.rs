@@ -18,8 +18,8 @@ pub(crate) use index::Index;
 pub use measured::{Measured, Quantity};
 pub(crate) use measured::{of_rule, of_statement};
 pub use moves::{Mend, Step};
-pub use places::{Place, facing_in_words};
-pub(crate) use places::{move_in_words, row_in_words};
+pub(crate) use places::row_in_words;
+pub use places::{Place, facing_in_words, move_in_words};
 
 use crate::check::{Judged, Subject, Verdict};
 use crate::report::model::Kind;

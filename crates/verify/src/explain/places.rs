@@ -85,7 +85,7 @@ fn signed(x: f64) -> String {
 }
 
 /// A move in the imperative: "move `nightstand` by +0.07 m along x".
-pub(crate) fn move_in_words(program: &Program, mend: &Mend) -> String {
+pub fn move_in_words(program: &Program, mend: &Mend) -> String {
     let mut parts: Vec<(String, Vec<&str>, &Step)> = Vec::new();
     for step in &mend.steps {
         let text = step_in_words(step);

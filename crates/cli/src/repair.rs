@@ -1,0 +1,288 @@
+//! `scenelang repair`: the smallest changes that mend a layout, and one of them made.
+
+use crate::args::{Plain, Repair};
+use crate::progress::Progress;
+use crate::solve::color_err;
+use crate::{FAILED, FINDINGS, GOOD, settings};
+use scenelang_base::fs::write_whole;
+use scenelang_base::{Edit, FileId};
+use scenelang_lang::Program;
+use scenelang_lang::program::ObjectId;
+use scenelang_lang::sources::Disk;
+use scenelang_layout::{Vec3, file as layout_file};
+use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Unjudged, Which, edited, mend};
+use scenelang_verify::check::Subject;
+use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
+use scenelang_verify::report::{self, model::Place};
+use scenelang_verify::{Checked, Explain, check_file, program_of};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Mends; 0 if the layout is or can be mended, 1 if not without asking, 2 if it cannot be judged.
+pub fn run(args: &Repair) -> u8 {
+    match repair(args) {
+        Ok(code) => code,
+        Err(message) => {
+            eprintln!("error: {message}");
+            FAILED
+        }
+    }
+}
+
+fn repair(args: &Repair) -> Result<u8, String> {
+    let name = args.layout.display().to_string();
+    if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
+        return Err(format!("{name} is no layout; repair mends layouts"));
+    }
+    let (mut options, allowed) = match settings::options(&args.judging, &args.layout, &Disk) {
+        Ok(both) => both,
+        Err(refused) => {
+            eprint!("{}", report::diagnostics(&refused.diagnostics, &refused.sources, color_err()));
+            return Ok(FAILED);
+        }
+    };
+    options.detail.explain = Explain::First(0);
+    let mut checked = check_file(&name, &args.layout, &options, scenelang_lang::Options::default());
+    checked.silence(&allowed);
+    let errors: Vec<_> = checked.verdict.diagnostics.iter().filter(|d| d.is_error()).cloned().collect();
+    eprint!("{}", report::diagnostics(&errors, &checked.sources, color_err()));
+    let (Some(program), Some(layout), Some((main, path))) =
+        (&checked.program, &checked.layout, program_of(&name, &args.layout))
+    else {
+        return Ok(FAILED);
+    };
+    if !errors.is_empty() {
+        return Ok(FAILED);
+    }
+    let which = match &args.constraint {
+        None => Which::All,
+        Some(asked) => Which::Rows(rows(&checked, &main, asked)?),
+    };
+    let text = Text {
+        name: &main,
+        path: &path,
+        compile: scenelang_lang::Options::default(),
+        loader: &Disk,
+        sources: &checked.sources,
+    };
+    let damaged = Damaged { program, layout, text: Some(text) };
+    let progress = Progress::new(format!("mending {name}"));
+    let found = mend(&damaged, &which, &MendOptions { judge: options, ..MendOptions::default() });
+    drop(progress);
+    let found = found.map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
+    let choice = choose(args, &found.alternatives)?;
+    let mut written = Vec::new();
+    if let Some(chosen) = choice.filter(|_| !args.dry_run) {
+        written = apply(args, &checked, &found.alternatives[chosen])?;
+    }
+    let told = Told { checked: &checked, program, name: &name };
+    let all_holds = found.failing.is_empty();
+    match args.format {
+        Plain::Json => {
+            let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
+            println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
+        }
+        Plain::Text => print!("{}", told.text(&found.failing, &found.alternatives, choice, args, &written)),
+    }
+    Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
+}
+
+/// The rows that `--constraint` means.
+fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, String> {
+    let line: Option<u32> = asked.parse().ok();
+    let judged = checked.verdict.rows.iter().zip(&checked.report.constraints);
+    let meant = judged.filter(|(row, listed)| match line {
+        None => listed.id == asked,
+        Some(line) => {
+            let (start, end) = checked.sources.lines(row.place);
+            matches!(row.subject, Subject::Statement(_))
+                && checked.sources.get(row.place.file).name() == main
+                && (start.line..=end.line).contains(&line)
+        }
+    });
+    let meant: Vec<RowRef> = meant.map(|(row, _)| RowRef { kind: row.kind, subject: row.subject }).collect();
+    match (meant.is_empty(), line) {
+        (false, _) => Ok(meant),
+        // Of physical rules only those are listed that fail.
+        (true, None) if asked.starts_with("P-") => Ok(meant),
+        (true, Some(line)) => Err(format!("there is no constraint in line {line} of {main}")),
+        (true, None) => Err(format!("there is no constraint `{asked}`")),
+    }
+}
+
+/// The alternative to be made: what was asked for, else the first, if it moves things and no more.
+fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, String> {
+    match args.apply.map(usize::from) {
+        None => Ok(alternatives.first().filter(|a| a.how == How::Moves).map(|_| 0)),
+        Some(n) if n <= alternatives.len() => Ok(Some(n - 1)),
+        Some(n) => Err(format!("there is no alternative {n}, of {}", alternatives.len())),
+    }
+}
+
+/// Writes what an alternative changes, each file as a whole. Which files.
+fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
+    let mut written = Vec::new();
+    let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
+    for (id, text) in texts {
+        let source = checked.sources.get(id);
+        write_whole(source.path(), text.as_bytes()).map_err(|e| e.to_string())?;
+        written.push(source.name().to_owned());
+    }
+    let output = args.output.as_ref().unwrap_or(&args.layout);
+    let moved = !chosen.moves.is_empty() || !chosen.also.is_empty();
+    if moved || args.output.is_some() {
+        let same = |path: &Path| path == args.layout;
+        let old = checked.sources.iter().find(|(_, source)| same(source.path())).map(|(_, source)| source.text());
+        let old = layout_file::read(old.unwrap_or_default(), FileId(0));
+        let mut layout = chosen.layout.clone();
+        if let (Some(_), Some((_, scene))) =
+            (&args.output, program_of(&args.layout.display().to_string(), &args.layout))
+        {
+            layout.scene = Some(crate::solve::relative(&scene, output));
+        }
+        layout_file::write(output, &layout, old.usable.then_some(&old.document)).map_err(|e| e.to_string())?;
+        written.push(output.display().to_string());
+    }
+    Ok(written)
+}
+
+/// What is said of alternatives.
+struct Told<'a> {
+    checked: &'a Checked,
+    program: &'a Program,
+    name: &'a str,
+}
+
+impl Told<'_> {
+    fn object(&self, id: ObjectId) -> &str {
+        &self.program.objects[id.0 as usize].name
+    }
+
+    fn statement(&self, index: usize) -> String {
+        report::statement_id(self.name, &self.checked.sources, self.program.constraints[index].span)
+    }
+
+    fn failing(&self, rows: &[RowRef]) -> Vec<(String, &'static str, String)> {
+        let judged = self.checked.verdict.rows.iter().zip(&self.checked.report.constraints);
+        let asked =
+            |row: &scenelang_verify::check::Judged| rows.contains(&RowRef { kind: row.kind, subject: row.subject });
+        judged
+            .filter(|(row, _)| asked(row))
+            .map(|(row, l)| (l.id.clone(), row.kind.as_str(), row.text.clone()))
+            .collect()
+    }
+
+    fn json(&self, failing: &[RowRef], all: &[Alternative], applied: Option<usize>, written: &[String]) -> Value {
+        let failing = self.failing(failing).into_iter();
+        json!({
+            "format": "scenelang.repair/1",
+            "file": self.name,
+            "failing": failing.map(|(id, kind, text)| json!({ "id": id, "kind": kind, "text": text })).collect::<Vec<_>>(),
+            "alternatives": all.iter().map(|a| self.alternative(a)).collect::<Vec<_>>(),
+            "applied": applied,
+            "written": written,
+        })
+    }
+
+    fn alternative(&self, a: &Alternative) -> Value {
+        let moves = a.moves.iter().map(|m| {
+            let step = step(m);
+            let [pos, rot] = [m.to.pos, m.to.rot].map(<[f64; 3]>::from);
+            json!({ "object": self.object(m.object), "by": step.by, "turn": step.turn, "pos": pos, "rot": rot })
+        });
+        let edits = a.edits.iter().enumerate().map(|(i, edit)| {
+            let mut out = json!({
+                "span": report::place(&self.checked.sources, edit.place),
+                "old": self.checked.sources.text(edit.place),
+                "text": edit.text,
+            });
+            if let Some(least) = a.least.get(i) {
+                out["least"] = rounded(*least).into();
+            }
+            out
+        });
+        json!({
+            "how": match a.how {
+                How::Moves => "move",
+                How::Numbers => "number",
+                How::Drop => "drop",
+                How::Wish => "wish",
+            },
+            "cost": rounded(a.cost),
+            "text": self.words(a),
+            "moves": moves.collect::<Vec<_>>(),
+            "also": a.also,
+            "edits": edits.collect::<Vec<_>>(),
+            "drops": a.drops.iter().map(|i| self.statement(*i)).collect::<Vec<_>>(),
+        })
+    }
+
+    fn text(
+        &self,
+        failing: &[RowRef],
+        all: &[Alternative],
+        choice: Option<usize>,
+        args: &Repair,
+        written: &[String],
+    ) -> String {
+        if failing.is_empty() {
+            return format!("{}: nothing to mend\n", self.name);
+        }
+        let mut out = String::new();
+        for (id, _, text) in self.failing(failing) {
+            out += &format!("{id} fails: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+        }
+        for (i, a) in all.iter().enumerate() {
+            out += &format!("{:3}  {}\n", i + 1, self.words(a));
+        }
+        out + &match (choice, all.is_empty()) {
+            (_, true) => "no way to mend it was found, which proves nothing\n".to_owned(),
+            (None, false) => "nothing is written; --apply N makes one of these changes\n".to_owned(),
+            (Some(i), _) if args.dry_run => format!("{} would be made; nothing is written\n", i + 1),
+            (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
+        }
+    }
+
+    /// An alternative in the imperative.
+    fn words(&self, a: &Alternative) -> String {
+        let mut parts = Vec::new();
+        let steps: Vec<Step> = a.moves.iter().map(step).collect();
+        if !steps.is_empty() {
+            parts.push(move_in_words(self.program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
+        }
+        if !a.also.is_empty() {
+            parts.push(format!("change `{}`", a.also.join("`, `")));
+        }
+        parts.extend(a.edits.iter().enumerate().map(|(i, edit)| self.edit(a, i, edit)));
+        parts.extend(
+            a.drops
+                .iter()
+                .map(|i| format!("give up the wish {} `{}`", self.statement(*i), self.program.constraints[*i].text)),
+        );
+        parts.join("; ")
+    }
+
+    fn edit(&self, a: &Alternative, i: usize, edit: &Edit) -> String {
+        let Place { file, start: [line, column], .. } = report::place(&self.checked.sources, edit.place);
+        let old = self.checked.sources.text(edit.place);
+        let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
+        match (a.how, a.least.get(i)) {
+            (How::Wish, _) => format!("make a wish of it: {change}"),
+            (_, Some(least)) => format!("change a number: {change} (by {} at least)", rounded(*least)),
+            _ => change,
+        }
+    }
+}
+
+/// A move as the step that it is.
+fn step(m: &Moved) -> Step {
+    let by: Vec3 = m.to.pos - m.from.pos;
+    let turn = (m.to.rot.y - m.from.rot.y).rem_euclid(360.0);
+    let turn = rounded(if turn > 180.0 { turn - 360.0 } else { turn });
+    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: None }
+}
+
+/// To six digits after the point: the rest is noise.
+fn rounded(x: f64) -> f64 {
+    (x * 1e6).round() / 1e6 + 0.0
+}
