@@ -159,6 +159,15 @@ pub struct Solve {
     /// A layout to start from: its objects stay where they are as far as the constraints let them
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
+    /// Objects, or whole arrays, that stay exactly where --layout has them
+    #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout", conflicts_with = "only")]
+    pub lock: Vec<String>,
+    /// Only these objects, or whole arrays, may move: all others stay where --layout has them
+    #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout")]
+    pub only: Vec<String>,
+    /// The solver takes at most so long; what comes of it then depends on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// The same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,

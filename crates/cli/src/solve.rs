@@ -6,11 +6,13 @@ use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, settings};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Observer, Request, Stage, save_layout};
+use scenelang_solve::End;
+use scenelang_synth::{Failure, Hold, Observer, Request, Stage, save_layout};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
@@ -41,6 +43,12 @@ pub fn run(args: &Solve) -> u8 {
         start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
         layout_name: &output.display().to_string(),
         scene_member: &member,
+        hold: match (args.lock.as_slice(), args.only.as_slice()) {
+            ([], []) => Hold::Nothing,
+            (names, []) => Hold::These(names),
+            (_, names) => Hold::AllBut(names),
+        },
+        time: args.time.map(Duration::from_secs_f64),
         seed: args.seed,
         judge,
     };
@@ -56,7 +64,12 @@ pub fn run(args: &Solve) -> u8 {
     }
     let code = exit_code(&solved.checked.report);
     print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
-    println!("{} written after {} rounds", output.display(), solved.outcome.iterations);
+    let end = match solved.outcome.end {
+        End::Time => ", when the time was over",
+        End::Budget => ", when the budget was spent",
+        _ => "",
+    };
+    println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
     summary(model.as_ref(), solved.advice.as_ref());
     code
 }

@@ -9,7 +9,7 @@ use crate::table::Table;
 use crate::{FAILED, interrupt, settings};
 use scenelang_export::{Exporter, exporters, unity};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Observer, Request, Solved, Stage, Written, export};
+use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
 use std::ops::ControlFlow;
@@ -44,6 +44,8 @@ pub fn run(args: &Synth) -> u8 {
         // As seen from the output folder, so that what is written does not depend on where that is.
         layout_name: &format!("{stem}.layout.json"),
         scene_member: &format!("{stem}.scene"),
+        hold: Hold::Nothing,
+        time: None,
         seed: args.seed,
         judge,
     };

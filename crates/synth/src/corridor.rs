@@ -1,6 +1,7 @@
 //! From a program file to a judged layout: stages I to III.
 
 use crate::furnish::{Furnished, furnish};
+use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
 use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, compile_file};
@@ -10,6 +11,7 @@ use scenelang_solve::{Asking, Finisher, Hybrid, Outcome, Placed, Problem, Progre
 use scenelang_verify::{Checked, check_layout_of};
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::time::Duration;
 
 /// What to lay out.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +26,10 @@ pub struct Request<'a> {
     pub layout_name: &'a str,
     /// What the `scene` member of the layout will say.
     pub scene_member: &'a str,
+    /// What stays where the layout to start from has it.
+    pub hold: Hold<'a>,
+    /// The solver takes at most so long.
+    pub time: Option<Duration>,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -134,6 +140,8 @@ pub fn solve_with(
         return Err(Failure::Input(compiled.sources, compiled.diagnostics));
     };
     let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
+    let locked = request.hold.objects(program, start.as_ref().map(|s| &s.layout));
+    let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![finding]))?;
     observer.leave(Stage::Program);
 
     observer.enter(Stage::Assets);
@@ -145,7 +153,13 @@ pub fn solve_with(
 
     observer.enter(Stage::Layout);
     let problem = Problem { program, placed: placed(program, previous), start: layout };
-    let options = scenelang_solve::Options { seed: request.seed, judge: request.judge, ..Default::default() };
+    let options = scenelang_solve::Options {
+        seed: request.seed,
+        judge: request.judge,
+        time: request.time,
+        locked,
+        ..Default::default()
+    };
     let mut ended = false;
     let mut watch = |progress: Progress| {
         let flow = observer.solving(&progress);

@@ -4,8 +4,10 @@
 
 mod corridor;
 mod furnish;
+mod hold;
 mod output;
 
 pub use corridor::{Advice, Adviser, Failure, Observer, Request, Solved, Stage, solve, solve_with};
 pub use furnish::{Furnished, asset_of, furnish};
+pub use hold::Hold;
 pub use output::{Written, export, save_layout};

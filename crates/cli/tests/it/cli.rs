@@ -181,3 +181,40 @@ fn outside_links(page: &Path) -> Vec<String> {
     let loads = ["src=\"http", "src='http", "href=\"http", "url(http", "import(\"http"];
     loads.iter().filter(|l| text.contains(**l)).map(|l| (*l).to_owned()).collect()
 }
+
+#[test]
+fn what_is_locked_stays_and_what_may_move_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(6, 3, 6);\nobject box[3];\nobject post;\n\
+                 box.dimensions <- vec3(0.5, 0.5, 0.5);\npost.dimensions <- vec3(0.3, 1, 0.3);\n\
+                 assert forall b in box: inside(b, room) and distance(b, post) <= 9;\nassert inside(post, room);\n";
+    fs::write(folder.path().join("room.scene"), scene).unwrap();
+    let first = scenelang(folder.path(), ["solve", "room.scene"]);
+    assert_eq!(first.code, 0, "{}{}", first.stdout, first.stderr);
+    let places = |file: &str| {
+        let text = fs::read_to_string(folder.path().join(file)).unwrap();
+        let layout: Value = serde_json::from_str(&text).unwrap();
+        ["box[0]", "box[1]", "box[2]", "post"].map(|name| layout["objects"][name]["pos"].clone())
+    };
+    let before = places("room.layout.json");
+    // What is asked now cannot hold with the post where it is, nor with the boxes where they are.
+    let far = format!(
+        "{scene}assert post.pos.x >= 1.5 and box[0].pos.x >= 2.2 or post.pos.x <= -1.5 and box[0].pos.x <= -2.2;\n"
+    );
+    fs::write(folder.path().join("room.scene"), far).unwrap();
+    let run = |more: &[&str]| {
+        let start = ["solve", "room.scene", "--layout", "room.layout.json", "-o", "next.json", "--time", "20"];
+        scenelang(folder.path(), start.iter().chain(more))
+    };
+    let ended = run(&["--only", "post", "box[0]"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let after = places("next.json");
+    assert_eq!((&after[1], &after[2]), (&before[1], &before[2]));
+    assert!(after[0] != before[0] && after[3] != before[3], "{after:?}");
+    let ended = run(&["--lock", "box", "post"]);
+    assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
+    assert_eq!(places("next.json"), before);
+    let ended = run(&["--lock", "boks"]);
+    assert_eq!(ended.code, 2, "{}", ended.stdout);
+    assert!(ended.stderr.contains("no object `boks`"), "{}", ended.stderr);
+}
