@@ -197,7 +197,7 @@ impl Told<'_> {
                 "text": edit.text,
             });
             if let Some(least) = a.least.get(i) {
-                out["least"] = rounded(*least).into();
+                out["least"] = short(*least).into();
             }
             out
         });
@@ -268,7 +268,7 @@ impl Told<'_> {
         let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
         match (a.how, a.least.get(i)) {
             (How::Wish, _) => format!("make a wish of it: {change}"),
-            (_, Some(least)) => format!("change a number: {change} (by {} at least)", rounded(*least)),
+            (_, Some(least)) => format!("change a number: {change} (by {} at least)", short(*least)),
             _ => change,
         }
     }
@@ -279,7 +279,12 @@ fn step(m: &Moved) -> Step {
     let by: Vec3 = m.to.pos - m.from.pos;
     let turn = (m.to.rot.y - m.from.rot.y).rem_euclid(360.0);
     let turn = rounded(if turn > 180.0 { turn - 360.0 } else { turn });
-    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: None }
+    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: m.with }
+}
+
+/// To four digits after the point: tolerances are of that size.
+fn short(x: f64) -> f64 {
+    (x * 1e4).round() / 1e4 + 0.0
 }
 
 /// To six digits after the point: the rest is noise.

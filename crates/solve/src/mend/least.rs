@@ -32,12 +32,15 @@ pub(super) fn shrink(room: &mut Room<'_, '_>) {
     }
     let moved = room.moved();
     towards(room, &moved);
-    for &id in &moved {
-        if moved.len() > 1 {
-            towards(room, &[id]);
-        }
+    // What another one carries goes where that goes.
+    let carried = room.carried(&moved);
+    let leaders: Vec<ObjectId> = moved.iter().copied().filter(|id| !carried.contains(id)).collect();
+    for &id in leaders.iter().filter(|_| leaders.len() > 1) {
+        let mut group = vec![id];
+        group.extend(room.search.state.riders(id).into_iter().filter(|o| carried.contains(o)));
+        towards(room, &group);
     }
-    for id in moved {
+    for id in leaders {
         round(room, id);
     }
 }

@@ -22,7 +22,6 @@ mod wish;
 use crate::pose::Pose;
 pub use edit::edited;
 use judge::Judge;
-use room::{Fixtures, Room};
 use scenelang_base::{Edit, SourceMap};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
@@ -139,6 +138,8 @@ pub struct Moved {
     pub from: Pose,
     /// Where it is to be.
     pub to: Pose,
+    /// The object that it goes along with, because it rests on it.
+    pub with: Option<ObjectId>,
 }
 
 /// A layout that cannot be judged cannot be mended: something is missing in it, or has no value.
@@ -157,7 +158,7 @@ pub fn mend(damaged: &Damaged<'_>, which: &Which, options: &MendOptions) -> Resu
     if failing.is_empty() {
         return Ok(Mended { failing, alternatives: Vec::new() });
     }
-    let mut alternatives = by_moves(&judge, options);
+    let mut alternatives = moves::all(&judge, options, false);
     if alternatives.is_empty() {
         alternatives.extend(wish::drops(&judge, options));
     }
@@ -167,10 +168,4 @@ pub fn mend(damaged: &Damaged<'_>, which: &Which, options: &MendOptions) -> Resu
     }
     alternatives.sort_by(|a, b| a.how.cmp(&b.how).then(a.cost.total_cmp(&b.cost)));
     Ok(Mended { failing, alternatives })
-}
-
-/// Moves that mend without giving anything up.
-fn by_moves(judge: &Judge<'_>, options: &MendOptions) -> Vec<Alternative> {
-    let (fixtures, solver) = (Fixtures::new(judge), room::solver(options));
-    moves::all(&mut Room::new(judge, &fixtures, &solver, false), options)
 }

@@ -4,7 +4,8 @@
 //! many places, and those that leave least missing become nodes in turn. So one displaced object is put back in one
 //! step, several are taken care of one by one, and what stands in the way is moved aside.
 
-use super::room::Room;
+use super::judge::Judge;
+use super::room::{self, Equations, Fixtures, Room};
 use super::{Alternative, MendOptions, least, whole};
 use crate::pool::{self, Breadth};
 use crate::pose::Pose;
@@ -14,7 +15,9 @@ use scenelang_lang::program::ObjectId;
 use std::collections::BTreeSet;
 
 /// The part of the budget that the search for places may take.
-const PART: f64 = 0.25;
+const PART: f64 = 0.2;
+/// Where so many objects have to move, it may be better to let those follow that depend on others.
+const FEW: usize = 2;
 /// So many objects that something missing points at are tried in a layout.
 const BLAMED: usize = 6;
 /// So many of the places found for an object are made exact.
@@ -25,6 +28,8 @@ const BRANCH: usize = 2;
 const DEPTH: usize = 3;
 /// So many layouts are gone on from.
 const NODES: usize = 40;
+/// After so much work the first way found is enough.
+const ENOUGH: u64 = 4_000_000;
 /// What a metre counts beside what is missing.
 const PULL: f64 = 0.02;
 /// How far around the place of an object others are tried (metres).
@@ -39,13 +44,34 @@ struct Node {
     chosen: Vec<ObjectId>,
 }
 
-/// All that was found; the best first.
-pub(super) fn all(room: &mut Room<'_, '_>, options: &MendOptions) -> Vec<Alternative> {
-    let mut solutions = search(room, (options.budget as f64 * PART) as u64);
-    if solutions.is_empty() {
-        solutions = whole::search(room, options);
-    }
+/// All that was found; the best first. With `careless`, wishes may break.
+pub(super) fn all(judge: &Judge<'_>, options: &MendOptions, careless: bool) -> Vec<Alternative> {
+    let solver = room::solver(options);
+    let part = (options.budget as f64 * PART) as u64;
+    let free = Fixtures::new(judge, Equations::Judged);
+    let mut room = Room::new(judge, &free, &solver, careless);
     let mut found: Vec<Alternative> = Vec::new();
+    let solutions = search(&mut room, part);
+    gather(&mut room, solutions, &mut found);
+    if found.iter().all(|a| a.moves.len() > FEW) {
+        let work = room.search.state.work;
+        let bound = Fixtures::new(judge, Equations::Obeyed);
+        let mut room = Room::new(judge, &bound, &solver, careless);
+        room.search.state.work = work;
+        let solutions = search(&mut room, work + part);
+        gather(&mut room, solutions, &mut found);
+        if found.is_empty() {
+            let solutions = whole::search(&mut room, options);
+            gather(&mut room, solutions, &mut found);
+        }
+    }
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found.truncate(options.alternatives);
+    found
+}
+
+/// Takes of each solution what is needed, and adds it to what was found if it mends.
+fn gather(room: &mut Room<'_, '_>, solutions: Vec<Snapshot>, found: &mut Vec<Alternative>) {
     for snapshot in solutions {
         room.search.restore(&snapshot);
         least::shrink(room);
@@ -58,9 +84,6 @@ pub(super) fn all(room: &mut Room<'_, '_>, options: &MendOptions) -> Vec<Alterna
             None => found.push(alternative),
         }
     }
-    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    found.truncate(options.alternatives);
-    found
 }
 
 /// Layouts in which nothing is missing.
@@ -119,7 +142,9 @@ fn expand(room: &mut Room<'_, '_>, node: &Node, budget: u64) -> Vec<Node> {
     });
     let mut children = Vec::new();
     for (id, _) in blamed.into_iter().take(BLAMED) {
-        if !children.is_empty() && room.search.state.work >= budget {
+        let work = room.search.state.work;
+        let done = children.iter().any(|n: &Node| n.missing == 0);
+        if !children.is_empty() && work >= budget || done && work >= ENOUGH {
             break;
         }
         let mut chosen = node.chosen.clone();
@@ -127,8 +152,7 @@ fn expand(room: &mut Room<'_, '_>, node: &Node, budget: u64) -> Vec<Node> {
             chosen.push(id);
         }
         room.search.restore(&node.snapshot);
-        let mut places = places(room, id);
-        places.truncate(BRANCH);
+        let places = places(room, id);
         children.extend(places.into_iter().map(|(missing, cost, snapshot)| Node {
             snapshot,
             missing,
@@ -169,13 +193,28 @@ fn places(room: &mut Room<'_, '_>, id: ObjectId) -> Vec<(usize, f64, Snapshot)> 
             room.search.polish(vec![id], STEPS[0]);
         }
         let snapshot = room.search.snapshot();
-        if snapshot == from {
-            continue;
+        if snapshot != from {
+            out.push((room.cheaply_missing().len(), room.cost(), snapshot));
         }
-        let missing = room.missing().len();
-        out.push((missing, room.cost(), snapshot));
     }
-    out.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let order = |a: &(usize, f64, Snapshot), b: &(usize, f64, Snapshot)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
+    out.sort_by(order);
+    out.truncate(if room.dear { 2 * BRANCH } else { BRANCH });
+    if room.dear {
+        // Ways over the floor are looked for only where nothing else is missing, and only until one place has them.
+        for i in 0..out.len() {
+            if out[i].0 == 0 {
+                room.search.restore(&out[i].2);
+                out[i].0 = room.missing().len();
+                if out[i].0 == 0 {
+                    out.truncate(i + 1);
+                    break;
+                }
+            }
+        }
+        out.sort_by(order);
+        out.truncate(BRANCH);
+    }
     out
 }
 
@@ -187,6 +226,14 @@ fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
     let yaws = [0.0, 90.0, 180.0, 270.0].map(|yaw| now.facing(yaw));
     out.extend(yaws);
     let state = &search.state;
+    // Where those would be in their places again that its rules have taken along.
+    for owner in state.frame.followers[id.0 as usize].iter().map(|&r| state.frame.rules.list[r].owner) {
+        let (here, there) = (state.pose(owner), room.poses[owner.0 as usize]);
+        if owner != id && here != there {
+            let back = now.pos + there.pos - here.pos;
+            out.push(now.at(back.x, back.y, back.z).facing(now.rot.y + there.rot.y - here.rot.y));
+        }
+    }
     let span = *state.span(id);
     let mut heights: Vec<f64> = state.world.prisms().map(|(_, prism)| prism.floor + now.depth_below()).collect();
     heights.push(now.pos.y);

@@ -5,8 +5,9 @@ use super::{Alternative, EACH, How, MendOptions, Moved};
 use crate::checks::Check;
 use crate::frame::{Frame, variables};
 use crate::polish::Polisher;
-use crate::pose::Pose;
+use crate::pose::{Pose, Ride};
 use crate::problem::Options;
+use crate::rules::{self, Rules, Source};
 use crate::search::{Search, Snapshot};
 use crate::state::{Change, State};
 use crate::terms;
@@ -37,14 +38,32 @@ pub(super) struct Fixtures<'a> {
     world: World<f64>,
 }
 
+/// What happens to equations such as `chair.pos.x = table.pos.x + 0.4`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Equations {
+    /// They are demands like others: what is displaced stays where it is until it is moved.
+    Judged,
+    /// They are obeyed as the solver does it: what depends on an object goes with it.
+    Obeyed,
+}
+
 impl<'a> Fixtures<'a> {
-    pub fn new(judge: &Judge<'a>) -> Self {
+    pub fn new(judge: &Judge<'a>, equations: Equations) -> Self {
         let world = World::<f64>::new(judge.program, judge.layout, &judge.options);
         let scope = judge.options.physics.then(|| Scope::new(&world));
         let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
-        let frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
+        let mut frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
             size(id).unwrap_or_else(|| Vec3::repeat(1.0))
         });
+        if equations == Equations::Judged {
+            let rules = Rules::new(rules::pins(judge.program), judge.program.objects.len());
+            frame.followers = frame.objects().map(|o| rules.after(Source::Object(o))).collect();
+            let regions = (0..judge.program.regions.len() as u32).map(RegionId);
+            frame.region_followers = regions.map(|r| rules.after(Source::Region(r))).collect();
+            frame.variable_followers = variables(judge.program).map(|v| rules.after(Source::Variable(v))).collect();
+            frame.sources = frame.objects().map(|o| rules.sources(o)).collect();
+            frame.rules = rules;
+        }
         Self { frame, world }
     }
 }
@@ -55,7 +74,7 @@ pub(super) struct Room<'r, 'a> {
     pub search: Search<'r>,
     /// The layout as the search has it: rules of the program obeyed.
     pub start: Snapshot,
-    /// By object: its pose in `start`.
+    /// By object: its pose in the layout, but for what is too little to speak of.
     pub poses: Vec<Pose>,
     /// By check: whether it is to hold.
     wanted: Vec<bool>,
@@ -96,7 +115,7 @@ impl<'r, 'a> Room<'r, 'a> {
         }
         let polisher = Polisher::new(&state);
         let chance = ChaCha8Rng::seed_from_u64(judge.layout.seed.unwrap_or(0));
-        let poses = frame.objects().map(|id| state.pose(id)).collect();
+        let poses = frame.objects().map(|id| before(&fixtures.world, &state, id)).collect();
         let dear = frame.walks.iter().any(|&t| wanted[t]);
         let search = Search { state, polisher, chance, options, priority, best: None, deadline: None };
         debug_assert_eq!(n, search.state.placed().count());
@@ -105,15 +124,20 @@ impl<'r, 'a> Room<'r, 'a> {
 
     /// What is wanted and does not hold; ways over the floor only where all else holds.
     pub fn missing(&mut self) -> Vec<usize> {
-        let state = &mut self.search.state;
-        let walks = |c: usize| state.frame.terms.get(c).is_some_and(|t| t.walks);
-        let cheap: Vec<usize> =
-            (0..self.wanted.len()).filter(|&c| self.wanted[c] && !state.does_hold(c) && !walks(c)).collect();
+        let cheap = self.cheaply_missing();
         if !cheap.is_empty() || !self.dear {
             return cheap;
         }
-        state.look_at_ways();
+        self.search.state.look_at_ways();
+        let state = &self.search.state;
         (0..self.wanted.len()).filter(|&c| self.wanted[c] && !state.does_hold(c)).collect()
+    }
+
+    /// What is wanted and does not hold, ways over the floor left out.
+    pub fn cheaply_missing(&self) -> Vec<usize> {
+        let state = &self.search.state;
+        let walks = |c: usize| state.frame.terms.get(c).is_some_and(|t| t.walks);
+        (0..self.wanted.len()).filter(|&c| self.wanted[c] && !state.does_hold(c) && !walks(c)).collect()
     }
 
     /// Whether all that is wanted holds.
@@ -174,7 +198,30 @@ impl<'r, 'a> Room<'r, 'a> {
                 (layout, broken) = (fewer, now);
             }
         }
-        Some(describe(self.judge, layout, &broken))
+        let mut alternative = describe(self.judge, layout, &broken);
+        let ways: Vec<(ObjectId, Ride)> =
+            alternative.moves.iter().map(|m| (m.object, Ride::new(&m.from, &m.to))).collect();
+        for m in &mut alternative.moves {
+            let carries = |(leader, way): &&(ObjectId, Ride)| {
+                *leader != m.object
+                    && near(&way.apply(&m.from), &m.to)
+                    && self.search.state.riders(*leader).contains(&m.object)
+            };
+            m.with = ways.iter().find(carries).map(|(leader, _)| *leader);
+        }
+        Some(alternative)
+    }
+
+    /// Of these objects those that go where another of them carries them.
+    pub fn carried(&self, objects: &[ObjectId]) -> Vec<ObjectId> {
+        let state = &self.search.state;
+        let mut found = Vec::new();
+        for &leader in objects {
+            let way = Ride::new(&self.poses[leader.0 as usize], &state.pose(leader));
+            let along = |id: &ObjectId| near(&way.apply(&self.poses[id.0 as usize]), &state.pose(*id));
+            found.extend(state.riders(leader).into_iter().filter(|id| objects.contains(id) && along(id)));
+        }
+        found
     }
 
     /// The layout with what the search has moved; `lazy`: what only rules have moved stays.
@@ -233,7 +280,7 @@ pub(super) fn describe(judge: &Judge<'_>, layout: Layout, broken: &[RowRef]) -> 
         let (Some(old), Some(new)) = (judge.layout.object(&object.name), layout.object(&object.name)) else { continue };
         if old != new {
             let [from, to] = [old, new].map(|p| Pose { pos: p.pos, rot: p.rot, scale: p.scale });
-            moves.push(Moved { object: ObjectId(index as u32), from, to });
+            moves.push(Moved { object: ObjectId(index as u32), from, to, with: None });
         }
     }
     let regions = judge.layout.regions.iter().filter(|(name, old)| layout.region(name) != Some(old));
@@ -273,9 +320,24 @@ fn differ(a: &Pose, b: &Pose) -> bool {
         || (0..3).any(|i| half_turn(a.rot[i] - b.rot[i]).abs() > STILL)
 }
 
+/// Whether two poses are the same to the eye.
+fn near(a: &Pose, b: &Pose) -> bool {
+    (a.pos - b.pos).amax() < 1e-4 && (0..3).all(|i| half_turn(a.rot[i] - b.rot[i]).abs() < 1e-2)
+}
+
 /// The angles as they were written, where they are the same but for whole turns.
 fn turned(new: Vec3, old: Vec3) -> Vec3 {
     Vec3::from_fn(|i, _| if half_turn(new[i] - old[i]).abs() < STILL { old[i] } else { new[i] })
+}
+
+/// Where the layout has an object. What rules of the program shift by less than their tolerance has not moved.
+fn before(world: &World<f64>, state: &State<'_>, id: ObjectId) -> Pose {
+    let now = state.pose(id);
+    let Ok(pose) = world.object(id).map(Pose::of) else { return now };
+    let tolerances = &world.options.tolerances;
+    let turned = (0..3).any(|i| half_turn(pose.rot[i] - now.rot[i]).abs() > tolerances.angle);
+    let shifted = (pose.pos - now.pos).norm() > 2.0 * tolerances.equal;
+    if turned || shifted { pose } else { now }
 }
 
 /// The row that a check belongs to.

@@ -15,7 +15,7 @@ use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 
 /// The part of the budget after which the repair loop gives up.
-const PART: f64 = 0.5;
+const PART: f64 = 0.6;
 /// Rounds of the repair loop.
 const ROUNDS: usize = 120;
 

@@ -1,7 +1,7 @@
 //! What else mends where moves do not: a wish that stands in the way is given up, or a demand becomes a wish.
 
 use super::judge::Judge;
-use super::room::{Fixtures, Room, describe, solver};
+use super::room::describe;
 use super::{Alternative, How, MendOptions, Text, edit, moves};
 use scenelang_base::{Edit, TextRange};
 use scenelang_lang::program::ConstraintKind;
@@ -16,8 +16,7 @@ pub(super) fn drops(judge: &Judge<'_>, options: &MendOptions) -> Vec<Alternative
     if !wishes {
         return Vec::new();
     }
-    let (fixtures, solver) = (Fixtures::new(judge), solver(options));
-    moves::all(&mut Room::new(judge, &fixtures, &solver, true), options)
+    moves::all(judge, options, true)
 }
 
 /// The demands that fail, as wishes: an edit of the text. `None`: something else fails, too.
