@@ -141,7 +141,7 @@ pub fn solve_with(
     };
     let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
     let locked = request.hold.objects(program, start.as_ref().map(|s| &s.layout));
-    let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![finding]))?;
+    let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
     observer.leave(Stage::Program);
 
     observer.enter(Stage::Assets);

@@ -23,7 +23,7 @@ impl Hold<'_> {
     ///
     /// # Errors
     /// A name stands for nothing, or an object has no place to be held at.
-    pub(crate) fn objects(self, program: &Program, start: Option<&Layout>) -> Result<Vec<ObjectId>, Diagnostic> {
+    pub(crate) fn objects(self, program: &Program, start: Option<&Layout>) -> Result<Vec<ObjectId>, Box<Diagnostic>> {
         let (names, given) = match self {
             Self::Nothing => return Ok(Vec::new()),
             Self::These(names) => (names, true),
@@ -40,10 +40,10 @@ impl Hold<'_> {
             if !found {
                 let known = program.objects.iter().map(|o| o.name.as_str());
                 let finding = Diagnostic::without_place(codes::E0201, format!("the program has no object `{name}`"));
-                return Err(match nearest(name, known) {
+                return Err(Box::new(match nearest(name, known) {
                     Some(near) => finding.note(format!("did you mean `{near}`?")),
                     None => finding,
-                });
+                }));
             }
         }
         let placed = |object: &&(usize, &str)| start.is_some_and(|layout| layout.object(object.1).is_some());
@@ -51,7 +51,8 @@ impl Hold<'_> {
         let held: Vec<(usize, &str)> = held.filter(|(i, _)| named[*i] == given).collect();
         if let Some((_, name)) = held.iter().find(|object| !placed(object)).filter(|_| given) {
             let say = format!("`{name}` cannot be held: the layout to start from does not have it");
-            return Err(Diagnostic::without_place(codes::E0201, say).note("name such a layout with `--layout`"));
+            let finding = Diagnostic::without_place(codes::E0201, say);
+            return Err(Box::new(finding.note("name such a layout with `--layout`")));
         }
         Ok(held.iter().filter(placed).map(|(i, _)| ObjectId(*i as u32)).collect())
     }
