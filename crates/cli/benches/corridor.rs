@@ -5,7 +5,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use scenelang_lang::{Options, Program, compile_text};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
 use scenelang_solve::Progress;
-use scenelang_synth::{Observer, Request, Stage};
+use scenelang_synth::{Hold, Observer, Request, Stage};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -109,6 +109,8 @@ fn solve(c: &mut Criterion) {
             start: None,
             layout_name: &layout_name,
             scene_member: &file,
+            hold: Hold::Nothing,
+            time: None,
             seed: 0,
             judge: scenelang_verify::Options::default(),
         };
