@@ -126,7 +126,7 @@ impl<'a> Quick<'a> {
         let plain = |id: &ObjectId| {
             let held = matches!(frame.hold(*id), Hold::Rests | Hold::Floats);
             let upright = state.pose(*id).is_upright() && !frame.tilts[id.0 as usize];
-            held && upright && world.object(*id).is_ok_and(|thing| !thing.body.has_parts())
+            held && upright && world.object(*id).is_ok_and(|thing| thing.body.is_box())
         };
         if n == 0 || !frame.objects().all(|id| plain(&id)) {
             return None;
