@@ -60,7 +60,7 @@ impl<'a> Judge<'a> {
     /// What a changed layout is worth; `None`: it does not mend, or breaks what must hold. Else the rows of wishes that
     /// held and do not any more.
     pub fn judge(&self, layout: &Layout) -> Option<Vec<RowRef>> {
-        self.judge_with(self.program, layout, |row| Some(row))
+        self.judge_with(self.program, layout, Some)
     }
 
     /// The same with another program; `as_before` says which row of ours a row of that one is, if any.
