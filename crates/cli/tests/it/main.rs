@@ -17,6 +17,7 @@ mod layering;
 mod licences;
 mod model;
 mod problems;
+mod repair;
 mod support;
 mod watch;
 mod workspace;

@@ -16,6 +16,8 @@ mod least;
 mod moves;
 mod relax;
 mod room;
+#[cfg(test)]
+mod tests;
 mod whole;
 mod wish;
 

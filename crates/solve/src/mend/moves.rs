@@ -32,6 +32,8 @@ const NODES: usize = 40;
 const ENOUGH: u64 = 4_000_000;
 /// What a metre counts beside what is missing.
 const PULL: f64 = 0.02;
+/// So many others that an object has to do with are looked at for rows.
+const RELATED: usize = 5;
 /// How far around the place of an object others are tried (metres).
 const RING: [f64; 6] = [0.02, 0.06, 0.15, 0.35, 0.7, 1.2];
 
@@ -126,7 +128,10 @@ fn expand(room: &mut Room<'_, '_>, node: &Node, budget: u64) -> Vec<Node> {
     let missing = room.missing();
     let mut blamed: Vec<(ObjectId, usize)> = Vec::new();
     for check in missing {
-        for id in room.search.blamed(check) {
+        // Who is in the way of free space or of a way is found by taking each away in turn, which is dear.
+        let spent = room.search.state.work >= budget;
+        let all = if spent { room.search.state.objects_of(check) } else { room.search.blamed(check) };
+        for id in all.into_iter().filter(|id| room.search.state.frame.is_movable(*id)) {
             match blamed.iter_mut().find(|(o, _)| *o == id) {
                 Some((_, times)) => *times += 1,
                 None => blamed.push((id, 1)),
@@ -221,11 +226,10 @@ fn places(room: &mut Room<'_, '_>, id: ObjectId) -> Vec<(usize, f64, Snapshot)> 
 /// Places for an object: where the layout had it, around where it is, turned on the spot, lowered or raised onto what is
 /// there, and all that the solver would try.
 fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
-    let search = &mut room.search;
     let mut out = vec![room.poses[id.0 as usize]];
     let yaws = [0.0, 90.0, 180.0, 270.0].map(|yaw| now.facing(yaw));
     out.extend(yaws);
-    let state = &search.state;
+    let state = &room.search.state;
     // Where those would be in their places again that its rules have taken along.
     for owner in state.frame.followers[id.0 as usize].iter().map(|&r| state.frame.rules.list[r].owner) {
         let (here, there) = (state.pose(owner), room.poses[owner.0 as usize]);
@@ -234,6 +238,9 @@ fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
             out.push(now.at(back.x, back.y, back.z).facing(now.rot.y + there.rot.y - here.rot.y));
         }
     }
+    out.extend(in_line(room, id, now));
+    let search = &mut room.search;
+    let state = &search.state;
     let span = *state.span(id);
     let mut heights: Vec<f64> = state.world.prisms().map(|(_, prism)| prism.floor + now.depth_below()).collect();
     heights.push(now.pos.y);
@@ -254,6 +261,23 @@ fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
         }
     }
     out.extend(pool::candidates(&mut search.state, id, Breadth::All, &mut search.chance));
+    out
+}
+
+/// Places in a row with two others that it has to do with: between them, and beyond one of them, turned as that one.
+fn in_line(room: &Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
+    let state = &room.search.state;
+    let related = state.frame.related[id.0 as usize].iter().map(|(o, _)| *o).filter(|o| state.is_placed(*o));
+    let poses: Vec<Pose> = related.take(RELATED).map(|o| state.pose(o)).collect();
+    let mut out = Vec::new();
+    for (i, a) in poses.iter().enumerate() {
+        for (j, b) in poses.iter().enumerate().filter(|(j, _)| *j != i) {
+            let (between, beyond) = ((a.pos + b.pos) / 2.0, a.pos * 2.0 - b.pos);
+            for at in [between, beyond].into_iter().skip(usize::from(j < i)) {
+                out.extend([0.0, 180.0].map(|turn| now.at(at.x, now.pos.y, at.z).facing(a.rot.y + turn)));
+            }
+        }
+    }
     out
 }
 
