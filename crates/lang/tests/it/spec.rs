@@ -156,6 +156,9 @@ fn every_block_is_executed() {
                 ["text", "syntax" | "hir"] | ["json", "syntax" | "hir" | "constraints"] => {
                     page.path.parent() == Some(Path::new("")) && before.is_some()
                 }
+                ["json", "repair"] => {
+                    page.path == Path::new("command-line.md") && after(|b| b.info.starts_with("json layout"))
+                }
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
