@@ -1,3 +1,5 @@
+//! What each expression is: types, resolutions, targets, as an editor asks for them.
+
 use super::*;
 use crate::ast::{ExprKind, StmtKind};
 use crate::compile::Options;
