@@ -2,8 +2,13 @@
 //!
 //! The code is what the evaluator does: it runs once over numbers that note what is done with them (the tape of
 //! `prove`), with the poses of upright objects as unknowns and all else as it is in the instance. So a formula keeps
-//! its one meaning; only rounding may differ in the last digits. What takes more geometry than boxes and convex rooms
-//! has no code.
+//! its one meaning; only rounding may differ in the last digits. What is no arithmetic is measured on boxes in the
+//! middle of it; what takes more geometry than boxes and rooms has no code.
+
+mod measured;
+
+pub use measured::Flat;
+use measured::Measured;
 
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
 use crate::natives::in_box;
@@ -14,9 +19,10 @@ use crate::vector::{M3, V3};
 use crate::world::{Room, Thing, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::Program;
-use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
-use scenelang_layout::Vec3;
+use scenelang_lang::program::{Arg, Formula, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
 use scenelang_layout::rotation::sin_cos;
+use scenelang_layout::{Polygon, Vec3};
+use std::sync::Arc;
 
 /// Numbers per object: x, y, z of its position, its yaw (degrees in [0, 360)), the sine and the cosine of that.
 pub const INPUTS: usize = 6;
@@ -60,6 +66,8 @@ enum Do {
     Cos,
     Atan,
     Wrap,
+    /// What is measured, by its index.
+    Measure,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -82,11 +90,20 @@ struct Atom {
     unit: Unit,
 }
 
+/// Steps, one result after the other.
+#[derive(Clone, Debug, Default)]
+struct Code {
+    steps: Vec<Step>,
+    /// What is measured, each with the slots of what it asks for.
+    measured: Vec<(Measured, Vec<u32>)>,
+    /// Where the first result goes.
+    first: usize,
+}
+
 /// The code of a formula whose root is a truth.
 #[derive(Clone, Debug)]
 pub struct Coded {
-    steps: Vec<Step>,
-    first: usize,
+    code: Code,
     /// By node: those truths that are not made of others.
     atoms: Vec<Option<Atom>>,
 }
@@ -94,37 +111,54 @@ pub struct Coded {
 /// The code of a formula whose root is a number, a vector or a rotation.
 #[derive(Clone, Debug)]
 pub struct CodedValue {
-    steps: Vec<Step>,
-    first: usize,
+    code: Code,
     parts: Vec<u32>,
 }
 
-fn run(steps: &[Step], first: usize, slots: &mut Slots) {
-    let slots = &mut slots.0[..];
-    for (at, step) in (first..).zip(steps) {
-        let a = slots[step.a as usize];
-        let b = slots[step.b as usize];
-        slots[at] = match step.what {
-            Do::Add => a + b,
-            Do::Sub => a - b,
-            Do::Mul => a * b,
-            Do::Div => a / b,
-            Do::Sqrt => a.sqrt(),
-            Do::Abs => a.abs(),
-            Do::Min => Algebra::min(a, b),
-            Do::Max => Algebra::max(a, b),
-            Do::Sin => sin_cos(a).0,
-            Do::Cos => sin_cos(a).1,
-            Do::Atan => Algebra::atan2(a, b),
-            Do::Wrap => Algebra::wrap(a),
-        };
+impl Code {
+    fn run(&self, slots: &mut Slots) {
+        let slots = &mut slots.0[..];
+        for (at, step) in (self.first..).zip(&self.steps) {
+            if let Do::Measure = step.what {
+                let (what, inputs) = &self.measured[step.a as usize];
+                slots[at] = what.of(|i| slots[inputs[i] as usize]);
+                continue;
+            }
+            let a = slots[step.a as usize];
+            let b = slots[step.b as usize];
+            slots[at] = match step.what {
+                Do::Add => a + b,
+                Do::Sub => a - b,
+                Do::Mul => a * b,
+                Do::Div => a / b,
+                Do::Sqrt => a.sqrt(),
+                Do::Abs => a.abs(),
+                Do::Min => Algebra::min(a, b),
+                Do::Max => Algebra::max(a, b),
+                Do::Sin => sin_cos(a).0,
+                Do::Cos => sin_cos(a).1,
+                Do::Atan => Algebra::atan2(a, b),
+                Do::Wrap => Algebra::wrap(a),
+                Do::Measure => slots[at],
+            };
+        }
+    }
+
+    /// Slots that it reads.
+    fn reads(&self) -> impl Iterator<Item = u32> + '_ {
+        let plain = self.steps.iter().filter(|s| !matches!(s.what, Do::Measure)).flat_map(|s| [s.a, s.b]);
+        plain.chain(self.measured.iter().flat_map(|(_, inputs)| inputs.iter().copied()))
     }
 }
 
 impl Coded {
     /// Runs it; [`Self::truth`] tells what came of it, until other code runs.
     pub fn run(&self, slots: &mut Slots) {
-        run(&self.steps, self.first, slots);
+        self.code.run(slots);
+    }
+    /// How many steps it takes.
+    pub fn len(&self) -> usize {
+        self.code.steps.len()
     }
     /// A truth that is not made of others, as of the last run.
     pub fn truth(&self, node: NodeId, slots: &Slots) -> Option<Truth<f64>> {
@@ -143,13 +177,13 @@ impl Coded {
 impl CodedValue {
     /// Which inputs of which objects it reads: an object, and an index into [`Slots::get`].
     pub fn reads(&self) -> impl Iterator<Item = (ObjectId, usize)> + '_ {
-        let slots = self.steps.iter().flat_map(|s| [s.a, s.b]).chain(self.parts.iter().copied());
-        let inputs = slots.map(|s| s as usize).filter(|s| *s < self.first);
+        let slots = self.code.reads().chain(self.parts.iter().copied());
+        let inputs = slots.map(|s| s as usize).filter(|s| *s < self.code.first);
         inputs.map(|s| (ObjectId((s / INPUTS) as u32), s % INPUTS))
     }
     /// Runs it: one number, or three.
     pub fn run(&self, slots: &mut Slots) -> [f64; 3] {
-        run(&self.steps, self.first, slots);
+        self.code.run(slots);
         std::array::from_fn(|i| self.parts.get(i).map_or(0.0, |p| slots.0[*p as usize]))
     }
 }
@@ -162,6 +196,8 @@ pub struct Coder<'w> {
     /// By the number of an unknown: its slot.
     constants: Vec<f64>,
     known: FxHashMap<u64, u32>,
+    /// By the unknown that stands for it: what is measured, and on what.
+    measures: FxHashMap<Term, (Measured, Vec<Term>)>,
     scratch: Scratch<Term>,
 }
 
@@ -216,12 +252,21 @@ impl<'w> Coder<'w> {
                 Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
             });
         }
-        Self { plain, world, objects: n, constants: Vec::new(), known: FxHashMap::default(), scratch: Scratch::new() }
+        Self {
+            plain,
+            world,
+            objects: n,
+            constants: Vec::new(),
+            known: FxHashMap::default(),
+            measures: FxHashMap::default(),
+            scratch: Scratch::new(),
+        }
     }
 
     /// The code of a truth; `None`: it has none.
     pub fn truth(&mut self, formula: &Formula) -> Option<Coded> {
-        let _ = self.scratch.evaluate_with(formula, &self.world, &mut Boxes { plain: self.plain });
+        let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
+        let _ = self.scratch.evaluate_with(formula, &self.world, &mut boxes);
         let mut open = vec![formula.root];
         let mut found: Vec<(NodeId, Truth<Term>)> = Vec::new();
         while let Some(id) = open.pop() {
@@ -235,7 +280,7 @@ impl<'w> Coder<'w> {
                 },
             }
         }
-        let mut code = Code::default();
+        let mut code = Draft::new(self.objects);
         let mut atoms = vec![None; formula.nodes.len()];
         for (node, truth) in found {
             let margin = self.emit(&mut code, truth.margin)?;
@@ -250,19 +295,20 @@ impl<'w> Coder<'w> {
             };
             atoms[node.0 as usize] = Some(Atom { margin, verdict, unit: truth.unit });
         }
-        Some(Coded { steps: code.steps, first: self.objects * INPUTS, atoms })
+        Some(Coded { code: code.code, atoms })
     }
 
     /// The code of a number, a vector or a rotation; `None`: it has none.
     pub fn value(&mut self, formula: &Formula) -> Option<CodedValue> {
-        let parts = match self.scratch.evaluate_with(formula, &self.world, &mut Boxes { plain: self.plain }).ok()? {
+        let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
+        let parts = match self.scratch.evaluate_with(formula, &self.world, &mut boxes).ok()? {
             Value::Number(n) => vec![n],
             Value::Vector(v) | Value::Rotation(v) => v.0.to_vec(),
             Value::Truth(_) => return None,
         };
-        let mut code = Code::default();
+        let mut code = Draft::new(self.objects);
         let parts = parts.into_iter().map(|p| self.emit(&mut code, p)).collect::<Option<Vec<u32>>>()?;
-        Some(CodedValue { steps: code.steps, first: self.objects * INPUTS, parts })
+        Some(CodedValue { code: code.code, parts })
     }
 
     /// Room for all that the code written so far works on.
@@ -279,7 +325,7 @@ impl<'w> Coder<'w> {
     }
 
     /// The slot of a number; steps that it needs are added.
-    fn emit(&mut self, code: &mut Code, root: Term) -> Option<u32> {
+    fn emit(&mut self, code: &mut Draft, root: Term) -> Option<u32> {
         // Arguments first, without recursion: formulas may be deep.
         let mut open = vec![root];
         while let Some(&term) = open.last() {
@@ -289,7 +335,11 @@ impl<'w> Coder<'w> {
             }
             let op = look(|tape| tape.ops[term.0 as usize]);
             let mut arguments = Vec::with_capacity(2);
-            for_each_argument(op, |t| arguments.push(t));
+            let measure = self.measures.get(&term);
+            match measure {
+                Some((_, on)) => arguments.extend(on),
+                None => for_each_argument(op, |t| arguments.push(t)),
+            }
             let missing: Vec<Term> = arguments.iter().copied().filter(|t| !code.slots.contains_key(t)).collect();
             if !missing.is_empty() {
                 open.extend(missing);
@@ -303,10 +353,16 @@ impl<'w> Coder<'w> {
                     code.slots.insert(term, slot);
                     None
                 }
-                Op::Unknown(number) => {
-                    code.slots.insert(term, number - 1);
-                    None
-                }
+                Op::Unknown(number) => match measure {
+                    Some((what, on)) => {
+                        code.code.measured.push((what.clone(), on.iter().map(|t| at(*t)).collect()));
+                        step(Do::Measure, code.code.measured.len() as u32 - 1, 0)
+                    }
+                    None => {
+                        code.slots.insert(term, number - 1);
+                        None
+                    }
+                },
                 Op::Add(a, b) => step(Do::Add, at(a), at(b)),
                 Op::Sub(a, b) => step(Do::Sub, at(a), at(b)),
                 Op::Scale(a, by) => step(Do::Mul, at(a), self.constant(f64::from_bits(by))),
@@ -324,11 +380,11 @@ impl<'w> Coder<'w> {
                 Op::Indicator(_) => return None,
             };
             if let Some(step) = step {
-                if code.steps.len() >= TEMPORARIES {
+                if code.code.steps.len() >= TEMPORARIES {
                     return None;
                 }
-                code.slots.insert(term, (self.objects * INPUTS + code.steps.len()) as u32);
-                code.steps.push(step);
+                code.slots.insert(term, (code.code.first + code.code.steps.len()) as u32);
+                code.code.steps.push(step);
             }
         }
         code.slots.get(&root).copied()
@@ -344,10 +400,16 @@ impl<'w> Coder<'w> {
     }
 }
 
-#[derive(Default)]
-struct Code {
-    steps: Vec<Step>,
+/// Code that is being written.
+struct Draft {
+    code: Code,
     slots: FxHashMap<Term, u32>,
+}
+
+impl Draft {
+    fn new(objects: usize) -> Self {
+        Self { code: Code { first: objects * INPUTS, ..Code::default() }, slots: FxHashMap::default() }
+    }
 }
 
 fn for_each_argument(op: Op, mut f: impl FnMut(Term)) {
@@ -367,21 +429,96 @@ fn for_each_argument(op: Op, mut f: impl FnMut(Term)) {
     }
 }
 
-/// What can be told of boxes and convex rooms without measuring.
-struct Boxes<'w> {
+/// What can be told of boxes and rooms.
+struct Boxes<'w, 'c> {
     plain: &'w World<f64>,
+    measures: &'c mut FxHashMap<Term, (Measured, Vec<Term>)>,
 }
 
-impl Oracle<Term> for Boxes<'_> {
+impl Boxes<'_, '_> {
+    /// A number that is measured when the code runs.
+    fn measure(&mut self, what: Measured, on: Vec<Term>) -> Term {
+        let term = unknown(Interval::new(-FAR, FAR));
+        self.measures.insert(term, (what, on));
+        term
+    }
+
+    /// The gap of two things; `None`: not both are upright boxes.
+    fn gap(&mut self, a: &Thing<Term>, b: &Thing<Term>) -> Option<Term> {
+        let half = |thing: &Thing<Term>| -> [f64; 3] { (thing.body.obb.half).into() };
+        let mut on = upright(a)?;
+        on.extend(upright(b)?);
+        Some(self.measure(Measured::Gap([half(a), half(b)]), on))
+    }
+
+    /// The horizontal clearance of a thing in a room of any outline.
+    fn clearance(&mut self, thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
+        let [x, _, z, sin, cos] = upright(thing)?[..] else { return None };
+        let half = thing.body.obb.half;
+        Some(self.measure(Measured::Clearance(outline_of(room), [half.x, half.z]), vec![x, z, sin, cos]))
+    }
+
+    /// How deep a point is in a room.
+    fn depth(&mut self, point: &V3<Term>, room: &Room<Term>) -> Term {
+        self.measure(Measured::Depth(outline_of(room)), vec![point.0[0], point.0[2]])
+    }
+
+    fn in_region(&mut self, thing: &Thing<Term>, room: &Room<Term>, world: &World<Term>) -> Option<Truth<Term>> {
+        let aside = match clearance_in_convex(thing, room) {
+            Some(clearance) => clearance,
+            None => self.clearance(thing, room)?,
+        };
+        let (center, reach) = (thing.center(), thing.reach());
+        let floor = (center - reach).0[1] - room.pos.0[1];
+        let ceiling = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
+        let tolerances = &world.options.tolerances;
+        let least = floor.min(ceiling).min(aside);
+        Some(Truth::metres(least + Term::constant(tolerances.contact), tolerances.order))
+    }
+
+    /// Whether the middle of a door and both ends of its width are in the walls of rooms, as `connects` says it.
+    fn connects(&mut self, door: &Thing<Term>, rooms: &[&Room<Term>], world: &World<Term>) -> Truth<Term> {
+        let options = &world.options;
+        let (center, reach) = (door.center(), door.reach());
+        let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
+        let mut margin = Term::constant(f64::INFINITY);
+        for room in rooms {
+            let above = (center - reach).0[1] - room.pos.0[1];
+            let below = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
+            margin = margin.min(above).min(below);
+            for point in [center, center - half, center + half] {
+                let off = self.depth(&point, room).abs();
+                margin = margin.min(Term::constant(2.0 * options.eta) - off);
+            }
+        }
+        Truth::metres(margin + Term::constant(options.tolerances.door), options.tolerances.order)
+    }
+}
+
+fn outline_of(room: &Room<Term>) -> Arc<Polygon> {
+    Arc::new(room.prism.polygon.clone())
+}
+
+/// x, y, z of the centre of a box, and sine and cosine of its yaw; `None`: it has parts, or is not upright.
+fn upright(thing: &Thing<Term>) -> Option<Vec<Term>> {
+    let [zero, one] = [0.0, 1.0].map(Term::constant);
+    let [center, turn] = [thing.center().0, thing.axes.0[2].0];
+    let is_upright = thing.axes.0[1].0 == [zero, one, zero];
+    (is_upright && thing.body.is_box()).then(|| vec![center[0], center[1], center[2], turn[0], turn[2]])
+}
+
+impl Oracle<Term> for Boxes<'_, '_> {
     fn ask(
         &mut self,
         node: &Node,
         id: NodeId,
-        _values: &Values<Term>,
+        values: &Values<Term>,
         world: &World<Term>,
     ) -> Result<Value<Term>, EvalError> {
         let fail = |cause: Cause| EvalError { cause, node: id };
         let none = || fail(Cause::Refused);
+        let object = |id: &ObjectId| world.object(*id).map_err(fail);
+        let region = |id: &RegionId| world.region(*id).map_err(fail);
         match node {
             Node::Object(ObjectProperty::Surface, object) => {
                 let thing = world.object(*object).map_err(fail)?;
@@ -398,15 +535,39 @@ impl Oracle<Term> for Boxes<'_> {
                 _ => Err(none()),
             },
             Node::Draw(draw) => Ok(Value::Number(Term::constant(self.plain.draw(*draw).map_err(fail)?))),
-            Node::Native(Native::Inside, args) => match **args {
+            Node::Native(native, args) => match (native, &args[..]) {
+                (Native::Inside, [Arg::Object(a), Arg::Object(b)]) => {
+                    Ok(Value::Truth(in_box(object(a)?, object(b)?, &world.options.tolerances)))
+                }
+                (Native::Inside, [Arg::Object(a), Arg::Region(r)]) => {
+                    self.in_region(object(a)?, region(r)?, world).map(Value::Truth).ok_or_else(none)
+                }
+                (Native::Collides, [Arg::Object(a), Arg::Object(b)]) => {
+                    let gap = self.gap(object(a)?, object(b)?).ok_or_else(none)?;
+                    let margin = -(gap + Term::constant(world.options.tolerances.contact));
+                    Ok(Value::Truth(Truth { margin, holds: margin.above(0.0), unit: Unit::Metre }))
+                }
+                (Native::Connects, [Arg::Object(door), rooms @ ..]) => {
+                    let room = |arg: &Arg| match arg {
+                        Arg::Region(id) => region(id),
+                        _ => Err(none()),
+                    };
+                    let rooms = rooms.iter().map(room).collect::<Result<Vec<_>, _>>()?;
+                    Ok(Value::Truth(self.connects(object(door)?, &rooms, world)))
+                }
+                _ => Err(none()),
+            },
+            Node::Measure(Measure::Gap, args) => match &args[..] {
                 [Arg::Object(a), Arg::Object(b)] => {
-                    let (a, b) = (world.object(a).map_err(fail)?, world.object(b).map_err(fail)?);
-                    Ok(Value::Truth(in_box(a, b, &world.options.tolerances)))
+                    self.gap(object(a)?, object(b)?).map(Value::Number).ok_or_else(none)
                 }
                 [Arg::Object(a), Arg::Region(r)] => {
-                    let (a, r) = (world.object(a).map_err(fail)?, world.region(r).map_err(fail)?);
-                    in_convex(a, r, world).map(Value::Truth).ok_or_else(none)
+                    self.clearance(object(a)?, region(r)?).map(Value::Number).ok_or_else(none)
                 }
+                [Arg::Value(point), Arg::Region(r)] => match values[point.0 as usize]? {
+                    Value::Vector(point) => Ok(Value::Number(self.depth(&point, region(r)?))),
+                    _ => Err(none()),
+                },
                 _ => Err(none()),
             },
             _ => Err(none()),
@@ -414,17 +575,15 @@ impl Oracle<Term> for Boxes<'_> {
     }
 }
 
-/// Whether a box is in a convex region: the least of its clearances from the planes of the walls, the floor and the
-/// ceiling. That is what [`in_region`](crate::in_region) measures of what is inside; of what is outside both say so.
-fn in_convex(thing: &Thing<Term>, room: &Room<Term>, world: &World<Term>) -> Option<Truth<Term>> {
+/// The least clearance of a box from the planes of the walls of a convex region. That is what
+/// [`in_region`](crate::in_region) measures of what is inside; of what is outside both say so.
+fn clearance_in_convex(thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
     let polygon = &room.prism.polygon;
     if !polygon.is_convex() {
         return None;
     }
-    let (center, reach) = (thing.center(), thing.reach());
-    let floor = (center - reach).0[1] - room.pos.0[1];
-    let ceiling = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
-    let mut least = floor.min(ceiling);
+    let center = thing.center();
+    let mut least = Term::constant(f64::INFINITY);
     for (a, b) in polygon.edges() {
         let along = (b - a).normalize();
         // The inside is on the left of the way from x towards z.
@@ -435,8 +594,7 @@ fn in_convex(thing: &Thing<Term>, room: &Room<Term>, world: &World<Term>) -> Opt
         let reach = own(0) + own(1) + own(2);
         least = least.min(center.along(&inward) - reach - level);
     }
-    let tolerances = &world.options.tolerances;
-    Some(Truth::metres(least + Term::constant(tolerances.contact), tolerances.order))
+    Some(least)
 }
 
 #[cfg(test)]
@@ -451,9 +609,17 @@ mod tests {
 region room;
 room.pos <- vec3(0, 0, 0);
 room.scale <- vec3(6, 3, 5);
+region ell;
+ell.pos <- vec3(0, 0, 0);
+ell.scale <- vec3(6, 3, 5);
+ell.vertices <- polygon(vec3(-3, 0, -2.5), vec3(3, 0, -2.5), vec3(3, 0, 0), vec3(0, 0, 0), vec3(0, 0, 2.5), vec3(-3, 0, 2.5));
 object a;
 object b;
 assert inside(a, room);
+assert inside(a, ell) and gap(b, ell) > 0.1;
+assert gap(a, b) <= 0.3 or collides(a, b);
+assert againstWall(b, ell) or inCorner(b, room) or near(a, b, 1);
+assert connects(a, ell, room);
 assert inside(a, b) or a.bottom = b.top;
 assert dot(a.center - b.center, b.right) >= b.size.x / 2 + abs(dot(a.right, b.right)) * a.size.x / 2;
 assert distance(a, b) <= 1.5 and not (a.pos.x < b.pos.z) and angle(a.front, b.front) <= 30;
@@ -486,7 +652,9 @@ assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1
                 scale: Vec3::new(6.0, 3.0, 5.0),
                 vertices: None,
             };
-            let layout = Layout { regions: vec![("room".into(), room)], ..layout };
+            let corners = [[-3.0, -2.5], [3.0, -2.5], [3.0, 0.0], [0.0, 0.0], [0.0, 2.5], [-3.0, 2.5]];
+            let ell = scenelang_layout::RegionPlacement { vertices: Some(corners.to_vec()), ..room.clone() };
+            let layout = Layout { regions: vec![("room".into(), room), ("ell".into(), ell)], ..layout };
             let world = World::<f64>::new(program, &layout, &Options::default());
             let mut coder = Coder::new(program, &world, &|_| false);
             for constraint in &program.constraints {
@@ -502,7 +670,12 @@ assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1
                     else {
                         continue;
                     };
-                    let inside = matches!(formula.node(NodeId(index)), Node::Native(..)) && plain.margin < 0.0;
+                    // How far outside something is they may see differently.
+                    let room =
+                        |node: &Node| matches!(node, Node::Measure(_, args) if matches!(args[..], [_, Arg::Region(_)]));
+                    let rooms =
+                        matches!(formula.node(NodeId(index)), Node::Native(..)) || formula.nodes.iter().any(room);
+                    let inside = rooms && plain.margin < 0.0;
                     assert_eq!(coded.holds, plain.holds, "{formula:?} {layout:?}");
                     assert!(inside || (coded.margin - plain.margin).abs() < 1e-9, "{coded:?} {plain:?} {formula:?}");
                     checked += 1;

@@ -1,0 +1,192 @@
+//! What code cannot say in sums and products, measured on boxes: gaps, and clearances in rooms of any outline.
+//!
+//! Signs are those of the evaluator. Of what overlaps, or leaves a room, the size is that of the nearest way out, which
+//! is what a search asks for.
+
+use scenelang_layout::planar::nearest_on_segment;
+use scenelang_layout::{Polygon, Vec2};
+use std::sync::Arc;
+
+/// Something measured on numbers.
+#[derive(Clone, Debug)]
+pub(super) enum Measured {
+    /// The gap of two upright boxes of these half extents, from x, y, z of the centre, sine and cosine of each.
+    Gap([[f64; 3]; 2]),
+    /// The clearance of an upright box with half this width and depth from the walls of a room, from x, z of its
+    /// centre, sine and cosine.
+    Clearance(Arc<Polygon>, [f64; 2]),
+    /// How deep a point is within an outline, from its x and z.
+    Depth(Arc<Polygon>),
+}
+
+impl Measured {
+    /// Its value, from the numbers it asks for.
+    pub fn of(&self, input: impl Fn(usize) -> f64) -> f64 {
+        match self {
+            Self::Gap(halves) => {
+                let flat = |k: usize| Flat {
+                    at: [input(5 * k), input(5 * k + 2)],
+                    turn: [input(5 * k + 3), input(5 * k + 4)],
+                    half: [halves[k][0], halves[k][2]],
+                };
+                let upright = (input(1) - input(6)).abs() - halves[0][1] - halves[1][1];
+                let aside = flat(0).gap(&flat(1));
+                match (upright > 0.0, aside > 0.0) {
+                    (true, true) => upright.hypot(aside),
+                    _ => upright.max(aside),
+                }
+            }
+            Self::Clearance(polygon, half) => {
+                Flat { at: [input(0), input(1)], turn: [input(2), input(3)], half: *half }.clearance(polygon)
+            }
+            Self::Depth(polygon) => depth(polygon, Vec2::new(input(0), input(1))),
+        }
+    }
+}
+
+/// A rectangle on the floor.
+#[derive(Clone, Copy, Debug)]
+pub struct Flat {
+    /// Its middle: x and z (metres).
+    pub at: [f64; 2],
+    /// Sine and cosine of its yaw.
+    pub turn: [f64; 2],
+    /// Half its width and its depth (metres).
+    pub half: [f64; 2],
+}
+
+impl Flat {
+    /// A point as the rectangle sees it.
+    fn local(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+        let ([dx, dz], [sin, cos]) = ([x - self.at[0], z - self.at[1]], self.turn);
+        [dx * cos - dz * sin, dx * sin + dz * cos]
+    }
+    /// A point of its own as all see it.
+    pub fn point(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        let [sin, cos] = self.turn;
+        [self.at[0] + u * cos + v * sin, self.at[1] - u * sin + v * cos]
+    }
+    /// Its corners.
+    pub fn corners(&self) -> [[f64; 2]; 4] {
+        let [w, d] = self.half;
+        [[-w, -d], [w, -d], [w, d], [-w, d]].map(|p| self.point(p))
+    }
+    /// How far a point is from it, 0 within.
+    fn distance(&self, p: [f64; 2]) -> f64 {
+        let [u, v] = self.local(p);
+        let (u, v) = ((u.abs() - self.half[0]).max(0.0), (v.abs() - self.half[1]).max(0.0));
+        (u * u + v * v).sqrt()
+    }
+
+    /// Between two: their distance or, negative, the least shift that would part them (metres).
+    pub fn gap(&self, other: &Self) -> f64 {
+        let [sin, cos] = [self.turn[0] * other.turn[1] - self.turn[1] * other.turn[0], self.dot(other)].map(f64::abs);
+        let seen = |from: &Self, to: &Self| {
+            let [u, v] = from.local(to.at);
+            let reach = [cos * to.half[0] + sin * to.half[1], sin * to.half[0] + cos * to.half[1]];
+            [u.abs() - from.half[0] - reach[0], v.abs() - from.half[1] - reach[1]]
+        };
+        let ([a, b], [c, d]) = (seen(self, other), seen(other, self));
+        let apart = a.max(b).max(c).max(d);
+        if apart <= 0.0 {
+            return apart;
+        }
+        if sin == 0.0 || cos == 0.0 {
+            // They share their axes.
+            return if a > 0.0 && b > 0.0 { a.hypot(b) } else { apart };
+        }
+        // Of two convex things apart one shows a corner to the other.
+        let from = |a: &Self, b: &Self| b.corners().into_iter().map(|p| a.distance(p)).fold(f64::INFINITY, f64::min);
+        from(self, other).min(from(other, self))
+    }
+
+    /// How far it is from a segment, which does not touch it.
+    fn distance_of_segment(&self, from: Vec2, to: Vec2) -> f64 {
+        let ends = self.distance([from.x, from.y]).min(self.distance([to.x, to.y]));
+        let corners = self.corners().map(|[x, z]| Vec2::new(x, z));
+        corners.into_iter().map(|p| (p - nearest_on_segment(&p, &from, &to)).norm()).fold(ends, f64::min)
+    }
+
+    fn dot(&self, other: &Self) -> f64 {
+        self.turn[0] * other.turn[0] + self.turn[1] * other.turn[1]
+    }
+
+    /// How far it stays from the walls within a room or, negative, how far it reaches beyond them (metres).
+    pub fn clearance(&self, room: &Polygon) -> f64 {
+        let [w, d] = self.half;
+        let mut least = f64::INFINITY;
+        for (from, to) in room.edges() {
+            let (a, b) = (self.local([from.x, from.y]), self.local([to.x, to.y]));
+            let beyond = |k: usize, half: f64| (a[k].min(b[k]) - half).max(-a[k].max(b[k]) - half);
+            let way = [b[0] - a[0], b[1] - a[1]];
+            let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+            let off = (a[0] * way[1] - a[1] * way[0]).abs() - w * way[1].abs() - d * way[0].abs();
+            let apart = beyond(0, w).max(beyond(1, d)).max(off / length);
+            if apart >= least {
+                continue;
+            }
+            least = if apart > 0.0 { least.min(self.distance_of_segment(from, to)) } else { apart };
+        }
+        if least >= 0.0 && room.contains(Vec2::new(self.at[0], self.at[1])) {
+            return least;
+        }
+        let corners = self.corners().map(|[x, z]| Vec2::new(x, z));
+        let outside = corners.into_iter().map(|p| depth(room, p)).fold(0.0, f64::min);
+        if outside < 0.0 { outside } else { least.min(0.0) }
+    }
+}
+
+/// How far a point is from the outline, negative outside.
+fn depth(room: &Polygon, p: Vec2) -> f64 {
+    let off = room.edges().map(|(a, b)| (p - nearest_on_segment(&p, &a, &b)).norm_squared());
+    let off = off.fold(f64::INFINITY, f64::min).sqrt();
+    if room.contains(p) { off } else { -off }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use scenelang_layout::rotation::sin_cos;
+
+    fn flat() -> impl Strategy<Value = Flat> {
+        let yaw = prop_oneof![0.0..360.0, (0..4).prop_map(|k| 90.0 * f64::from(k))];
+        ((-4.0..4.0, -4.0..4.0), yaw, (0.05..1.5, 0.05..1.5)).prop_map(|((x, z), yaw, (w, d))| Flat {
+            at: [x, z],
+            turn: sin_cos(yaw).into(),
+            half: [w, d],
+        })
+    }
+
+    fn ell() -> Polygon {
+        Polygon::new(&[[-3.0, -3.0], [3.0, -3.0], [3.0, 0.5], [0.5, 0.5], [0.5, 3.0], [-3.0, 3.0]]).unwrap()
+    }
+
+    fn as_box(flat: &Flat) -> scenelang_layout::Obb {
+        let [sin, cos] = flat.turn;
+        let axes = nalgebra::Matrix3::new(cos, 0.0, sin, 0.0, 1.0, 0.0, -sin, 0.0, cos);
+        let vec = |x, y, z| scenelang_layout::Vec3::new(x, y, z);
+        scenelang_layout::Obb {
+            center: vec(flat.at[0], 0.5, flat.at[1]),
+            axes,
+            half: vec(flat.half[0], 0.5, flat.half[1]),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn gaps_are_those_of_boxes(a in flat(), b in flat()) {
+            let exact = scenelang_layout::obb::separation(&as_box(&a), &as_box(&b)).gap;
+            let gap = a.gap(&b).max(-1.0);
+            prop_assert!((gap - exact).abs() < 1e-9, "{gap} {exact}");
+        }
+
+        #[test]
+        fn clearances_have_the_signs_of_the_verifier(a in flat()) {
+            let exact = ell().clearance(&a.corners().map(|[x, z]| Vec2::new(x, z))).value;
+            let found = a.clearance(&ell());
+            prop_assert_eq!(found >= 0.0, exact >= 0.0, "{} {}", found, exact);
+            prop_assert!(exact < 0.0 || found <= exact + 1e-9);
+        }
+    }
+}
