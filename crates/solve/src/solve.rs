@@ -201,16 +201,24 @@ impl<'r, 'a> Run<'r, 'a> {
             return false;
         };
         let budget = (self.options.budget as f64 * QUICK) as u64;
-        let solved = quick.search(&mut search.chance, budget, self.deadline, &given);
-        if solved && self.setup.given.is_empty() {
-            quick.tidy(&mut search.chance);
+        let mut holds = false;
+        while !holds && quick.work < budget {
+            let solved = quick.search(&mut search.chance, budget - quick.work, self.deadline, &given);
+            if solved && self.setup.given.is_empty() {
+                quick.tidy(&mut search.chance);
+            }
+            let changes = quick.changes(&search.state);
+            if search.state.attempt(&changes, f64::INFINITY).is_some() {
+                search.state.keep();
+            }
+            holds = solved && search.state.hard().0 == 0;
+            // What was thought a way may be none: one looks for a wider one, from here.
+            if !solved || holds || !quick.doubt(&search.state.failing()) {
+                break;
+            }
+            given.fill(true);
         }
         search.state.work += quick.work;
-        let changes = quick.changes(&search.state);
-        if search.state.attempt(&changes, f64::INFINITY).is_some() {
-            search.state.keep();
-        }
-        let holds = solved && search.state.hard().0 == 0;
         if !holds {
             search.note();
             self.setup.frame.objects().for_each(|id| search.state.banish(id));

@@ -1,19 +1,31 @@
 //! Where an object could go: anywhere, a little aside, turned, up against another thing or a wall, and to where a
 //! violated constraint would hold.
 
-use super::{Judge, Quick};
+use super::{Home, Judge, Quick, Ran, Stretch, Wall};
+use crate::merit::Merit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_verify::coded::INPUTS;
+use scenelang_lang::program::ObjectId;
+use scenelang_layout::rotation::sin_cos;
+use scenelang_verify::coded::{Flat, INPUTS};
+use std::marker::PhantomData;
 
-/// A step to see how a margin changes (metres).
+/// A step to see how a margin changes: metres, and degrees.
 const PROBE: f64 = 1e-3;
+const TURN: f64 = 0.05;
 /// A little more than what is missing, so that rounding does not take it away (metres).
 const EASE: f64 = 1e-4;
+/// How often a place of a rotated room is drawn before one outside is taken.
+const DRAWS: usize = 8;
+/// How far apart things are put that are put beside each other (metres), at most.
+const APART: f64 = 0.15;
+
+/// One pose of an object: see [`scenelang_verify::coded::Slots`].
+pub(super) type Inputs = [f64; INPUTS];
 
 impl Quick<'_> {
     /// Poses for an object, into `out`.
-    pub(super) fn poses(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
+    pub(super) fn poses(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         out.clear();
         let now = self.inputs(i);
         for _ in 0..6 {
@@ -27,6 +39,9 @@ impl Quick<'_> {
                 out.push(turned(now, yaw));
             }
         }
+        if self.turns[i] {
+            self.turning(i, chance, out);
+        }
         for far in [0.02, 0.1, 0.4, 1.0] {
             let mut pose = now;
             pose[0] += chance.between(-far, far);
@@ -34,37 +49,97 @@ impl Quick<'_> {
             out.push(pose);
         }
         self.beside_others(i, chance, out);
-        self.at_walls(i, chance, out);
+        for _ in 0..3 {
+            self.at_a_wall(i, chance, out);
+        }
     }
 
     /// Anywhere that it may be.
-    pub(super) fn anywhere(&self, i: usize, chance: &mut ChaCha8Rng) -> [f64; INPUTS] {
-        let mut pose = self.some_turn(i, chance);
-        let (rx, rz) = self.reach(i, &pose);
-        let field = &self.field[i];
-        pose[0] = within(chance, field.min[0] + rx, field.max[0] - rx);
-        pose[2] = within(chance, field.min[1] + rz, field.max[1] - rz);
+    pub(super) fn anywhere(&self, i: usize, chance: &mut ChaCha8Rng) -> Inputs {
+        match &self.homes[i] {
+            Home::Stands(_) => {}
+            Home::Hangs(walls) => return self.on_wall(i, &walls[chance.below(walls.len())], chance),
+            Home::Door(stretches) => return self.in_wall(i, &stretches[chance.below(stretches.len())], chance),
+            Home::Ceiling(height) => {
+                let mut pose = self.on_the_ground(i, chance);
+                pose[1] = height - self.size[i][1];
+                return pose;
+            }
+        }
+        let mut pose = self.on_the_ground(i, chance);
+        if self.rests[i] {
+            pose[1] = self.floor;
+        }
         pose
     }
 
-    fn some_turn(&self, i: usize, chance: &mut ChaCha8Rng) -> [f64; INPUTS] {
+    fn on_the_ground(&self, i: usize, chance: &mut ChaCha8Rng) -> Inputs {
+        let mut pose = self.some_turn(i, chance);
+        let (rx, rz) = self.reach(i, &pose);
+        let field = &self.field[i];
+        for _ in 0..DRAWS {
+            pose[0] = within(chance, field.min[0] + rx, field.max[0] - rx);
+            pose[2] = within(chance, field.min[1] + rz, field.max[1] - rz);
+            let at = [pose[0], pose[2]];
+            if self.outlines[i].iter().all(|&room| self.rooms[room].depth(at) >= rx.min(rz)) {
+                break;
+            }
+        }
+        pose
+    }
+
+    fn some_turn(&self, i: usize, chance: &mut ChaCha8Rng) -> Inputs {
         let yaws = &self.yaws[i];
+        if self.turns[i] && self.skew && chance.below(4) == 0 {
+            return turned(self.inputs(i), chance.between(0.0, 360.0));
+        }
         turned(self.inputs(i), yaws[chance.below(yaws.len())])
     }
 
-    pub(super) fn reach(&self, i: usize, pose: &[f64; INPUTS]) -> (f64, f64) {
+    pub(super) fn reach(&self, i: usize, pose: &Inputs) -> (f64, f64) {
         let ([w, _, d], [.., sin, cos]) = (self.size[i], *pose);
         ((cos.abs() * w + sin.abs() * d) / 2.0, (sin.abs() * w + cos.abs() * d) / 2.0)
     }
 
-    /// Along x, z or y to where a violated term of it would hold, and some way beyond.
-    fn satisfying(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
+    /// How far it reaches along a direction on the floor.
+    fn reach_along(&self, i: usize, pose: &Inputs, [x, z]: [f64; 2]) -> f64 {
+        let ([w, _, d], [.., sin, cos]) = (self.size[i], *pose);
+        ((cos * x - sin * z).abs() * w + (sin * x + cos * z).abs() * d) / 2.0
+    }
+
+    /// Where it is, turned otherwise: a little, at random, and as what it has to do with has it.
+    fn turning(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let now = self.inputs(i);
-        let fixed = self.frame.fixed(scenelang_lang::program::ObjectId(i as u32));
+        for far in [3.0, 15.0, 180.0] {
+            out.push(turned(now, now[3] + chance.between(-far, far)));
+        }
+        for _ in 0..3.min(self.related[i].len()) {
+            let j = self.related[i][chance.below(self.related[i].len())];
+            out.push(turned(now, self.turn_beside(i, &now, j, chance)));
+        }
+    }
+
+    /// A yaw that another thing suggests: towards it, or as it is turned, give or take quarter turns.
+    fn turn_beside(&self, i: usize, pose: &Inputs, j: usize, chance: &mut ChaCha8Rng) -> f64 {
+        let other = self.inputs(j);
+        let base = if chance.below(2) == 0 && i != j {
+            (other[0] - pose[0]).atan2(other[2] - pose[2]).to_degrees()
+        } else {
+            other[3]
+        };
+        // Most look the same way or at it.
+        base + [0.0, 0.0, 180.0, 90.0, 270.0][chance.below(5)]
+    }
+
+    /// Along x, z or y, or by turning, to where a violated term of it would hold, and some way beyond.
+    fn satisfying(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
+        let now = self.inputs(i);
+        let fixed = self.frame.fixed(ObjectId(i as u32));
         let terms = self.terms_of[i].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX);
-        let terms: Vec<usize> = terms.take(6).collect();
+        let terms: Vec<usize> = terms.filter(|&t| matches!(self.judges[t], Judge::Code(_))).take(6).collect();
         for t in terms {
             let missing = self.missing(t, i, now);
+            let mut slopes = [0.0; 3];
             for axis in [0, 2, 1] {
                 if fixed.pos[axis] {
                     continue;
@@ -72,6 +147,7 @@ impl Quick<'_> {
                 let mut probe = now;
                 probe[axis] += PROBE;
                 let slope = (self.missing(t, i, probe) - missing) / PROBE;
+                slopes[axis] = slope;
                 if slope.abs() < 1e-3 {
                     continue;
                 }
@@ -92,22 +168,44 @@ impl Quick<'_> {
                 }
                 out.push(pose);
             }
+            if self.turns[i] {
+                self.straight_there(now, missing, slopes, out);
+                let slope = (self.missing(t, i, turned(now, now[3] + TURN)) - missing) / TURN;
+                let step = -(missing + EASE) / slope;
+                if step.abs() <= 180.0 {
+                    out.push(turned(now, now[3] + step));
+                    out.push(turned(now, now[3] + step * (1.0 + chance.unit())));
+                }
+            }
+        }
+    }
+
+    /// Along the steepest way over the floor: what walks along an axis may be far off for what is turned.
+    fn straight_there(&self, now: Inputs, missing: f64, [x, _, z]: [f64; 3], out: &mut Vec<Inputs>) {
+        let steepness = x * x + z * z;
+        if steepness < 1e-6 || (x == 0.0 || z == 0.0) {
+            return;
+        }
+        let step = -(missing + EASE) / steepness;
+        if step.is_finite() && step.abs() < 100.0 {
+            let mut pose = now;
+            (pose[0], pose[2]) = (now[0] + step * x, now[2] + step * z);
+            out.push(pose);
         }
     }
 
     /// What a term lacks with an object somewhere (metres).
-    fn missing(&mut self, t: usize, i: usize, pose: [f64; INPUTS]) -> f64 {
-        let id = scenelang_lang::program::ObjectId(i as u32);
+    fn missing(&mut self, t: usize, i: usize, pose: Inputs) -> f64 {
+        let id = ObjectId(i as u32);
         let old = self.slots.get(id);
         self.slots.put(id, pose);
         let Judge::Code(code) = &self.judges[t] else { return 0.0 };
         code.run(&mut self.slots);
-        let ran = super::Ran { code, slots: &self.slots };
-        let merit = super::Merit {
+        let merit = Merit {
             formula: &self.frame.terms[t].formula,
-            values: &ran,
+            values: &Ran { code, slots: &self.slots },
             tolerances: &self.tolerances,
-            numbers: super::PhantomData,
+            numbers: PhantomData,
         };
         let mut missing: Vec<f64> = Vec::new();
         merit.residuals(&mut missing);
@@ -116,74 +214,140 @@ impl Quick<'_> {
     }
 
     /// Up against what it overlaps, has to do with, or meets by chance.
-    fn beside_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
-        let now = self.inputs(i);
+    fn beside_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         for round in 0..6 {
             let pool = match round {
                 0 | 1 if !self.hits[i].is_empty() => &self.hits[i],
                 2 | 3 if !self.related[i].is_empty() => &self.related[i],
                 _ => &self.movable,
             };
-            let Some(&j) = pool.get(chance.below(pool.len())) else { continue };
-            if i == j {
-                continue;
+            if let Some(&j) = pool.get(chance.below(pool.len()))
+                && i != j
+                && !self.away[j]
+            {
+                out.push(self.beside(i, j, chance));
             }
-            let mut pose = if chance.below(2) == 0 { now } else { self.some_turn(i, chance) };
-            let reach = self.reach(i, &pose);
-            let (own, span) = ([reach.0, 0.0, reach.1], self.span[j]);
-            let axis = 2 * chance.below(2);
-            let across = 2 - axis;
-            pose[axis] = if chance.below(2) == 0 { span.min[axis] - own[axis] } else { span.max[axis] + own[axis] };
-            match chance.below(4) {
-                0 => pose[across] = span.min[across] + own[across],
-                1 => pose[across] = span.max[across] - own[across],
-                2 => pose[across] = chance.between(span.min[across] - own[across], span.max[across] + own[across]),
-                _ => {}
-            }
-            out.push(pose);
         }
-        if !self.frame.fixed(scenelang_lang::program::ObjectId(i as u32)).pos[1] {
+        let stands = matches!(self.homes[i], Home::Stands(_));
+        if stands && (!self.frame.fixed(ObjectId(i as u32)).pos[1] || !self.bases[i].is_empty()) {
             self.on_others(i, chance, out);
         }
     }
 
+    /// At a side of another thing, as that is turned.
+    fn beside(&self, i: usize, j: usize, chance: &mut ChaCha8Rng) -> Inputs {
+        let other = self.flat(j);
+        let now = self.inputs(i);
+        let square = other.turn[0] == 0.0 || other.turn[1] == 0.0;
+        let mut pose = if chance.below(2) == 0 { now } else { self.some_turn(i, chance) };
+        if self.turns[i] && (!square || chance.below(4) == 0) && chance.below(3) > 0 {
+            pose = turned(now, self.inputs(j)[3] + 90.0 * chance.below(4) as f64);
+        }
+        let axis = chance.below(2);
+        let ways = [other.point([1.0, 0.0]), other.point([0.0, 1.0])].map(|p| [p[0] - other.at[0], p[1] - other.at[1]]);
+        let own = ways.map(|way| self.reach_along(i, &pose, way));
+        let side = if chance.below(2) == 0 { -1.0 } else { 1.0 };
+        let apart = if chance.below(3) == 0 { APART * chance.unit() } else { 0.0 };
+        let mut at = [0.0; 2];
+        at[axis] = side * (other.half[axis] + own[axis] + apart);
+        let across = 1 - axis;
+        let flush = other.half[across] - own[across];
+        at[across] = match chance.below(5) {
+            0 => flush,
+            1 => -flush,
+            2 => chance.between(-1.0, 1.0) * (other.half[across] + own[across]),
+            3 => 0.0,
+            _ => other.local([now[0], now[2]])[across],
+        };
+        [pose[0], pose[2]] = other.point(at);
+        pose
+    }
+
     /// On what it has to do with, or on the floor.
-    fn on_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
+    fn on_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let mut low = self.anywhere(i, chance);
         low[1] = self.floor;
         out.push(low);
-        for at in 0..self.related[i].len().min(3) {
-            let span = self.span[self.related[i][at]];
-            let mut pose = self.some_turn(i, chance);
-            pose[1] = span.max[1];
-            pose[0] = chance.between(span.min[0], span.max[0]);
-            pose[2] = chance.between(span.min[2], span.max[2]);
-            out.push(pose);
+        let pool = if self.bases[i].is_empty() { &self.related[i] } else { &self.bases[i] };
+        for &j in pool.iter().take(3).filter(|&&j| !self.away[j]) {
+            let Flat { at, half, .. } = self.flat(j);
+            let top = self.span[j].max[1];
+            for _ in 0..2 {
+                let mut pose = self.some_turn(i, chance);
+                if self.turns[i] && chance.below(2) == 0 {
+                    pose = turned(pose, self.inputs(j)[3] + 90.0 * chance.below(4) as f64);
+                }
+                let local = half.map(|h| chance.between(-h, h));
+                pose[1] = top;
+                [pose[0], pose[2]] = if chance.below(3) == 0 { at } else { self.flat(j).point(local) };
+                out.push(pose);
+            }
         }
     }
 
-    /// Along the walls and in the corners.
-    fn at_walls(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<[f64; INPUTS]>) {
-        let field = &self.field[i];
-        for _ in 0..3 {
-            let mut pose = if chance.below(2) == 0 { self.inputs(i) } else { self.some_turn(i, chance) };
-            let (rx, rz) = self.reach(i, &pose);
-            let which = chance.below(8);
-            let x = if which & 1 == 0 { field.min[0] + rx } else { field.max[0] - rx };
-            let z = if which & 2 == 0 { field.min[1] + rz } else { field.max[1] - rz };
-            match which / 4 * 2 + chance.below(2) {
-                0 => pose[0] = x,
-                1 => pose[2] = z,
-                _ => (pose[0], pose[2]) = (x, z),
+    /// With its back to a wall or as it is turned, somewhere along it; into `out`.
+    pub(super) fn at_a_wall(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
+        let walls = match &self.homes[i] {
+            Home::Stands(walls) if !walls.is_empty() => walls,
+            Home::Ceiling(_) | Home::Stands(_) => return,
+            Home::Hangs(_) | Home::Door(_) => {
+                let pose = self.anywhere(i, chance);
+                out.push(pose);
+                return;
             }
-            out.push(pose);
+        };
+        let wall = &walls[chance.below(walls.len())];
+        let now = self.inputs(i);
+        let back = self.turns[i] || self.yaws[i].contains(&wall.yaw);
+        let pose = match chance.below(3) {
+            0 if back => turned(now, wall.yaw),
+            1 => self.some_turn(i, chance),
+            _ => now,
+        };
+        out.push(self.along(i, wall, pose, 0.0, chance));
+    }
+
+    /// Along a wall: in a corner, where it is already, or anywhere.
+    fn along(&self, i: usize, wall: &Wall, mut pose: Inputs, behind: f64, chance: &mut ChaCha8Rng) -> Inputs {
+        let side = self.reach_along(i, &pose, wall.along);
+        let depth = self.reach_along(i, &pose, wall.inward);
+        let at = match chance.below(6) {
+            0 => side,
+            1 => wall.length - side,
+            2 | 3 => wall.shadow([pose[0], pose[2]]),
+            _ => chance.between(side, wall.length - side),
+        };
+        [pose[0], pose[2]] = wall.point(at, depth - behind);
+        pose
+    }
+
+    fn on_wall(&self, i: usize, wall: &Wall, chance: &mut ChaCha8Rng) -> Inputs {
+        let now = self.inputs(i);
+        let pose = if self.turns[i] || self.yaws[i].contains(&wall.yaw) { turned(now, wall.yaw) } else { now };
+        let mut pose = self.along(i, wall, pose, 0.0, chance);
+        let room = self.rooms.iter().find(|room| room.depth([pose[0], pose[2]]) >= -1e-6);
+        let ceiling = room.map_or(self.floor + 2.5, |room| room.ceiling);
+        if chance.below(2) == 0 {
+            pose[1] = within(chance, self.floor, ceiling - self.size[i][1]);
         }
+        pose
+    }
+
+    fn in_wall(&self, i: usize, stretch: &Stretch, chance: &mut ChaCha8Rng) -> Inputs {
+        let now = self.inputs(i);
+        let yaw = stretch.wall.yaw + if chance.below(2) == 0 { 0.0 } else { 180.0 };
+        let pose = if self.turns[i] || self.yaws[i].contains(&yaw) { turned(now, yaw) } else { now };
+        let depth = self.reach_along(i, &pose, stretch.wall.inward);
+        let mut pose = self.along(i, &stretch.wall, pose, depth + stretch.behind, chance);
+        pose[1] = self.floor;
+        pose
     }
 }
 
 /// The same, turned.
-fn turned(pose: [f64; INPUTS], yaw: f64) -> [f64; INPUTS] {
-    let (sin, cos) = scenelang_layout::rotation::sin_cos(yaw);
+fn turned(pose: Inputs, yaw: f64) -> Inputs {
+    let yaw = crate::pose::round_turn(yaw);
+    let (sin, cos) = sin_cos(yaw);
     [pose[0], pose[1], pose[2], yaw, sin, cos]
 }
 

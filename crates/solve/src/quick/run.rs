@@ -1,12 +1,12 @@
 //! The loop of the quick search: take something violated and an object that it speaks of, try many poses, take the best
 //! if it is better; where none is, let what is violated weigh more.
 
-use super::Quick;
+use super::moves::Inputs;
+use super::{Judge, Quick};
 use crate::checks::Check;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
-use scenelang_verify::coded::INPUTS;
 use std::time::Instant;
 
 /// What a violated check gains in weight when no move helps.
@@ -18,6 +18,10 @@ const FIRST: usize = 24;
 const PATIENCE: [f64; 2] = [400.0, 2500.0];
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
+/// Where objects wait that have no place yet (metres, for each of them anew).
+const AWAY: f64 = 1e3;
+/// How often the plan of a way is looked at again when it is barred: once in so many times.
+const PLANS: usize = 6;
 
 impl Quick<'_> {
     /// Searches until all holds that is judged here, or so much work is done. Whether it does.
@@ -29,10 +33,11 @@ impl Quick<'_> {
         let n = self.movable.len().max(5) as f64;
         let patience = (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt()) as usize;
         let mut best = usize::MAX;
-        let mut kept: Vec<[f64; INPUTS]> = Vec::new();
+        let mut kept: Vec<Inputs> = Vec::new();
         let mut poses = Vec::new();
         while self.work < end && !late() {
             self.begin(chance, kept_in_place);
+            self.skew = true;
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
             while !self.bad.is_empty() && self.work < end && !late() && idle < patience {
@@ -54,34 +59,97 @@ impl Quick<'_> {
         false
     }
 
-    /// A first layout: one object after the other at the best of some random poses, large ones first.
+    /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
+    /// with those that are there already.
     fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool]) {
         self.weight.fill(1.0);
         self.work += self.count() as u64;
-        let new: Vec<usize> =
-            self.movable.iter().copied().filter(|i| !given.get(*i).copied().unwrap_or(false)).collect();
-        for &i in &new {
-            let pose = self.anywhere(i, chance);
-            self.go(i, pose);
-            self.moved.clear();
+        let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
+        let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
+        self.away.fill(false);
+        for &i in &waiting {
+            self.away[i] = true;
+            let mut pose = self.inputs(i);
+            pose[0] = AWAY * (i + 1) as f64;
+            self.put(i, pose);
         }
+        for &i in &waiting {
+            for k in self.dependants(i) {
+                self.away[k] = true;
+            }
+        }
+        self.away_count = self.away.iter().filter(|a| **a).count();
         self.judge_all();
-        let mut order: Vec<(f64, usize)> =
-            new.iter().map(|&i| (self.size[i][0] * self.size[i][2] * chance.between(0.7, 1.3), i)).collect();
-        order.sort_by(|a, b| b.0.total_cmp(&a.0));
-        for (_, i) in order {
-            let mut best = (-1e-9, None);
-            for _ in 0..FIRST {
-                let pose = self.anywhere(i, chance);
+        let luck: Vec<f64> = (0..self.count()).map(|_| chance.between(0.7, 1.3)).collect();
+        let company = chance.between(0.0, 1.0);
+        let mut links = vec![0.0; self.count()];
+        for i in (0..self.count()).filter(|i| !self.away[*i]) {
+            self.link(i, &mut links);
+        }
+        let mut poses = Vec::new();
+        while !waiting.is_empty() {
+            let rank = |i: usize| {
+                let door = if self.doors.contains(&i) { 100.0 } else { 0.0 };
+                door + self.size[i][0] * self.size[i][2] * luck[i] + company * links[i]
+            };
+            let based = |i: &usize| self.bases[*i].iter().all(|base| !self.away[*base]);
+            let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
+            let next = ready.max_by(|&a, &b| rank(waiting[a]).total_cmp(&rank(waiting[b]))).unwrap_or(0);
+            let i = waiting.swap_remove(next);
+            self.bring_in(i, chance, &mut poses);
+            self.link(i, &mut links);
+        }
+        self.plan_all();
+        self.judge_all();
+    }
+
+    /// Objects that go wherever rules put them when this one moves.
+    fn dependants(&self, i: usize) -> Vec<usize> {
+        let rules = self.frame.followers[i].iter().map(|&rule| self.rules[rule].owner);
+        rules.filter(|&k| k != i && !self.is_movable(k)).collect()
+    }
+
+    /// Gives an object its first place.
+    fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+        self.away[i] = false;
+        for k in self.dependants(i) {
+            self.away[k] = false;
+        }
+        self.away_count = self.away.iter().filter(|a| **a).count();
+        let pose = self.anywhere(i, chance);
+        self.settle(i, pose);
+        let mut best = (-1e-9, None);
+        for round in 0..2 {
+            poses.clear();
+            if round == 0 {
+                for _ in 0..FIRST {
+                    let pose = self.anywhere(i, chance);
+                    poses.push(pose);
+                }
+            } else {
+                self.poses(i, chance, poses);
+            }
+            for &pose in poses.iter() {
                 self.go(i, pose);
                 if let Some(delta) = self.judge(best.0) {
                     best = (delta - 1e-9, Some(pose));
                 }
                 self.undo();
             }
-            if let Some(pose) = best.1 {
+            if let Some(pose) = best.1.take() {
                 self.settle(i, pose);
             }
+            best.0 = -1e-9;
+            if self.terms_of[i].iter().all(|&t| self.bad_at[t] == u32::MAX) && self.hits[i].is_empty() {
+                break;
+            }
+        }
+    }
+
+    /// Others have so much more to do with what is there.
+    fn link(&self, i: usize, links: &mut [f64]) {
+        for (other, weight) in &self.frame.related[i] {
+            links[other.0 as usize] += weight;
         }
     }
 
@@ -99,7 +167,7 @@ impl Quick<'_> {
         self.keep();
     }
 
-    pub(super) fn settle(&mut self, i: usize, pose: [f64; INPUTS]) {
+    pub(super) fn settle(&mut self, i: usize, pose: Inputs) {
         self.go(i, pose);
         if self.judge(f64::INFINITY).is_some() {
             self.keep();
@@ -109,9 +177,17 @@ impl Quick<'_> {
     }
 
     /// One object of something violated goes to the best of many poses, or changes places with another.
-    fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<[f64; INPUTS]>) {
+    fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
+        if let Some(Judge::Way(way)) = self.judges.get(check)
+            && chance.below(PLANS) == 0
+        {
+            let way = *way;
+            let (cost, holds) = self.plan_again(way);
+            self.set(check, cost, holds);
+            return;
+        }
         let Some(i) = self.culprit(check, chance) else {
             self.weight[check] += STUBBORN;
             return;
@@ -162,7 +238,7 @@ impl Quick<'_> {
 
     fn exchange(&mut self, i: usize, j: usize, turn: bool) {
         let (a, b) = (self.inputs(i), self.inputs(j));
-        let at = |own: [f64; INPUTS], theirs: [f64; INPUTS]| {
+        let at = |own: Inputs, theirs: Inputs| {
             let mut next = if turn { theirs } else { own };
             (next[0], next[2]) = (theirs[0], theirs[2]);
             next[1] = own[1];
@@ -177,6 +253,17 @@ impl Quick<'_> {
         let movable = |o: &ObjectId| self.frame.is_movable(*o);
         match self.numbering.check(check) {
             Check::Term(t) => {
+                match &self.judges[t] {
+                    Judge::Way(way) => return self.hindrance(*way, chance),
+                    Judge::Clear(clear) if chance.below(2) == 0 => {
+                        let mut blockers = self.in_the_way(clear);
+                        blockers.retain(|j| self.is_movable(*j));
+                        if !blockers.is_empty() {
+                            return Some(blockers[chance.below(blockers.len())]);
+                        }
+                    }
+                    _ => {}
+                }
                 let objects = &self.frame.terms[t].objects;
                 let count = objects.iter().filter(|o| movable(o)).count();
                 objects.iter().filter(|o| movable(o)).nth(chance.below(count)).map(|o| o.0 as usize)

@@ -40,8 +40,7 @@ impl Quick<'_> {
         }
         poses.clear();
         for _ in 0..WALLS {
-            let pose = self.along_wall(i, chance);
-            poses.push(pose);
+            self.at_a_wall(i, chance, poses);
             let pose = self.anywhere(i, chance);
             poses.push(pose);
         }
@@ -59,34 +58,12 @@ impl Quick<'_> {
         }
     }
 
-    /// With its back to a wall, somewhere along it.
-    fn along_wall(&self, i: usize, chance: &mut ChaCha8Rng) -> [f64; INPUTS] {
-        let mut pose = self.anywhere(i, chance);
-        let (rx, rz) = self.reach(i, &pose);
-        let field = &self.field[i];
-        let [.., sin, cos] = pose;
-        if cos.abs() > sin.abs() {
-            pose[2] = if cos > 0.0 { field.min[1] + rz } else { field.max[1] - rz };
-        } else {
-            pose[0] = if sin > 0.0 { field.min[0] + rx } else { field.max[0] - rx };
-        }
-        pose
-    }
-
     /// How odd an object looks where it is.
     fn oddity(&self, i: usize) -> f64 {
         let ([x, _, z, _, sin, cos], span, [_, height, depth]) = (self.inputs(i), self.span[i], self.size[i]);
-        let room = self
-            .rooms
-            .iter()
-            .map(|(field, _)| field)
-            .find(|field| (field.min[0]..=field.max[0]).contains(&x) && (field.min[1]..=field.max[1]).contains(&z));
         let mut cost = 0.0;
-        if let Some(field) = room {
-            let clearance = |ahead: f64| {
-                let (x, z) = (x + sin * ahead, z + cos * ahead);
-                (x - field.min[0]).min(field.max[0] - x).min(z - field.min[1]).min(field.max[1] - z)
-            };
+        if let Some(room) = self.rooms.iter().find(|room| room.depth([x, z]) >= 0.0) {
+            let clearance = |ahead: f64| room.depth([x + sin * ahead, z + cos * ahead]);
             if height >= TALL && self.related[i].is_empty() {
                 cost += ADRIFT * clearance(-depth / 2.0).clamp(0.0, 1.0);
             }

@@ -57,7 +57,7 @@ pub struct Flat {
 
 impl Flat {
     /// A point as the rectangle sees it.
-    fn local(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+    pub fn local(&self, [x, z]: [f64; 2]) -> [f64; 2] {
         let ([dx, dz], [sin, cos]) = ([x - self.at[0], z - self.at[1]], self.turn);
         [dx * cos - dz * sin, dx * sin + dz * cos]
     }
@@ -71,11 +71,20 @@ impl Flat {
         let [w, d] = self.half;
         [[-w, -d], [w, -d], [w, d], [-w, d]].map(|p| self.point(p))
     }
-    /// How far a point is from it, 0 within.
-    fn distance(&self, p: [f64; 2]) -> f64 {
+    /// How far a point is from it, 0 within (metres).
+    pub fn distance(&self, p: [f64; 2]) -> f64 {
         let [u, v] = self.local(p);
         let (u, v) = ((u.abs() - self.half[0]).max(0.0), (v.abs() - self.half[1]).max(0.0));
         (u * u + v * v).sqrt()
+    }
+
+    /// The point so far from it that is nearest to one outside.
+    pub fn away(&self, p: [f64; 2], far: f64) -> [f64; 2] {
+        let [u, v] = self.local(p);
+        let near = [u.clamp(-self.half[0], self.half[0]), v.clamp(-self.half[1], self.half[1])];
+        let off = [u - near[0], v - near[1]];
+        let length = off[0].hypot(off[1]);
+        if length < 1e-9 { p } else { self.point([0, 1].map(|k| near[k] + off[k] / length * far)) }
     }
 
     /// Between two: their distance or, negative, the least shift that would part them (metres).

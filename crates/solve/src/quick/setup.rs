@@ -1,0 +1,148 @@
+//! What the quick search knows of each object before it begins: what moves with it, its terms, its turns, its home.
+
+use super::rooms::{Field, Room, Stretch, stretches};
+use super::{CodedRule, Home, Judge, Quick};
+use crate::frame::{Frame, Hold};
+use crate::state::State;
+use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, ObjectProperty, RegionId};
+use scenelang_verify::{Scratch, Value, World};
+
+/// Where one looks in a scene without rooms (metres).
+const OPEN: Field = Field { min: [-5.0; 2], max: [5.0; 2] };
+
+impl Quick<'_> {
+    /// Rules that have something new to say when an object moves. One of its own that reads only what it fixes itself,
+    /// such as its height over the floor, has not.
+    pub(super) fn followers_of(&self, id: ObjectId) -> Vec<usize> {
+        let all = &self.frame.followers[id.0 as usize];
+        let fixed = self.frame.fixed(id);
+        let moves = |owner: ObjectId| all.iter().any(|&r| self.rules[r].owner == owner.0 as usize);
+        let news = |rule: &CodedRule| {
+            rule.value.reads().any(|(o, input)| if o == id { input > 2 || !fixed.pos[input] } else { moves(o) })
+        };
+        all.iter().copied().filter(|&r| self.rules[r].owner != id.0 as usize || news(&self.rules[r])).collect()
+    }
+
+    pub(super) fn sorted_terms(&self, i: usize) -> Vec<usize> {
+        let mut list: Vec<usize> = self.frame.terms_of[i].to_vec();
+        list.retain(|&t| !matches!(self.judges[t], Judge::Turn | Judge::Absent));
+        list.sort_by_key(|&t| (self.frame.terms[t].objects.len(), self.frame.terms[t].formula.nodes.len()));
+        list
+    }
+
+    /// Quarter turns, and whatever turns its terms name, as far as the terms that speak of its turn alone allow them.
+    pub(super) fn yaws_of(&self, state: &State<'_>, id: ObjectId) -> Option<Vec<f64>> {
+        let now = state.pose(id).rot.y;
+        if self.frame.fixed(id).rot {
+            return Some(vec![now]);
+        }
+        let terms: Vec<usize> = self.frame.terms_of[id.0 as usize]
+            .iter()
+            .copied()
+            .filter(|&t| matches!(self.judges[t], Judge::Turn))
+            .collect();
+        let mut yaws = vec![0.0, 90.0, 180.0, 270.0];
+        for &t in &terms {
+            let formula = &self.frame.terms[t].formula;
+            for node in &formula.nodes {
+                if let Node::Rotation([_, y, _]) = node
+                    && let Node::Number(yaw) = formula.node(*y)
+                {
+                    yaws.push(crate::pose::round_turn(*yaw));
+                }
+            }
+        }
+        yaws.sort_by(f64::total_cmp);
+        yaws.dedup();
+        if terms.is_empty() {
+            return Some(yaws);
+        }
+        let mut world = state.world.clone();
+        let mut scratch = Scratch::new();
+        yaws.retain(|yaw| {
+            let [pos, rot, scale] = state.pose(id).facing(*yaw).constant();
+            world.place(id, pos, rot, scale);
+            let holds = |t: &usize, scratch: &mut Scratch<f64>| {
+                matches!(scratch.evaluate(&self.frame.terms[*t].formula, &world), Ok(Value::Truth(v)) if v.holds)
+            };
+            terms.iter().all(|t| holds(t, &mut scratch))
+        });
+        (!yaws.is_empty()).then_some(yaws)
+    }
+
+    /// The regions that it must be in, all at once.
+    pub(super) fn field_of(&self, id: ObjectId) -> Field {
+        let named = rooms_named(self.frame, id).filter_map(|region| self.room(region)).map(|room| room.field);
+        let around = || self.rooms.iter().map(|room| room.field).reduce(Field::join);
+        named.reduce(Field::meet).or_else(around).unwrap_or(OPEN)
+    }
+
+    /// The room of a region.
+    pub(super) fn room(&self, id: RegionId) -> Option<&Room> {
+        self.rooms.iter().find(|room| room.id == id)
+    }
+
+    /// Where it belongs.
+    pub(super) fn home_of(&self, id: ObjectId, field: Field, world: &World<f64>) -> Option<Home> {
+        Some(match self.frame.hold(id) {
+            Hold::Rests | Hold::Floats => {
+                let mut walls = field.walls();
+                let known = self.frame.regions[id.0 as usize].iter().filter_map(|r| self.room(*r));
+                let outlined = |room: &&Room| room.outline.is_some();
+                walls.extend(known.filter(outlined).flat_map(|room| room.walls.iter().copied()));
+                Home::Stands(walls)
+            }
+            Hold::Wall(region) => Home::Hangs(self.room(region)?.walls.clone()),
+            Hold::Ceiling(region) => Home::Ceiling(self.room(region)?.ceiling),
+            Hold::Door(first, second) => {
+                let second = second.and_then(|second| self.room(second));
+                let found: Vec<Stretch> = stretches(world, self.room(first)?, second);
+                (!found.is_empty()).then_some(Home::Door(found))?
+            }
+            Hold::Container(_) => return None,
+        })
+    }
+
+    /// Outlines that it must be in and that are no rectangles.
+    pub(super) fn outlines_of(&self, id: ObjectId) -> Vec<usize> {
+        let named = rooms_named(self.frame, id);
+        let index = |region: RegionId| self.rooms.iter().position(|room| room.id == region && room.outline.is_some());
+        named.filter_map(index).collect()
+    }
+}
+
+/// The regions that hard terms say an object is in.
+fn rooms_named<'f>(frame: &'f Frame<'_>, id: ObjectId) -> impl Iterator<Item = RegionId> + 'f {
+    let terms = frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard());
+    terms.filter_map(move |&t| inside_of(&frame.terms[t].formula, id))
+}
+
+/// The object and the region of a term that says the one is in the other.
+pub(super) fn inside(formula: &Formula) -> Option<(ObjectId, RegionId)> {
+    let [id] = formula.objects()[..] else { return None };
+    Some((id, inside_of(formula, id)?))
+}
+
+/// The object whose turn is all that a formula reads of objects.
+pub(super) fn turned(formula: &Formula) -> Option<ObjectId> {
+    let mut found = None;
+    for node in &formula.nodes {
+        match node {
+            Node::Object(ObjectProperty::Rot, id) if found.is_none_or(|f| f == *id) => found = Some(*id),
+            Node::Object(..) | Node::Native(..) | Node::Measure(..) | Node::Variable(_) => return None,
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The region that a term says an object is inside of.
+pub(super) fn inside_of(formula: &Formula, id: ObjectId) -> Option<RegionId> {
+    match formula.root_node() {
+        Node::Native(Native::Inside, args) => match **args {
+            [Arg::Object(o), Arg::Region(r)] if o == id => Some(r),
+            _ => None,
+        },
+        _ => None,
+    }
+}
