@@ -167,11 +167,11 @@ impl Quick<'_> {
                 }
             }
         }
-        delta += self.others_above(moved) + self.onlookers(moved);
+        delta += self.others_above(moved) + self.onlookers(moved) + self.ways_change(moved);
         (delta <= limit).then_some(delta)
     }
 
-    fn note(&mut self, check: usize, (cost, holds): (f64, bool)) -> f64 {
+    pub(super) fn note(&mut self, check: usize, (cost, holds): (f64, bool)) -> f64 {
         self.fresh.push((check, cost, holds));
         self.weight[check] * cost
     }
@@ -324,7 +324,7 @@ impl Quick<'_> {
         sum
     }
 
-    /// Spaces and ways that something moved into, or out of.
+    /// Spaces that something moved into, or out of.
     fn onlookers(&mut self, moved: &[Moved]) -> f64 {
         let mut sum = 0.0;
         for at in 0..self.onlookers.len() {
@@ -335,10 +335,9 @@ impl Quick<'_> {
             }
             let touches = |span: &Span| match &self.judges[t] {
                 Judge::Clear(clear) => self.space_span(clear).is_some_and(|space| space.meets(span)),
-                Judge::Way(way) => self.ways[*way].meets(span),
                 _ => false,
             };
-            if moved.iter().any(|(m, _, old)| touches(old) || touches(&self.span[*m]) || self.doors.contains(m)) {
+            if moved.iter().any(|(m, _, old)| touches(old) || touches(&self.span[*m])) {
                 let found = self.term(t);
                 sum += self.note(t, found) - self.weight[t] * self.cost[t];
             }
@@ -359,6 +358,7 @@ impl Quick<'_> {
             self.raised[i] = raised;
             self.seat[i] = if raised { self.find_seat(i) } else { None };
         }
+        self.ways_keep(&moved);
         let fresh = std::mem::take(&mut self.fresh);
         for &(check, cost, holds) in &fresh {
             self.set(check, cost, holds);
@@ -389,7 +389,7 @@ impl Quick<'_> {
 }
 
 /// Where something comes to be that stands on a thing which goes from one pose to another.
-fn carried(from: &[f64; INPUTS], to: &[f64; INPUTS], pose: &[f64; INPUTS]) -> [f64; INPUTS] {
+pub(super) fn carried(from: &[f64; INPUTS], to: &[f64; INPUTS], pose: &[f64; INPUTS]) -> [f64; INPUTS] {
     let (x, z) = (pose[0] - from[0], pose[2] - from[2]);
     let (sin, cos) = (to[4] * from[5] - to[5] * from[4], to[5] * from[5] + to[4] * from[4]);
     let mut next = *pose;

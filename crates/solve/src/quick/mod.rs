@@ -108,8 +108,12 @@ pub(crate) struct Quick<'a> {
     doors: Vec<usize>,
     doorway: f64,
     ways: Vec<Way>,
+    /// By object: how unwilling it proved to get out of the way.
+    reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
     onlookers: Vec<usize>,
+    /// Terms that ask for ways, each with its way.
+    walks: Vec<(usize, usize)>,
     /// Objects that have no place yet, and how many those are.
     away: Vec<bool>,
     away_count: usize,
@@ -251,8 +255,14 @@ impl<'a> Quick<'a> {
             outlines: Vec::new(),
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
-            onlookers: (0..judges.len()).filter(|&t| matches!(judges[t], Judge::Clear(_) | Judge::Way(_))).collect(),
+            onlookers: (0..judges.len()).filter(|&t| matches!(judges[t], Judge::Clear(_))).collect(),
+            walks: judges
+                .iter()
+                .enumerate()
+                .filter_map(|(t, judge)| if let Judge::Way(way) = judge { Some((t, *way)) } else { None })
+                .collect(),
             ways,
+            reluctance: vec![0.0; n],
             away: vec![false; n],
             away_count: 0,
             moved: Vec::new(),

@@ -49,6 +49,7 @@ impl Quick<'_> {
             out.push(pose);
         }
         self.beside_others(i, chance, out);
+        self.out_of_the_way(i, out);
         for _ in 0..3 {
             self.at_a_wall(i, chance, out);
         }

@@ -1,6 +1,7 @@
 //! The loop of the quick search: take something violated and an object that it speaks of, try many poses, take the best
 //! if it is better; where none is, let what is violated weigh more.
 
+use super::judge::carried;
 use super::moves::Inputs;
 use super::{Judge, Quick};
 use crate::checks::Check;
@@ -16,12 +17,31 @@ const FIRST: usize = 24;
 /// So many steps without a new best, and all begins anew: per object, and per root of the number of objects, whichever
 /// is less. Large scenes are better begun anew than waited for.
 const PATIENCE: [f64; 2] = [400.0, 2500.0];
+/// The part of it that one has where ways are asked for: a bad plan is better left.
+const HASTE: f64 = 0.3;
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
+/// How many moves of a whole array.
+const TOGETHER: usize = 4;
 /// Where objects wait that have no place yet (metres, for each of them anew).
 const AWAY: f64 = 1e3;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
-const PLANS: usize = 6;
+const PLANS: usize = 10;
+/// What is left of the weight of a way when a better plan is found.
+const FORGIVEN: f64 = 0.7;
+/// How much more is walked round a thing each time that it could not be moved.
+const RELUCTANCE: f64 = 0.2;
+
+/// What a step does.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// The object goes there.
+    Alone(Inputs),
+    /// It changes places with another, and turns with it or not.
+    Exchange(usize, bool),
+    /// It goes there with all of its array.
+    Together(Inputs),
+}
 
 impl Quick<'_> {
     /// Searches until all holds that is judged here, or so much work is done. Whether it does.
@@ -31,7 +51,8 @@ impl Quick<'_> {
         let mut kept_in_place = given;
         let end = self.work + budget;
         let n = self.movable.len().max(5) as f64;
-        let patience = (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt()) as usize;
+        let haste = if self.ways.is_empty() { 1.0 } else { HASTE };
+        let patience = (haste * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())) as usize;
         let mut best = usize::MAX;
         let mut kept: Vec<Inputs> = Vec::new();
         let mut poses = Vec::new();
@@ -63,10 +84,12 @@ impl Quick<'_> {
     /// with those that are there already.
     fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool]) {
         self.weight.fill(1.0);
+        self.reluctance.fill(0.0);
         self.work += self.count() as u64;
         let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
         let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
         self.away.fill(false);
+        self.forget_ways();
         for &i in &waiting {
             self.away[i] = true;
             let mut pose = self.inputs(i);
@@ -99,8 +122,8 @@ impl Quick<'_> {
             self.bring_in(i, chance, &mut poses);
             self.link(i, &mut links);
         }
-        self.plan_all();
         self.judge_all();
+        self.plan_all();
     }
 
     /// Objects that go wherever rules put them when this one moves.
@@ -181,11 +204,14 @@ impl Quick<'_> {
         self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
         if let Some(Judge::Way(way)) = self.judges.get(check)
-            && chance.below(PLANS) == 0
+            && (self.is_stale(*way) || chance.below(PLANS) == 0)
         {
             let way = *way;
-            let (cost, holds) = self.plan_again(way);
-            self.set(check, cost, holds);
+            let before = self.cost[check];
+            self.plan_again(way);
+            if self.cost[check] < before {
+                self.weight[check] = (self.weight[check] * FORGIVEN).max(1.0);
+            }
             return;
         }
         let Some(i) = self.culprit(check, chance) else {
@@ -205,7 +231,7 @@ impl Quick<'_> {
             }
             self.undo();
         }
-        let mut swap = None;
+        let mut choice = best.1.map(Choice::Alone);
         for _ in 0..EXCHANGES {
             let j = self.movable[chance.below(self.movable.len())];
             if i == j {
@@ -214,26 +240,79 @@ impl Quick<'_> {
             let turn = chance.below(2) == 0;
             self.exchange(i, j, turn);
             if let Some(delta) = self.judge(best.0) {
-                best = (delta, Some(now));
-                swap = Some((j, turn));
+                best.0 = delta;
+                choice = Some(Choice::Exchange(j, turn));
             }
             self.undo();
         }
-        match (best.1, swap) {
-            (Some(_), Some((j, turn))) => {
-                self.exchange(i, j, turn);
-                if self.judge(f64::INFINITY).is_some() {
-                    self.keep();
+        let mut group = Vec::new();
+        if !self.frame.siblings[i].is_empty() {
+            group = self.group(i, chance);
+            for _ in 0..TOGETHER {
+                let pose = poses[chance.below(poses.len())];
+                self.go_together(i, &group, pose);
+                if let Some(delta) = self.judge(best.0) {
+                    best.0 = delta;
+                    choice = Some(Choice::Together(pose));
                 }
+                self.undo();
             }
-            (Some(pose), None) => self.settle(i, pose),
-            (None, _) => {}
+        }
+        match choice {
+            Some(Choice::Alone(pose)) => self.go(i, pose),
+            Some(Choice::Exchange(j, turn)) => self.exchange(i, j, turn),
+            Some(Choice::Together(pose)) => self.go_together(i, &group, pose),
+            None => {}
+        }
+        if choice.is_some() && self.judge(f64::INFINITY).is_some() {
+            self.keep();
         }
         if best.0 > -1e-9 {
+            self.reluctance[i] += RELUCTANCE;
             for at in 0..self.bad.len() {
                 self.weight[self.bad[at]] += STUBBORN * chance.unit();
             }
         }
+    }
+
+    /// An object goes somewhere with others, as if all were one piece.
+    fn go_together(&mut self, i: usize, group: &[usize], pose: Inputs) {
+        let old = self.inputs(i);
+        self.go(i, pose);
+        let pose = self.inputs(i);
+        for &k in group {
+            if k != i && self.is_movable(k) {
+                self.go(k, carried(&old, &pose, &self.inputs(k)));
+            }
+        }
+    }
+
+    /// Its array; or that with others that have to do with it, and with those, but for what is beyond one of them.
+    fn group(&self, i: usize, chance: &mut ChaCha8Rng) -> Vec<usize> {
+        let mut found = vec![i];
+        let array = |k: usize| self.frame.siblings[k].iter().map(|o| o.0 as usize);
+        found.extend(array(i));
+        let others: Vec<usize> = self.neighbours(i).filter(|k| !found.contains(k)).collect();
+        if others.is_empty() || chance.below(4) > 0 {
+            return found;
+        }
+        let beyond = others[chance.below(others.len())];
+        let mut open = found.clone();
+        while let Some(k) = open.pop() {
+            for next in self.neighbours(k).chain(array(k)) {
+                if next != beyond && !found.contains(&next) && !array(beyond).any(|b| b == next) {
+                    found.push(next);
+                    open.push(next);
+                }
+            }
+        }
+        found
+    }
+
+    /// Elements of arrays that it has to do with.
+    fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
+        let related = self.related[i].iter().copied();
+        related.filter(|&k| !self.frame.siblings[k].is_empty())
     }
 
     fn exchange(&mut self, i: usize, j: usize, turn: bool) {

@@ -25,7 +25,7 @@ impl Quick<'_> {
 
     pub(super) fn sorted_terms(&self, i: usize) -> Vec<usize> {
         let mut list: Vec<usize> = self.frame.terms_of[i].to_vec();
-        list.retain(|&t| !matches!(self.judges[t], Judge::Turn | Judge::Absent));
+        list.retain(|&t| matches!(self.judges[t], Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)));
         list.sort_by_key(|&t| (self.frame.terms[t].objects.len(), self.frame.terms[t].formula.nodes.len()));
         list
     }

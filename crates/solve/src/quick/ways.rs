@@ -2,6 +2,8 @@
 //! stands in it costs. So a search learns what to move out of the way; whether there is a way is asked of the
 //! evaluator in the end.
 
+use super::judge::Moved;
+use super::moves::Inputs;
 use super::{Judge, Quick, Span};
 use crate::merit;
 use crate::pool::Chance;
@@ -27,17 +29,25 @@ const BARRED: f64 = 300.0;
 const WORK: u64 = 4;
 /// How often the bends of a plan are pushed away from what is beside them, and how much room they are to keep (metres).
 const PUSHES: usize = 12;
-const SPARE: f64 = 0.01;
+const SPARE: f64 = 0.02;
+/// Bends of less than this are none (metres).
+const STRAIGHT: f64 = 0.015;
+/// A little more than what is missing (metres).
+const EASE: f64 = 1e-3;
 
 /// A way that is asked for.
 #[derive(Clone, Debug)]
 pub(super) struct Way {
     ends: [usize; 2],
     radius: f64,
-    /// Bends of the corridor; empty: none is planned yet.
-    path: Vec<[f64; 2]>,
+    /// Bends of the corridor; `None`: none is planned yet; empty: there is none.
+    path: Option<Vec<[f64; 2]>>,
     /// Where doors were when it was planned.
     doors: Vec<[f64; 3]>,
+    /// By object: what it costs that it stands in the corridor.
+    lacks: Vec<f64>,
+    /// What surrounds the corridor.
+    bounds: Span,
     /// How much wider than asked for it is planned, since what was planned proved too narrow (metres).
     doubt: f64,
 }
@@ -50,28 +60,37 @@ impl Way {
         let Node::Number(width) = *formula.node(width) else { return None };
         let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
         let ends = [a.0 as usize, b.0 as usize];
-        Some(Self { ends, radius, path: Vec::new(), doors: Vec::new(), doubt: 0.0 })
+        Some(Self {
+            ends,
+            radius,
+            path: None,
+            doors: Vec::new(),
+            lacks: Vec::new(),
+            bounds: Span::default(),
+            doubt: 0.0,
+        })
     }
     fn width(&self) -> f64 {
         self.radius + self.doubt
     }
-    fn steps(&self) -> impl Iterator<Item = Flat> + '_ {
-        self.path.windows(2).map(|pair| {
-            let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-            let length = way[0].hypot(way[1]).max(1e-12);
-            let at = [0, 1].map(|k| (pair[0][k] + pair[1][k]) / 2.0);
-            Flat { at, turn: [way[0] / length, way[1] / length], half: [0.0, length / 2.0] }
-        })
+    fn bends(&self) -> &[[f64; 2]] {
+        self.path.as_deref().unwrap_or_default()
     }
-    /// Whether something could stand in it.
-    pub fn meets(&self, span: &Span) -> bool {
+    /// Its ends, each with where the corridor begins there.
+    fn stands(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
+        let bends = self.bends();
+        self.ends.into_iter().zip([bends.first(), bends.last()]).filter_map(|(end, at)| Some((end, *at?)))
+    }
+    fn steps(&self) -> impl Iterator<Item = Flat> + '_ {
+        self.bends().windows(2).map(|pair| step(pair[0], pair[1]))
+    }
+    /// What surrounds the corridor, at any height.
+    fn surround(&self) -> Span {
         let r = self.width();
-        self.path.windows(2).any(|p| {
-            p[0][0].min(p[1][0]) - r < span.max[0]
-                && p[0][0].max(p[1][0]) + r > span.min[0]
-                && p[0][1].min(p[1][1]) - r < span.max[2]
-                && p[0][1].max(p[1][1]) + r > span.min[2]
-        })
+        let bends = self.bends();
+        let least = |k: usize| bends.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min) - r;
+        let most = |k: usize| bends.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max) + r;
+        Span { min: [least(0), f64::NEG_INFINITY, least(1)], max: [most(0), f64::INFINITY, most(1)] }
     }
 }
 
@@ -91,76 +110,156 @@ impl Quick<'_> {
 
     /// What a way costs, and whether nothing stands in its corridor.
     pub(super) fn way(&mut self, index: usize) -> (f64, bool) {
+        self.work += 4 + self.count() as u64 / 2;
+        let lacks = (0..self.count()).map(|j| self.reaches_in(&self.ways[index], j)).collect();
+        self.ways[index].lacks = lacks;
+        self.known_way(index)
+    }
+
+    /// The same, by what is known of each object.
+    fn known_way(&self, index: usize) -> (f64, bool) {
         let way = &self.ways[index];
-        self.work += 4 + (way.path.len() + self.size.len()) as u64 / 4;
-        if way.path.is_empty() {
-            return (0.0, true);
-        }
-        if way.doors != self.door_places() {
-            return (merit::BASE + 1.0, false);
-        }
-        let mut cost = 0.0;
-        for j in 0..self.count() {
-            if way.meets(&self.span[j]) && self.is_in_the_way(j) {
-                cost += merit::cost(true, 0.0) + self.reaches_in(way, j);
+        match &way.path {
+            None => (0.0, true),
+            Some(path) if path.is_empty() || way.doors != self.door_places() => (merit::BASE + 1.0, false),
+            Some(_) => {
+                let cost = way.lacks.iter().sum::<f64>() + self.off_ends(way);
+                (cost, cost == 0.0)
             }
         }
-        for (end, at) in [(way.ends[0], way.path.first()), (way.ends[1], way.path.last())] {
-            let off = at.map_or(0.0, |p| self.off(end, *p)) - way.radius - NEAR;
-            cost += if off > 0.0 { merit::cost(false, off) } else { 0.0 };
+    }
+
+    /// What it costs that ends are not where the corridor begins.
+    fn off_ends(&self, way: &Way) -> f64 {
+        let off = way.stands().map(|(end, at)| self.flat(end).distance(at) - way.radius - NEAR);
+        off.map(|off| if off > 0.0 { merit::cost(false, off) } else { 0.0 }).sum()
+    }
+
+    /// How the ways that a trial concerns change.
+    pub(super) fn ways_change(&mut self, moved: &[Moved]) -> f64 {
+        let mut sum = 0.0;
+        for at in 0..self.walks.len() {
+            let (t, index) = self.walks[at];
+            let way = &self.ways[index];
+            let concerned = moved.iter().any(|(m, _, old)| {
+                way.bounds.meets(old)
+                    || way.bounds.meets(&self.span[*m])
+                    || way.ends.contains(m)
+                    || self.doors.contains(m)
+            });
+            if !concerned || way.bends().is_empty() {
+                continue;
+            }
+            self.work += 4 * moved.len() as u64;
+            let way = &self.ways[index];
+            let found = if way.doors != self.door_places() {
+                (merit::BASE + 1.0, false)
+            } else {
+                let others: f64 = (0..self.count())
+                    .filter(|j| way.lacks[*j] > 0.0 && !moved.iter().any(|(m, ..)| m == j))
+                    .map(|j| way.lacks[j])
+                    .sum();
+                let cost = others + moved.iter().map(|(m, ..)| self.reaches_in(way, *m)).sum::<f64>();
+                let cost = cost + self.off_ends(way);
+                (cost, cost == 0.0)
+            };
+            sum += self.note(t, found) - self.weight[t] * self.cost[t];
         }
-        (cost, cost == 0.0)
+        sum
+    }
+
+    /// Objects have moved for good.
+    pub(super) fn ways_keep(&mut self, moved: &[Moved]) {
+        for index in 0..self.ways.len() {
+            if self.ways[index].bends().is_empty() {
+                continue;
+            }
+            for &(m, ..) in moved {
+                self.ways[index].lacks[m] = self.reaches_in(&self.ways[index], m);
+            }
+        }
     }
 
     /// What it costs that an object stands in a corridor.
     fn reaches_in(&self, way: &Way, j: usize) -> f64 {
+        if !way.bounds.meets(&self.span[j]) || !self.is_in_the_way(j) {
+            return 0.0;
+        }
         let flat = self.flat(j);
         let least = way.steps().map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
         let lack = way.width() - least;
         if lack > 0.0 { merit::cost(false, lack) } else { 0.0 }
     }
 
-    /// How far an object is from a point.
-    fn off(&self, j: usize, p: [f64; 2]) -> f64 {
-        self.flat(j).distance(p)
-    }
-
     /// Something that a way would be better without, or one of its ends where those are off it.
     pub(super) fn hindrance(&self, index: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
         let way = &self.ways[index];
-        let movable = |j: &usize| self.is_movable(*j);
-        let blocks = |j: &usize| way.meets(&self.span[*j]) && self.is_in_the_way(*j) && self.reaches_in(way, *j) > 0.0;
-        let mut found: Vec<usize> = (0..self.count()).filter(|j| movable(j) && blocks(j)).collect();
-        for (end, at) in [(way.ends[0], way.path.first()), (way.ends[1], way.path.last())] {
-            if movable(&end) && at.is_some_and(|p| self.off(end, *p) > way.radius + NEAR) {
-                found.push(end);
+        let blocks = |j: &usize| way.lacks.get(*j).is_some_and(|lack| *lack > 0.0);
+        let mut found: Vec<usize> = (0..self.count()).filter(blocks).collect();
+        found.extend(way.stands().filter(|(j, p)| self.flat(*j).distance(*p) > way.radius + NEAR).map(|(j, _)| j));
+        if way.bends().is_empty() {
+            found.extend(way.ends);
+        }
+        found.retain(|j| self.is_movable(*j));
+        (!found.is_empty()).then(|| found[chance.below(found.len())])
+    }
+
+    /// Whether a way has no plan, or doors have moved since.
+    pub(super) fn is_stale(&self, index: usize) -> bool {
+        self.ways[index].bends().is_empty() || self.ways[index].doors != self.door_places()
+    }
+
+    /// Out of the corridors that an object stands in, and back to those that begin at it; into `out`.
+    pub(super) fn out_of_the_way(&self, i: usize, out: &mut Vec<Inputs>) {
+        let (now, flat) = (self.inputs(i), self.flat(i));
+        let mut aside = |way: [f64; 2]| {
+            let mut pose = now;
+            (pose[0], pose[2]) = (now[0] + way[0], now[2] + way[1]);
+            out.push(pose);
+        };
+        for way in &self.ways {
+            if way.lacks.get(i).is_some_and(|lack| *lack > 0.0)
+                && let Some(step) = way.steps().min_by(|a, b| a.gap(&flat).total_cmp(&b.gap(&flat)))
+            {
+                let side = [step.turn[1], -step.turn[0]];
+                let reach = {
+                    let [sin, cos] = flat.turn;
+                    (side[0] * cos - side[1] * sin).abs() * flat.half[0]
+                        + (side[0] * sin + side[1] * cos).abs() * flat.half[1]
+                };
+                let across = step.local(flat.at)[0];
+                for sign in [-1.0, 1.0] {
+                    let by = sign * (reach + way.width() + EASE) - across;
+                    aside([side[0] * by, side[1] * by]);
+                }
+            }
+            for (_, p) in way.stands().filter(|(end, _)| *end == i) {
+                let near = flat.away(p, way.radius + NEAR / 2.0);
+                aside([p[0] - near[0], p[1] - near[1]]);
             }
         }
-        (!found.is_empty()).then(|| found[chance.below(found.len())])
+    }
+
+    /// No way is planned.
+    pub(super) fn forget_ways(&mut self) {
+        self.ways.iter_mut().for_each(|way| way.path = None);
     }
 
     /// Plans all ways anew.
     pub(super) fn plan_all(&mut self) {
-        for index in 0..self.ways.len() {
-            self.ways[index].path = self.plan(index);
-            self.ways[index].doors = self.door_places();
-        }
+        (0..self.ways.len()).for_each(|way| self.plan_again(way));
     }
 
-    /// Plans a way anew, and keeps that where it costs less.
-    pub(super) fn plan_again(&mut self, index: usize) -> (f64, bool) {
-        let before = self.way(index);
+    /// Plans a way anew.
+    pub(super) fn plan_again(&mut self, index: usize) {
         let path = self.plan(index);
         let doors = self.door_places();
-        let old = std::mem::replace(&mut self.ways[index].path, path);
-        let old_doors = std::mem::replace(&mut self.ways[index].doors, doors);
-        let after = self.way(index);
-        if after.0 < before.0 {
-            return after;
-        }
-        self.ways[index].path = old;
-        self.ways[index].doors = old_doors;
-        before
+        let way = &mut self.ways[index];
+        (way.path, way.doors) = (Some(path), doors);
+        way.bounds = way.surround();
+        let (term, _) = self.walks[index];
+        let (cost, holds) = self.way(index);
+        self.set(term, cost, holds);
     }
 
     /// Ways that were thought free are not: from now on they are planned wider. Whether that is all that fails.
@@ -175,7 +274,7 @@ impl Quick<'_> {
         for way in ways {
             let way = &mut self.ways[way];
             way.doubt = (way.doubt + MORE).min(MOST);
-            way.path.clear();
+            way.path = None;
         }
         true
     }
@@ -185,37 +284,56 @@ impl Quick<'_> {
         let Some(grid) = Grid::new(self) else { return Vec::new() };
         self.work += WORK * grid.count() as u64;
         let way = &self.ways[index];
-        let (radius, [a, b]) = (way.width(), way.ends);
-        let cost = self.cost_of_cells(&grid, radius, [a, b]);
-        let there = |j: usize| {
-            let flat = self.flat(j);
-            let reach = radius + NEAR + 0.7 * grid.cell;
-            move |p: [f64; 2]| flat.distance(p) <= reach
+        let radius = way.width();
+        let [from, to] = way.ends.map(|end| self.around(end, way.radius + NEAR / 2.0, radius));
+        let cost = self.cost_of_cells(&grid, radius);
+        let cells = grid.shortest(&cost, &from, &to);
+        let ([first, ..], [.., last]) = (&cells[..], &cells[..]) else { return Vec::new() };
+        let nearest = |places: &[[f64; 2]], cell: usize| {
+            let far = |p: &[f64; 2]| (p[0] - grid.middle(cell)[0]).hypot(p[1] - grid.middle(cell)[1]);
+            places.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))
         };
-        let cells = grid.shortest(&cost, there(a), there(b));
-        let mut path: Vec<[f64; 2]> = cells.into_iter().map(|c| grid.middle(c)).collect();
-        if path.is_empty() {
-            return path;
-        }
+        let ends = [nearest(&from, *first), nearest(&to, *last)];
+        let mut path: Vec<[f64; 2]> = ends[0].into_iter().collect();
+        path.extend(cells.iter().map(|c| grid.middle(*c)));
+        path.extend(ends[1]);
         self.push_aside(&mut path, radius);
-        let count = path.len();
-        for (at, end) in [(0, a), (count - 1, b)] {
-            path[at] = self.flat(end).away(path[at], way.radius + NEAR / 2.0);
+        simplified(&path)
+    }
+
+    /// Places on the floor so far from a thing.
+    fn around(&self, j: usize, far: f64, radius: f64) -> Vec<[f64; 2]> {
+        /// Between two of them (metres).
+        const STEP: f64 = 0.07;
+        let flat = self.flat(j);
+        let [w, d] = flat.half;
+        let beyond = [w + far, d + far];
+        let mut places = Vec::new();
+        for axis in [0, 1] {
+            let count = (2.0 * beyond[1 - axis] / STEP).ceil().min(100.0) as usize;
+            for (k, side) in (0..=count).flat_map(|k| [(k, -1.0), (k, 1.0)]) {
+                let mut local = [0.0; 2];
+                local[axis] = side * beyond[axis];
+                local[1 - axis] = beyond[1 - axis] * (2.0 * k as f64 / count as f64 - 1.0);
+                // Rounded off at the corners.
+                places.push(flat.away(flat.point(local), far));
+            }
         }
-        straight(path)
+        places.retain(|p| self.is_floor(*p, radius, 0.0));
+        places
     }
 
     /// What it costs to walk through each cell, per metre; infinite where there is no floor.
-    fn cost_of_cells(&self, grid: &Grid, radius: f64, ends: [usize; 2]) -> Vec<f64> {
+    fn cost_of_cells(&self, grid: &Grid, radius: f64) -> Vec<f64> {
         let mut cost: Vec<f64> = (0..grid.count())
             .map(|c| if self.is_floor(grid.middle(c), radius, grid.cell) { 1.0 } else { f64::INFINITY })
             .collect();
         for j in (0..self.count()).filter(|&j| self.is_in_the_way(j)) {
             let flat = self.flat(j);
-            let ease = if ends.contains(&j) { grid.cell } else { 0.0 };
             let [base, per] = if self.is_movable(j) { DETOUR } else { [BARRED; 2] };
+            let base = base * (1.0 + self.reluctance[j]);
             for c in grid.around(&self.span[j], radius) {
-                let lack = radius - ease - flat.distance(grid.middle(c));
+                let lack = radius - flat.distance(grid.middle(c));
                 if lack > 0.0 {
                     cost[c] += base / radius.max(0.1) + per * lack;
                 }
@@ -273,19 +391,29 @@ impl Quick<'_> {
     }
 }
 
-/// Without bends that are none.
-fn straight(path: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    let mut out: Vec<[f64; 2]> = Vec::with_capacity(path.len());
-    for p in path {
-        if let [.., a, b] = out[..] {
-            let turn = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-            if turn.abs() < 1e-9 {
-                out.pop();
-            }
+/// Without bends that hardly are any (Douglas and Peucker's way).
+fn simplified(path: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let (Some(&first), Some(&last)) = (path.first(), path.last()) else { return Vec::new() };
+    let line = step(first, last);
+    let off = |p: &[f64; 2]| line.distance(*p);
+    let farthest = (1..path.len().saturating_sub(1)).max_by(|&a, &b| off(&path[a]).total_cmp(&off(&path[b])));
+    match farthest.filter(|&k| off(&path[k]) > STRAIGHT) {
+        Some(bend) => {
+            let mut out = simplified(&path[..=bend]);
+            out.pop();
+            out.extend(simplified(&path[bend..]));
+            out
         }
-        out.push(p);
+        None => vec![first, last],
     }
-    out
+}
+
+/// A segment as a rectangle without width.
+fn step(from: [f64; 2], to: [f64; 2]) -> Flat {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let length = (way[0] * way[0] + way[1] * way[1]).sqrt().max(1e-12);
+    let at = [0, 1].map(|k| (from[k] + to[k]) / 2.0);
+    Flat { at, turn: [way[0] / length, way[1] / length], half: [0.0, length / 2.0] }
 }
 
 /// Square cells over all rooms.
@@ -321,15 +449,27 @@ impl Grid {
         (z0..=z1).flat_map(move |z| (x0..=x1).map(move |x| z * row + x))
     }
 
-    /// The cheapest way from where one is to where one wants to be.
-    fn shortest(&self, cost: &[f64], from: impl Fn([f64; 2]) -> bool, to: impl Fn([f64; 2]) -> bool) -> Vec<usize> {
+    /// The cheapest way from one of some places to one of others.
+    fn shortest(&self, cost: &[f64], from: &[[f64; 2]], to: &[[f64; 2]]) -> Vec<usize> {
         const UNSEEN: u32 = u32::MAX;
         let mut far = vec![f64::INFINITY; cost.len()];
         let mut before = vec![UNSEEN; cost.len()];
+        let mut is_end = vec![false; cost.len()];
         let mut open = BinaryHeap::new();
         // Costs as whole micrometres: they can be compared, and are alike on every machine.
         let whole = |metres: f64| (metres * 1e6) as u64;
-        for c in (0..cost.len()).filter(|&c| cost[c].is_finite() && from(self.middle(c))) {
+        let beside = |p: &[f64; 2]| {
+            let point = Span { min: [p[0], 0.0, p[1]], max: [p[0], 0.0, p[1]] };
+            let (at, reach) = (*p, self.cell);
+            self.around(&point, reach).filter(move |&c| {
+                let m = self.middle(c);
+                (m[0] - at[0]).hypot(m[1] - at[1]) <= reach
+            })
+        };
+        for c in to.iter().flat_map(beside) {
+            is_end[c] = true;
+        }
+        for c in from.iter().flat_map(beside).filter(|&c| cost[c].is_finite()) {
             far[c] = 0.0;
             open.push(Reverse((0, c)));
         }
@@ -337,7 +477,7 @@ impl Grid {
             if key > whole(far[c]) {
                 continue;
             }
-            if to(self.middle(c)) {
+            if is_end[c] {
                 let mut path = vec![c];
                 let mut at = c;
                 while before[at] != UNSEEN {

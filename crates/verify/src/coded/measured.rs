@@ -139,9 +139,12 @@ impl Flat {
         if least >= 0.0 && room.contains(Vec2::new(self.at[0], self.at[1])) {
             return least;
         }
+        // Corners of it beyond the walls, and corners of the walls within it.
         let corners = self.corners().map(|[x, z]| Vec2::new(x, z));
         let outside = corners.into_iter().map(|p| depth(room, p)).fold(0.0, f64::min);
-        if outside < 0.0 { outside } else { least.min(0.0) }
+        let within = room.corners().iter().map(|p| self.local([p.x, p.y])).map(|[u, v]| (u.abs() - w).max(v.abs() - d));
+        let worst = within.fold(outside, f64::min);
+        if worst < 0.0 { worst } else { least.min(0.0) }
     }
 }
 
@@ -196,6 +199,7 @@ mod tests {
             let found = a.clearance(&ell());
             prop_assert_eq!(found >= 0.0, exact >= 0.0, "{} {}", found, exact);
             prop_assert!(exact < 0.0 || found <= exact + 1e-9);
+            prop_assert!(exact > -0.01 || found < -0.002, "{} {}", found, exact);
         }
     }
 }
