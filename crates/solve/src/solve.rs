@@ -20,7 +20,7 @@ const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.15;
 /// The part of the budget that the quick search has.
-const QUICK: f64 = 0.6;
+const QUICK: f64 = 0.85;
 
 /// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
 ///

@@ -191,11 +191,7 @@ impl Quick<'_> {
                 let clear = *clear;
                 return self.clear(&clear);
             }
-            Judge::Way(index) => {
-                let index = *index;
-                return self.way(index);
-            }
-            Judge::Turn | Judge::Absent => return (0.0, true),
+            Judge::Way(_) | Judge::Turn | Judge::Absent => return (0.0, true),
         };
         self.work += 3 + code.len() as u64 / 8;
         code.run(&mut self.slots);

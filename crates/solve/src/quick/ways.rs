@@ -44,8 +44,12 @@ pub(super) struct Way {
     path: Option<Vec<[f64; 2]>>,
     /// Where doors were when it was planned.
     doors: Vec<[f64; 3]>,
-    /// By object: what it costs that it stands in the corridor.
-    lacks: Vec<f64>,
+    /// Its steps, as rectangles without width.
+    steps: Vec<Flat>,
+    /// What stands in the corridor, and what that costs.
+    lacks: Vec<(usize, f64)>,
+    /// What it costs that ends are not where it begins.
+    off: f64,
     /// What surrounds the corridor.
     bounds: Span,
     /// How much wider than asked for it is planned, since what was planned proved too narrow (metres).
@@ -65,7 +69,9 @@ impl Way {
             radius,
             path: None,
             doors: Vec::new(),
+            steps: Vec::new(),
             lacks: Vec::new(),
+            off: 0.0,
             bounds: Span::default(),
             doubt: 0.0,
         })
@@ -80,9 +86,6 @@ impl Way {
     fn stands(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
         let bends = self.bends();
         self.ends.into_iter().zip([bends.first(), bends.last()]).filter_map(|(end, at)| Some((end, *at?)))
-    }
-    fn steps(&self) -> impl Iterator<Item = Flat> + '_ {
-        self.bends().windows(2).map(|pair| step(pair[0], pair[1]))
     }
     /// What surrounds the corridor, at any height.
     fn surround(&self) -> Span {
@@ -109,24 +112,18 @@ impl Quick<'_> {
     }
 
     /// What a way costs, and whether nothing stands in its corridor.
-    pub(super) fn way(&mut self, index: usize) -> (f64, bool) {
+    fn way(&mut self, index: usize) -> (f64, bool) {
         self.work += 4 + self.count() as u64 / 2;
-        let lacks = (0..self.count()).map(|j| self.reaches_in(&self.ways[index], j)).collect();
-        self.ways[index].lacks = lacks;
-        self.known_way(index)
-    }
-
-    /// The same, by what is known of each object.
-    fn known_way(&self, index: usize) -> (f64, bool) {
         let way = &self.ways[index];
-        match &way.path {
-            None => (0.0, true),
-            Some(path) if path.is_empty() || way.doors != self.door_places() => (merit::BASE + 1.0, false),
-            Some(_) => {
-                let cost = way.lacks.iter().sum::<f64>() + self.off_ends(way);
-                (cost, cost == 0.0)
-            }
+        if way.bends().is_empty() {
+            return (merit::BASE + 1.0, false);
         }
+        let lacks = (0..self.count()).map(|j| (j, self.reaches_in(way, j))).filter(|(_, lack)| *lack > 0.0).collect();
+        let off = self.off_ends(way);
+        let way = &mut self.ways[index];
+        (way.lacks, way.off) = (lacks, off);
+        let cost = way.lacks.iter().map(|(_, lack)| lack).sum::<f64>() + off;
+        (cost, cost == 0.0)
     }
 
     /// What it costs that ends are not where the corridor begins.
@@ -138,31 +135,25 @@ impl Quick<'_> {
     /// How the ways that a trial concerns change.
     pub(super) fn ways_change(&mut self, moved: &[Moved]) -> f64 {
         let mut sum = 0.0;
+        let through_door = moved.iter().any(|(m, ..)| self.doors.contains(m));
         for at in 0..self.walks.len() {
             let (t, index) = self.walks[at];
             let way = &self.ways[index];
-            let concerned = moved.iter().any(|(m, _, old)| {
-                way.bounds.meets(old)
-                    || way.bounds.meets(&self.span[*m])
-                    || way.ends.contains(m)
-                    || self.doors.contains(m)
-            });
-            if !concerned || way.bends().is_empty() {
+            let near = |(m, _, old): &Moved| way.bounds.meets(old) || way.bounds.meets(&self.span[*m]);
+            let has_end = moved.iter().any(|(m, ..)| way.ends.contains(m));
+            if way.bends().is_empty() || !(through_door || has_end || moved.iter().any(near)) {
                 continue;
             }
-            self.work += 4 * moved.len() as u64;
-            let way = &self.ways[index];
-            let found = if way.doors != self.door_places() {
+            let found = if through_door && way.doors != self.door_places() {
                 (merit::BASE + 1.0, false)
             } else {
-                let others: f64 = (0..self.count())
-                    .filter(|j| way.lacks[*j] > 0.0 && !moved.iter().any(|(m, ..)| m == j))
-                    .map(|j| way.lacks[j])
-                    .sum();
-                let cost = others + moved.iter().map(|(m, ..)| self.reaches_in(way, *m)).sum::<f64>();
-                let cost = cost + self.off_ends(way);
+                let stays = |(j, _): &&(usize, f64)| !moved.iter().any(|(m, ..)| m == j);
+                let others = way.lacks.iter().filter(stays).map(|(_, lack)| lack).sum::<f64>();
+                let own = moved.iter().map(|(m, ..)| self.reaches_in(way, *m)).sum::<f64>();
+                let cost = others + own + if has_end { self.off_ends(way) } else { way.off };
                 (cost, cost == 0.0)
             };
+            self.work += 2 * moved.len() as u64;
             sum += self.note(t, found) - self.weight[t] * self.cost[t];
         }
         sum
@@ -171,12 +162,16 @@ impl Quick<'_> {
     /// Objects have moved for good.
     pub(super) fn ways_keep(&mut self, moved: &[Moved]) {
         for index in 0..self.ways.len() {
-            if self.ways[index].bends().is_empty() {
+            let way = &self.ways[index];
+            if way.bends().is_empty() {
                 continue;
             }
-            for &(m, ..) in moved {
-                self.ways[index].lacks[m] = self.reaches_in(&self.ways[index], m);
-            }
+            let off = if moved.iter().any(|(m, ..)| way.ends.contains(m)) { self.off_ends(way) } else { way.off };
+            let new: Vec<(usize, f64)> = moved.iter().map(|(m, ..)| (*m, self.reaches_in(way, *m))).collect();
+            let way = &mut self.ways[index];
+            way.off = off;
+            way.lacks.retain(|(j, _)| !moved.iter().any(|(m, ..)| m == j));
+            way.lacks.extend(new.into_iter().filter(|(_, lack)| *lack > 0.0));
         }
     }
 
@@ -186,7 +181,12 @@ impl Quick<'_> {
             return 0.0;
         }
         let flat = self.flat(j);
-        let least = way.steps().map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
+        let size = flat.half[0] + flat.half[1] + way.width();
+        let near = |step: &&Flat| {
+            let off = [step.at[0] - flat.at[0], step.at[1] - flat.at[1]];
+            off[0] * off[0] + off[1] * off[1] < (size + step.half[1]).powi(2)
+        };
+        let least = way.steps.iter().filter(near).map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
         let lack = way.width() - least;
         if lack > 0.0 { merit::cost(false, lack) } else { 0.0 }
     }
@@ -194,8 +194,7 @@ impl Quick<'_> {
     /// Something that a way would be better without, or one of its ends where those are off it.
     pub(super) fn hindrance(&self, index: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
         let way = &self.ways[index];
-        let blocks = |j: &usize| way.lacks.get(*j).is_some_and(|lack| *lack > 0.0);
-        let mut found: Vec<usize> = (0..self.count()).filter(blocks).collect();
+        let mut found: Vec<usize> = way.lacks.iter().map(|(j, _)| *j).collect();
         found.extend(way.stands().filter(|(j, p)| self.flat(*j).distance(*p) > way.radius + NEAR).map(|(j, _)| j));
         if way.bends().is_empty() {
             found.extend(way.ends);
@@ -218,8 +217,8 @@ impl Quick<'_> {
             out.push(pose);
         };
         for way in &self.ways {
-            if way.lacks.get(i).is_some_and(|lack| *lack > 0.0)
-                && let Some(step) = way.steps().min_by(|a, b| a.gap(&flat).total_cmp(&b.gap(&flat)))
+            if way.lacks.iter().any(|(j, _)| *j == i)
+                && let Some(step) = way.steps.iter().min_by(|a, b| a.gap(&flat).total_cmp(&b.gap(&flat)))
             {
                 let side = [step.turn[1], -step.turn[0]];
                 let reach = {
@@ -242,7 +241,10 @@ impl Quick<'_> {
 
     /// No way is planned.
     pub(super) fn forget_ways(&mut self) {
-        self.ways.iter_mut().for_each(|way| way.path = None);
+        for way in &mut self.ways {
+            (way.path, way.off) = (None, 0.0);
+            way.lacks.clear();
+        }
     }
 
     /// Plans all ways anew.
@@ -256,6 +258,7 @@ impl Quick<'_> {
         let doors = self.door_places();
         let way = &mut self.ways[index];
         (way.path, way.doors) = (Some(path), doors);
+        way.steps = way.bends().windows(2).map(|pair| step(pair[0], pair[1])).collect();
         way.bounds = way.surround();
         let (term, _) = self.walks[index];
         let (cost, holds) = self.way(index);
