@@ -171,6 +171,9 @@ pub struct Solve {
     /// The same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,

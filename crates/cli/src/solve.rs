@@ -1,22 +1,25 @@
 //! `scenelang solve`: a layout for a program.
 
-use crate::args::Solve;
+use crate::args::{Plain, Solve};
 use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, settings};
 use scenelang_lang::sources::Disk;
 use scenelang_solve::End;
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, save_layout};
-use scenelang_verify::exit_code;
+use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, save_layout};
 use scenelang_verify::report::{self, Human};
-use std::ops::ControlFlow;
+use scenelang_verify::{Checked, exit_code};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// What the answer as JSON calls itself.
+const SOLUTION: &str = "scenelang.solution/1";
+
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
-    interrupt::listen();
+    let stop = interrupt::listen();
     let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));
     let start = match &args.layout {
         None => None,
@@ -49,29 +52,76 @@ pub fn run(args: &Solve) -> u8 {
             (_, names) => Hold::AllBut(names),
         },
         time: args.time.map(Duration::from_secs_f64),
+        stop,
         seed: args.seed,
         judge,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
-    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch) {
+    let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
+    drop(watch);
+    let solved = match solved {
         Ok(solved) => solved,
+        Err(Failure::Contradiction(checked)) if args.format == Plain::Json => {
+            let file = request.name;
+            let format = SOLUTION;
+            let report = &checked.report;
+            let answer = json!({ "format": format, "file": file, "ok": false, "end": "contradiction", "layouts": [],
+                                 "report": report, "warnings": [] });
+            println!("{answer}");
+            return exit_code(&checked.report);
+        }
         Err(failure) => return explain(&failure),
     };
-    drop(watch);
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     if let Err(e) = save_layout(&solved, &output) {
         return fail(&e.to_string());
     }
-    let code = exit_code(&solved.checked.report);
-    print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+    match args.format {
+        Plain::Json => println!("{}", answer(request.name, &solved, &output)),
+        Plain::Text => {
+            print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+            let end = match solved.outcome.end {
+                End::Time => ", when the time was over",
+                End::Budget => ", when the budget was spent",
+                _ => "",
+            };
+            println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
+            summary(model.as_ref(), solved.advice.as_ref());
+        }
+    }
+    exit_code(&solved.checked.report)
+}
+
+/// What came of it, as JSON.
+fn answer(file: &str, solved: &Solved, output: &Path) -> Value {
     let end = match solved.outcome.end {
-        End::Time => ", when the time was over",
-        End::Budget => ", when the budget was spent",
-        _ => "",
+        End::Solved => "solved",
+        End::Budget => "budget",
+        End::Time => "time",
+        End::Exhausted => "exhausted",
+        End::Asked => "interrupted",
     };
-    println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
-    summary(model.as_ref(), solved.advice.as_ref());
-    code
+    let said = solved.warnings.iter().map(|d| d.message.clone());
+    json!({
+        "format": SOLUTION,
+        "file": file,
+        "ok": solved.checked.report.ok,
+        "end": end,
+        "layouts": [{
+            "file": output.display().to_string(),
+            "rounds": solved.outcome.iterations,
+            "report": solved.checked.report,
+        }],
+        "report": null,
+        "warnings": said.chain(solved.outcome.warnings.iter().cloned()).collect::<Vec<_>>(),
+    })
+}
+
+/// What is proved of a program that cannot hold, as `check` says it.
+fn contradiction(checked: &Checked) -> u8 {
+    print!("{}", report::human(checked, Human { color: color(), all: false }));
+    println!("no layout was written: there is none in which all of it holds");
+    exit_code(&checked.report)
 }
 
 /// Says why there is no layout.
@@ -81,6 +131,7 @@ pub fn explain(failure: &Failure) -> u8 {
             eprintln!("interrupted; nothing was written");
             INTERRUPTED
         }
+        Failure::Contradiction(checked) => contradiction(checked),
         Failure::Input(sources, diagnostics) => {
             eprint!("{}", report::diagnostics(diagnostics, sources, color_err()));
             FAILED
@@ -130,8 +181,7 @@ impl Observer for Watch {
         self.progress.say(stage.name());
     }
     fn leave(&mut self, _stage: Stage) {}
-    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+    fn solving(&mut self, p: &scenelang_solve::Progress) {
         self.progress.say(crate::progress::solving(p));
-        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

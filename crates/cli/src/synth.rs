@@ -12,9 +12,12 @@ use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
-use std::ops::ControlFlow;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+/// What the summary as JSON calls itself.
+const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
@@ -24,7 +27,7 @@ pub fn run(args: &Synth) -> u8 {
         eprintln!("  write the request as a program; examples/meeting-room.scene is one to start from");
         return FAILED;
     }
-    interrupt::listen();
+    let stop = interrupt::listen();
     let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
@@ -46,13 +49,21 @@ pub fn run(args: &Synth) -> u8 {
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
         time: None,
+        stop,
         seed: args.seed,
         judge,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
-        Err(failure) => return explain(&failure),
+        Err(failure) => {
+            drop(stages);
+            if let (Failure::Contradiction(checked), SummaryFormat::Json) = (&failure, args.format) {
+                println!("{}", json!({ "format": SYNTHESIS, "ok": false, "report": checked.report, "files": [] }));
+                return exit_code(&checked.report);
+            }
+            return explain(&failure);
+        }
     };
     stages.enter(Stage::Export);
     if interrupt::asked() {
@@ -142,8 +153,8 @@ fn shown(written: &Written, folder: &Path) -> Vec<PathBuf> {
 fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> serde_json::Value {
     let stages: serde_json::Map<String, serde_json::Value> =
         seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
-    serde_json::json!({
-        "format": "scenelang.synthesis/1",
+    json!({
+        "format": SYNTHESIS,
         "ok": solved.checked.report.ok,
         "objects": solved.layout.objects.len(),
         "regions": solved.layout.regions.len(),
@@ -171,8 +182,7 @@ impl Observer for Stages {
         self.progress.done(format!("  {:<8} {:>6.2} s", stage.name(), time.as_secs_f64()));
         self.seconds.push((stage, time));
     }
-    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+    fn solving(&mut self, p: &scenelang_solve::Progress) {
         self.progress.say(solving(p));
-        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -1,5 +1,6 @@
 //! What the solver is given and what it gives back, as values.
 
+use crate::limit::Stop;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Layout;
@@ -67,6 +68,8 @@ pub struct Options {
     pub budget: u64,
     /// At most so long, whatever the budget. What comes of it then depends on the machine.
     pub time: Option<Duration>,
+    /// Set from elsewhere, it ends the search; what was found by then is the outcome.
+    pub stop: Stop,
     /// Which of the layouts that the seed leads to: draws stay the same, choices differ.
     pub variant: u64,
     /// Objects that stay where the layout to start from has them.
@@ -85,6 +88,7 @@ impl Default for Options {
             rounds: 400,
             budget: 0,
             time: None,
+            stop: Stop::default(),
             variant: 0,
             locked: Vec::new(),
             polish: 0.2,

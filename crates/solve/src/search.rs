@@ -10,7 +10,6 @@ use crate::tidy;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::Value;
-use std::time::Instant;
 
 /// How many of the ranked candidates are polished.
 const POLISHED: usize = 5;
@@ -65,8 +64,6 @@ pub(crate) struct Search<'a> {
     pub priority: Vec<f64>,
     /// The best layout so far.
     pub best: Option<Best>,
-    /// When it is to end.
-    pub deadline: Option<Instant>,
 }
 
 impl<'a> Search<'a> {
@@ -75,9 +72,9 @@ impl<'a> Search<'a> {
         self.is_late() || self.state.work as f64 >= self.options.budget as f64 * part
     }
 
-    /// Whether the time is over.
+    /// Whether the time is over, or the end was asked for.
     pub fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|end| Instant::now() >= end)
+        self.state.limit.is_over()
     }
 
     /// The layout as values.
@@ -137,6 +134,9 @@ impl<'a> Search<'a> {
         let candidates = pool::candidates(&mut self.state, id, breadth, &mut self.chance);
         let mut ranked: Vec<(f64, Pose)> = Vec::with_capacity(POLISHED + 1);
         for pose in candidates {
+            if self.is_late() && !ranked.is_empty() {
+                break;
+            }
             let limit = if ranked.len() < POLISHED { f64::INFINITY } else { ranked[POLISHED - 1].0 };
             let changes = self.ride(id, pose, group);
             let Some(cost) = self.state.attempt(&changes, limit) else { continue };
@@ -153,6 +153,9 @@ impl<'a> Search<'a> {
         let from = self.snapshot();
         for (rank, (_, pose)) in ranked.into_iter().enumerate() {
             if rank > 0 {
+                if self.is_late() {
+                    break;
+                }
                 self.restore(&from);
             }
             let changes = self.ride(id, pose, group);

@@ -1,5 +1,6 @@
 //! The whole procedure: set up, place, relax, repair; again from another placement if need be; then preferences.
 
+use crate::limit::Limit;
 use crate::place;
 use crate::polish::Polisher;
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
@@ -13,7 +14,6 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 /// How much earlier an object is placed for each time it was in trouble.
 const TROUBLE: f64 = 0.3;
@@ -41,10 +41,10 @@ pub fn solve_with(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let options = &options.budgeted(problem.program.objects.len());
-    let deadline = options.time.map(|time| Instant::now() + time);
+    let limit = Limit::new(options.time, &options.stop);
     let setup = setup(problem, options);
     let mut run = Run {
-        deadline,
+        limit,
         setup: &setup,
         problem,
         options,
@@ -59,9 +59,9 @@ pub fn solve_with(
         attempt += 1;
         let end = if run.best.as_ref().is_some_and(|b| b.hard.0 == 0) {
             End::Solved
-        } else if going.is_break() {
+        } else if going.is_break() || run.limit.is_asked() {
             End::Asked
-        } else if deadline.is_some_and(|end| Instant::now() >= end) {
+        } else if run.limit.is_late() {
             End::Time
         } else if run.work >= options.budget {
             End::Budget
@@ -93,7 +93,7 @@ pub fn solve_with(
 
 /// What attempts share.
 struct Run<'r, 'a> {
-    deadline: Option<Instant>,
+    limit: Limit,
     setup: &'r Setup<'a>,
     problem: &'r Problem<'a>,
     options: &'r Options,
@@ -113,6 +113,11 @@ impl<'r, 'a> Run<'r, 'a> {
     ) -> (State<'r>, ControlFlow<()>) {
         let mut search = self.search(attempt);
         let going = self.run(&mut search, attempt, steps, progress);
+        if self.best.is_none() && search.best.is_none() {
+            // Ended before there was a layout to speak of: nothing is left out all the same.
+            place::anywhere(&mut search, &self.setup.given);
+            search.note();
+        }
         self.work = search.state.work;
         let better = |new: &Best, old: &Option<Best>| {
             old.as_ref().is_none_or(|old| Best::is_better((new.hard, new.soft), (old.hard, old.soft)))
@@ -126,11 +131,12 @@ impl<'r, 'a> Run<'r, 'a> {
     fn search(&self, attempt: u64) -> Search<'r> {
         let mut state = State::new(&self.setup.frame, self.setup.world.clone());
         state.work = self.work;
+        state.limit = self.limit.clone();
         let polisher = Polisher::new(&state);
         let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
         chance.set_stream(attempt + (self.options.variant << 32));
         let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
-        Search { state, polisher, chance, options: self.options, priority, best: None, deadline: self.deadline }
+        Search { state, polisher, chance, options: self.options, priority, best: None }
     }
 
     fn run(
@@ -203,7 +209,7 @@ impl<'r, 'a> Run<'r, 'a> {
         let budget = (self.options.budget as f64 * QUICK) as u64;
         let mut holds = false;
         while !holds && quick.work < budget {
-            let solved = quick.search(&mut search.chance, budget - quick.work, self.deadline, &given);
+            let solved = quick.search(&mut search.chance, budget - quick.work, &self.limit, &given);
             if solved && self.setup.given.is_empty() {
                 quick.tidy(&mut search.chance);
             }
@@ -236,6 +242,9 @@ impl<'r, 'a> Run<'r, 'a> {
         let spent = search.state.work as f64 / self.options.budget as f64;
         wishes::improve(search, (spent + self.options.polish).min(1.0));
         for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
+            if search.is_late() {
+                break;
+            }
             tidy::object(&mut search.state, id);
         }
         search.note();
@@ -246,15 +255,8 @@ impl<'r, 'a> Run<'r, 'a> {
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
         let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search = Search {
-            state: old,
-            polisher,
-            chance,
-            options: self.options,
-            priority: Vec::new(),
-            best: None,
-            deadline: None,
-        };
+        let mut search =
+            Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
         search.restore(snapshot);
         search.state
     }

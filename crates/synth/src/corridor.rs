@@ -1,5 +1,6 @@
 //! From a program file to a judged layout: stages I to III.
 
+use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
@@ -7,8 +8,8 @@ use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
-use scenelang_solve::{Asking, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Tally, hybrid};
-use scenelang_verify::{Checked, check_layout_of};
+use scenelang_solve::{Asking, End, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Stop, Tally, hybrid};
+use scenelang_verify::{Checked, check_layout_of, check_program};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
@@ -30,6 +31,8 @@ pub struct Request<'a> {
     pub hold: Hold<'a>,
     /// The solver takes at most so long.
     pub time: Option<Duration>,
+    /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
+    pub stop: &'a Stop,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -78,14 +81,14 @@ impl Stage {
     }
 }
 
-/// Someone who wants to know how far it is, and may end it.
+/// Someone who wants to know how far it is.
 pub trait Observer {
     /// A stage begins.
     fn enter(&mut self, stage: Stage);
     /// A stage ends.
     fn leave(&mut self, stage: Stage);
-    /// How far the solver is; `Break` ends everything without a result.
-    fn solving(&mut self, progress: &Progress) -> ControlFlow<()>;
+    /// How far the solver is.
+    fn solving(&mut self, progress: &Progress);
 }
 
 /// A layout, judged.
@@ -112,7 +115,9 @@ pub struct Solved {
 pub enum Failure {
     /// The program, or the layout to start from, has errors.
     Input(SourceMap, Vec<Diagnostic>),
-    /// The observer ended it.
+    /// It is proved that there is none: the judgement of the program, as `scenelang check` has it.
+    Contradiction(Box<Checked>),
+    /// It was asked to end before there was anything to show.
     Interrupted,
 }
 
@@ -120,7 +125,7 @@ pub enum Failure {
 /// which.
 ///
 /// # Errors
-/// The program does not compile, the layout to start from cannot be read, or the observer ends it.
+/// The program does not compile or cannot hold, the layout to start from cannot be read, or the end is asked for.
 pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
     solve_with(request, None, observer)
 }
@@ -160,21 +165,40 @@ pub fn solve_with(
         locked,
         ..Default::default()
     };
-    let mut ended = false;
+    if request.stop.is_set() {
+        return Err(Failure::Interrupted);
+    }
     let mut watch = |progress: Progress| {
-        let flow = observer.solving(&progress);
-        ended |= flow.is_break();
-        flow
+        observer.solving(&progress);
+        ControlFlow::Continue(())
     };
-    let (mut outcome, advice) = match adviser {
-        None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
-        Some(Adviser { model, asking }) => {
-            let Hybrid { outcome, tally, without } =
-                hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
-            (outcome, Some(Advice { tally, without }))
+    // A model is dear: it is not asked for what cannot be.
+    let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
+        let options = scenelang_solve::Options { stop: stop.clone(), ..options };
+        let (outcome, advice) = match adviser {
+            None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
+            Some(Adviser { model, asking }) => {
+                let Hybrid { outcome, tally, without } =
+                    hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
+                (outcome, Some(Advice { tally, without }))
+            }
+        };
+        let ended = match outcome.end {
+            _ if outcome.converged => Ended::Found,
+            End::Time | End::Asked => Ended::Cut,
+            _ => Ended::Unfound,
+        };
+        ((outcome, advice), ended)
+    });
+    let (mut outcome, advice) = match found {
+        Ok(found) => found,
+        Err(findings) => {
+            observer.leave(Stage::Layout);
+            let checked = check_program(request.name, compiled, &findings, &request.judge);
+            return Err(Failure::Contradiction(Box::new(checked)));
         }
     };
-    if ended {
+    if request.stop.is_set() {
         return Err(Failure::Interrupted);
     }
     outcome.layout.scene = Some(request.scene_member.to_owned());

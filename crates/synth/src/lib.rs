@@ -3,6 +3,7 @@
 //! Absent here: what the stages do. They live in the rooms below; this one joins them.
 
 mod corridor;
+mod doubt;
 mod furnish;
 mod hold;
 mod output;

@@ -18,6 +18,7 @@ mod licences;
 mod model;
 mod problems;
 mod repair;
+mod solving;
 mod support;
 mod watch;
 mod workspace;

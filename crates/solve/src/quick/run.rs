@@ -4,10 +4,10 @@
 use super::moves::Inputs;
 use super::{Judge, Quick};
 use crate::checks::Check;
+use crate::limit::Limit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
-use std::time::Instant;
 
 /// What a violated check gains in weight when no move helps.
 const STUBBORN: f64 = 0.5;
@@ -26,8 +26,8 @@ const PLANS: usize = 6;
 impl Quick<'_> {
     /// Searches until all holds that is judged here, or so much work is done. Whether it does.
     /// Objects that are `given` a place start from there at first.
-    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, deadline: Option<Instant>, given: &[bool]) -> bool {
-        let late = || deadline.is_some_and(|end| Instant::now() >= end);
+    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, given: &[bool]) -> bool {
+        let late = || limit.is_over();
         let mut kept_in_place = given;
         let end = self.work + budget;
         let n = self.movable.len().max(5) as f64;
