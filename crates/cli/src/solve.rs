@@ -86,6 +86,7 @@ pub fn run(args: &Solve) -> u8 {
                 _ => "",
             };
             println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
+            print!("{}", in_the_way(&solved));
             summary(model.as_ref(), solved.advice.as_ref());
         }
     }
@@ -110,11 +111,36 @@ fn answer(file: &str, solved: &Solved, output: &Path) -> Value {
         "layouts": [{
             "file": output.display().to_string(),
             "rounds": solved.outcome.iterations,
+            "in_the_way": named(solved).map(|(id, text)| json!({ "id": id, "text": text })).collect::<Vec<_>>(),
             "report": solved.checked.report,
         }],
         "report": null,
         "warnings": said.chain(solved.outcome.warnings.iter().cloned()).collect::<Vec<_>>(),
     })
+}
+
+/// The statements in the way: how reports call them, and what they say.
+fn named(solved: &Solved) -> impl Iterator<Item = (String, &str)> {
+    let Checked { sources, program, report, .. } = &solved.checked;
+    let constraints = program.iter().flat_map(|program| &program.constraints);
+    let found = constraints.enumerate().filter(|(index, _)| solved.outcome.in_the_way.contains(index));
+    found.map(|(_, c)| (report::statement_id(&report.file, sources, c.span), c.text.as_str()))
+}
+
+/// The statements in the way, in words.
+fn in_the_way(solved: &Solved) -> String {
+    let found: Vec<(String, &str)> = named(solved).collect();
+    let mut out = match found.len() {
+        0 => return String::new(),
+        1 => "without this statement the rest can hold, as in this layout (found by search, not proved):\n".to_owned(),
+        n => format!(
+            "without these {n} statements the rest can hold, as in this layout (found by search, not proved):\n"
+        ),
+    };
+    for (id, text) in found {
+        out += &format!("  {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+    }
+    out
 }
 
 /// What is proved of a program that cannot hold, as `check` says it.

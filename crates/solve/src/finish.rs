@@ -55,7 +55,7 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
 }
 
 /// What does not hold in a layout: stated constraints in order, then physical rules.
-fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
+pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
     let program = setup.frame.program;
     let world = World::<f64>::new(program, layout, options);
     let mut found = Vec::new();

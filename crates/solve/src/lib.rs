@@ -11,6 +11,7 @@
 mod alternatives;
 mod bounds;
 mod checks;
+mod diagnose;
 mod draws;
 mod equations;
 mod finish;

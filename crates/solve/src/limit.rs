@@ -51,6 +51,10 @@ impl Limit {
         // A time that no clock can show is none.
         Self { end: time.and_then(|time| Instant::now().checked_add(time)), stop: stop.clone() }
     }
+    /// The time that is left, if that is counted.
+    pub fn left(&self) -> Option<Duration> {
+        self.end.map(|end| end.saturating_duration_since(Instant::now()))
+    }
     /// Whether the search has to end.
     pub fn is_over(&self) -> bool {
         self.is_asked() || self.is_late()

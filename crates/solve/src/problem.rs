@@ -76,6 +76,8 @@ pub struct Options {
     pub locked: Vec<ObjectId>,
     /// At most this part of the budget goes into preferences and looks once all that must hold does.
     pub polish: f64,
+    /// Whether to look, where not all that must hold does, for what is in the way.
+    pub diagnose: bool,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
     pub judge: scenelang_verify::Options,
 }
@@ -92,6 +94,7 @@ impl Default for Options {
             variant: 0,
             locked: Vec::new(),
             polish: 0.2,
+            diagnose: true,
             judge: scenelang_verify::Options::default(),
         }
     }
@@ -142,8 +145,8 @@ pub struct Outcome {
     pub end: End,
     /// How every stated constraint stands, by its index in [`Program::constraints`].
     pub constraints: Vec<Standing>,
-    /// Where not all that must hold does: the fewest stated constraints found (not proved) without which the rest holds
-    /// in this layout. Empty also where a physical rule is violated.
+    /// Where not all that must hold does: few stated constraints, found by search (not proved), without which the rest
+    /// can hold. All that must hold but these does so in this layout. Empty where none were found.
     pub in_the_way: Vec<usize>,
     /// Rounds of the loop in all.
     pub iterations: usize,

@@ -9,7 +9,7 @@ use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::state::{Change, State};
 use crate::steps::Steps;
-use crate::{finish, regions, relax, tidy, wishes};
+use crate::{diagnose, finish, regions, relax, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
@@ -19,6 +19,8 @@ use std::ops::ControlFlow;
 const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.15;
+/// The part of the time that the search has, if there is to be a diagnosis.
+const SEARCHING: f64 = 0.8;
 /// The part of the budget that the quick search has.
 const QUICK: f64 = 0.6;
 
@@ -41,7 +43,9 @@ pub fn solve_with(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let options = &options.budgeted(problem.program.objects.len());
-    let limit = Limit::new(options.time, &options.stop);
+    let whole = Limit::new(options.time, &options.stop);
+    let part = if options.diagnose { SEARCHING } else { 1.0 };
+    let limit = Limit::new(options.time.map(|time| time.mul_f64(part)), &options.stop);
     let setup = setup(problem, options);
     let mut run = Run {
         limit,
@@ -75,7 +79,7 @@ pub fn solve_with(
     if let Some(best) = &run.best {
         state = run.at(&best.snapshot, state);
     }
-    let (layout, (unsatisfied, constraints)) = finish::layout(&setup, &state, &options.judge);
+    let (mut layout, (mut unsatisfied, mut constraints)) = finish::layout(&setup, &state, &options.judge);
     let converged = finish::is_soft(&setup, &unsatisfied);
     if end == End::Solved && !converged {
         end = End::Exhausted;
@@ -86,8 +90,16 @@ pub fn solve_with(
         End::Time => warnings.push("the time is over; what was found by then depends on the machine".to_owned()),
         End::Solved | End::Exhausted | End::Asked => {}
     }
-    let in_the_way = finish::in_the_way(&setup, &unsatisfied);
-    let (iterations, work) = (run.iterations, run.work);
+    let mut in_the_way = finish::in_the_way(&setup, &unsatisfied);
+    let (iterations, mut work) = (run.iterations, run.work);
+    if options.diagnose && !steps.proposers_only && !converged && end != End::Asked {
+        let answer = diagnose::diagnose(problem, options, &setup, &whole, (&layout, &unsatisfied));
+        work += answer.work;
+        if let Some(found) = answer.found.filter(|f| f.statements != in_the_way) {
+            (unsatisfied, constraints) = finish::unsatisfied(&setup, &found.witness, &options.judge);
+            (layout, in_the_way) = (found.witness, found.statements);
+        }
+    }
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 

@@ -39,6 +39,23 @@ fn the_examples_of_the_book_are_as_shown() {
     }
 }
 
+#[test]
+fn what_is_in_the_way_is_named_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, _) = book().remove(1);
+    fs::write(folder.path().join("room.scene"), &scene).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    assert_eq!(ended.code, 1, "{}", ended.stderr);
+    let said = "without this statement the rest can hold, as in this layout (found by search, not proved):\n  \
+                room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) >= 3\n";
+    assert!(ended.stdout.contains(said), "{}", ended.stdout);
+    // The layout is the witness, as `check` sees it.
+    let report = scenelang(folder.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
+    let failing: Vec<&Value> =
+        report["constraints"].as_array().unwrap().iter().filter(|c| c["satisfied"] == false).collect();
+    assert_eq!((failing.len(), &failing[0]["id"]), (1, &"room.scene:7:1".into()));
+}
+
 /// The lines of the statements of which a report says that they cannot hold together.
 fn proved(report: &Value) -> BTreeSet<u64> {
     let found = report["diagnostics"].as_array().unwrap().iter().filter(|d| d["code"] == "E0401");

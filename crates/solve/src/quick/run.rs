@@ -35,8 +35,8 @@ impl Quick<'_> {
         let mut best = usize::MAX;
         let mut kept: Vec<Inputs> = Vec::new();
         let mut poses = Vec::new();
-        while self.work < end && !late() {
-            self.begin(chance, kept_in_place);
+        loop {
+            self.begin(chance, kept_in_place, &late);
             self.skew = true;
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
@@ -52,6 +52,9 @@ impl Quick<'_> {
             if self.bad.is_empty() || self.movable.is_empty() {
                 return self.bad.is_empty();
             }
+            if self.work >= end || late() {
+                break;
+            }
         }
         for (i, inputs) in kept.into_iter().enumerate() {
             self.put(i, inputs);
@@ -61,7 +64,7 @@ impl Quick<'_> {
 
     /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
     /// with those that are there already.
-    fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool]) {
+    fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool], late: &dyn Fn() -> bool) {
         self.weight.fill(1.0);
         self.work += self.count() as u64;
         let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
@@ -96,7 +99,7 @@ impl Quick<'_> {
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
             let next = ready.max_by(|&a, &b| rank(waiting[a]).total_cmp(&rank(waiting[b]))).unwrap_or(0);
             let i = waiting.swap_remove(next);
-            self.bring_in(i, chance, &mut poses);
+            self.bring_in(i, chance, &mut poses, late);
             self.link(i, &mut links);
         }
         self.plan_all();
@@ -110,7 +113,7 @@ impl Quick<'_> {
     }
 
     /// Gives an object its first place.
-    fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+    fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>, late: &dyn Fn() -> bool) {
         self.away[i] = false;
         for k in self.dependants(i) {
             self.away[k] = false;
@@ -120,6 +123,9 @@ impl Quick<'_> {
         self.settle(i, pose);
         let mut best = (-1e-9, None);
         for round in 0..2 {
+            if late() {
+                return;
+            }
             poses.clear();
             if round == 0 {
                 for _ in 0..FIRST {

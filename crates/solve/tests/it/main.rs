@@ -1,5 +1,7 @@
 //! What the solver promises of its outcomes: on small programs, by the public interface alone.
 
+mod diagnosis;
+
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};
 use scenelang_layout::Layout;
