@@ -81,6 +81,7 @@ pub fn run(args: &Solve) -> u8 {
         Plain::Text => {
             print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
             let end = match solved.outcome.end {
+                _ if solved.layout.incomplete => ", as far as it was when interrupted, and marked as incomplete",
                 End::Time => ", when the time was over",
                 End::Budget => ", when the budget was spent",
                 _ => "",
@@ -90,12 +91,13 @@ pub fn run(args: &Solve) -> u8 {
             summary(model.as_ref(), solved.advice.as_ref());
         }
     }
-    exit_code(&solved.checked.report)
+    if solved.layout.incomplete { INTERRUPTED } else { exit_code(&solved.checked.report) }
 }
 
 /// What came of it, as JSON.
 fn answer(file: &str, solved: &Solved, output: &Path) -> Value {
     let end = match solved.outcome.end {
+        _ if solved.layout.incomplete => "interrupted",
         End::Solved => "solved",
         End::Budget => "budget",
         End::Time => "time",

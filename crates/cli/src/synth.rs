@@ -6,10 +6,10 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
-use crate::{FAILED, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, interrupt, settings};
 use scenelang_export::{Exporter, exporters, unity};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export};
+use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
 use serde_json::json;
@@ -66,10 +66,13 @@ pub fn run(args: &Synth) -> u8 {
         }
     };
     stages.enter(Stage::Export);
-    if interrupt::asked() {
-        return explain(&Failure::Interrupted);
-    }
-    let written = match export(&solved, &stem, &args.output, &chosen(args.pipeline)) {
+    let interrupted = interrupt::asked();
+    let written = if interrupted {
+        save(&solved, &stem, &args.output).map_err(|e| e.to_string())
+    } else {
+        export(&solved, &stem, &args.output, &chosen(args.pipeline)).map_err(|e| e.to_string())
+    };
+    let written = match written {
         Ok(written) => written,
         Err(e) => {
             drop(stages);
@@ -92,6 +95,12 @@ pub fn run(args: &Synth) -> u8 {
             }
             println!("{summary}");
         }
+    }
+    if interrupted {
+        let so_far =
+            if solved.layout.incomplete { "; the layout is the best so far, and marked as incomplete" } else { "" };
+        eprintln!("interrupted before files were exported{so_far}");
+        return INTERRUPTED;
     }
     exit_code(&solved.checked.report)
 }
@@ -156,6 +165,7 @@ fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> se
     json!({
         "format": SYNTHESIS,
         "ok": solved.checked.report.ok,
+        "incomplete": solved.layout.incomplete,
         "objects": solved.layout.objects.len(),
         "regions": solved.layout.regions.len(),
         "summary": solved.checked.report.summary,

@@ -9,7 +9,7 @@ use scenelang_lang::{Compiled, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
 use scenelang_solve::{Asking, End, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Stop, Tally, hybrid};
-use scenelang_verify::{Checked, check_layout_of, check_program};
+use scenelang_verify::{Checked, Explain, check_layout_of, check_program};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
@@ -96,7 +96,7 @@ pub trait Observer {
 pub struct Solved {
     /// The program.
     pub compiled: Compiled,
-    /// Where everything is.
+    /// Where everything is; as far as the solver got, if it was asked to end ([`Layout::incomplete`]).
     pub layout: Layout,
     /// The layout file.
     pub layout_text: String,
@@ -198,8 +198,11 @@ pub fn solve_with(
             return Err(Failure::Contradiction(Box::new(checked)));
         }
     };
+    let mut judge = request.judge;
     if request.stop.is_set() {
-        return Err(Failure::Interrupted);
+        outcome.layout.incomplete = true;
+        // Whoever wants to leave does not wait for explanations.
+        judge.detail.explain = Explain::First(0);
     }
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
@@ -208,7 +211,7 @@ pub fn solve_with(
         request.layout_name,
         layout_text.clone(),
         (request.name, request.path),
-        &request.judge,
+        &judge,
         scenelang_lang::Options::default(),
         &Disk,
     );

@@ -11,4 +11,4 @@ mod output;
 pub use corridor::{Advice, Adviser, Failure, Observer, Request, Solved, Stage, solve, solve_with};
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
-pub use output::{Written, export, save_layout};
+pub use output::{Written, export, save, save_layout};

@@ -40,12 +40,24 @@ pub fn export(
     for exporter in exporters {
         files.extend(exporter.files(&scene)?);
     }
+    write(files, folder).map_err(ExportError::Write)
+}
+
+/// Writes below `folder` what is there without the exporters: the program with its imports, the layout, the report.
+///
+/// # Errors
+/// What the file system says.
+pub fn save(solved: &Solved, stem: &str, folder: &Path) -> io::Result<Written> {
+    write(own_files(solved, stem), folder)
+}
+
+fn write(files: Vec<OutFile>, folder: &Path) -> io::Result<Written> {
     let mut paths = Vec::with_capacity(files.len());
     for file in files {
         let path = folder.join(&file.path);
         // A scene may be built beside its own program, which stays as it is.
         if std::fs::read(&path).ok().as_deref() != Some(file.bytes.as_slice()) {
-            write_whole(&path, &file.bytes).map_err(ExportError::Write)?;
+            write_whole(&path, &file.bytes)?;
         }
         paths.push(path);
     }

@@ -13,6 +13,7 @@ mod fixing;
 mod formats;
 mod hostile;
 mod inspect;
+mod interrupts;
 mod layering;
 mod licences;
 mod model;
