@@ -165,7 +165,7 @@ pub struct Solve {
     /// Only these objects, or whole arrays, may move: all others stay where --layout has them
     #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout")]
     pub only: Vec<String>,
-    /// The solver takes at most so long; what comes of it then depends on the machine
+    /// All of it takes at most so long; what comes of it then depends on the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// The same seed gives the same layout

@@ -51,6 +51,11 @@ impl Limit {
         // A time that no clock can show is none.
         Self { end: time.and_then(|time| Instant::now().checked_add(time)), stop: stop.clone() }
     }
+    /// The same, but so much earlier.
+    pub fn earlier(&self, by: Duration) -> Self {
+        let end = self.end.map(|end| end.checked_sub(by).unwrap_or(end));
+        Self { end, stop: self.stop.clone() }
+    }
     /// The time that is left, if that is counted.
     pub fn left(&self) -> Option<Duration> {
         self.end.map(|end| end.saturating_duration_since(Instant::now()))

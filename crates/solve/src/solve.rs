@@ -14,6 +14,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
 use std::ops::ControlFlow;
+use std::time::Instant;
 
 /// How much earlier an object is placed for each time it was in trouble.
 const TROUBLE: f64 = 0.3;
@@ -79,7 +80,10 @@ pub fn solve_with(
     if let Some(best) = &run.best {
         state = run.at(&best.snapshot, state);
     }
+    let judging = Instant::now();
     let (mut layout, (mut unsatisfied, mut constraints)) = finish::layout(&setup, &state, &options.judge);
+    // What is found is judged again, here and by whoever asked for it: there must be time for that.
+    let whole = whole.earlier(3 * judging.elapsed());
     let converged = finish::is_soft(&setup, &unsatisfied);
     if end == End::Solved && !converged {
         end = End::Exhausted;

@@ -12,7 +12,7 @@ use scenelang_solve::{Asking, End, Finisher, Hybrid, Outcome, Placed, Problem, P
 use scenelang_verify::{Checked, Explain, check_layout_of, check_program};
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What to lay out.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,7 @@ pub struct Request<'a> {
     pub scene_member: &'a str,
     /// What stays where the layout to start from has it.
     pub hold: Hold<'a>,
-    /// The solver takes at most so long.
+    /// All of it takes at most so long, from the reading to the judgement.
     pub time: Option<Duration>,
     /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
     pub stop: &'a Stop,
@@ -139,6 +139,7 @@ pub fn solve_with(
     adviser: Option<Adviser<'_>>,
     observer: &mut dyn Observer,
 ) -> Result<Solved, Failure> {
+    let begun = Instant::now();
     observer.enter(Stage::Program);
     let compiled = compile_file(request.name, request.path, scenelang_lang::Options::default());
     let Some(program) = &compiled.program else {
@@ -161,7 +162,7 @@ pub fn solve_with(
     let options = scenelang_solve::Options {
         seed: request.seed,
         judge: request.judge,
-        time: request.time,
+        time: request.time.map(|time| solving(time, begun.elapsed())),
         locked,
         ..Default::default()
     };
@@ -198,10 +199,10 @@ pub fn solve_with(
             return Err(Failure::Contradiction(Box::new(checked)));
         }
     };
+    outcome.layout.incomplete = request.stop.is_set();
     let mut judge = request.judge;
-    if request.stop.is_set() {
-        outcome.layout.incomplete = true;
-        // Whoever wants to leave does not wait for explanations.
+    if !outcome.converged {
+        // No small move mends what a whole search could not, and to look for one may take longer than that search.
         judge.detail.explain = Explain::First(0);
     }
     outcome.layout.scene = Some(request.scene_member.to_owned());
@@ -217,6 +218,12 @@ pub fn solve_with(
     );
     observer.leave(Stage::Layout);
     Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, advice, checked, warnings, compiled })
+}
+
+/// Of a time that all of it may take what is left for the solver: what was done before it has to be done again for the
+/// judgement, the program being read anew.
+fn solving(time: Duration, before: Duration) -> Duration {
+    time.saturating_sub(before.mul_f64(2.2)).max(time / 2)
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {
