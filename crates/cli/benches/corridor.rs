@@ -108,6 +108,8 @@ fn solve(c: &mut Criterion) {
             scene_member: &file,
             hold: Hold::Nothing,
             time: None,
+            alternatives: None,
+            free: 0,
             stop: &Stop::default(),
             seed: 0,
             judge: scenelang_verify::Options::default(),

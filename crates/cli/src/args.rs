@@ -171,6 +171,9 @@ pub struct Solve {
     /// The same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// So many layouts that differ in kind: NAME.1.layout.json and so on
+    #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
+    pub alternatives: Option<u16>,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,

@@ -4,18 +4,16 @@ use crate::args::{Plain, Solve};
 use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
-use crate::{FAILED, INTERRUPTED, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, interrupt, settings, solution};
 use scenelang_lang::sources::Disk;
-use scenelang_solve::End;
-use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, save_layout};
+use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered, save_layout};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What the answer as JSON calls itself.
-const SOLUTION: &str = "scenelang.solution/1";
+/// How much work goes into what a layout leaves open: as much as nobody waits for, and for other programs more.
+const FREE: [u64; 2] = [2_000_000, 100_000_000];
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
@@ -33,7 +31,8 @@ pub fn run(args: &Solve) -> u8 {
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
     let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
-        Ok(model) => model,
+        // Several layouts are looked for without one.
+        Ok(model) => model.filter(|_| args.alternatives.is_none()),
         Err(error) => {
             eprintln!("error: {error}");
             return FAILED;
@@ -52,6 +51,8 @@ pub fn run(args: &Solve) -> u8 {
             (_, names) => Hold::AllBut(names),
         },
         time: args.time.map(Duration::from_secs_f64),
+        alternatives: args.alternatives.map(usize::from),
+        free: FREE[usize::from(args.format == Plain::Json)],
         stop,
         seed: args.seed,
         judge,
@@ -62,87 +63,28 @@ pub fn run(args: &Solve) -> u8 {
     let solved = match solved {
         Ok(solved) => solved,
         Err(Failure::Contradiction(checked)) if args.format == Plain::Json => {
-            let file = request.name;
-            let format = SOLUTION;
-            let report = &checked.report;
-            let answer = json!({ "format": format, "file": file, "ok": false, "end": "contradiction", "layouts": [],
-                                 "report": report, "warnings": [] });
-            println!("{answer}");
+            println!("{}", solution::refuted(request.name, &checked));
             return exit_code(&checked.report);
         }
         Err(failure) => return explain(&failure),
     };
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
-    if let Err(e) = save_layout(&solved, &output) {
-        return fail(&e.to_string());
+    let mut files = Vec::new();
+    for (index, found) in solved.all().enumerate() {
+        let file = if args.alternatives.is_some() { numbered(&output, index + 1) } else { output.clone() };
+        if let Err(e) = save_layout(found, &file) {
+            return fail(&e.to_string());
+        }
+        files.push(file);
     }
     match args.format {
-        Plain::Json => println!("{}", answer(request.name, &solved, &output)),
+        Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
         Plain::Text => {
-            print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
-            let end = match solved.outcome.end {
-                _ if solved.layout.incomplete => ", as far as it was when interrupted, and marked as incomplete",
-                End::Time => ", when the time was over",
-                End::Budget => ", when the budget was spent",
-                _ => "",
-            };
-            println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
-            print!("{}", in_the_way(&solved));
+            print!("{}", solution::text(&solved, &files, request.alternatives));
             summary(model.as_ref(), solved.advice.as_ref());
         }
     }
-    if solved.layout.incomplete { INTERRUPTED } else { exit_code(&solved.checked.report) }
-}
-
-/// What came of it, as JSON.
-fn answer(file: &str, solved: &Solved, output: &Path) -> Value {
-    let end = match solved.outcome.end {
-        _ if solved.layout.incomplete => "interrupted",
-        End::Solved => "solved",
-        End::Budget => "budget",
-        End::Time => "time",
-        End::Exhausted => "exhausted",
-        End::Asked => "interrupted",
-    };
-    let said = solved.warnings.iter().map(|d| d.message.clone());
-    json!({
-        "format": SOLUTION,
-        "file": file,
-        "ok": solved.checked.report.ok,
-        "end": end,
-        "layouts": [{
-            "file": output.display().to_string(),
-            "rounds": solved.outcome.iterations,
-            "in_the_way": named(solved).map(|(id, text)| json!({ "id": id, "text": text })).collect::<Vec<_>>(),
-            "report": solved.checked.report,
-        }],
-        "report": null,
-        "warnings": said.chain(solved.outcome.warnings.iter().cloned()).collect::<Vec<_>>(),
-    })
-}
-
-/// The statements in the way: how reports call them, and what they say.
-fn named(solved: &Solved) -> impl Iterator<Item = (String, &str)> {
-    let Checked { sources, program, report, .. } = &solved.checked;
-    let constraints = program.iter().flat_map(|program| &program.constraints);
-    let found = constraints.enumerate().filter(|(index, _)| solved.outcome.in_the_way.contains(index));
-    found.map(|(_, c)| (report::statement_id(&report.file, sources, c.span), c.text.as_str()))
-}
-
-/// The statements in the way, in words.
-fn in_the_way(solved: &Solved) -> String {
-    let found: Vec<(String, &str)> = named(solved).collect();
-    let mut out = match found.len() {
-        0 => return String::new(),
-        1 => "without this statement the rest can hold, as in this layout (found by search, not proved):\n".to_owned(),
-        n => format!(
-            "without these {n} statements the rest can hold, as in this layout (found by search, not proved):\n"
-        ),
-    };
-    for (id, text) in found {
-        out += &format!("  {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
-    }
-    out
+    if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
 }
 
 /// What is proved of a program that cannot hold, as `check` says it.

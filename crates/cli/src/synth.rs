@@ -49,6 +49,8 @@ pub fn run(args: &Synth) -> u8 {
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
         time: None,
+        alternatives: None,
+        free: 0,
         stop,
         seed: args.seed,
         judge,
@@ -97,12 +99,15 @@ pub fn run(args: &Synth) -> u8 {
         }
     }
     if interrupted {
-        let so_far =
-            if solved.layout.incomplete { "; the layout is the best so far, and marked as incomplete" } else { "" };
+        let so_far = if solved.first.layout().incomplete {
+            "; the layout is the best so far, and marked as incomplete"
+        } else {
+            ""
+        };
         eprintln!("interrupted before files were exported{so_far}");
         return INTERRUPTED;
     }
-    exit_code(&solved.checked.report)
+    exit_code(&solved.first.checked.report)
 }
 
 /// The usual exporters, Unity's for the pipeline asked for.
@@ -117,10 +122,10 @@ fn chosen(pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
 }
 
 fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], folder: &Path) {
-    let report = &solved.checked.report;
+    let report = &solved.first.checked.report;
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     if exit_code(report) != 0 {
-        print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+        print!("{}", report::human(&solved.first.checked, Human { color: color(), all: false }));
     }
     let summary = &report.summary;
     let mut held = Table::new(&["what", "held", "of"]);
@@ -136,7 +141,7 @@ fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], fold
     for (stage, time) in seconds {
         times.row([stage.name().into(), format!("{:.2}", time.as_secs_f64())]);
     }
-    println!("{} objects in {} regions\n", solved.layout.objects.len(), solved.layout.regions.len());
+    println!("{} objects in {} regions\n", solved.first.layout().objects.len(), solved.first.layout().regions.len());
     println!("{}\n{}", held.render(), times.render());
     for path in shown(written, folder) {
         println!("  {}", path.display());
@@ -164,11 +169,11 @@ fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> se
         seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
     json!({
         "format": SYNTHESIS,
-        "ok": solved.checked.report.ok,
-        "incomplete": solved.layout.incomplete,
-        "objects": solved.layout.objects.len(),
-        "regions": solved.layout.regions.len(),
-        "summary": solved.checked.report.summary,
+        "ok": solved.first.checked.report.ok,
+        "incomplete": solved.first.layout().incomplete,
+        "objects": solved.first.layout().objects.len(),
+        "regions": solved.first.layout().regions.len(),
+        "summary": solved.first.checked.report.summary,
         "warnings": solved.warnings.iter().map(|d| &d.message).collect::<Vec<_>>(),
         "seconds": stages,
         "files": written.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),

@@ -47,7 +47,7 @@ mod wishes;
 
 pub use alternatives::alternatives;
 pub use draws::draws;
-pub use freedom::{Freedom, freedom};
+pub use freedom::{FAR, Free, Freedom, freedom};
 pub use limit::Stop;
 pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
 pub use pose::Pose;

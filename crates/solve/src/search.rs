@@ -30,6 +30,48 @@ pub(crate) struct Snapshot {
     variables: Vec<Option<Value<f64>>>,
 }
 
+impl Snapshot {
+    /// Of a state.
+    pub fn of(state: &State<'_>) -> Self {
+        let program = state.frame.program;
+        Self {
+            objects: state.frame.objects().map(|o| state.is_placed(o).then(|| state.pose(o))).collect(),
+            regions: (0..program.regions.len() as u32).map(|r| state.region_pose(RegionId(r))).collect(),
+            variables: crate::frame::variables(program).map(|v| state.world.variable(v).ok()).collect(),
+        }
+    }
+
+    /// Brings a state to this layout.
+    pub fn show(&self, state: &mut State<'_>) {
+        let mut changes = Vec::new();
+        for (index, pose) in self.objects.iter().enumerate() {
+            let id = ObjectId(index as u32);
+            match pose {
+                Some(pose) if !state.is_placed(id) || state.pose(id) != *pose => {
+                    changes.push(Change::Object(id, *pose));
+                }
+                None if state.is_placed(id) => state.banish(id),
+                _ => {}
+            }
+        }
+        for (index, pose) in self.regions.iter().enumerate() {
+            let id = RegionId(index as u32);
+            if state.region_pose(id) != *pose {
+                changes.push(Change::Region(id, *pose));
+            }
+        }
+        for (index, value) in self.variables.iter().enumerate() {
+            let id = VariableId(index as u32);
+            if let Some(value) = value.filter(|v| state.world.variable(id).ok() != Some(*v)) {
+                changes.push(Change::Variable(id, value));
+            }
+        }
+        if !changes.is_empty() && state.attempt(&changes, f64::INFINITY).is_some() {
+            state.keep();
+        }
+    }
+}
+
 /// The best layout so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Best {
@@ -79,42 +121,12 @@ impl<'a> Search<'a> {
 
     /// The layout as values.
     pub fn snapshot(&self) -> Snapshot {
-        let program = self.state.frame.program;
-        Snapshot {
-            objects: self.state.frame.objects().map(|o| self.state.is_placed(o).then(|| self.state.pose(o))).collect(),
-            regions: (0..program.regions.len() as u32).map(|r| self.state.region_pose(RegionId(r))).collect(),
-            variables: crate::frame::variables(program).map(|v| self.state.world.variable(v).ok()).collect(),
-        }
+        Snapshot::of(&self.state)
     }
 
     /// Goes back to a layout.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let mut changes = Vec::new();
-        for (index, pose) in snapshot.objects.iter().enumerate() {
-            let id = ObjectId(index as u32);
-            match pose {
-                Some(pose) if !self.state.is_placed(id) || self.state.pose(id) != *pose => {
-                    changes.push(Change::Object(id, *pose));
-                }
-                None if self.state.is_placed(id) => self.state.banish(id),
-                _ => {}
-            }
-        }
-        for (index, pose) in snapshot.regions.iter().enumerate() {
-            let id = RegionId(index as u32);
-            if self.state.region_pose(id) != *pose {
-                changes.push(Change::Region(id, *pose));
-            }
-        }
-        for (index, value) in snapshot.variables.iter().enumerate() {
-            let id = VariableId(index as u32);
-            if let Some(value) = value.filter(|v| self.state.world.variable(id).ok() != Some(*v)) {
-                changes.push(Change::Variable(id, value));
-            }
-        }
-        if !changes.is_empty() && self.state.attempt(&changes, f64::INFINITY).is_some() {
-            self.state.keep();
-        }
+        snapshot.show(&mut self.state);
     }
 
     /// Remembers the layout if it is the best so far. Whether it is.

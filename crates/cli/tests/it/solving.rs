@@ -3,7 +3,7 @@
 use crate::problems::{file, sample};
 use crate::repair::contains;
 use crate::support::{fits, read_json, root, scenelang};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -42,7 +42,7 @@ fn the_examples_of_the_book_are_as_shown() {
 #[test]
 fn what_is_in_the_way_is_named_in_words() {
     let folder = tempfile::tempdir().unwrap();
-    let (scene, _) = book().remove(1);
+    let (scene, _) = book().remove(2);
     fs::write(folder.path().join("room.scene"), &scene).unwrap();
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
@@ -54,6 +54,63 @@ fn what_is_in_the_way_is_named_in_words() {
     let failing: Vec<&Value> =
         report["constraints"].as_array().unwrap().iter().filter(|c| c["satisfied"] == false).collect();
     assert_eq!((failing.len(), &failing[0]["id"]), (1, &"room.scene:7:1".into()));
+}
+
+/// Some things in a room, one of them where only its turn is open and one that only moves along z.
+const OPEN: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(5, 2.5, 4);\nobject table;\nobject lamp;\n\
+                    object chair[3];\ntable.dimensions <- vec3(1.2, 0.7, 0.8);\nlamp.dimensions <- vec3(0.4, 1.5, 0.4);\n\
+                    chair.dimensions <- vec3(0.5, 0.9, 0.5);\ntable.pos <- vec3(0, 0, 0);\nassert lamp.pos.x = 2;\n\
+                    lamp.rot <- rot(0, 0, 0);\nassert forall c in chair: gap(c, table) <= 0.8;\n";
+
+#[test]
+fn several_layouts_differ_in_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--alternatives", "3", "--format", "json"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let answer = fits("solution", &ended.stdout);
+    let files: Vec<&str> = answer["layouts"].as_array().unwrap().iter().map(|l| l["file"].as_str().unwrap()).collect();
+    assert_eq!(files, ["room.1.layout.json", "room.2.layout.json", "room.3.layout.json"]);
+    assert_eq!(scenelang(folder.path(), ["check"].iter().chain(&files)).code, 0);
+    let layouts: Vec<Value> = files.iter().map(|f| read_json(&folder.path().join(f))).collect();
+    for (i, a) in layouts.iter().enumerate() {
+        for b in &layouts[..i] {
+            let moved = a["objects"].as_object().unwrap().iter().filter(|(name, p)| {
+                let q = &b["objects"][name.as_str()];
+                let far = |k: &str, i: usize| (p[k][i].as_f64().unwrap() - q[k][i].as_f64().unwrap()).abs();
+                far("pos", 0) > 0.35 || far("pos", 2) > 0.35 || far("rot", 1) > 39.0
+            });
+            assert!(moved.count() >= 1, "{a:#}\n{b:#}");
+        }
+    }
+
+    // Of what can only be in one way there is one layout, and that is said.
+    fs::write(folder.path().join("one.scene"), "object a; a.pos <- vec3(0, 0, 0); a.rot <- rot(0, 0, 0);").unwrap();
+    let ended = scenelang(folder.path(), ["solve", "one.scene", "--alternatives", "3"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(ended.stdout.contains("of 3 layouts that differ in kind 1 were found"), "{}", ended.stdout);
+    let written = |name: &str| folder.path().join(name).exists();
+    assert!(written("one.1.layout.json") && !written("one.2.layout.json") && !written("one.layout.json"));
+}
+
+#[test]
+fn what_is_still_free_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+    let answer = fits("solution", &ended.stdout);
+    let free = &answer["layouts"][0]["free"];
+    let of = |name: &str| free["objects"].as_array().unwrap().iter().find(|f| f["object"] == name);
+    assert!(free["complete"] == true && of("chair[2]").is_some(), "{free:#}");
+    let table = of("table").unwrap();
+    assert_eq!((&table["x"], &table["z"], &table["turn"]), (&json!([0.0, 0.0]), &json!([0.0, 0.0]), &true.into()));
+    let lamp = of("lamp").unwrap();
+    assert_eq!((&lamp["x"], &lamp["turn"]), (&json!([0.0, 0.0]), &false.into()));
+    let reach: f64 = lamp["z"].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).sum();
+    assert!(reach > 0.0 && reach <= 3.61, "within a room of 4 m, 0.4 m thick: {lamp}");
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    let line = ended.stdout.lines().find(|l| l.starts_with("still free: ")).expect("a line");
+    assert!(line.contains(lamp["text"].as_str().unwrap()) && line.contains("`lamp` along z by up to "), "{line}");
 }
 
 /// The lines of the statements of which a report says that they cannot hold together.
