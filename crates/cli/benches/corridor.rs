@@ -4,11 +4,10 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenelang_lang::{Options, Program, compile_text};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
-use scenelang_solve::Progress;
+use scenelang_solve::{Progress, Stop};
 use scenelang_synth::{Hold, Observer, Request, Stage};
 use std::fmt::Write;
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 fn compiled(text: &str) -> Program {
@@ -85,9 +84,7 @@ struct Silent;
 impl Observer for Silent {
     fn enter(&mut self, _: Stage) {}
     fn leave(&mut self, _: Stage) {}
-    fn solving(&mut self, _: &Progress) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
+    fn solving(&mut self, _: &Progress) {}
 }
 
 fn solve(c: &mut Criterion) {
@@ -111,6 +108,9 @@ fn solve(c: &mut Criterion) {
             scene_member: &file,
             hold: Hold::Nothing,
             time: None,
+            alternatives: None,
+            free: 0,
+            stop: &Stop::default(),
             seed: 0,
             judge: scenelang_verify::Options::default(),
         };

@@ -165,12 +165,18 @@ pub struct Solve {
     /// Only these objects, or whole arrays, may move: all others stay where --layout has them
     #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout")]
     pub only: Vec<String>,
-    /// The solver takes at most so long; what comes of it then depends on the machine
+    /// All of it takes at most so long; what comes of it then depends on the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// The same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// So many layouts that differ in kind: NAME.1.layout.json and so on
+    #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
+    pub alternatives: Option<u16>,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,

@@ -1,19 +1,23 @@
 //! Ctrl-C: asked for between steps, so that nothing is left half-written. A second Ctrl-C ends the process at once.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use scenelang_solve::Stop;
+use std::sync::OnceLock;
 
-static ASKED: AtomicBool = AtomicBool::new(false);
+static STOP: OnceLock<Stop> = OnceLock::new();
 
-/// Starts listening. Where the system does not let us, Ctrl-C simply ends the process: files are written whole anyway.
-pub fn listen() {
+/// Starts listening; what is set by Ctrl-C. Where the system does not let us, Ctrl-C simply ends the process: files are
+/// written whole anyway.
+pub fn listen() -> &'static Stop {
+    let stop = STOP.get_or_init(Stop::default);
     let _ = ctrlc::set_handler(|| {
-        if ASKED.swap(true, Ordering::SeqCst) {
+        if stop.set() {
             std::process::exit(i32::from(crate::INTERRUPTED));
         }
     });
+    stop
 }
 
 /// Whether Ctrl-C was pressed.
 pub fn asked() -> bool {
-    ASKED.load(Ordering::SeqCst)
+    STOP.get().is_some_and(Stop::is_set)
 }

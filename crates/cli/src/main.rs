@@ -15,6 +15,7 @@ mod parallel;
 mod progress;
 mod repair;
 mod settings;
+mod solution;
 mod solve;
 mod synth;
 mod table;

@@ -135,6 +135,8 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         let old = checked.sources.iter().find(|(_, source)| same(source.path())).map(|(_, source)| source.text());
         let old = layout_file::read(old.unwrap_or_default(), FileId(0));
         let mut layout = chosen.layout.clone();
+        // What a search has left undone is done, if all of it holds now.
+        layout.incomplete &= args.constraint.is_some();
         if let (Some(_), Some((_, scene))) =
             (&args.output, program_of(&args.layout.display().to_string(), &args.layout))
         {

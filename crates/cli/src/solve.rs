@@ -1,22 +1,23 @@
 //! `scenelang solve`: a layout for a program.
 
-use crate::args::Solve;
+use crate::args::{Plain, Solve};
 use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
-use crate::{FAILED, INTERRUPTED, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, interrupt, settings, solution};
 use scenelang_lang::sources::Disk;
-use scenelang_solve::End;
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, save_layout};
-use scenelang_verify::exit_code;
+use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered, save_layout};
 use scenelang_verify::report::{self, Human};
-use std::ops::ControlFlow;
+use scenelang_verify::{Checked, exit_code};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// How much work goes into what a layout leaves open: as much as nobody waits for, and for other programs more.
+const FREE: [u64; 2] = [2_000_000, 100_000_000];
+
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
-    interrupt::listen();
+    let stop = interrupt::listen();
     let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));
     let start = match &args.layout {
         None => None,
@@ -30,7 +31,8 @@ pub fn run(args: &Solve) -> u8 {
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
     let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
-        Ok(model) => model,
+        // Several layouts are looked for without one.
+        Ok(model) => model.filter(|_| args.alternatives.is_none()),
         Err(error) => {
             eprintln!("error: {error}");
             return FAILED;
@@ -49,29 +51,47 @@ pub fn run(args: &Solve) -> u8 {
             (_, names) => Hold::AllBut(names),
         },
         time: args.time.map(Duration::from_secs_f64),
+        alternatives: args.alternatives.map(usize::from),
+        free: FREE[usize::from(args.format == Plain::Json)],
+        stop,
         seed: args.seed,
         judge,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
-    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch) {
+    let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
+    drop(watch);
+    let solved = match solved {
         Ok(solved) => solved,
+        Err(Failure::Contradiction(checked)) if args.format == Plain::Json => {
+            println!("{}", solution::refuted(request.name, &checked));
+            return exit_code(&checked.report);
+        }
         Err(failure) => return explain(&failure),
     };
-    drop(watch);
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
-    if let Err(e) = save_layout(&solved, &output) {
-        return fail(&e.to_string());
+    let mut files = Vec::new();
+    for (index, found) in solved.all().enumerate() {
+        let file = if args.alternatives.is_some() { numbered(&output, index + 1) } else { output.clone() };
+        if let Err(e) = save_layout(found, &file) {
+            return fail(&e.to_string());
+        }
+        files.push(file);
     }
-    let code = exit_code(&solved.checked.report);
-    print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
-    let end = match solved.outcome.end {
-        End::Time => ", when the time was over",
-        End::Budget => ", when the budget was spent",
-        _ => "",
-    };
-    println!("{} written after {} rounds{end}", output.display(), solved.outcome.iterations);
-    summary(model.as_ref(), solved.advice.as_ref());
-    code
+    match args.format {
+        Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
+        Plain::Text => {
+            print!("{}", solution::text(&solved, &files, request.alternatives));
+            summary(model.as_ref(), solved.advice.as_ref());
+        }
+    }
+    if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
+}
+
+/// What is proved of a program that cannot hold, as `check` says it.
+fn contradiction(checked: &Checked) -> u8 {
+    print!("{}", report::human(checked, Human { color: color(), all: false }));
+    println!("no layout was written: there is none in which all of it holds");
+    exit_code(&checked.report)
 }
 
 /// Says why there is no layout.
@@ -81,6 +101,7 @@ pub fn explain(failure: &Failure) -> u8 {
             eprintln!("interrupted; nothing was written");
             INTERRUPTED
         }
+        Failure::Contradiction(checked) => contradiction(checked),
         Failure::Input(sources, diagnostics) => {
             eprint!("{}", report::diagnostics(diagnostics, sources, color_err()));
             FAILED
@@ -130,8 +151,7 @@ impl Observer for Watch {
         self.progress.say(stage.name());
     }
     fn leave(&mut self, _stage: Stage) {}
-    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+    fn solving(&mut self, p: &scenelang_solve::Progress) {
         self.progress.say(crate::progress::solving(p));
-        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

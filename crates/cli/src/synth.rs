@@ -6,15 +6,18 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
-use crate::{FAILED, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, interrupt, settings};
 use scenelang_export::{Exporter, exporters, unity};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export};
+use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
-use std::ops::ControlFlow;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+/// What the summary as JSON calls itself.
+const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
@@ -24,7 +27,7 @@ pub fn run(args: &Synth) -> u8 {
         eprintln!("  write the request as a program; examples/meeting-room.scene is one to start from");
         return FAILED;
     }
-    interrupt::listen();
+    let stop = interrupt::listen();
     let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
@@ -46,19 +49,32 @@ pub fn run(args: &Synth) -> u8 {
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
         time: None,
+        alternatives: None,
+        free: 0,
+        stop,
         seed: args.seed,
         judge,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
-        Err(failure) => return explain(&failure),
+        Err(failure) => {
+            drop(stages);
+            if let (Failure::Contradiction(checked), SummaryFormat::Json) = (&failure, args.format) {
+                println!("{}", json!({ "format": SYNTHESIS, "ok": false, "report": checked.report, "files": [] }));
+                return exit_code(&checked.report);
+            }
+            return explain(&failure);
+        }
     };
     stages.enter(Stage::Export);
-    if interrupt::asked() {
-        return explain(&Failure::Interrupted);
-    }
-    let written = match export(&solved, &stem, &args.output, &chosen(args.pipeline)) {
+    let interrupted = interrupt::asked();
+    let written = if interrupted {
+        save(&solved, &stem, &args.output).map_err(|e| e.to_string())
+    } else {
+        export(&solved, &stem, &args.output, &chosen(args.pipeline)).map_err(|e| e.to_string())
+    };
+    let written = match written {
         Ok(written) => written,
         Err(e) => {
             drop(stages);
@@ -82,7 +98,16 @@ pub fn run(args: &Synth) -> u8 {
             println!("{summary}");
         }
     }
-    exit_code(&solved.checked.report)
+    if interrupted {
+        let so_far = if solved.first.layout().incomplete {
+            "; the layout is the best so far, and marked as incomplete"
+        } else {
+            ""
+        };
+        eprintln!("interrupted before files were exported{so_far}");
+        return INTERRUPTED;
+    }
+    exit_code(&solved.first.checked.report)
 }
 
 /// The usual exporters, Unity's for the pipeline asked for.
@@ -97,10 +122,10 @@ fn chosen(pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
 }
 
 fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], folder: &Path) {
-    let report = &solved.checked.report;
+    let report = &solved.first.checked.report;
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     if exit_code(report) != 0 {
-        print!("{}", report::human(&solved.checked, Human { color: color(), all: false }));
+        print!("{}", report::human(&solved.first.checked, Human { color: color(), all: false }));
     }
     let summary = &report.summary;
     let mut held = Table::new(&["what", "held", "of"]);
@@ -116,7 +141,7 @@ fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], fold
     for (stage, time) in seconds {
         times.row([stage.name().into(), format!("{:.2}", time.as_secs_f64())]);
     }
-    println!("{} objects in {} regions\n", solved.layout.objects.len(), solved.layout.regions.len());
+    println!("{} objects in {} regions\n", solved.first.layout().objects.len(), solved.first.layout().regions.len());
     println!("{}\n{}", held.render(), times.render());
     for path in shown(written, folder) {
         println!("  {}", path.display());
@@ -142,12 +167,13 @@ fn shown(written: &Written, folder: &Path) -> Vec<PathBuf> {
 fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> serde_json::Value {
     let stages: serde_json::Map<String, serde_json::Value> =
         seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
-    serde_json::json!({
-        "format": "scenelang.synthesis/1",
-        "ok": solved.checked.report.ok,
-        "objects": solved.layout.objects.len(),
-        "regions": solved.layout.regions.len(),
-        "summary": solved.checked.report.summary,
+    json!({
+        "format": SYNTHESIS,
+        "ok": solved.first.checked.report.ok,
+        "incomplete": solved.first.layout().incomplete,
+        "objects": solved.first.layout().objects.len(),
+        "regions": solved.first.layout().regions.len(),
+        "summary": solved.first.checked.report.summary,
         "warnings": solved.warnings.iter().map(|d| &d.message).collect::<Vec<_>>(),
         "seconds": stages,
         "files": written.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
@@ -171,8 +197,7 @@ impl Observer for Stages {
         self.progress.done(format!("  {:<8} {:>6.2} s", stage.name(), time.as_secs_f64()));
         self.seconds.push((stage, time));
     }
-    fn solving(&mut self, p: &scenelang_solve::Progress) -> ControlFlow<()> {
+    fn solving(&mut self, p: &scenelang_solve::Progress) {
         self.progress.say(solving(p));
-        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -13,6 +13,8 @@ pub struct Layout {
     pub scene: Option<String>,
     /// The seed it was made with.
     pub seed: Option<u64>,
+    /// Whether the solver was ended before it was done with it.
+    pub incomplete: bool,
     /// Placed objects by name (`lamp`, `chair[0]`).
     pub objects: Vec<(SmolStr, Placement)>,
     /// Placed regions by name.

@@ -1,7 +1,9 @@
 //! Several layouts of one scene that differ in kind, not in centimetres.
 
-use crate::problem::{Options, Outcome, Problem, Progress};
+use crate::limit::Limit;
+use crate::problem::{End, Options, Outcome, Placed, Problem, Progress};
 use crate::solve::solve;
+use scenelang_lang::program::RegionId;
 use scenelang_layout::{Layout, Placement};
 use std::ops::ControlFlow;
 
@@ -11,9 +13,12 @@ const ELSEWHERE: (f64, f64) = (0.5, 40.0);
 const DIFFERENT: f64 = 0.2;
 /// How many layouts are looked at for each that is wanted.
 const TRIES: u64 = 6;
+/// What all of it may take, in budgets of one search.
+const BUDGETS: u64 = 3;
 
 /// Up to `wanted` layouts in which all that must hold does, each different in kind from those before it. Draws are those
-/// of the seed in all of them. Where not even one is found, what comes closest.
+/// of the seed in all of them. What has a place already keeps it in the first one; in the others only what is locked does.
+/// Time and budget are those of all together. Where not even one is found, what comes closest.
 pub fn alternatives(
     problem: &Problem<'_>,
     options: &Options,
@@ -22,9 +27,21 @@ pub fn alternatives(
 ) -> Vec<Outcome> {
     let mut found: Vec<Outcome> = Vec::new();
     let mut closest: Option<Outcome> = None;
+    let limit = Limit::new(options.time, &options.stop);
+    let anew = Problem { placed: anew(problem, options), ..problem.clone() };
+    let most = BUDGETS * options.budgeted(problem.program.objects.len()).budget;
+    let mut work = 0;
     for variant in 0..TRIES * wanted as u64 {
-        let next = solve(problem, &Options { variant: options.variant + variant, ..options.clone() }, progress);
-        let asked = next.end == crate::problem::End::Asked;
+        let first = variant == 0;
+        let options = Options {
+            variant: options.variant + variant,
+            time: limit.left(),
+            diagnose: options.diagnose && first,
+            ..options.clone()
+        };
+        let next = solve(if first { problem } else { &anew }, &options, progress);
+        work += next.work;
+        let asked = next.end == End::Asked || limit.is_over() || work >= most;
         if next.converged {
             if found.iter().all(|other| differ(&other.layout, &next.layout)) {
                 found.push(next);
@@ -38,6 +55,18 @@ pub fn alternatives(
         }
     }
     if found.is_empty() { closest.into_iter().collect() } else { found }
+}
+
+/// What keeps its place in layouts that are to differ: what must, and the regions.
+fn anew(problem: &Problem<'_>, options: &Options) -> Placed {
+    if problem.placed == Placed::None {
+        return Placed::None;
+    }
+    let regions = (0..problem.program.regions.len() as u32).map(RegionId);
+    Placed::Some {
+        objects: options.locked.iter().copied().filter(|id| problem.placed.object(*id)).collect(),
+        regions: regions.filter(|id| problem.placed.region(*id)).collect(),
+    }
 }
 
 /// Whether two layouts of the same objects differ in kind.

@@ -17,9 +17,14 @@ pub(crate) fn layout(
     state: &State<'_>,
     options: &Options,
 ) -> (Layout, (Vec<Unsatisfied>, Vec<Standing>)) {
-    let exact = compose(setup, state, |x| x);
     let short = compose(setup, state, |x| round_to(x, DIGITS));
-    let (a, b) = (unsatisfied(setup, &exact, options), unsatisfied(setup, &short, options));
+    let b = unsatisfied(setup, &short, options);
+    // To judge is dear where ways are looked for: where no more fails than the search says, once is enough.
+    if b.0.len() <= (0..state.numbering.len()).filter(|&check| !state.does_hold(check)).count() {
+        return (short, b);
+    }
+    let exact = compose(setup, state, |x| x);
+    let a = unsatisfied(setup, &exact, options);
     if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
 }
 
@@ -55,7 +60,7 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
 }
 
 /// What does not hold in a layout: stated constraints in order, then physical rules.
-fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
+pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
     let program = setup.frame.program;
     let world = World::<f64>::new(program, layout, options);
     let mut found = Vec::new();

@@ -1,7 +1,8 @@
-//! What a program leaves open: in which directions each object could go, or how it could turn, by itself, with everything
-//! that holds still holding.
+//! What a program leaves open: in which directions each object could go, how far, and whether it could turn, by itself,
+//! with everything that holds still holding.
 
 use crate::problem::{Options, Placed, Problem};
+use crate::search::Snapshot;
 use crate::setup::setup;
 use crate::state::{Change, State};
 use scenelang_lang::program::ObjectId;
@@ -10,40 +11,62 @@ use std::fmt;
 
 /// A step that shows freedom to move (metres).
 const STEP: f64 = 0.02;
+/// Nobody asks how far beyond this (metres).
+pub const FAR: f64 = 10.0;
+/// How exactly it is found out how far an object could go (metres).
+const EXACT: f64 = 0.005;
 /// Turns that show freedom to turn (degrees).
 const TURNS: [f64; 5] = [2.0, -2.0, 90.0, 180.0, 270.0];
 /// What a step may cost.
 const HARM: f64 = 1e-3;
 
 /// What is open about an object.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Freedom {
     /// Which.
     pub object: ObjectId,
     /// Its name.
     pub name: String,
-    /// Whether it could move along x, y, z.
-    pub moves: [bool; 3],
+    /// How far it could move along x, y, z: backwards and forwards, metres, up to [`FAR`].
+    pub moves: [[f64; 2]; 3],
     /// Whether it could turn about the vertical.
     pub turns: bool,
 }
 
+/// What is open of a layout.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Free {
+    /// By object, what is demanded least of first; objects of which nothing is open are left out.
+    pub objects: Vec<Freedom>,
+    /// Whether all objects were looked at: there was work enough for that.
+    pub complete: bool,
+}
+
 impl fmt::Display for Freedom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let axes: Vec<&str> = ["x", "y", "z"].into_iter().zip(self.moves).filter(|(_, m)| *m).map(|(a, _)| a).collect();
-        let moves = match axes[..] {
-            [] => None,
-            [one] => Some(format!("move along {one}")),
-            [ref some @ .., last] => Some(format!("move along {} and {last}", some.join(", "))),
+        let ways = ["x", "y", "z"].into_iter().zip(self.moves);
+        let mut what: Vec<String> = ways
+            .map(|(axis, [back, forth])| (axis, back.max(forth)))
+            .filter(|(_, far)| *far > 0.0)
+            .map(|(axis, far)| {
+                if far < FAR {
+                    format!("along {axis} by up to {far} m")
+                } else {
+                    format!("along {axis} by {FAR} m and more")
+                }
+            })
+            .collect();
+        what.extend(self.turns.then(|| "to turn".to_owned()));
+        let list = match what.as_slice() {
+            [some @ .., last] if !some.is_empty() => format!("{} and {last}", some.join(", ")),
+            all => all.join(", "),
         };
-        let turns = self.turns.then(|| "turn".to_owned());
-        let what: Vec<String> = moves.into_iter().chain(turns).collect();
-        write!(f, "`{}` is free to {}", self.name, what.join(", and to "))
+        write!(f, "`{}` {list}", self.name)
     }
 }
 
-/// What a program leaves open of a layout; objects of which nothing is open are left out.
-pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout) -> Vec<Freedom> {
+/// What a program leaves open of a layout, as far as can be found out with so much work.
+pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: u64) -> Free {
     let problem = Problem { program: problem.program, start: layout.clone(), placed: Placed::All };
     let setup = setup(&problem, options);
     let mut state = State::new(&setup.frame, setup.world.clone());
@@ -52,34 +75,89 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout) -> Vec
         state.keep();
     }
     state.measure_all();
-    let mut found = Vec::new();
-    for id in setup.frame.objects().filter(|id| setup.frame.is_movable(*id)) {
-        let fixed = setup.frame.fixed(id);
-        let pose = state.pose(id);
-        let moves = std::array::from_fn(|axis| {
-            !fixed.pos[axis]
-                && [STEP, -STEP].into_iter().any(|step| {
-                    let mut next = pose;
-                    next.pos[axis] += step;
-                    is_harmless(&mut state, id, next)
-                })
-        });
-        let turns =
-            !fixed.rot && TURNS.into_iter().any(|turn| is_harmless(&mut state, id, pose.facing(pose.rot.y + turn)));
-        if turns || moves.contains(&true) {
-            found.push(Freedom { object: id, name: setup.frame.name(id).to_owned(), moves, turns });
+    state.look_at_ways();
+    let frame = &setup.frame;
+    let mut order: Vec<ObjectId> = frame.objects().filter(|id| frame.is_movable(*id)).collect();
+    let demands = |id: ObjectId| frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard()).count();
+    order.sort_by_key(|id| (demands(*id), *id));
+    let mut look = Look { before: state.violated().len(), start: Snapshot::of(&state), state };
+    let mut found = Free { objects: Vec::new(), complete: true };
+    for id in order {
+        if look.state.work >= work {
+            found.complete = false;
+            break;
+        }
+        let free = look.at(id);
+        if free.turns || free.moves.as_flattened().iter().any(|far| *far > 0.0) {
+            found.objects.push(free);
         }
     }
     found
 }
 
-fn is_harmless(state: &mut State<'_>, id: ObjectId, pose: crate::pose::Pose) -> bool {
-    let before = state.violated().len();
-    let changes = state.with_riders(id, pose);
-    if state.attempt(&changes, HARM).is_none() {
-        return false;
+/// A layout, and trials with one object of it.
+struct Look<'a> {
+    state: State<'a>,
+    start: Snapshot,
+    /// How much is violated in it.
+    before: usize,
+}
+
+impl Look<'_> {
+    fn at(&mut self, id: ObjectId) -> Freedom {
+        let frame = self.state.frame;
+        let fixed = frame.fixed(id);
+        let pose = self.state.pose(id);
+        let mut moves = [[0.0; 2]; 3];
+        for axis in (0..3).filter(|&axis| !fixed.pos[axis]) {
+            moves[axis] = [-1.0, 1.0].map(|way| self.along(id, axis, way));
+        }
+        let turns = !fixed.rot && TURNS.into_iter().any(|turn| self.is_harmless(id, pose.facing(pose.rot.y + turn)));
+        Freedom { object: id, name: frame.name(id).to_owned(), moves, turns }
     }
-    let harmless = state.violated().len() <= before;
-    state.undo();
-    harmless
+
+    /// How far an object could go one way, in whole centimetres.
+    fn along(&mut self, id: ObjectId, axis: usize, way: f64) -> f64 {
+        let pose = self.state.pose(id);
+        let mut reaches = |far: f64| {
+            let mut next = pose;
+            next.pos[axis] += way * far;
+            self.is_harmless(id, next)
+        };
+        let (mut near, mut far) = (0.0, STEP);
+        while far < FAR && reaches(far) {
+            (near, far) = (far, (2.0 * far).min(FAR));
+        }
+        if far >= FAR && reaches(FAR) {
+            return FAR;
+        }
+        while near > 0.0 && far - near > EXACT {
+            let middle = (near + far) / 2.0;
+            if reaches(middle) {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        (near * 100.0 + 1e-6).floor() / 100.0
+    }
+
+    fn is_harmless(&mut self, id: ObjectId, pose: crate::pose::Pose) -> bool {
+        let changes = self.state.with_riders(id, pose);
+        if self.state.attempt(&changes, HARM).is_none() {
+            return false;
+        }
+        if self.state.violated().len() > self.before || self.state.frame.walks.is_empty() {
+            let harmless = self.state.violated().len() <= self.before;
+            self.state.undo();
+            return harmless;
+        }
+        // Ways over the floor are not looked at in a trial.
+        self.state.keep();
+        self.state.look_at_ways();
+        let harmless = self.state.violated().len() <= self.before;
+        self.start.show(&mut self.state);
+        self.state.look_at_ways();
+        harmless
+    }
 }

@@ -11,11 +11,13 @@
 mod alternatives;
 mod bounds;
 mod checks;
+mod diagnose;
 mod draws;
 mod equations;
 mod finish;
 mod frame;
 mod freedom;
+mod limit;
 mod looks;
 pub mod mend;
 mod merit;
@@ -45,7 +47,8 @@ mod wishes;
 
 pub use alternatives::alternatives;
 pub use draws::draws;
-pub use freedom::{Freedom, freedom};
+pub use freedom::{FAR, Free, Freedom, freedom};
+pub use limit::Stop;
 pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
 pub use pose::Pose;
 pub use problem::{End, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};

@@ -46,14 +46,31 @@ pub(crate) fn priority<'t>(terms: impl Iterator<Item = &'t Term>, hold: Hold, si
     wall + 1.5 * alone / all + 1.3 * large
 }
 
-/// Places everything that has no place yet.
-pub(crate) fn initial(search: &mut Search<'_>, steps: &mut Steps<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
+/// Puts objects where they are given a place.
+fn as_given(search: &mut Search<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
     for &(id, pose) in given {
         let pose = pose.unwrap_or_else(|| search.state.pose(id));
         if search.state.attempt(&[Change::Object(id, pose)], f64::INFINITY).is_some() {
             search.state.keep();
         }
     }
+}
+
+/// Puts everything that has no place yet somewhere, without a look at anything.
+pub(crate) fn anywhere(search: &mut Search<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
+    let waits = |search: &Search<'_>, id: ObjectId| !search.state.is_placed(id);
+    let own: Vec<_> = given.iter().copied().filter(|(id, _)| waits(search, *id)).collect();
+    as_given(search, &own);
+    for id in search.state.frame.objects() {
+        if waits(search, id) {
+            search.put_anywhere(id);
+        }
+    }
+}
+
+/// Places everything that has no place yet.
+pub(crate) fn initial(search: &mut Search<'_>, steps: &mut Steps<'_>, given: &[(ObjectId, Option<crate::pose::Pose>)]) {
+    as_given(search, given);
     let mut waiting: Vec<ObjectId> = search.state.frame.objects().filter(|o| !search.state.is_placed(*o)).collect();
     let rank = |o: &ObjectId| search.priority[o.0 as usize];
     waiting.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.cmp(b)));

@@ -1,5 +1,6 @@
 //! What the solver is given and what it gives back, as values.
 
+use crate::limit::Stop;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Layout;
@@ -67,12 +68,16 @@ pub struct Options {
     pub budget: u64,
     /// At most so long, whatever the budget. What comes of it then depends on the machine.
     pub time: Option<Duration>,
+    /// Set from elsewhere, it ends the search; what was found by then is the outcome.
+    pub stop: Stop,
     /// Which of the layouts that the seed leads to: draws stay the same, choices differ.
     pub variant: u64,
     /// Objects that stay where the layout to start from has them.
     pub locked: Vec<ObjectId>,
     /// At most this part of the budget goes into preferences and looks once all that must hold does.
     pub polish: f64,
+    /// Whether to look, where not all that must hold does, for what is in the way.
+    pub diagnose: bool,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
     pub judge: scenelang_verify::Options,
 }
@@ -85,9 +90,11 @@ impl Default for Options {
             rounds: 400,
             budget: 0,
             time: None,
+            stop: Stop::default(),
             variant: 0,
             locked: Vec::new(),
             polish: 0.2,
+            diagnose: true,
             judge: scenelang_verify::Options::default(),
         }
     }
@@ -138,8 +145,8 @@ pub struct Outcome {
     pub end: End,
     /// How every stated constraint stands, by its index in [`Program::constraints`].
     pub constraints: Vec<Standing>,
-    /// Where not all that must hold does: the fewest stated constraints found (not proved) without which the rest holds
-    /// in this layout. Empty also where a physical rule is violated.
+    /// Where not all that must hold does: few stated constraints, found by search (not proved), without which the rest
+    /// can hold. All that must hold but these does so in this layout. Empty where none were found.
     pub in_the_way: Vec<usize>,
     /// Rounds of the loop in all.
     pub iterations: usize,

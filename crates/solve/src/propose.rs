@@ -116,6 +116,10 @@ fn clear_ways(search: &mut Search<'_>, objects: &[ObjectId]) -> bool {
                 crate::pool::candidates(&mut search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
             let mut tried = 0;
             for pose in candidates {
+                if search.is_late() {
+                    search.restore(&start);
+                    return false;
+                }
                 let changes = search.state.with_riders(id, pose);
                 if search.state.attempt(&changes, 0.05).is_none() {
                     continue;

@@ -14,6 +14,9 @@ pub(crate) fn relax(search: &mut Search<'_>) {
     for _ in 0..PASSES {
         let mut changed = false;
         for check in search.state.violated() {
+            if search.is_late() {
+                return;
+            }
             changed |= match search.state.numbering.check(check) {
                 Check::Collide(a, b) => {
                     let movable = [a, b].into_iter().filter(|o| search.state.frame.is_movable(*o)).collect();

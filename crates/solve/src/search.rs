@@ -10,7 +10,6 @@ use crate::tidy;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::Value;
-use std::time::Instant;
 
 /// How many of the ranked candidates are polished.
 const POLISHED: usize = 5;
@@ -29,6 +28,48 @@ pub(crate) struct Snapshot {
     objects: Vec<Option<Pose>>,
     regions: Vec<Pose>,
     variables: Vec<Option<Value<f64>>>,
+}
+
+impl Snapshot {
+    /// Of a state.
+    pub fn of(state: &State<'_>) -> Self {
+        let program = state.frame.program;
+        Self {
+            objects: state.frame.objects().map(|o| state.is_placed(o).then(|| state.pose(o))).collect(),
+            regions: (0..program.regions.len() as u32).map(|r| state.region_pose(RegionId(r))).collect(),
+            variables: crate::frame::variables(program).map(|v| state.world.variable(v).ok()).collect(),
+        }
+    }
+
+    /// Brings a state to this layout.
+    pub fn show(&self, state: &mut State<'_>) {
+        let mut changes = Vec::new();
+        for (index, pose) in self.objects.iter().enumerate() {
+            let id = ObjectId(index as u32);
+            match pose {
+                Some(pose) if !state.is_placed(id) || state.pose(id) != *pose => {
+                    changes.push(Change::Object(id, *pose));
+                }
+                None if state.is_placed(id) => state.banish(id),
+                _ => {}
+            }
+        }
+        for (index, pose) in self.regions.iter().enumerate() {
+            let id = RegionId(index as u32);
+            if state.region_pose(id) != *pose {
+                changes.push(Change::Region(id, *pose));
+            }
+        }
+        for (index, value) in self.variables.iter().enumerate() {
+            let id = VariableId(index as u32);
+            if let Some(value) = value.filter(|v| state.world.variable(id).ok() != Some(*v)) {
+                changes.push(Change::Variable(id, value));
+            }
+        }
+        if !changes.is_empty() && state.attempt(&changes, f64::INFINITY).is_some() {
+            state.keep();
+        }
+    }
 }
 
 /// The best layout so far.
@@ -65,8 +106,6 @@ pub(crate) struct Search<'a> {
     pub priority: Vec<f64>,
     /// The best layout so far.
     pub best: Option<Best>,
-    /// When it is to end.
-    pub deadline: Option<Instant>,
 }
 
 impl<'a> Search<'a> {
@@ -75,49 +114,19 @@ impl<'a> Search<'a> {
         self.is_late() || self.state.work as f64 >= self.options.budget as f64 * part
     }
 
-    /// Whether the time is over.
+    /// Whether the time is over, or the end was asked for.
     pub fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|end| Instant::now() >= end)
+        self.state.limit.is_over()
     }
 
     /// The layout as values.
     pub fn snapshot(&self) -> Snapshot {
-        let program = self.state.frame.program;
-        Snapshot {
-            objects: self.state.frame.objects().map(|o| self.state.is_placed(o).then(|| self.state.pose(o))).collect(),
-            regions: (0..program.regions.len() as u32).map(|r| self.state.region_pose(RegionId(r))).collect(),
-            variables: crate::frame::variables(program).map(|v| self.state.world.variable(v).ok()).collect(),
-        }
+        Snapshot::of(&self.state)
     }
 
     /// Goes back to a layout.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let mut changes = Vec::new();
-        for (index, pose) in snapshot.objects.iter().enumerate() {
-            let id = ObjectId(index as u32);
-            match pose {
-                Some(pose) if !self.state.is_placed(id) || self.state.pose(id) != *pose => {
-                    changes.push(Change::Object(id, *pose));
-                }
-                None if self.state.is_placed(id) => self.state.banish(id),
-                _ => {}
-            }
-        }
-        for (index, pose) in snapshot.regions.iter().enumerate() {
-            let id = RegionId(index as u32);
-            if self.state.region_pose(id) != *pose {
-                changes.push(Change::Region(id, *pose));
-            }
-        }
-        for (index, value) in snapshot.variables.iter().enumerate() {
-            let id = VariableId(index as u32);
-            if let Some(value) = value.filter(|v| self.state.world.variable(id).ok() != Some(*v)) {
-                changes.push(Change::Variable(id, value));
-            }
-        }
-        if !changes.is_empty() && self.state.attempt(&changes, f64::INFINITY).is_some() {
-            self.state.keep();
-        }
+        snapshot.show(&mut self.state);
     }
 
     /// Remembers the layout if it is the best so far. Whether it is.
@@ -137,6 +146,9 @@ impl<'a> Search<'a> {
         let candidates = pool::candidates(&mut self.state, id, breadth, &mut self.chance);
         let mut ranked: Vec<(f64, Pose)> = Vec::with_capacity(POLISHED + 1);
         for pose in candidates {
+            if self.is_late() && !ranked.is_empty() {
+                break;
+            }
             let limit = if ranked.len() < POLISHED { f64::INFINITY } else { ranked[POLISHED - 1].0 };
             let changes = self.ride(id, pose, group);
             let Some(cost) = self.state.attempt(&changes, limit) else { continue };
@@ -153,6 +165,9 @@ impl<'a> Search<'a> {
         let from = self.snapshot();
         for (rank, (_, pose)) in ranked.into_iter().enumerate() {
             if rank > 0 {
+                if self.is_late() {
+                    break;
+                }
                 self.restore(&from);
             }
             let changes = self.ride(id, pose, group);

@@ -46,6 +46,7 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     let mut layout = Layout {
         scene: problem.start.scene.clone(),
         seed: Some(options.seed),
+        incomplete: false,
         objects: objects(problem),
         regions: regions(problem),
         variables: variables(problem),

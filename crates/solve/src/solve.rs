@@ -1,5 +1,6 @@
 //! The whole procedure: set up, place, relax, repair; again from another placement if need be; then preferences.
 
+use crate::limit::Limit;
 use crate::place;
 use crate::polish::Polisher;
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
@@ -8,7 +9,7 @@ use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::state::{Change, State};
 use crate::steps::Steps;
-use crate::{finish, regions, relax, tidy, wishes};
+use crate::{diagnose, finish, regions, relax, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
@@ -19,6 +20,8 @@ use std::time::Instant;
 const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.15;
+/// The part of the time that the search has, if there is to be a diagnosis.
+const SEARCHING: f64 = 0.8;
 /// The part of the budget that the quick search has.
 const QUICK: f64 = 0.85;
 
@@ -41,10 +44,12 @@ pub fn solve_with(
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
     let options = &options.budgeted(problem.program.objects.len());
-    let deadline = options.time.map(|time| Instant::now() + time);
+    let whole = Limit::new(options.time, &options.stop);
+    let part = if options.diagnose { SEARCHING } else { 1.0 };
+    let limit = Limit::new(options.time.map(|time| time.mul_f64(part)), &options.stop);
     let setup = setup(problem, options);
     let mut run = Run {
-        deadline,
+        limit,
         setup: &setup,
         problem,
         options,
@@ -59,9 +64,9 @@ pub fn solve_with(
         attempt += 1;
         let end = if run.best.as_ref().is_some_and(|b| b.hard.0 == 0) {
             End::Solved
-        } else if going.is_break() {
+        } else if going.is_break() || run.limit.is_asked() {
             End::Asked
-        } else if deadline.is_some_and(|end| Instant::now() >= end) {
+        } else if run.limit.is_late() {
             End::Time
         } else if run.work >= options.budget {
             End::Budget
@@ -75,7 +80,10 @@ pub fn solve_with(
     if let Some(best) = &run.best {
         state = run.at(&best.snapshot, state);
     }
-    let (layout, (unsatisfied, constraints)) = finish::layout(&setup, &state, &options.judge);
+    let judging = Instant::now();
+    let (mut layout, (mut unsatisfied, mut constraints)) = finish::layout(&setup, &state, &options.judge);
+    // What is found is judged again, here and by whoever asked for it: there must be time for that.
+    let whole = whole.earlier(3 * judging.elapsed());
     let converged = finish::is_soft(&setup, &unsatisfied);
     if end == End::Solved && !converged {
         end = End::Exhausted;
@@ -86,14 +94,22 @@ pub fn solve_with(
         End::Time => warnings.push("the time is over; what was found by then depends on the machine".to_owned()),
         End::Solved | End::Exhausted | End::Asked => {}
     }
-    let in_the_way = finish::in_the_way(&setup, &unsatisfied);
-    let (iterations, work) = (run.iterations, run.work);
+    let mut in_the_way = finish::in_the_way(&setup, &unsatisfied);
+    let (iterations, mut work) = (run.iterations, run.work);
+    if options.diagnose && !steps.proposers_only && !converged && end != End::Asked {
+        let answer = diagnose::diagnose(problem, options, &setup, &whole, (&layout, &unsatisfied));
+        work += answer.work;
+        if let Some(found) = answer.found.filter(|f| f.statements != in_the_way) {
+            (unsatisfied, constraints) = finish::unsatisfied(&setup, &found.witness, &options.judge);
+            (layout, in_the_way) = (found.witness, found.statements);
+        }
+    }
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 
 /// What attempts share.
 struct Run<'r, 'a> {
-    deadline: Option<Instant>,
+    limit: Limit,
     setup: &'r Setup<'a>,
     problem: &'r Problem<'a>,
     options: &'r Options,
@@ -113,6 +129,11 @@ impl<'r, 'a> Run<'r, 'a> {
     ) -> (State<'r>, ControlFlow<()>) {
         let mut search = self.search(attempt);
         let going = self.run(&mut search, attempt, steps, progress);
+        if self.best.is_none() && search.best.is_none() {
+            // Ended before there was a layout to speak of: nothing is left out all the same.
+            place::anywhere(&mut search, &self.setup.given);
+            search.note();
+        }
         self.work = search.state.work;
         let better = |new: &Best, old: &Option<Best>| {
             old.as_ref().is_none_or(|old| Best::is_better((new.hard, new.soft), (old.hard, old.soft)))
@@ -126,11 +147,12 @@ impl<'r, 'a> Run<'r, 'a> {
     fn search(&self, attempt: u64) -> Search<'r> {
         let mut state = State::new(&self.setup.frame, self.setup.world.clone());
         state.work = self.work;
+        state.limit = self.limit.clone();
         let polisher = Polisher::new(&state);
         let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
         chance.set_stream(attempt + (self.options.variant << 32));
         let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
-        Search { state, polisher, chance, options: self.options, priority, best: None, deadline: self.deadline }
+        Search { state, polisher, chance, options: self.options, priority, best: None }
     }
 
     fn run(
@@ -203,7 +225,7 @@ impl<'r, 'a> Run<'r, 'a> {
         let budget = (self.options.budget as f64 * QUICK) as u64;
         let mut holds = false;
         while !holds && quick.work < budget {
-            let solved = quick.search(&mut search.chance, budget - quick.work, self.deadline, &given);
+            let solved = quick.search(&mut search.chance, budget - quick.work, &self.limit, &given);
             if solved && self.setup.given.is_empty() {
                 quick.tidy(&mut search.chance);
             }
@@ -236,6 +258,9 @@ impl<'r, 'a> Run<'r, 'a> {
         let spent = search.state.work as f64 / self.options.budget as f64;
         wishes::improve(search, (spent + self.options.polish).min(1.0));
         for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
+            if search.is_late() {
+                break;
+            }
             tidy::object(&mut search.state, id);
         }
         search.note();
@@ -246,15 +271,8 @@ impl<'r, 'a> Run<'r, 'a> {
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
         let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search = Search {
-            state: old,
-            polisher,
-            chance,
-            options: self.options,
-            priority: Vec::new(),
-            best: None,
-            deadline: None,
-        };
+        let mut search =
+            Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
         search.restore(snapshot);
         search.state
     }

@@ -5,6 +5,7 @@
 
 use crate::checks::{Check, Numbering};
 use crate::frame::{Frame, Hold};
+use crate::limit::Limit;
 use crate::looks;
 use crate::merit::{self, Merit};
 use crate::pose::{Pose, Ride};
@@ -58,6 +59,8 @@ pub(crate) struct State<'a> {
     pub seats: Vec<Option<ObjectId>>,
     /// Work done so far.
     pub work: u64,
+    /// When looking has to end, whatever the work.
+    pub limit: Limit,
     /// Objects that moved since the other world, that of slopes, was last brought up to date.
     pub stale: Vec<bool>,
     placed: Vec<bool>,
@@ -93,6 +96,7 @@ impl<'a> State<'a> {
             weight,
             seats: vec![None; n],
             work: 0,
+            limit: Limit::default(),
             stale: vec![true; n],
             placed: vec![false; n],
             missing: frame.terms.iter().map(|t| t.objects.len()).collect(),
@@ -229,11 +233,17 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Looks at the ways over the floor again, if something has moved since.
+    /// Looks at the ways over the floor again, if something has moved since. Each look is dear: those for which there is
+    /// no time any more count as barred.
     pub fn look_at_ways(&mut self) {
         if std::mem::replace(&mut self.walks_stale, false) {
             for &term in &self.frame.walks {
-                (self.cost[term], self.holds[term]) = self.measure(term);
+                if self.limit.is_over() {
+                    self.walks_stale = true;
+                    self.holds[term] = false;
+                } else {
+                    (self.cost[term], self.holds[term]) = self.measure(term);
+                }
             }
         }
     }
@@ -695,6 +705,9 @@ impl<'a> State<'a> {
             .filter(|o| self.span(*o).max.y - self.span(*o).min.y > 0.05 && self.seats[o.0 as usize].is_none())
             .collect();
         for id in suspects {
+            if self.limit.is_over() {
+                break;
+            }
             let away: Vec<(ObjectId, Pose)> =
                 std::iter::once(id).chain(self.riders(id)).map(|o| (o, self.pose(o))).collect();
             for (o, pose) in &away {

@@ -1,5 +1,6 @@
 //! From a program file to a judged layout: stages I to III.
 
+use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
@@ -7,11 +8,13 @@ use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
-use scenelang_solve::{Asking, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Tally, hybrid};
-use scenelang_verify::{Checked, check_layout_of};
+use scenelang_solve::{
+    Asking, End, Finisher, Free, Hybrid, Outcome, Placed, Problem, Progress, Stop, Tally, alternatives, freedom, hybrid,
+};
+use scenelang_verify::{Checked, Explain, check_layout_of, check_program};
 use std::ops::ControlFlow;
-use std::path::Path;
-use std::time::Duration;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// What to lay out.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +31,14 @@ pub struct Request<'a> {
     pub scene_member: &'a str,
     /// What stays where the layout to start from has it.
     pub hold: Hold<'a>,
-    /// The solver takes at most so long.
+    /// All of it takes at most so long, from the reading to the judgement.
     pub time: Option<Duration>,
+    /// How many layouts that differ in kind are wanted; `None`: one, and a model may propose.
+    pub alternatives: Option<usize>,
+    /// How much work may go into what a layout leaves open.
+    pub free: u64,
+    /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
+    pub stop: &'a Stop,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -78,33 +87,57 @@ impl Stage {
     }
 }
 
-/// Someone who wants to know how far it is, and may end it.
+/// Someone who wants to know how far it is.
 pub trait Observer {
     /// A stage begins.
     fn enter(&mut self, stage: Stage);
     /// A stage ends.
     fn leave(&mut self, stage: Stage);
-    /// How far the solver is; `Break` ends everything without a result.
-    fn solving(&mut self, progress: &Progress) -> ControlFlow<()>;
+    /// How far the solver is.
+    fn solving(&mut self, progress: &Progress);
 }
 
 /// A layout, judged.
 #[derive(Debug)]
+pub struct Found {
+    /// Where everything is, and how the solver got there; as far as it got, if it was asked to end
+    /// ([`Layout::incomplete`]).
+    pub outcome: Outcome,
+    /// The layout file.
+    pub text: String,
+    /// The judgement of that file, by the same code as `scenelang check`.
+    pub checked: Checked,
+    /// What is still open, where all that must hold does.
+    pub free: Free,
+}
+
+impl Found {
+    /// Where everything is.
+    pub fn layout(&self) -> &Layout {
+        &self.outcome.layout
+    }
+}
+
+/// What came of a program.
+#[derive(Debug)]
 pub struct Solved {
     /// The program.
     pub compiled: Compiled,
-    /// Where everything is.
-    pub layout: Layout,
-    /// The layout file.
-    pub layout_text: String,
-    /// How the solver got there.
-    pub outcome: Outcome,
+    /// The layout, or what comes closest to one.
+    pub first: Found,
+    /// Others that differ from it, and from each other, in kind.
+    pub others: Vec<Found>,
     /// What the model had to do with it, if there was one.
     pub advice: Option<Advice>,
-    /// The judgement of that file, by the same code as `scenelang check`.
-    pub checked: Checked,
     /// What had no asset or no usual size.
     pub warnings: Vec<Diagnostic>,
+}
+
+impl Solved {
+    /// All layouts in order.
+    pub fn all(&self) -> impl Iterator<Item = &Found> {
+        std::iter::once(&self.first).chain(&self.others)
+    }
 }
 
 /// Why there is no layout.
@@ -112,7 +145,9 @@ pub struct Solved {
 pub enum Failure {
     /// The program, or the layout to start from, has errors.
     Input(SourceMap, Vec<Diagnostic>),
-    /// The observer ended it.
+    /// It is proved that there is none: the judgement of the program, as `scenelang check` has it.
+    Contradiction(Box<Checked>),
+    /// It was asked to end before there was anything to show.
     Interrupted,
 }
 
@@ -120,7 +155,7 @@ pub enum Failure {
 /// which.
 ///
 /// # Errors
-/// The program does not compile, the layout to start from cannot be read, or the observer ends it.
+/// The program does not compile or cannot hold, the layout to start from cannot be read, or the end is asked for.
 pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
     solve_with(request, None, observer)
 }
@@ -134,6 +169,7 @@ pub fn solve_with(
     adviser: Option<Adviser<'_>>,
     observer: &mut dyn Observer,
 ) -> Result<Solved, Failure> {
+    let begun = Instant::now();
     observer.enter(Stage::Program);
     let compiled = compile_file(request.name, request.path, scenelang_lang::Options::default());
     let Some(program) = &compiled.program else {
@@ -156,40 +192,92 @@ pub fn solve_with(
     let options = scenelang_solve::Options {
         seed: request.seed,
         judge: request.judge,
-        time: request.time,
+        time: request.time.map(|time| solving(time, begun.elapsed())),
         locked,
         ..Default::default()
     };
-    let mut ended = false;
-    let mut watch = |progress: Progress| {
-        let flow = observer.solving(&progress);
-        ended |= flow.is_break();
-        flow
-    };
-    let (mut outcome, advice) = match adviser {
-        None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
-        Some(Adviser { model, asking }) => {
-            let Hybrid { outcome, tally, without } =
-                hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
-            (outcome, Some(Advice { tally, without }))
-        }
-    };
-    if ended {
+    if request.stop.is_set() {
         return Err(Failure::Interrupted);
     }
+    let mut watch = |progress: Progress| {
+        observer.solving(&progress);
+        ControlFlow::Continue(())
+    };
+    // A model is dear: it is not asked for what cannot be.
+    let options = &options;
+    let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
+        let options = scenelang_solve::Options { stop: stop.clone(), ..options.clone() };
+        let (outcomes, advice) = match (adviser, request.alternatives) {
+            (_, Some(wanted)) => (alternatives(&problem, &options, wanted, &mut watch), None),
+            (None, None) => (vec![scenelang_solve::solve(&problem, &options, &mut watch)], None),
+            (Some(Adviser { model, asking }), None) => {
+                let Hybrid { outcome, tally, without } =
+                    hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
+                (vec![outcome], Some(Advice { tally, without }))
+            }
+        };
+        let ended = match outcomes.first() {
+            Some(outcome) if outcome.converged => Ended::Found,
+            Some(Outcome { end: End::Time | End::Asked, .. }) => Ended::Cut,
+            _ => Ended::Unfound,
+        };
+        ((outcomes, advice), ended)
+    });
+    let (outcomes, advice) = match found {
+        Ok(found) => found,
+        Err(findings) => {
+            observer.leave(Stage::Layout);
+            let checked = check_program(request.name, compiled, &findings, &request.judge);
+            return Err(Failure::Contradiction(Box::new(checked)));
+        }
+    };
+    let finish = |(index, outcome): (usize, Outcome)| {
+        let free = match &outcome {
+            outcome if outcome.converged && !request.stop.is_set() => {
+                freedom(&problem, options, &outcome.layout, request.free)
+            }
+            _ => Free::default(),
+        };
+        let name = match request.alternatives {
+            Some(_) => numbered(Path::new(request.layout_name), index + 1).display().to_string(),
+            None => request.layout_name.to_owned(),
+        };
+        judged(request, &name, outcome, free, start.as_ref())
+    };
+    let mut all = outcomes.into_iter().enumerate().map(finish);
+    let first = all.next().ok_or(Failure::Interrupted)?;
+    let others = all.collect();
+    observer.leave(Stage::Layout);
+    Ok(Solved { first, others, advice, warnings, compiled })
+}
+
+/// A layout as a file called `name`, and its judgement.
+fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, free: Free, start: Option<&ReadLayout>) -> Found {
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
-    let layout_text = layout_file::to_json(&outcome.layout, start.as_ref().map(|s| &s.document));
-    let checked = check_layout_of(
-        request.layout_name,
-        layout_text.clone(),
-        (request.name, request.path),
-        &request.judge,
-        scenelang_lang::Options::default(),
-        &Disk,
-    );
-    observer.leave(Stage::Layout);
-    Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, advice, checked, warnings, compiled })
+    outcome.layout.incomplete = request.stop.is_set();
+    let mut judge = request.judge;
+    if !outcome.converged {
+        // No small move mends what a whole search could not, and to look for one may take longer than that search.
+        judge.detail.explain = Explain::First(0);
+    }
+    let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
+    let program = (request.name, request.path);
+    let checked = check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), &Disk);
+    Found { outcome, text, checked, free }
+}
+
+/// The file of the `n`th of several layouts: `room.layout.json` becomes `room.2.layout.json`.
+pub fn numbered(path: &Path, n: usize) -> PathBuf {
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let end = [".layout.json", ".json"].into_iter().find(|end| name.ends_with(end)).unwrap_or_default();
+    path.with_file_name(format!("{}.{n}{end}", &name[..name.len() - end.len()]))
+}
+
+/// Of a time that all of it may take what is left for the solver: what was done before it has to be done again for the
+/// judgement, the program being read anew.
+fn solving(time: Duration, before: Duration) -> Duration {
+    time.saturating_sub(before.mul_f64(2.2)).max(time / 2)
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

@@ -3,11 +3,12 @@
 //! Absent here: what the stages do. They live in the rooms below; this one joins them.
 
 mod corridor;
+mod doubt;
 mod furnish;
 mod hold;
 mod output;
 
-pub use corridor::{Advice, Adviser, Failure, Observer, Request, Solved, Stage, solve, solve_with};
+pub use corridor::{Advice, Adviser, Failure, Found, Observer, Request, Solved, Stage, numbered, solve, solve_with};
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
-pub use output::{Written, export, save_layout};
+pub use output::{Written, export, save, save_layout};

@@ -1,6 +1,6 @@
 //! Stage IV: what is written, and where. All bytes are made before the first file is touched.
 
-use crate::corridor::Solved;
+use crate::corridor::{Found, Solved};
 use scenelang_base::fs::write_whole;
 use scenelang_export::{ExportError, Exporter, OutFile, Scene, SceneInput};
 use scenelang_lang::program::Program;
@@ -14,12 +14,12 @@ pub struct Written {
     pub paths: Vec<PathBuf>,
 }
 
-/// Writes the layout alone.
+/// Writes a layout alone.
 ///
 /// # Errors
 /// What the file system says.
-pub fn save_layout(solved: &Solved, path: &Path) -> io::Result<()> {
-    write_whole(path, solved.layout_text.as_bytes())
+pub fn save_layout(found: &Found, path: &Path) -> io::Result<()> {
+    write_whole(path, found.text.as_bytes())
 }
 
 /// Writes the scene below `folder`: the program with its imports, the layout, the report, and what the exporters make.
@@ -40,12 +40,24 @@ pub fn export(
     for exporter in exporters {
         files.extend(exporter.files(&scene)?);
     }
+    write(files, folder).map_err(ExportError::Write)
+}
+
+/// Writes below `folder` what is there without the exporters: the program with its imports, the layout, the report.
+///
+/// # Errors
+/// What the file system says.
+pub fn save(solved: &Solved, stem: &str, folder: &Path) -> io::Result<Written> {
+    write(own_files(solved, stem), folder)
+}
+
+fn write(files: Vec<OutFile>, folder: &Path) -> io::Result<Written> {
     let mut paths = Vec::with_capacity(files.len());
     for file in files {
         let path = folder.join(&file.path);
         // A scene may be built beside its own program, which stays as it is.
         if std::fs::read(&path).ok().as_deref() != Some(file.bytes.as_slice()) {
-            write_whole(&path, &file.bytes).map_err(ExportError::Write)?;
+            write_whole(&path, &file.bytes)?;
         }
         paths.push(path);
     }
@@ -54,15 +66,15 @@ pub fn export(
 
 fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, ExportError> {
     let failed = |e: &dyn std::fmt::Display| ExportError::Format("scene", e.to_string());
-    let report = serde_json::to_value(&solved.checked.report).map_err(|e| failed(&e))?;
+    let report = serde_json::to_value(&solved.first.checked.report).map_err(|e| failed(&e))?;
     let files: Vec<_> = solved.compiled.sources.iter().map(|(id, _)| id).collect();
     Scene::build(&SceneInput {
         name: stem,
         program,
         sources: &solved.compiled.sources,
         files: &files,
-        layout: &solved.layout,
-        layout_text: &solved.layout_text,
+        layout: solved.first.layout(),
+        layout_text: &solved.first.text,
         report: &report,
     })
     .map_err(|e| failed(&e))
@@ -82,8 +94,8 @@ fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
             out.push(OutFile::new(relative, file.text()));
         }
     }
-    out.push(OutFile::new(format!("{stem}.layout.json"), solved.layout_text.as_str()));
-    let mut report = serde_json::to_string_pretty(&solved.checked.report).unwrap_or_default();
+    out.push(OutFile::new(format!("{stem}.layout.json"), solved.first.text.as_str()));
+    let mut report = serde_json::to_string_pretty(&solved.first.checked.report).unwrap_or_default();
     report.push('\n');
     out.push(OutFile::new("report.json", report));
     out

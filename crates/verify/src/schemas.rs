@@ -1,13 +1,14 @@
 //! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, what
-//! `repair` prints, the settings.
+//! `repair` and `solve` print, the settings.
 
 /// The schemas by name: name and text.
-pub const ALL: [(&str, &str); 5] = [
+pub const ALL: [(&str, &str); 6] = [
     ("config", include_str!("../schemas/config.json")),
     ("diff", include_str!("../schemas/diff.json")),
     ("layout", include_str!("../schemas/layout.json")),
     ("repair", include_str!("../schemas/repair.json")),
     ("report", include_str!("../schemas/report.json")),
+    ("solution", include_str!("../schemas/solution.json")),
 ];
 
 /// The schema of a name.

@@ -16,7 +16,7 @@ fn problems() -> PathBuf {
 }
 
 /// Names of the sample's problems.
-fn sample() -> Vec<String> {
+pub fn sample() -> Vec<String> {
     let files = std::fs::read_dir(problems().join("sample")).unwrap().map(|e| e.unwrap().path());
     let scenes = files.filter(|p| p.extension().is_some_and(|e| e == "scene"));
     let mut names: Vec<String> = scenes.map(|p| p.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
@@ -25,7 +25,7 @@ fn sample() -> Vec<String> {
     names
 }
 
-fn file(name: &str, ending: &str) -> PathBuf {
+pub fn file(name: &str, ending: &str) -> PathBuf {
     problems().join("sample").join(format!("{name}.{ending}"))
 }
 

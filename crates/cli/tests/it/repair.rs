@@ -33,7 +33,7 @@ fn text(folder: &Path, name: &str) -> String {
 }
 
 /// Whether all that `part` says is in `whole`; arrays item by item.
-fn contains(whole: &Value, part: &Value) -> bool {
+pub fn contains(whole: &Value, part: &Value) -> bool {
     match (whole, part) {
         (Value::Object(whole), Value::Object(part)) => {
             part.iter().all(|(key, value)| whole.get(key).is_some_and(|w| contains(w, value)))

@@ -158,5 +158,9 @@ fn schemas_are_printed() {
         assert_eq!((ended.code, ended.stdout.as_str()), (0, text));
     }
     let ended = scenelang(folder.path(), ["schema", "sofa"]);
-    assert!(ended.code == 2 && ended.stderr.contains("config, diff, layout, repair, report"), "{}", ended.stderr);
+    assert!(
+        ended.code == 2 && ended.stderr.contains("config, diff, layout, repair, report, solution"),
+        "{}",
+        ended.stderr
+    );
 }

@@ -64,6 +64,7 @@ impl Reader<'_, '_> {
         let layout = Layout {
             scene: find(members, "scene").and_then(|m| self.text(&m.node, "`scene`")),
             seed: find(members, "seed").and_then(|m| self.seed(&m.node)),
+            incomplete: find(members, "incomplete").and_then(|m| self.truth(&m.node, "`incomplete`")).unwrap_or(false),
             objects: self.block(members, "objects", Self::object),
             regions: self.block(members, "regions", Self::region),
             variables: self.block(members, "variables", Self::variable),
@@ -307,6 +308,11 @@ impl Reader<'_, '_> {
             self.error(codes::E0505, node.range, "`seed` takes a whole number from 0 to 18446744073709551615");
         }
         seed
+    }
+
+    fn truth(&mut self, node: &Node, what: &str) -> Option<bool> {
+        let Json::Bool(truth) = node.value else { return self.wrong(node, what, "true or false") };
+        Some(truth)
     }
 
     fn number(&mut self, node: &Node, what: &str) -> Option<f64> {

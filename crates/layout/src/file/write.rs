@@ -34,6 +34,7 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
         ("format", Some(text(FORMAT))),
         ("scene", layout.scene.as_deref().map(text)),
         ("seed", layout.seed.map(|s| Out::Raw(s.to_string().into()))),
+        ("incomplete", layout.incomplete.then(|| Out::Raw("true".into()))),
         ("objects", old.member("objects").block(objects, object)),
         ("regions", old.member("regions").block(regions, region)),
         ("variables", old.member("variables").block(variables, |v, _| value(v))),

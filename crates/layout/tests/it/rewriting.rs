@@ -70,11 +70,12 @@ fn named<T: std::fmt::Debug>(entry: impl Strategy<Value = T>) -> impl Strategy<V
 }
 
 fn layout() -> impl Strategy<Value = Layout> {
-    let head = (prop::option::of(".{0,8}"), prop::option::of(any::<u64>()));
+    let head = (prop::option::of(".{0,8}"), prop::option::of(any::<u64>()), any::<bool>());
     (head, named(placement()), named(region()), named(value()), named(number())).prop_map(
-        |((scene, seed), objects, regions, variables, draws)| Layout {
+        |((scene, seed, incomplete), objects, regions, variables, draws)| Layout {
             scene,
             seed,
+            incomplete,
             objects: objects.into_iter().map(|(n, v)| (n.into(), v)).collect(),
             regions: regions.into_iter().map(|(n, v)| (n.into(), v)).collect(),
             variables: variables.into_iter().map(|(n, v)| (n.into(), v)).collect(),

@@ -117,7 +117,7 @@ impl<'r, 'a> Room<'r, 'a> {
         let chance = ChaCha8Rng::seed_from_u64(judge.layout.seed.unwrap_or(0));
         let poses = frame.objects().map(|id| before(&fixtures.world, &state, id)).collect();
         let dear = frame.walks.iter().any(|&t| wanted[t]);
-        let search = Search { state, polisher, chance, options, priority, best: None, deadline: None };
+        let search = Search { state, polisher, chance, options, priority, best: None };
         debug_assert_eq!(n, search.state.placed().count());
         Self { judge, start: search.snapshot(), search, poses, wanted, dear }
     }

@@ -60,6 +60,7 @@ fn solved(room: &mut Room<'_, '_>, options: &MendOptions) -> Option<Snapshot> {
         budget: left,
         judge: judge.options,
         polish: 0.0,
+        diagnose: false,
         ..Options::default()
     };
     let outcome = solve(&problem, &solver, &mut |_| ControlFlow::Continue(()));

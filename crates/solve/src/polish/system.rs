@@ -138,7 +138,7 @@ impl<'s, 'a> System<'s, 'a> {
         let mut sum = self.measure();
         let mut damping = 1e-3;
         for _ in 0..iterations {
-            if sum < 1e-14 {
+            if sum < 1e-14 || self.state.limit.is_over() {
                 break;
             }
             let (matrix, right) = self.normal();
@@ -235,6 +235,9 @@ impl<'s, 'a> System<'s, 'a> {
         self.seed(&all, if at_once { &all } else { &[] });
         let mut found: Vec<Slope> = Vec::new();
         for index in (0..self.equations.len()).filter(|&e| self.equations[e].missing > 0).collect::<Vec<_>>() {
+            if self.state.limit.is_over() {
+                break;
+            }
             let check = self.equations[index].check;
             let by = if at_once { all.clone() } else { self.equations[index].by.clone() };
             let (first, weight) = (rows.len(), self.state.weight[check]);

@@ -5,10 +5,10 @@ use super::judge::carried;
 use super::moves::Inputs;
 use super::{Judge, Quick};
 use crate::checks::Check;
+use crate::limit::Limit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
-use std::time::Instant;
 
 /// What a violated check gains in weight when no move helps.
 const STUBBORN: f64 = 0.5;
@@ -46,8 +46,8 @@ enum Choice {
 impl Quick<'_> {
     /// Searches until all holds that is judged here, or so much work is done. Whether it does.
     /// Objects that are `given` a place start from there at first.
-    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, deadline: Option<Instant>, given: &[bool]) -> bool {
-        let late = || deadline.is_some_and(|end| Instant::now() >= end);
+    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, given: &[bool]) -> bool {
+        let late = || limit.is_over();
         let mut kept_in_place = given;
         let end = self.work + budget;
         let n = self.movable.len().max(5) as f64;
@@ -56,8 +56,8 @@ impl Quick<'_> {
         let mut best = usize::MAX;
         let mut kept: Vec<Inputs> = Vec::new();
         let mut poses = Vec::new();
-        while self.work < end && !late() {
-            self.begin(chance, kept_in_place);
+        loop {
+            self.begin(chance, kept_in_place, &late);
             self.skew = true;
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
@@ -73,6 +73,9 @@ impl Quick<'_> {
             if self.bad.is_empty() || self.movable.is_empty() {
                 return self.bad.is_empty();
             }
+            if self.work >= end || late() {
+                break;
+            }
         }
         for (i, inputs) in kept.into_iter().enumerate() {
             self.put(i, inputs);
@@ -82,7 +85,7 @@ impl Quick<'_> {
 
     /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
     /// with those that are there already.
-    fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool]) {
+    fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool], late: &dyn Fn() -> bool) {
         self.weight.fill(1.0);
         self.reluctance.fill(0.0);
         self.work += self.count() as u64;
@@ -119,7 +122,7 @@ impl Quick<'_> {
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
             let next = ready.max_by(|&a, &b| rank(waiting[a]).total_cmp(&rank(waiting[b]))).unwrap_or(0);
             let i = waiting.swap_remove(next);
-            self.bring_in(i, chance, &mut poses);
+            self.bring_in(i, chance, &mut poses, late);
             self.link(i, &mut links);
         }
         self.judge_all();
@@ -133,7 +136,7 @@ impl Quick<'_> {
     }
 
     /// Gives an object its first place.
-    fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+    fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>, late: &dyn Fn() -> bool) {
         self.away[i] = false;
         for k in self.dependants(i) {
             self.away[k] = false;
@@ -143,6 +146,9 @@ impl Quick<'_> {
         self.settle(i, pose);
         let mut best = (-1e-9, None);
         for round in 0..2 {
+            if late() {
+                return;
+            }
             poses.clear();
             if round == 0 {
                 for _ in 0..FIRST {

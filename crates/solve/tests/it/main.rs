@@ -1,5 +1,7 @@
 //! What the solver promises of its outcomes: on small programs, by the public interface alone.
 
+mod diagnosis;
+
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};
 use scenelang_layout::Layout;
@@ -147,9 +149,29 @@ fn alternatives_differ_and_freedom_is_named() {
     let found = alternatives(&problem, &Options::default(), 3, &mut |_| ControlFlow::Continue(()));
     assert_eq!(found.len(), 3);
     assert!(found.iter().all(|o| o.converged));
-    let words: Vec<String> =
-        freedom(&problem, &Options::default(), &found[0].layout).iter().map(ToString::to_string).collect();
-    assert!(words.contains(&"`lamp` is free to move along z, and to turn".to_owned()), "{words:?}");
+    let free = freedom(&problem, &Options::default(), &found[0].layout, 1_000_000);
+    let words: Vec<String> = free.objects.iter().map(ToString::to_string).collect();
+    let lamp = free.objects.iter().find(|f| f.name == "lamp").unwrap();
+    // Between the walls at z = ±2, a cube of 0.5 m.
+    assert!(lamp.moves[0] == [0.0; 2] && lamp.moves[1] == [0.0; 2] && lamp.turns, "{words:?}");
+    let z = found[0].layout.object("lamp").unwrap().pos.z;
+    let room = found[0].layout.objects.iter().filter(|(n, _)| n != "lamp").all(|(_, p)| (p.pos.x - 2.0).abs() > 0.7);
+    assert!(!room || (lamp.moves[2][0] - (z + 1.75)).abs() < 0.03, "{z} {words:?}");
+    assert!(
+        words.iter().any(|w| w.starts_with("`lamp` along z by up to ") && w.ends_with(" m and to turn")),
+        "{words:?}"
+    );
+    assert!(free.complete && free.objects.iter().all(|f| f.moves[1] == [0.0; 2]), "nothing floats: {words:?}");
+    // Every step that is said to be free is.
+    for each in &free.objects {
+        for (axis, way, far) in (0..3).flat_map(|a| [(a, -1.0, each.moves[a][0]), (a, 1.0, each.moves[a][1])]) {
+            let mut moved = found[0].layout.clone();
+            moved.objects.iter_mut().find(|(n, _)| *n == each.name).unwrap().1.pos[axis] += way * far;
+            let verdict = scenelang_verify::check(program, &moved, &Options::default().judge);
+            assert!(verdict.rows.iter().all(|row| row.satisfied != Some(false)), "{each} breaks {verdict:?}");
+        }
+    }
+    assert!(!freedom(&problem, &Options::default(), &found[0].layout, 1).complete);
 }
 
 /// Proposes what it is told, and remembers what became of it.

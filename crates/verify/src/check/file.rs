@@ -1,11 +1,11 @@
 //! The judgement of a file, from disk or from an editor: a program by itself, or a layout with its program.
 
 use super::{Verdict, check_at, matching};
-use crate::prove::{ProveOptions, prove};
+use crate::prove::{Findings, ProveOptions, prove};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
 use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
-use scenelang_lang::compile::{self, compile_with};
+use scenelang_lang::compile::{self, Compiled, compile_with};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::{Disk, Loader, plain};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
@@ -73,14 +73,9 @@ pub fn check_file_with(
     let job = Job { name, path, options, compile, loader, program: None };
     if !is_layout(path) {
         let compiled = compile_with(name, path, compile, loader, SourceMap::new());
-        let mut diagnostics = compiled.diagnostics;
-        if let Some(program) = &compiled.program {
-            let proofs = ProveOptions { judging: *options, explain: options.detail.proofs, ..ProveOptions::default() };
-            diagnostics.extend(prove(program, &proofs).diagnostics(program));
-        }
-        let verdict = Verdict { diagnostics, ..Verdict::default() };
-        let out = Unfinished { sources: compiled.sources, program: compiled.program, layout: None, verdict };
-        return out.finish(&job);
+        let proofs = ProveOptions { judging: *options, explain: options.detail.proofs, ..ProveOptions::default() };
+        let findings = compiled.program.as_ref().map(|program| prove(program, &proofs)).unwrap_or_default();
+        return check_program(name, compiled, &findings, options);
     }
     let text = match loader.load(path) {
         Ok(bytes) => layout_file::decode(bytes),
@@ -94,9 +89,19 @@ pub fn check_file_with(
         Err(finding) => {
             let mut out = Unfinished::default();
             out.verdict.diagnostics.push(*finding);
-            out.finish(&job)
+            out.finish(name, options)
         }
     }
+}
+
+/// The judgement of a program by itself: what its text and what is proved of it say.
+pub fn check_program(name: &str, compiled: Compiled, findings: &Findings, options: &Options) -> Checked {
+    let Compiled { sources, program, mut diagnostics, .. } = compiled;
+    if let Some(program) = &program {
+        diagnostics.extend(findings.diagnostics(program));
+    }
+    let verdict = Verdict { diagnostics, ..Verdict::default() };
+    Unfinished { sources, program, layout: None, verdict }.finish(name, options)
 }
 
 /// Judges the text of a layout file, called `name`, that is or would be at `path`; its program comes from `loader`.
@@ -134,7 +139,7 @@ fn judge_layout(text: String, job: &Job<'_>) -> Checked {
         out.verdict.diagnostics.extend(found);
         out.layout = Some(read.layout);
     }
-    out.finish(job)
+    out.finish(job.name, job.options)
 }
 
 #[derive(Default)]
@@ -146,8 +151,8 @@ struct Unfinished {
 }
 
 impl Unfinished {
-    fn finish(self, job: &Job<'_>) -> Checked {
-        let report = build(job.name, &self.verdict, self.program.as_ref(), &self.sources, job.options);
+    fn finish(self, name: &str, options: &Options) -> Checked {
+        let report = build(name, &self.verdict, self.program.as_ref(), &self.sources, options);
         let Self { sources, program, layout, verdict } = self;
         Checked { sources, program, layout, verdict, report }
     }

@@ -62,7 +62,7 @@ impl<'a> Prover<'a> {
             }
         }
         findings.contradictions.sort_by(|a, b| a.statements.cmp(&b.statements));
-        if findings.contradictions.is_empty() {
+        if self.options.redundant && findings.contradictions.is_empty() {
             self.redundancies(&mut findings);
         }
         findings.work_spent = self.spent;

@@ -38,6 +38,8 @@ pub struct ProveOptions {
     pub work: u64,
     /// Whether findings come with their proof.
     pub explain: bool,
+    /// Whether to look, where there is no contradiction, for what is implied by others or always holds.
+    pub redundant: bool,
     /// Set from elsewhere, it ends the search; what was proved until then is kept.
     pub cancel: Option<Arc<AtomicBool>>,
 }
@@ -47,7 +49,7 @@ pub const WORK: u64 = 3_000_000;
 
 impl Default for ProveOptions {
     fn default() -> Self {
-        Self { judging: Options::default(), work: WORK, explain: false, cancel: None }
+        Self { judging: Options::default(), work: WORK, explain: false, redundant: true, cancel: None }
     }
 }
 

@@ -32,7 +32,7 @@ fn every_schema_is_one() {
 #[test]
 fn broken_layouts_are_refused_where_a_schema_can() {
     let good = json!({
-        "format": "scenelang.layout/1", "scene": "room.scene", "seed": 7, "note": "kept",
+        "format": "scenelang.layout/1", "scene": "room.scene", "seed": 7, "incomplete": true, "note": "kept",
         "objects": { "lamp": {
             "pos": [0, 0, 0], "rot": [0, 90, 0], "scale": [1, 1, 1],
             "asset": { "surface": 0.5, "parts": [
@@ -58,6 +58,7 @@ fn broken_layouts_are_refused_where_a_schema_can() {
         ("/seed", json!(-1), true),
         ("/seed", json!(1.5), true),
         ("/seed", json!("7"), true),
+        ("/incomplete", json!("no"), true),
         ("/objects", json!([]), true),
         ("/objects/lamp", json!([1, 2, 3]), true),
         ("/objects/lamp/pos", Value::Null, true),

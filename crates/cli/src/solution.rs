@@ -1,0 +1,118 @@
+//! What `scenelang solve` says of what it found: for people, and as JSON.
+
+use crate::check::color;
+use scenelang_solve::{End, Freedom};
+use scenelang_synth::{Found, Solved};
+use scenelang_verify::Checked;
+use scenelang_verify::report::{self, Human};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// What it calls itself.
+const FORMAT: &str = "scenelang.solution/1";
+/// So many objects that are still free are named to people.
+const NAMED: usize = 5;
+
+/// For people: what fails in each layout, where it is, what is in the way, what is still free.
+pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String {
+    let mut out = String::new();
+    for (found, file) in solved.all().zip(files) {
+        out += &report::human(&found.checked, Human { color: color(), all: false });
+        let end = match found.outcome.end {
+            _ if found.layout().incomplete => ", as far as it was when interrupted, and marked as incomplete",
+            End::Time => ", when the time was over",
+            End::Budget => ", when the budget was spent",
+            _ => "",
+        };
+        out += &format!("{} written after {} rounds{end}\n", file.display(), found.outcome.iterations);
+        out += &in_the_way(found);
+    }
+    out += &still_free(&solved.first);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > files.len()) {
+        let found = if solved.first.outcome.converged { files.len() } else { 0 };
+        out += &format!("of {wanted} layouts that differ in kind {found} were found\n");
+    }
+    out
+}
+
+/// What is free, in words.
+fn still_free(found: &Found) -> String {
+    let free = &found.free;
+    let named: Vec<String> = free.objects.iter().take(NAMED).map(ToString::to_string).collect();
+    let more = match free.objects.len().saturating_sub(NAMED) {
+        _ if named.is_empty() => return String::new(),
+        _ if !free.complete => "; and perhaps others".to_owned(),
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    format!("still free: {}{more}\n", named.join("; "))
+}
+
+/// The statements in the way, in words.
+fn in_the_way(found: &Found) -> String {
+    let list: Vec<(String, &str)> = named(found).collect();
+    let which = match list.len() {
+        0 => return String::new(),
+        1 => "this statement".to_owned(),
+        n => format!("these {n} statements"),
+    };
+    let mut out = format!("without {which} the rest can hold, as in this layout (found by search, not proved):\n");
+    for (id, text) in list {
+        out += &format!("  {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+    }
+    out
+}
+
+/// The statements in the way: how reports call them, and what they say.
+fn named(found: &Found) -> impl Iterator<Item = (String, &str)> {
+    let Checked { sources, program, report, .. } = &found.checked;
+    let constraints = program.iter().flat_map(|program| &program.constraints);
+    let list = constraints.enumerate().filter(|(index, _)| found.outcome.in_the_way.contains(index));
+    list.map(|(_, c)| (report::statement_id(&report.file, sources, c.span), c.text.as_str()))
+}
+
+/// As JSON.
+pub fn json(file: &str, solved: &Solved, files: &[PathBuf]) -> Value {
+    let end = match solved.first.outcome.end {
+        _ if solved.first.layout().incomplete => "interrupted",
+        End::Solved => "solved",
+        End::Budget => "budget",
+        End::Time => "time",
+        End::Exhausted => "exhausted",
+        End::Asked => "interrupted",
+    };
+    let said = solved.warnings.iter().map(|d| d.message.clone());
+    json!({
+        "format": FORMAT,
+        "file": file,
+        "ok": solved.first.checked.report.ok,
+        "end": end,
+        "layouts": solved.all().zip(files).map(|(found, file)| json!({
+            "file": file.display().to_string(),
+            "rounds": found.outcome.iterations,
+            "in_the_way": named(found).map(|(id, text)| json!({ "id": id, "text": text })).collect::<Vec<_>>(),
+            "free": { "objects": found.free.objects.iter().map(freedom).collect::<Vec<_>>(), "complete": found.free.complete },
+            "report": found.checked.report,
+        })).collect::<Vec<_>>(),
+        "report": null,
+        "warnings": said.chain(solved.first.outcome.warnings.iter().cloned()).collect::<Vec<_>>(),
+    })
+}
+
+fn freedom(free: &Freedom) -> Value {
+    let [x, y, z] = free.moves;
+    json!({ "object": free.name, "text": free.to_string(), "x": x, "y": y, "z": z, "turn": free.turns })
+}
+
+/// As JSON, where it is proved that there is no layout.
+pub fn refuted(file: &str, checked: &Checked) -> Value {
+    json!({
+        "format": FORMAT,
+        "file": file,
+        "ok": false,
+        "end": "contradiction",
+        "layouts": [],
+        "report": checked.report,
+        "warnings": [],
+    })
+}

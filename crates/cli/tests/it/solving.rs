@@ -1,0 +1,184 @@
+//! `scenelang solve`, from end to end: what is proved impossible, and what is printed for other programs.
+
+use crate::problems::{file, sample};
+use crate::repair::contains;
+use crate::support::{fits, read_json, root, scenelang};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// No layout satisfies these, and each of the two is needed for that.
+const IMPOSSIBLE: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(4, 2.5, 4);\nobject a;\nobject b;\n\
+                          assert a.pos.x >= b.pos.x + 1;\nassert inside(a, room);\nassert b.pos.x >= a.pos.x;\n";
+
+/// The programs of the book's section, each with the part of the answer that it shows.
+fn book() -> Vec<(String, Value)> {
+    let page = fs::read_to_string(root().join("spec/src/command-line.md")).unwrap();
+    let section = page.split("\n## solve\n").nth(1).unwrap().split("\n## ").next().unwrap();
+    let block = |text: &str| text.split("```").next().unwrap().to_owned();
+    let examples = section.split("```scene\n").skip(1);
+    examples
+        .map(|text| {
+            let answer = text.split("```json solve\n").nth(1).expect("an answer for each program");
+            (block(text), serde_json::from_str(&block(answer)).unwrap())
+        })
+        .collect()
+}
+
+#[test]
+fn the_examples_of_the_book_are_as_shown() {
+    let examples = book();
+    assert!(!examples.is_empty());
+    for (scene, shown) in examples {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("room.scene"), &scene).unwrap();
+        let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+        let answer = fits("solution", &ended.stdout);
+        assert!(contains(&answer, &shown), "{scene}\n{shown:#}\nbut\n{answer:#}");
+    }
+}
+
+#[test]
+fn what_is_in_the_way_is_named_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, _) = book().remove(2);
+    fs::write(folder.path().join("room.scene"), &scene).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    assert_eq!(ended.code, 1, "{}", ended.stderr);
+    let said = "without this statement the rest can hold, as in this layout (found by search, not proved):\n  \
+                room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) >= 3\n";
+    assert!(ended.stdout.contains(said), "{}", ended.stdout);
+    // The layout is the witness, as `check` sees it.
+    let report = scenelang(folder.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
+    let failing: Vec<&Value> =
+        report["constraints"].as_array().unwrap().iter().filter(|c| c["satisfied"] == false).collect();
+    assert_eq!((failing.len(), &failing[0]["id"]), (1, &"room.scene:7:1".into()));
+}
+
+/// Some things in a room, one of them where only its turn is open and one that only moves along z.
+const OPEN: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(5, 2.5, 4);\nobject table;\nobject lamp;\n\
+                    object chair[3];\ntable.dimensions <- vec3(1.2, 0.7, 0.8);\nlamp.dimensions <- vec3(0.4, 1.5, 0.4);\n\
+                    chair.dimensions <- vec3(0.5, 0.9, 0.5);\ntable.pos <- vec3(0, 0, 0);\nassert lamp.pos.x = 2;\n\
+                    lamp.rot <- rot(0, 0, 0);\nassert forall c in chair: gap(c, table) <= 0.8;\n";
+
+#[test]
+fn several_layouts_differ_in_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--alternatives", "3", "--format", "json"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let answer = fits("solution", &ended.stdout);
+    let files: Vec<&str> = answer["layouts"].as_array().unwrap().iter().map(|l| l["file"].as_str().unwrap()).collect();
+    assert_eq!(files, ["room.1.layout.json", "room.2.layout.json", "room.3.layout.json"]);
+    assert_eq!(scenelang(folder.path(), ["check"].iter().chain(&files)).code, 0);
+    let layouts: Vec<Value> = files.iter().map(|f| read_json(&folder.path().join(f))).collect();
+    for (i, a) in layouts.iter().enumerate() {
+        for b in &layouts[..i] {
+            let moved = a["objects"].as_object().unwrap().iter().filter(|(name, p)| {
+                let q = &b["objects"][name.as_str()];
+                let far = |k: &str, i: usize| (p[k][i].as_f64().unwrap() - q[k][i].as_f64().unwrap()).abs();
+                far("pos", 0) > 0.35 || far("pos", 2) > 0.35 || far("rot", 1) > 39.0
+            });
+            assert!(moved.count() >= 1, "{a:#}\n{b:#}");
+        }
+    }
+
+    // Of what can only be in one way there is one layout, and that is said.
+    fs::write(folder.path().join("one.scene"), "object a; a.pos <- vec3(0, 0, 0); a.rot <- rot(0, 0, 0);").unwrap();
+    let ended = scenelang(folder.path(), ["solve", "one.scene", "--alternatives", "3"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(ended.stdout.contains("of 3 layouts that differ in kind 1 were found"), "{}", ended.stdout);
+    let written = |name: &str| folder.path().join(name).exists();
+    assert!(written("one.1.layout.json") && !written("one.2.layout.json") && !written("one.layout.json"));
+}
+
+#[test]
+fn what_is_still_free_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+    let answer = fits("solution", &ended.stdout);
+    let free = &answer["layouts"][0]["free"];
+    let of = |name: &str| free["objects"].as_array().unwrap().iter().find(|f| f["object"] == name);
+    assert!(free["complete"] == true && of("chair[2]").is_some(), "{free:#}");
+    let table = of("table").unwrap();
+    assert_eq!((&table["x"], &table["z"], &table["turn"]), (&json!([0.0, 0.0]), &json!([0.0, 0.0]), &true.into()));
+    let lamp = of("lamp").unwrap();
+    assert_eq!((&lamp["x"], &lamp["turn"]), (&json!([0.0, 0.0]), &false.into()));
+    let reach: f64 = lamp["z"].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).sum();
+    assert!(reach > 0.0 && reach <= 3.61, "within a room of 4 m, 0.4 m thick: {lamp}");
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    let line = ended.stdout.lines().find(|l| l.starts_with("still free: ")).expect("a line");
+    assert!(line.contains(lamp["text"].as_str().unwrap()) && line.contains("`lamp` along z by up to "), "{line}");
+}
+
+/// The lines of the statements of which a report says that they cannot hold together.
+fn proved(report: &Value) -> BTreeSet<u64> {
+    let found = report["diagnostics"].as_array().unwrap().iter().filter(|d| d["code"] == "E0401");
+    let places = found.flat_map(|d| d["related"].as_array().unwrap());
+    places.map(|p| p["span"]["start"][0].as_u64().unwrap()).collect()
+}
+
+#[test]
+fn what_is_proved_impossible_gets_no_layout() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), IMPOSSIBLE).unwrap();
+    let judged = scenelang(folder.path(), ["check", "room.scene"]);
+    for args in [["solve", "room.scene"], ["synth", "room.scene"]] {
+        let ended = scenelang(folder.path(), args);
+        assert_eq!(ended.code, 1, "{args:?}: {}", ended.stderr);
+        assert!(ended.stdout.starts_with(&judged.stdout), "{}\nbut check says\n{}", ended.stdout, judged.stdout);
+        assert!(ended.stdout.contains("these 2 statements cannot hold together"), "{}", ended.stdout);
+    }
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+    let answer = fits("solution", &ended.stdout);
+    assert_eq!((ended.code, &answer["end"], &answer["ok"]), (1, &"contradiction".into(), &false.into()));
+    assert_eq!(fits("report", &answer["report"].to_string()), answer["report"]);
+    assert_eq!(proved(&answer["report"]), BTreeSet::from([6, 8]));
+    let ended = scenelang(folder.path(), ["synth", "room.scene", "--format", "json"]);
+    let answer: Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!((ended.code, proved(&answer["report"])), (1, BTreeSet::from([6, 8])));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is written");
+}
+
+#[test]
+fn planted_contradictions_are_the_answer() {
+    let mut seen = 0;
+    for name in sample() {
+        let facts = read_json(&file(&name, "json"));
+        let Some(planted) = facts["contradiction"].as_array() else { continue };
+        seen += 1;
+        let folder = tempfile::tempdir().unwrap();
+        let (scene, output) = (file(&name, "scene"), folder.path().join("out.layout.json"));
+        let args = ["solve".as_ref(), scene.as_os_str(), "--format".as_ref(), "json".as_ref()];
+        let ended = scenelang(&root(), args.into_iter().chain(["-o".as_ref(), output.as_os_str()]));
+        assert_eq!(ended.code, 1, "{name}: {}", ended.stderr);
+        let lines = proved(&fits("solution", &ended.stdout)["report"]);
+        let text = fs::read_to_string(&scene).unwrap();
+        let told: BTreeSet<&str> = lines.iter().map(|line| requirement(&text, *line)).collect();
+        assert_eq!(told, planted.iter().map(|p| p.as_str().unwrap()).collect(), "{name}");
+        assert!(!output.exists(), "{name}");
+    }
+    assert!(seen > 0);
+}
+
+/// The `@req` text in a line.
+fn requirement(text: &str, line: u64) -> &str {
+    let line = text.lines().nth(line as usize - 1).unwrap();
+    line.split('"').nth(1).unwrap_or_else(|| panic!("nothing is required in {line}"))
+}
+
+#[test]
+fn the_answer_as_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = IMPOSSIBLE.replace("assert b.pos.x >= a.pos.x;", "prefer b.pos.z > a.pos.z;");
+    fs::write(folder.path().join("room.scene"), text).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+    let answer = fits("solution", &ended.stdout);
+    assert_eq!((ended.code, &answer["end"], &answer["ok"]), (0, &"solved".into(), &true.into()));
+    let layout = &answer["layouts"][0];
+    let report = fits("report", &layout["report"].to_string());
+    assert_eq!((&report["ok"], report["constraints"].as_array().unwrap().len()), (&true.into(), 5));
+    assert!(folder.path().join(Path::new(layout["file"].as_str().unwrap())).exists());
+}
