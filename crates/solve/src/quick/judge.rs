@@ -193,7 +193,7 @@ impl Quick<'_> {
             }
             Judge::Way(_) | Judge::Turn | Judge::Absent => return (0.0, true),
         };
-        self.work += 3 + code.len() as u64 / 8;
+        self.work += 3 + code.steps() as u64 / 8;
         code.run(&mut self.slots);
         let ran = Ran { code, slots: &self.slots };
         let merit = Merit {

@@ -157,7 +157,7 @@ impl Coded {
         self.code.run(slots);
     }
     /// How many steps it takes.
-    pub fn len(&self) -> usize {
+    pub fn steps(&self) -> usize {
         self.code.steps.len()
     }
     /// A truth that is not made of others, as of the last run.
