@@ -108,8 +108,10 @@ export class App implements Sink {
     else this.say("This is the last room that could be shown", why);
   }
 
-  select(object: string | null): void {
-    if (object !== this.selection.object && this.view?.dragged == null) this.setSelection({ row: null, object: this.data?.objects.some(({ name }) => name === object) ? object : null });
+  select(what: string): void {
+    const { object, row } = this.selection;
+    const known = row === null ? object : this.data?.report.constraints[row]?.id;
+    if (what !== known && this.view?.dragged == null) this.pick(what);
   }
 
   private async take(read: () => SceneData): Promise<void> {

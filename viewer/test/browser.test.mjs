@@ -353,7 +353,7 @@ check("Escape calls a drag off; a refusal puts the object back and says why", as
 check("keys move what is selected, and what is pressed is told to the editor", async (page) => {
   const data = fixtureData();
   const told = await inEditor(page, data, async () => ({ verdicts: { constraints: [], physical: [] } }));
-  await page.evaluate(() => window.postMessage({ type: "select", object: "sofa" }, "*"));
+  await page.evaluate(() => window.postMessage({ type: "select", what: "sofa" }, "*"));
   await page.waitForFunction(() => window.scenelang.selected().length === 1, PATIENCE);
   assert.deepEqual(await told("reveal"), [], "who selects it knows where it is");
   await page.keyboard.down("Alt");

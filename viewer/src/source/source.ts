@@ -12,8 +12,8 @@ export interface Sink {
   wait(why: string): void;
   /** What is shown is the last that could be shown; `null`: it is right again. */
   stale(why: string | null): void;
-  /** Emphasises an object by name; `null`: none. */
-  select(object: string | null): void;
+  /** Emphasises an object, by name, or a row of the report, by id. */
+  select(what: string): void;
 }
 
 /** What the user pointed at: an object by name, or a row of the report by id. */

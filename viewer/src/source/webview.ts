@@ -1,6 +1,6 @@
 // A panel of VS Code. The extension sends rooms and answers; the page sends what is dragged and pointed at.
 //
-//   to the page:    {type: "scenelang-data", data, uri}  {type: "moved", id, verdicts | error}  {type: "select", object}
+//   to the page:    {type: "scenelang-data", data, uri}  {type: "moved", id, verdicts | error}  {type: "select", what}
 //                   {type: "wait", why}  {type: "stale", why | null}
 //   from the page:  {type: "ready"}  {type: "move", id, object, pos, rot, commit}  {type: "reveal", object | row}
 
@@ -20,7 +20,7 @@ declare global {
 type Message =
   | { readonly type: "scenelang-data"; readonly data: unknown; readonly uri: string }
   | { readonly type: "moved"; readonly id: number; readonly verdicts?: unknown; readonly error?: string }
-  | { readonly type: "select"; readonly object: string | null }
+  | { readonly type: "select"; readonly what: string }
   | { readonly type: "wait"; readonly why: string }
   | { readonly type: "stale"; readonly why: string | null };
 
@@ -56,7 +56,7 @@ export class Webview implements Source {
         this.editor.setState({ uri: message.uri });
         return sink.load(message.data);
       case "select":
-        return sink.select(message.object);
+        return sink.select(message.what);
       case "wait":
         return sink.wait(message.why);
       case "stale":
