@@ -58,10 +58,10 @@ export class Server implements vscode.Disposable {
   }
 
   /** Asks the server; rejects where there is none. */
-  async ask<T>(method: string, params: unknown, token?: vscode.CancellationToken): Promise<T> {
+  async ask<T>(method: string, params: unknown): Promise<T> {
     await this.queue;
     if (this.client === null) throw new Error("there is no server");
-    return this.client.sendRequest<T>(method, params, token);
+    return this.client.sendRequest<T>(method, params);
   }
 
   /** The program, or nothing, in which case the user has been told. */

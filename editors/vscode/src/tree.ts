@@ -60,8 +60,8 @@ export class Tree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
       return item;
     }
     const { constraint } = node;
-    const item = new vscode.TreeItem(constraint.text);
-    item.description = margin(constraint);
+    // The margin first: a long text is cut.
+    const item = new vscode.TreeItem([margin(constraint), constraint.text].filter(Boolean).join("  "));
     item.iconPath = ICONS[constraint.state];
     item.tooltip = new vscode.MarkdownString().appendCodeblock(constraint.text, "scenelang").appendText([margin(constraint), constraint.objects.join(", ")].filter(Boolean).join(" · "));
     item.command = { command: "scenelang.goTo", title: "Go to Source", arguments: [{ uri: constraint.uri, range: constraint.range } satisfies Target] };

@@ -32,7 +32,8 @@ export class Webview implements Source {
 
   start(sink: Sink): void {
     window.addEventListener("message", (e: MessageEvent<Message>) => {
-      if (e.source === window.parent || e.source === window) this.hear(e.data, sink);
+      // The editor's frame around the page is of the same origin; it hides itself from `window.parent`.
+      if (e.origin === window.origin) this.hear(e.data, sink);
     });
     sink.wait("");
     this.editor.postMessage({ type: "ready" });

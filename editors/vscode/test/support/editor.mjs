@@ -82,8 +82,12 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
   const [user, extensions, probe, ws, xdg] = ["user", "extensions", "probe", "ws", "xdg"].map(dir);
   const socket = join(folder, "probe.sock");
   cpSync(workspace, ws, { recursive: true });
-  mkdirSync(join(user, "User"));
-  writeFileSync(join(user, "User/settings.json"), JSON.stringify({ ...QUIET, "workbench.colorTheme": theme, "security.workspace.trust.enabled": !trusted, "security.workspace.trust.startupPrompt": "never", "security.workspace.trust.banner": "never", ...settings }));
+  const trust = { "security.workspace.trust.enabled": !trusted, "security.workspace.trust.startupPrompt": "never", "security.workspace.trust.banner": "never" };
+  // Settings of a machine are those of the machine that the server of the editor is on.
+  for (const name of ["User", "Machine"]) {
+    mkdirSync(join(user, name));
+    writeFileSync(join(user, name, "settings.json"), JSON.stringify({ ...QUIET, "workbench.colorTheme": theme, ...trust, ...settings }));
+  }
   const manifest = { name: "probe", publisher: "test", version: "0.0.1", engines: { vscode: "^1.91.0" }, main: "./probe.js", activationEvents: ["*"], capabilities: { untrustedWorkspaces: { supported: true } } };
   writeFileSync(join(probe, "package.json"), JSON.stringify(manifest));
   writeFileSync(join(probe, "probe.js"), PROBE);
@@ -134,7 +138,8 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
     const errors = [];
     page.on("request", (request) => {
       const { protocol, hostname, host } = new URL(request.url());
-      if (/^(https?|wss?):$/.test(protocol) && hostname !== "127.0.0.1") outside.add(host);
+      // Files of a panel have a name of their own, under which the editor's service worker serves them.
+      if (/^(https?|wss?):$/.test(protocol) && hostname !== "127.0.0.1" && !hostname.endsWith(".vscode-resource.vscode-cdn.net")) outside.add(host);
     });
     page.on("pageerror", (error) => errors.push(String(error)));
     const remote = (path) => `vscode-remote://${authority}${path}`;
