@@ -1,0 +1,142 @@
+//! Which handler answers which question.
+
+use crate::client::Client;
+use crate::config::Config;
+use crate::convert::Places;
+use crate::features;
+use crate::state::State;
+use crate::text::Text;
+use scenelang_base::{FileId, TextRange};
+use scenelang_ide::{Cancelled, Snapshot};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Id};
+use tower_lsp::ls_types::{Position, Range, Uri};
+
+/// What a handler sees of the program that it is asked about.
+pub struct Context {
+    /// The document.
+    pub uri: Uri,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: Arc<Text>,
+    /// What is known of it.
+    pub snapshot: Snapshot,
+    /// Where its layout is, or would be.
+    pub layout: Option<PathBuf>,
+    /// Which of its verdicts is asked for.
+    pub generation: u64,
+    /// What the client can.
+    pub client: Arc<Client>,
+    /// What the user has set.
+    pub config: Arc<Config>,
+    /// Addresses of open documents.
+    pub open: BTreeMap<PathBuf, Uri>,
+    /// Versions of open documents.
+    pub versions: BTreeMap<String, i32>,
+}
+
+impl Context {
+    /// Places in its files.
+    pub fn places(&self) -> Places<'_> {
+        let main = (self.snapshot.main(), Arc::clone(&self.text));
+        Places::new(self.snapshot.sources(), self.client.encoding, &self.open, main)
+    }
+    /// Its own file.
+    pub fn file(&self) -> FileId {
+        self.snapshot.main()
+    }
+    /// The byte offset of a position.
+    pub fn offset(&self, at: Position) -> u32 {
+        self.text.offset(at, self.client.encoding)
+    }
+    /// A range of positions as bytes.
+    pub fn bytes(&self, range: Range) -> TextRange {
+        self.text.bytes(range, self.client.encoding)
+    }
+    /// A range of bytes as positions.
+    pub fn range(&self, range: TextRange) -> Range {
+        self.text.range(range, self.client.encoding)
+    }
+    /// Versions, if the client has edits with these.
+    pub fn edit_versions(&self) -> Option<&BTreeMap<String, i32>> {
+        self.client.document_changes.then_some(&self.versions)
+    }
+}
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// The text has changed: ask again.
+    Outdated,
+    /// There is no such question.
+    Unknown(String),
+    /// It does not ask about anything.
+    Invalid(String),
+    /// It cannot be done, and why.
+    Failed(String),
+    /// Somebody does not want it any more.
+    Cancelled,
+    /// A mistake of ours.
+    Internal,
+}
+
+impl Fault {
+    /// As the protocol has it.
+    pub fn into_error(self) -> Error {
+        let with = |code, message: String| Error { code, message: message.into(), data: None };
+        match self {
+            Self::Outdated => Error::content_modified(),
+            Self::Unknown(method) => with(ErrorCode::MethodNotFound, format!("there is no request `{method}`")),
+            Self::Invalid(why) => with(ErrorCode::InvalidParams, why),
+            Self::Failed(why) => with(ErrorCode::ServerError(-32803), why),
+            Self::Cancelled => Error::request_cancelled(),
+            Self::Internal => Error::internal_error(),
+        }
+    }
+}
+
+impl From<Cancelled> for Fault {
+    fn from(_: Cancelled) -> Self {
+        Self::Outdated
+    }
+}
+
+/// Reads parameters.
+///
+/// # Errors
+/// They are not what the question takes.
+pub fn params<P: DeserializeOwned>(params: Value) -> Result<P, Fault> {
+    P::deserialize(params).map_err(|e| Fault::Invalid(e.to_string()))
+}
+
+impl State {
+    /// Has a question answered.
+    ///
+    /// # Errors
+    /// Why nobody can.
+    pub fn dispatch(&mut self, id: &Id, method: &str, given: Value) -> Result<(), Fault> {
+        use features::*;
+        match method {
+            "textDocument/diagnostic" => self.document(id, given, diagnostic::document),
+            _ => Err(Fault::Unknown(method.to_owned())),
+        }
+    }
+
+    /// A question about a document.
+    fn document<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["textDocument"]["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
+    }
+}
