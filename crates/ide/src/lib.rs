@@ -3,9 +3,22 @@
 //!
 //! Absent here: the protocol, threads, files, and any search for a better layout.
 
+pub mod calls;
+pub mod colors;
+pub mod completion;
 pub mod diagnostics;
+mod facts;
+pub mod format;
+pub mod hints;
 mod host;
+pub mod hover;
 pub mod names;
+pub mod navigate;
+pub mod rename;
+pub mod shape;
+pub mod signature;
+pub mod symbols;
+pub mod tokens;
 
 pub use host::{Compiled, Host, Judged, Judging, LayoutFile, Snapshot};
 pub use scenelang_lang::db::Cancelled;

@@ -1,6 +1,7 @@
 //! What the server says that it can. Nothing stands here that does nothing.
 
 use crate::client::Client;
+use scenelang_ide::tokens;
 use serde_json::{Value, json};
 
 /// The answer to `initialize`.
@@ -8,6 +9,33 @@ pub fn of(client: &Client) -> Value {
     let mut capabilities = json!({
         "positionEncoding": client.encoding.name(),
         "textDocumentSync": { "openClose": true, "change": 2, "save": { "includeText": false } },
+        "hoverProvider": true,
+        "definitionProvider": true,
+        "declarationProvider": true,
+        "typeDefinitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "documentSymbolProvider": true,
+        "workspaceSymbolProvider": true,
+        "callHierarchyProvider": true,
+        "completionProvider": { "triggerCharacters": [".", "\"", "(", ","], "resolveProvider": true },
+        "signatureHelpProvider": { "triggerCharacters": ["(", ","], "retriggerCharacters": [")"] },
+        "documentFormattingProvider": true,
+        "documentRangeFormattingProvider": true,
+        "documentOnTypeFormattingProvider": { "firstTriggerCharacter": ";" },
+        "linkedEditingRangeProvider": true,
+        "semanticTokensProvider": {
+            "legend": { "tokenTypes": tokens::TYPES, "tokenModifiers": tokens::MODIFIERS },
+            "full": { "delta": true },
+            "range": true,
+        },
+        "foldingRangeProvider": true,
+        "selectionRangeProvider": true,
+        "documentLinkProvider": { "resolveProvider": false },
+        "colorProvider": true,
+        "inlayHintProvider": true,
+        "codeLensProvider": { "resolveProvider": false },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
     if client.pulls {

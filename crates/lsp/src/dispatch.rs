@@ -12,9 +12,12 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id};
 use tower_lsp::ls_types::{Position, Range, Uri};
+
+/// The numbers of semantic tokens, by the number of the answer that they were in.
+pub type Tokens = Arc<Mutex<Option<(String, Vec<u32>)>>>;
 
 /// What a handler sees of the program that it is asked about.
 pub struct Context {
@@ -34,6 +37,8 @@ pub struct Context {
     pub client: Arc<Client>,
     /// What the user has set.
     pub config: Arc<Config>,
+    /// The semantic tokens that were sent last, with the number of that answer.
+    pub tokens: Tokens,
     /// Addresses of open documents.
     pub open: BTreeMap<PathBuf, Uri>,
     /// Versions of open documents.
@@ -123,8 +128,59 @@ impl State {
         use features::*;
         match method {
             "textDocument/diagnostic" => self.document(id, given, diagnostic::document),
+            "textDocument/hover" => self.document(id, given, navigation::hover),
+            "textDocument/definition" => self.document(id, given, navigation::definition),
+            "textDocument/declaration" => self.document(id, given, navigation::declaration),
+            "textDocument/typeDefinition" => self.document(id, given, navigation::type_definition),
+            "textDocument/references" => self.document(id, given, navigation::references),
+            "textDocument/documentHighlight" => self.document(id, given, navigation::highlight),
+            "textDocument/prepareRename" => self.document(id, given, navigation::prepare_rename),
+            "textDocument/rename" => self.document(id, given, navigation::rename),
+            "textDocument/documentSymbol" => self.document(id, given, navigation::document_symbols),
+            "textDocument/prepareCallHierarchy" => self.document(id, given, navigation::prepare_calls),
+            "callHierarchy/incomingCalls" => self.item(id, given, navigation::incoming),
+            "callHierarchy/outgoingCalls" => self.item(id, given, navigation::outgoing),
+            "textDocument/completion" => self.document(id, given, writing::completion),
+            "textDocument/signatureHelp" => self.document(id, given, writing::signature_help),
+            "textDocument/formatting" => self.document(id, given, writing::formatting),
+            "textDocument/rangeFormatting" => self.document(id, given, writing::range_formatting),
+            "textDocument/onTypeFormatting" => self.document(id, given, writing::on_type_formatting),
+            "textDocument/linkedEditingRange" => self.document(id, given, writing::linked_editing),
+            "textDocument/semanticTokens/full" => self.document(id, given, looks::tokens_full),
+            "textDocument/semanticTokens/full/delta" => self.document(id, given, looks::tokens_delta),
+            "textDocument/semanticTokens/range" => self.document(id, given, looks::tokens_range),
+            "textDocument/foldingRange" => self.document(id, given, looks::folding),
+            "textDocument/selectionRange" => self.document(id, given, looks::selection),
+            "textDocument/documentLink" => self.document(id, given, looks::links),
+            "textDocument/documentColor" => self.document(id, given, looks::colours),
+            "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
+            "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
+            "textDocument/codeLens" => self.document(id, given, looks::lenses),
+            "completionItem/resolve" => {
+                self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
+                Ok(())
+            }
+            "workspace/symbol" => {
+                let query = given["query"].as_str().unwrap_or_default().to_owned();
+                let (roots, files, encoding) = (self.roots.clone(), self.documents.files(), self.client.encoding);
+                self.ask_pool(id, move || Ok(navigation::workspace_symbols(&roots, &files, encoding, &query)));
+                Ok(())
+            }
             _ => Err(Fault::Unknown(method.to_owned())),
         }
+    }
+
+    /// A question about an item that the client was given before.
+    fn item<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["item"]["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
     }
 
     /// A question about a document.

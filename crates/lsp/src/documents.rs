@@ -2,6 +2,7 @@
 
 use crate::config::Config;
 use crate::disk::{Files, is_file, path_of, settings_for};
+use crate::dispatch::Tokens;
 use crate::text::Text;
 use scenelang_ide::Host;
 use scenelang_lang::sources::{Loader, normal};
@@ -49,8 +50,8 @@ pub struct Scene {
     pub told_proofs: bool,
     /// Proofs are to be looked for.
     pub unproved: bool,
-    /// The last list of semantic tokens that was sent: its number and the list.
-    pub tokens: (u64, Arc<Vec<u32>>),
+    /// The semantic tokens that were sent last.
+    pub tokens: Tokens,
 }
 
 /// All open documents by their address.
@@ -86,7 +87,7 @@ impl Documents {
                 proofs: Vec::new(),
                 told_proofs: false,
                 unproved: true,
-                tokens: (0, Arc::default()),
+                tokens: Tokens::default(),
             };
             if let Some(document) = self.open.get_mut(&key) {
                 document.scene = Some(scene);

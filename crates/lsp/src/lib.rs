@@ -21,6 +21,7 @@ mod publish;
 mod record;
 mod state;
 mod text;
+mod vocabulary;
 mod wire;
 
 pub use record::{Recorder, replay};

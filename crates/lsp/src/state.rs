@@ -264,6 +264,7 @@ impl State {
             generation: scene.generation,
             client: Arc::clone(&self.client),
             config: Arc::clone(&self.config),
+            tokens: Arc::clone(&scene.tokens),
             open,
             versions,
         })
