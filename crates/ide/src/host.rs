@@ -186,6 +186,10 @@ impl Snapshot {
     pub fn layout(&self) -> Option<&LayoutFile> {
         self.layout.as_deref()
     }
+    /// The same, to keep.
+    pub fn layout_file(&self) -> Option<Arc<LayoutFile>> {
+        self.layout.clone()
+    }
     /// How its layout is judged.
     pub fn judging(&self) -> &Judging {
         &self.judging

@@ -9,6 +9,7 @@ pub mod completion;
 pub mod diagnostics;
 mod facts;
 pub mod format;
+pub mod forms;
 pub mod hints;
 mod host;
 pub mod hover;

@@ -1,6 +1,7 @@
 //! What the server says that it can. Nothing stands here that does nothing.
 
 use crate::client::Client;
+use crate::commands;
 use scenelang_ide::tokens;
 use serde_json::{Value, json};
 
@@ -36,6 +37,7 @@ pub fn of(client: &Client) -> Value {
         "colorProvider": true,
         "inlayHintProvider": true,
         "codeLensProvider": { "resolveProvider": false },
+        "executeCommandProvider": { "commands": commands::ALL, "workDoneProgress": true },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
     if client.pulls {

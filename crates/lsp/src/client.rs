@@ -38,8 +38,8 @@ pub struct Client {
     pub refreshes: Vec<&'static str>,
     /// The editor has a language model for us.
     pub model: bool,
-    /// Names files that may be watched, at least those.
-    pub show_document: bool,
+    /// Edits may come with words about them.
+    pub annotates: bool,
 }
 
 impl Client {
@@ -79,7 +79,7 @@ impl Client {
             links: on("/textDocument/definition/linkSupport"),
             refreshes,
             model: params["initializationOptions"]["languageModel"].as_str() == Some("client"),
-            show_document: on("/window/showDocument/support"),
+            annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
         }
     }
 }

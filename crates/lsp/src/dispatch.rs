@@ -156,6 +156,10 @@ impl State {
             "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
             "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
             "textDocument/codeLens" => self.document(id, given, looks::lenses),
+            "workspace/executeCommand" => self.execute(id, given),
+            "scenelang/scene" => self.custom(id, given, scene::scene),
+            "scenelang/forms" => self.custom(id, given, scene::forms),
+            "scenelang/move" => self.move_object(id, given),
             "completionItem/resolve" => {
                 self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
                 Ok(())
@@ -168,6 +172,19 @@ impl State {
             }
             _ => Err(Fault::Unknown(method.to_owned())),
         }
+    }
+
+    /// A question that is none of the protocol.
+    fn custom<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
     }
 
     /// A question about an item that the client was given before.

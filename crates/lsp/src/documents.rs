@@ -58,6 +58,8 @@ pub struct Scene {
 #[derive(Default)]
 pub struct Documents {
     open: BTreeMap<String, Document>,
+    /// Texts that the editor was given to write into files, and has not said since what became of them.
+    assumed: BTreeMap<PathBuf, Arc<Text>>,
     /// The last generation of any program.
     generation: u64,
 }
@@ -66,6 +68,7 @@ impl Documents {
     /// Opens a document, or takes it over anew.
     pub fn open(&mut self, uri: Uri, language: &str, version: i32, text: String, config: &Config) {
         let path = path_of(&uri);
+        self.assumed.remove(&path);
         let text = Arc::new(Text::new(text));
         let key = uri.as_str().to_owned();
         self.open.insert(key.clone(), Document { uri, path: path.clone(), version, text, scene: None });
@@ -149,8 +152,22 @@ impl Documents {
 
     /// Their texts before the disk.
     pub fn files(&self) -> Files {
-        let open = self.open.values().map(|d| (d.path.clone(), Arc::clone(&d.text)));
-        Files(Arc::new(open.collect()))
+        let mut texts = self.assumed.clone();
+        texts.extend(self.open.values().map(|d| (d.path.clone(), Arc::clone(&d.text))));
+        Files(Arc::new(texts))
+    }
+
+    /// The editor has made an edit of a file that it has not opened with us: until it says more of it, this is its text.
+    pub fn assume(&mut self, path: &Path, text: String) {
+        if self.at(path).is_none() {
+            self.assumed.insert(path.to_owned(), Arc::new(Text::new(text)));
+            self.touched(path, "");
+        }
+    }
+
+    /// A file is what the disk has of it again.
+    pub fn forget(&mut self, path: &Path) {
+        self.assumed.remove(path);
     }
 
     /// Brings what is known of a program up to its text and its layout.

@@ -8,13 +8,18 @@
 
 mod capabilities;
 mod client;
+mod commands;
 mod config;
 mod convert;
 mod disk;
 mod dispatch;
 mod documents;
+mod drag;
 mod features;
 mod frames;
+mod jobs;
+mod mending;
+mod model;
 mod parent;
 mod pool;
 mod publish;
@@ -24,6 +29,7 @@ mod text;
 mod vocabulary;
 mod wire;
 
+pub use model::Connect;
 pub use record::{Recorder, replay};
 pub use state::Setup;
 pub use wire::serve;

@@ -3,8 +3,10 @@
 
 use crate::client::Client;
 use crate::config::Config;
+use crate::drag::Drag;
 use crate::dispatch::{Context, Fault};
 use crate::documents::{Document, Documents};
+use crate::model::Connect;
 use crate::pool::Pool;
 use crate::publish::{Board, Verdict, proofs, verdict};
 use crate::record::Recorder;
@@ -30,6 +32,8 @@ use tower_lsp::ls_types::{
 pub struct Setup {
     /// Where the session is written down.
     pub record: Option<Recorder>,
+    /// Reaches the language model that the settings of a workspace name.
+    pub connect: Option<Connect>,
 }
 
 /// What happens to the state.
@@ -112,6 +116,12 @@ pub struct State {
     asks: i64,
     to_client: mpsc::UnboundedSender<Request>,
     events: queue::Sender<Event>,
+    /// Long work by the token of its progress.
+    pub jobs: HashMap<String, (Id, Stop)>,
+    /// Drags by document.
+    pub drags: HashMap<String, Drag>,
+    /// Reaches a language model.
+    pub connect: Option<Connect>,
     /// Whether something is being proved: one thing at a time.
     proving: bool,
     /// Questions about the workspace that wait for a change.
@@ -120,7 +130,7 @@ pub struct State {
 
 impl State {
     /// Nothing is open yet.
-    pub fn new(_setup: Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
+    pub fn new(setup: Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
         Self {
             phase: Phase::New,
             client: Arc::new(Client::new(&Value::Null)),
@@ -135,6 +145,9 @@ impl State {
             to_client,
             events,
             proving: false,
+            jobs: HashMap::new(),
+            drags: HashMap::new(),
+            connect: setup.connect,
             waiting: Vec::new(),
         }
     }
@@ -275,6 +288,7 @@ impl State {
     fn notification(&mut self, method: &str, params: Value) {
         match (self.phase, method) {
             (_, "$/cancelRequest") => self.cancel(&params["id"]),
+            (Phase::Running, "window/workDoneProgress/cancel") => self.cancel_progress(&params["token"]),
             (Phase::Running, "initialized") => self.initialized(),
             (Phase::Running, "textDocument/didOpen") => self.with(params, Self::opened),
             (Phase::Running, "textDocument/didChange") => self.with(params, Self::changed),
@@ -328,6 +342,7 @@ impl State {
     fn closed(&mut self, params: DidCloseTextDocumentParams) {
         let key = params.text_document.uri.as_str();
         if self.documents.close(key) {
+            self.drags.remove(key);
             for (uri, marks) in self.board.remove(key) {
                 self.publish(&uri, &marks);
             }
@@ -350,6 +365,7 @@ impl State {
             let path = disk::path_of(&change.uri);
             // Of what is open, the editor's text counts.
             if self.documents.at(&path).is_none() {
+                self.documents.forget(&path);
                 self.documents.touched(&path, "");
             }
         }
@@ -498,6 +514,14 @@ impl State {
         self.prove(key);
     }
 
+    /// Looks for proofs about a program now.
+    pub fn prove_now(&mut self, key: &str) {
+        if let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) {
+            scene.unproved = true;
+            self.prove(key);
+        }
+    }
+
     /// Looks for proofs about a program that was opened or saved: that takes too long to be done after each keystroke.
     fn prove(&mut self, key: &str) {
         let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) else { return };
@@ -564,6 +588,21 @@ impl State {
 
     // ── The other direction ──
 
+    /// A token for progress, if the client shows that.
+    pub fn new_token(&mut self) -> Option<Value> {
+        if !self.client.progress {
+            return None;
+        }
+        let token = json!(format!("scenelang/{}", self.asks + 1));
+        self.ask_client("window/workDoneProgress/create", json!({ "token": token }), |_, _| {});
+        Some(token)
+    }
+
+    /// For threads that tell the client something themselves.
+    pub fn sender(&self) -> mpsc::UnboundedSender<Request> {
+        self.to_client.clone()
+    }
+
     /// Tells the client something.
     pub fn tell(&self, method: &'static str, params: Value) {
         let _ = self.to_client.unbounded_send(Request::build(method).params(params).finish());
@@ -585,6 +624,6 @@ impl State {
 }
 
 /// Runs what a message made us do; a mistake of ours ends the question and not the server.
-fn guarded<T>(work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+pub fn guarded<T>(work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(Fault::Internal))
 }

@@ -3,6 +3,7 @@
 pub mod diagnostic;
 pub mod looks;
 pub mod navigation;
+pub mod scene;
 pub mod writing;
 
 use serde::Deserialize;
