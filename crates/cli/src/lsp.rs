@@ -1,8 +1,8 @@
 //! `scenelang lsp`: serves an editor.
 
+use crate::FAILED;
 use crate::args::{self, Lsp};
 use crate::model::Asked;
-use crate::FAILED;
 use scenelang_llm::{Error, Model};
 use scenelang_lsp::{Recorder, Setup, replay, serve};
 use scenelang_solve::Asking;

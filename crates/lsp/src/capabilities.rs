@@ -37,12 +37,18 @@ pub fn of(client: &Client) -> Value {
         "colorProvider": true,
         "inlayHintProvider": true,
         "codeLensProvider": { "resolveProvider": false },
+        "codeActionProvider": {
+            "codeActionKinds": [
+                "quickfix", "refactor.extract", "refactor.inline", "refactor.rewrite", "source.fixAll.scenelang",
+            ],
+            "resolveProvider": true,
+        },
         "executeCommandProvider": { "commands": commands::ALL, "workDoneProgress": true },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
     if client.pulls {
         capabilities["diagnosticProvider"] =
-            json!({ "identifier": "scenelang", "interFileDependencies": true, "workspaceDiagnostics": false });
+            json!({ "identifier": "scenelang", "interFileDependencies": true, "workspaceDiagnostics": true });
     }
     json!({
         "capabilities": capabilities,

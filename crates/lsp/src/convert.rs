@@ -2,7 +2,7 @@
 
 use crate::disk::uri_of;
 use crate::text::{Encoding, Text};
-use scenelang_base::{FileId, SourceMap, Span, TextRange};
+use scenelang_base::{FileId, SourceMap, Span};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -49,11 +49,6 @@ impl<'a> Places<'a> {
     /// A place as lines and units.
     pub fn range(&self, span: Span) -> Range {
         self.text(span.file).range(span.range, self.encoding)
-    }
-
-    /// A range of the document that was asked about.
-    pub fn here(&self, range: TextRange) -> Range {
-        self.main.1.range(range, self.encoding)
     }
 
     /// A place with its address.

@@ -3,6 +3,7 @@
 use crate::client::Client;
 use crate::config::Config;
 use crate::convert::Places;
+use crate::disk::Found;
 use crate::features;
 use crate::state::State;
 use crate::text::Text;
@@ -31,6 +32,8 @@ pub struct Context {
     pub snapshot: Snapshot,
     /// Where its layout is, or would be.
     pub layout: Option<PathBuf>,
+    /// The settings of its workspace.
+    pub settings: Arc<Found>,
     /// Which of its verdicts is asked for.
     pub generation: u64,
     /// What the client can.
@@ -156,12 +159,18 @@ impl State {
             "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
             "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
             "textDocument/codeLens" => self.document(id, given, looks::lenses),
+            "textDocument/codeAction" => self.document(id, given, actions::actions),
+            "codeAction/resolve" => self.resolve_action(id, given),
             "workspace/executeCommand" => self.execute(id, given),
             "scenelang/scene" => self.custom(id, given, scene::scene),
             "scenelang/forms" => self.custom(id, given, scene::forms),
             "scenelang/move" => self.move_object(id, given),
             "completionItem/resolve" => {
                 self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
+                Ok(())
+            }
+            "workspace/diagnostic" => {
+                self.workspace_diagnostic(id, given);
                 Ok(())
             }
             "workspace/symbol" => {

@@ -1,7 +1,7 @@
 //! Open documents, and the programs among them.
 
 use crate::config::Config;
-use crate::disk::{Files, is_file, path_of, settings_for};
+use crate::disk::{Files, Found, is_file, path_of, settings_for};
 use crate::dispatch::Tokens;
 use crate::text::Text;
 use scenelang_ide::Host;
@@ -32,6 +32,8 @@ pub struct Scene {
     pub host: Host,
     /// Where its layout is, or would be.
     pub layout: Option<PathBuf>,
+    /// The settings of its workspace.
+    pub settings: Arc<Found>,
     /// The text is newer than what the host knows.
     pub stale_text: bool,
     /// The layout, or the settings, are newer than what the host knows.
@@ -81,6 +83,7 @@ impl Documents {
             let scene = Scene {
                 host,
                 layout,
+                settings: Arc::default(),
                 stale_text: false,
                 stale_layout: true,
                 generation: 0,
@@ -184,15 +187,22 @@ impl Documents {
             scene.proofs.clear();
         }
         if std::mem::take(&mut scene.stale_layout) {
-            scene.host.set_judging(settings_for(path, &files).judging());
-            let layout = scene.layout.as_ref().map(|path| (name_of(path), path.clone(), files.load(path)));
-            scene.host.set_layout(layout.as_ref().map(|(name, path, bytes)| {
-                let bytes = bytes.as_ref().map(Vec::clone).map_err(|e| std::io::Error::from(e.kind()));
-                (name.as_str(), path.as_path(), bytes)
-            }));
+            scene.settings = judge_by(&mut scene.host, path, scene.layout.as_deref(), &files);
         }
         scene.generation = self.generation;
     }
+}
+
+/// Gives a program its layout and the settings of its workspace.
+pub fn judge_by(host: &mut Host, path: &Path, layout: Option<&Path>, files: &Files) -> Arc<Found> {
+    let found = settings_for(path, files);
+    host.set_judging(found.judging());
+    let layout = layout.map(|path| (name_of(path), path, files.load(path)));
+    host.set_layout(layout.as_ref().map(|(name, path, bytes)| {
+        let bytes = bytes.as_ref().map(Vec::clone).map_err(|e| std::io::Error::from(e.kind()));
+        (name.as_str(), *path, bytes)
+    }));
+    Arc::new(found)
 }
 
 /// How a file is called in messages.

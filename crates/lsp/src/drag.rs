@@ -13,8 +13,8 @@ use scenelang_verify::check::{Judged as Row, Subject};
 use scenelang_verify::{Live, Options, report};
 use serde::Deserialize;
 use serde_json::{Value, json};
-use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
 use tower_lsp::jsonrpc::Id;
 use tower_lsp::ls_types::Uri;
 
@@ -192,4 +192,3 @@ fn answer(live: &Live<'_>, program: &Program, sources: &scenelang_base::SourceMa
         "physical": physical.into_iter().map(shown).collect::<Vec<_>>(),
     })
 }
-

@@ -30,8 +30,6 @@ pub struct Job {
     pub sources: Arc<SourceMap>,
     /// Its own.
     pub main: FileId,
-    /// The document.
-    pub uri: Uri,
     /// Where it is.
     pub path: PathBuf,
     /// Its layout.
@@ -209,7 +207,6 @@ impl State {
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
         progress.tell(json!({ "kind": "begin", "title": title, "cancellable": true }));
         let files = self.documents.files();
-        let found = crate::disk::settings_for(&context.path, &files);
         let advisers = self.advisers(stop.clone());
         let (id, events, generation) = (id.clone(), self.events(), context.generation);
         let uri = uri.to_owned();
@@ -217,7 +214,7 @@ impl State {
         let done = progress.clone();
         let spawned = thread.spawn(move || {
             let result = guarded(|| {
-                let job = job_of(context, found.settings.llm, files, stop, progress, advisers)?;
+                let job = job_of(context, files, stop, progress, advisers)?;
                 let outcome = work(&job)?;
                 if job.stop.asked() { Err(Fault::Cancelled) } else { Ok(outcome) }
             });
@@ -288,19 +285,13 @@ impl State {
     }
 }
 
-fn job_of(
-    context: Context,
-    llm: Llm,
-    files: Files,
-    stop: Stop,
-    progress: Progress,
-    advisers: Advisers,
-) -> Result<Job, Fault> {
+fn job_of(context: Context, files: Files, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete {
         return Err(Fault::Failed("the program has errors; mend these first".to_owned()));
     }
-    let Context { uri, path, text, snapshot, layout: layout_path, client, open, versions, .. } = context;
+    let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, .. } = context;
+    let llm = settings.settings.llm.clone();
     let judging = snapshot.judging().clone();
     let layout = snapshot.layout_file();
     let (sources, main) = snapshot.into_sources();
@@ -308,7 +299,6 @@ fn job_of(
         compiled,
         sources,
         main,
-        uri,
         path,
         layout,
         layout_path,
@@ -334,4 +324,3 @@ fn relative(program: &Path, layout: &Path) -> String {
     let path: PathBuf = up.chain(a[shared..].iter().map(|c| c.as_os_str())).collect();
     path.to_string_lossy().replace('\\', "/")
 }
-

@@ -37,7 +37,8 @@ const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 /// There is nothing to mend, or no way was found.
 pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
     let layout = job.layout.as_ref().filter(|l| l.read.usable);
-    let layout = &layout.ok_or_else(|| Fault::Failed("there is no layout to mend; solve first".to_owned()))?.read.layout;
+    let layout =
+        &layout.ok_or_else(|| Fault::Failed("there is no layout to mend; solve first".to_owned()))?.read.layout;
     let before = job.verdict(layout, 0);
     let which = which(job, wanted, &before)?;
     let targets: Vec<RowRef> = before.rows.iter().map(row_of).filter(|row| is_target(&which, row, &before)).collect();
@@ -101,7 +102,11 @@ fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
         }
     };
     let rows: Vec<RowRef> = before.rows.iter().filter(meant).map(row_of).collect();
-    if rows.is_empty() { Err(Fault::Failed("there is no constraint in this line".to_owned())) } else { Ok(Which::Rows(rows)) }
+    if rows.is_empty() {
+        Err(Fault::Failed("there is no constraint in this line".to_owned()))
+    } else {
+        Ok(Which::Rows(rows))
+    }
 }
 
 fn is_target(which: &Which, row: &RowRef, before: &Verdict) -> bool {
@@ -124,7 +129,8 @@ fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) ->
     // Draws are those of the layout that is mended.
     let after = Layout { draws: layout.draws.clone(), ..arranged.outcome.layout };
     let verdict = job.verdict(&after, 0);
-    let holds = |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));
+    let holds =
+        |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));
     let mends = targets.iter().all(|row| holds(row, &verdict));
     let keeps = before.rows.iter().filter(|r| r.satisfied == Some(true)).all(|r| holds(&row_of(r), &verdict));
     // A physical rule is listed only where it fails.
@@ -197,7 +203,9 @@ fn words(job: &Job, chosen: &Alternative) -> String {
     if !chosen.also.is_empty() {
         parts.push(format!("change `{}`", chosen.also.join("`, `")));
     }
-    parts.extend(chosen.edits.iter().map(|edit| format!("write `{}` for `{}`", edit.text, job.sources.text(edit.place))));
+    parts.extend(
+        chosen.edits.iter().map(|edit| format!("write `{}` for `{}`", edit.text, job.sources.text(edit.place))),
+    );
     parts.extend(chosen.drops.iter().map(|i| format!("give up the wish `{}`", program.constraints[*i].text)));
     parts.join("; ")
 }
@@ -214,11 +222,15 @@ fn step(m: &Moved) -> Step {
 fn margins(program: &Program, before: &Verdict, after: &Verdict) -> Vec<String> {
     const MOST: usize = 6;
     const SEEN: f64 = 0.005;
-    let said = |row: &Judged| margin(row).unwrap_or_else(|| if row.satisfied == Some(true) { "holds" } else { "fails" }.to_owned());
+    let said = |row: &Judged| {
+        margin(row).unwrap_or_else(|| if row.satisfied == Some(true) { "holds" } else { "fails" }.to_owned())
+    };
     let changed = before.rows.iter().filter_map(|row| {
         let now = after.rows.iter().find(|other| row_of(other) == row_of(row));
         let text = row.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let Some(now) = now else { return row.kind.rule().map(|rule| format!("{rule} of {}: holds", names(program, row))) };
+        let Some(now) = now else {
+            return row.kind.rule().map(|rule| format!("{rule} of {}: holds", names(program, row)));
+        };
         let moved = row.margin.zip(now.margin).is_some_and(|((a, _), (b, _))| (a - b).abs() > SEEN);
         (moved || row.satisfied != now.satisfied).then(|| format!("{text}: {} → {}", said(row), said(now)))
     });
@@ -226,6 +238,7 @@ fn margins(program: &Program, before: &Verdict, after: &Verdict) -> Vec<String> 
 }
 
 fn names(program: &Program, row: &Judged) -> String {
-    let names: Vec<&str> = row.objects.iter().filter_map(|id| Some(program.objects.get(id.0 as usize)?.name.as_str())).collect();
+    let names: Vec<&str> =
+        row.objects.iter().filter_map(|id| Some(program.objects.get(id.0 as usize)?.name.as_str())).collect();
     names.join(", ")
 }

@@ -2,7 +2,9 @@
 //! that nothing stays marked which nobody says any more.
 
 use crate::convert::Places;
+use crate::disk::{Found, uri_of};
 use crate::dispatch::{Context, Fault};
+use crate::text::Text;
 use scenelang_base::{Diagnostic, FileId, Severity, TextRange, codes};
 use scenelang_ide::Cancelled;
 use scenelang_ide::diagnostics::{Finding, diagnostics};
@@ -47,6 +49,7 @@ pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
             context.client.related,
         ));
     }
+    of_settings(context, &mut marks);
     for list in marks.values_mut() {
         let mut seen = BTreeSet::new();
         list.retain(|mark| seen.insert(mark.to_string()));
@@ -56,6 +59,17 @@ pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
         [rows.iter().filter(|row| row.satisfied == Some(true)).count(), rows.len()]
     });
     Ok(Verdict { marks, count })
+}
+
+/// What is wrong with the settings of the workspace.
+fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Value>>) {
+    let Found { file: Some(path), sources, diagnostics, .. } = &*context.settings else { return };
+    let Some(uri) = context.open.get(path).cloned().or_else(|| uri_of(path)) else { return };
+    let found = marks.entry(uri.as_str().to_owned()).or_default();
+    let Some((file, source)) = sources.iter().next() else { return };
+    let text = Arc::new(Text::new(source.text().to_owned()));
+    let places = Places::new(sources, context.client.encoding, &context.open, (file, text));
+    found.extend(diagnostics.iter().map(|d| mark(d, file, &places, context.client.related)));
 }
 
 /// What is proved of a program, as marks: contradictions, what follows from other statements, what can never hold. Of a

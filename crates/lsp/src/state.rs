@@ -3,9 +3,9 @@
 
 use crate::client::Client;
 use crate::config::Config;
-use crate::drag::Drag;
 use crate::dispatch::{Context, Fault};
 use crate::documents::{Document, Documents};
+use crate::drag::Drag;
 use crate::model::Connect;
 use crate::pool::Pool;
 use crate::publish::{Board, Verdict, proofs, verdict};
@@ -247,6 +247,11 @@ impl State {
         });
     }
 
+    /// Has a thread do something.
+    pub fn in_background(&self, work: impl FnOnce() + Send + 'static) {
+        self.pool.run(work);
+    }
+
     /// Lets a thread do something that needs no program.
     pub fn ask_pool(&mut self, id: &Id, work: impl FnOnce() -> Result<Value, Fault> + Send + 'static) {
         let (id, events) = (id.clone(), self.events.clone());
@@ -274,6 +279,7 @@ impl State {
             text: Arc::clone(&document.text),
             snapshot: scene.host.snapshot(),
             layout: scene.layout.clone(),
+            settings: Arc::clone(&scene.settings),
             generation: scene.generation,
             client: Arc::clone(&self.client),
             config: Arc::clone(&self.config),
@@ -369,6 +375,7 @@ impl State {
                 self.documents.touched(&path, "");
             }
         }
+        self.wake();
     }
 
     fn folders(&mut self, params: DidChangeWorkspaceFoldersParams) {

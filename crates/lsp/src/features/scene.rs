@@ -96,4 +96,3 @@ pub fn forms(context: &Context, params: &Form) -> Result<Value, Fault> {
     };
     Ok(json!({ "text": text }))
 }
-
