@@ -38,6 +38,8 @@ pub enum Command {
     Constraints(Inspect),
     /// Say what two layouts differ in, and what holds in one but not in the other
     Diff(Diff),
+    /// Serve an editor over standard input and output, by the Language Server Protocol
+    Lsp(Lsp),
     /// Print the JSON Schema of a format
     Schema(Schema),
     /// Measure how much of a set of problems is solved, and how fast
@@ -331,6 +333,20 @@ pub struct Diff {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `scenelang lsp`
+#[derive(ClapArgs, Debug)]
+pub struct Lsp {
+    /// Write the session down, a message a line
+    #[arg(long, value_name = "FILE", conflicts_with = "replay")]
+    pub record: Option<PathBuf>,
+    /// Serve the client of a recorded session instead of standard input
+    #[arg(long, value_name = "FILE")]
+    pub replay: Option<PathBuf>,
+    /// What editors pass; the server speaks over standard input and output in any case
+    #[arg(long, hide = true)]
+    pub stdio: bool,
 }
 
 /// `scenelang schema`

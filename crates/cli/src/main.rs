@@ -10,6 +10,7 @@ mod input;
 mod inspect;
 mod interrupt;
 mod look;
+mod lsp;
 mod model;
 mod parallel;
 mod progress;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),
         Command::Diff(diff) => diff::run(&diff),
+        Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
     };

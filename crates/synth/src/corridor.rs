@@ -3,8 +3,9 @@
 use crate::furnish::{Furnished, furnish};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Disk;
-use scenelang_lang::{Compiled, compile_file};
+use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
 use scenelang_solve::{Asking, Finisher, Hybrid, Outcome, Placed, Problem, Progress, Tally, hybrid};
@@ -144,39 +145,16 @@ pub fn solve_with(
     let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
     observer.leave(Stage::Program);
 
-    observer.enter(Stage::Assets);
-    let draws = scenelang_solve::draws(program, request.seed);
-    let previous = start.as_ref().map(|s| &s.layout);
-    let Furnished { layout, mut warnings } = furnish(program, draws, previous, &request.judge);
-    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
-    observer.leave(Stage::Assets);
-
-    observer.enter(Stage::Layout);
-    let problem = Problem { program, placed: placed(program, previous), start: layout };
-    let options = scenelang_solve::Options {
+    let how = Arranging {
+        previous: start.as_ref().map(|s| &s.layout),
+        locked,
+        time: request.time,
         seed: request.seed,
         judge: request.judge,
-        time: request.time,
-        locked,
-        ..Default::default()
     };
-    let mut ended = false;
-    let mut watch = |progress: Progress| {
-        let flow = observer.solving(&progress);
-        ended |= flow.is_break();
-        flow
-    };
-    let (mut outcome, advice) = match adviser {
-        None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
-        Some(Adviser { model, asking }) => {
-            let Hybrid { outcome, tally, without } =
-                hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
-            (outcome, Some(Advice { tally, without }))
-        }
-    };
-    if ended {
-        return Err(Failure::Interrupted);
-    }
+    let arranged = arrange(program, how, adviser, observer).ok_or(Failure::Interrupted)?;
+    let Arranged { mut outcome, advice, mut warnings } = arranged;
+    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
     let layout_text = layout_file::to_json(&outcome.layout, start.as_ref().map(|s| &s.document));
@@ -188,8 +166,72 @@ pub fn solve_with(
         scenelang_lang::Options::default(),
         &Disk,
     );
-    observer.leave(Stage::Layout);
     Ok(Solved { layout: outcome.layout.clone(), layout_text, outcome, advice, checked, warnings, compiled })
+}
+
+/// How a program that is compiled already is laid out.
+#[derive(Clone, Debug, Default)]
+pub struct Arranging<'a> {
+    /// A layout to start from.
+    pub previous: Option<&'a Layout>,
+    /// Objects that stay where it has them.
+    pub locked: Vec<ObjectId>,
+    /// The solver takes at most so long.
+    pub time: Option<Duration>,
+    /// Fixes draws and every random choice.
+    pub seed: u64,
+    /// Tolerances, η, what a solid is, whether the physical rules apply.
+    pub judge: scenelang_verify::Options,
+}
+
+/// A layout that is not judged yet.
+#[derive(Debug)]
+pub struct Arranged {
+    /// The layout, and how the solver got there.
+    pub outcome: Outcome,
+    /// What the model had to do with it, if there was one.
+    pub advice: Option<Advice>,
+    /// What had no asset or no usual size.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Stages II and III for a compiled program; `None`: the observer ended it.
+pub fn arrange(
+    program: &Program,
+    how: Arranging<'_>,
+    adviser: Option<Adviser<'_>>,
+    observer: &mut dyn Observer,
+) -> Option<Arranged> {
+    observer.enter(Stage::Assets);
+    let draws = scenelang_solve::draws(program, how.seed);
+    let Furnished { layout, warnings } = furnish(program, draws, how.previous, &how.judge);
+    observer.leave(Stage::Assets);
+
+    observer.enter(Stage::Layout);
+    let problem = Problem { program, placed: placed(program, how.previous), start: layout };
+    let options = scenelang_solve::Options {
+        seed: how.seed,
+        judge: how.judge,
+        time: how.time,
+        locked: how.locked,
+        ..Default::default()
+    };
+    let mut ended = false;
+    let mut watch = |progress: Progress| {
+        let flow = observer.solving(&progress);
+        ended |= flow.is_break();
+        flow
+    };
+    let (outcome, advice) = match adviser {
+        None => (scenelang_solve::solve(&problem, &options, &mut watch), None),
+        Some(Adviser { model, asking }) => {
+            let Hybrid { outcome, tally, without } =
+                hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
+            (outcome, Some(Advice { tally, without }))
+        }
+    };
+    observer.leave(Stage::Layout);
+    (!ended).then_some(Arranged { outcome, advice, warnings })
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {
@@ -203,13 +245,13 @@ fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {
 }
 
 /// What the layout to start from has places for.
-fn placed(program: &scenelang_lang::Program, previous: Option<&Layout>) -> Placed {
+fn placed(program: &Program, previous: Option<&Layout>) -> Placed {
     let Some(previous) = previous else { return Placed::None };
     let ids = |has: &dyn Fn(usize) -> bool, n: usize| (0..n).filter(|i| has(*i)).map(|i| i as u32).collect::<Vec<_>>();
     let objects = ids(&|i| previous.object(&program.objects[i].name).is_some(), program.objects.len());
     let regions = ids(&|i| previous.region(&program.regions[i].name).is_some(), program.regions.len());
     Placed::Some {
-        objects: objects.into_iter().map(scenelang_lang::program::ObjectId).collect(),
+        objects: objects.into_iter().map(ObjectId).collect(),
         regions: regions.into_iter().map(scenelang_lang::program::RegionId).collect(),
     }
 }

@@ -7,7 +7,9 @@ mod furnish;
 mod hold;
 mod output;
 
-pub use corridor::{Advice, Adviser, Failure, Observer, Request, Solved, Stage, solve, solve_with};
+pub use corridor::{
+    Advice, Adviser, Arranged, Arranging, Failure, Observer, Request, Solved, Stage, arrange, solve, solve_with,
+};
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
 pub use output::{Written, export, save_layout};

@@ -23,7 +23,8 @@ pub mod vector;
 mod world;
 
 pub use check::{
-    Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, program_of,
+    Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, check_read,
+    program_of,
 };
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
