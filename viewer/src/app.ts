@@ -40,6 +40,8 @@ export class App implements Sink {
   /** A room that came while something was dragged. */
   private late: (() => SceneData) | null = null;
   private selection: Selection = { row: null, object: null };
+  /** An array whose objects are emphasised, where none of them is selected. */
+  private array: string | null = null;
   /** Counts loads, so that a slow one does not overwrite a newer one. */
   private generation = 0;
 
@@ -161,7 +163,7 @@ export class App implements Sink {
     const row = typeof what === "number" ? what : (this.data?.report.constraints.findIndex(({ id }) => id === what) ?? -1);
     if (typeof what === "string" && this.data?.objects.some(({ name }) => name === what)) this.setSelection({ row: null, object: what });
     else if (row >= 0) this.setSelection({ ...this.selection, row });
-    else this.setSelection({ row: null, object: null });
+    else this.setSelection({ row: null, object: null }, typeof what === "string" ? what : null);
   }
 
   private chooseRow(row: number): void {
@@ -178,8 +180,9 @@ export class App implements Sink {
     if (object !== null) this.source.reveal({ object });
   }
 
-  private setSelection(selection: Selection): void {
+  private setSelection(selection: Selection, array: string | null = null): void {
     this.selection = selection;
+    this.array = array;
     this.panel.setSelection(selection);
     this.emphasise();
   }
@@ -198,7 +201,9 @@ export class App implements Sink {
     const { row, object } = this.selection;
     if (this.data === null) return [];
     if (row !== null) return rowObjects(this.data, row);
-    return object === null ? [] : [object];
+    if (object !== null) return [object];
+    const { array } = this;
+    return array === null ? [] : this.data.objects.map(({ name }) => name).filter((name) => name.startsWith(`${array}[`));
   }
 
   private placeOf(name: string): Place {

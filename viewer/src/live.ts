@@ -33,10 +33,18 @@ export interface Verdicts {
 const STATED = ["assert", "prefer", "pin"];
 const STATES: Readonly<Record<string, boolean | null>> = { holds: true, fails: false, unknown: null };
 
+/** What rows of the physical rules are called, as the report has it. */
+const RULES: Readonly<Record<string, { readonly kind: string; readonly says: (a: string, b: string) => string }>> = {
+  "P-COLLIDE": { kind: "collision", says: (a, b) => `\`${a}\` and \`${b}\` do not collide` },
+  "P-BOUNDS": { kind: "bounds", says: (a) => `\`${a}\` is inside a region` },
+  "P-SUPPORT": { kind: "support", says: (a) => `\`${a}\` is supported` },
+};
+
 /** Checks an answer to a move. */
 export function readVerdicts(value: unknown): Verdicts {
   const root = At.root(value);
-  return { constraints: root.member("constraints").list(readJudged), physical: root.optional("physical")?.list(readRow) ?? [] };
+  const physical = root.optional("physical")?.list((at) => (at.optional("state")?.string() === "holds" ? [] : [readRow(at)])) ?? [];
+  return { constraints: root.member("constraints").list(readJudged), physical: physical.flat() };
 }
 
 function readJudged(at: At): Judged {
@@ -51,16 +59,18 @@ function readRow(at: At): Constraint {
   const id = at.member("id").string();
   const rule = at.optional("rule")?.string() ?? id.split(":", 1)[0] ?? id;
   const message = at.optional("message")?.string() ?? "";
+  const objects = at.optional("objects")?.list((item) => item.string()) ?? [];
+  const known = RULES[rule];
   return {
     id,
-    kind: at.optional("kind")?.string() ?? "physical",
+    kind: at.optional("kind")?.string() ?? known?.kind ?? "physical",
     rule,
     code: at.optional("code")?.string() ?? null,
     satisfied: false,
     margin: at.optional("margin")?.number() ?? null,
     unit: at.optional("unit")?.string() ?? "m",
-    objects: at.optional("objects")?.list((item) => item.string()) ?? [],
-    text: at.optional("text")?.string() ?? (message || id),
+    objects,
+    text: at.optional("text")?.string() ?? known?.says(objects[0] ?? "", objects[1] ?? "") ?? id,
     message,
     place: null,
   };

@@ -17,13 +17,14 @@ test("a move changes the rows it speaks of, the tallies, and where the object is
   const id = (row) => before.report.constraints[row].id;
   const { data, changed } = judged(before, move("lamp"), readVerdicts({
     constraints: [{ id: id(5), state: "holds", margin: 0.5 }, { id: id(0), state: "fails", margin: -1 }, { id: id(1), state: "holds", margin: 0.35 }, { id: "gone", state: "fails", margin: -1 }],
-    physical: [{ id: "P-COLLIDE:plant:screen", margin: -0.1, message: "deeper" }, { id: "P-COLLIDE:lamp:sofa", margin: -0.2, objects: ["lamp", "sofa"], message: "new" }],
+    physical: [{ id: "P-COLLIDE:plant:screen", margin: -0.1, message: "deeper" }, { id: "P-COLLIDE:lamp:sofa", margin: -0.2, objects: ["lamp", "sofa"] }, { id: "P-SUPPORT:lamp", state: "holds" }],
   }));
   const rows = data.report.constraints;
   assert.deepEqual([...changed].sort((a, b) => a - b), [0, 5, COLLISION, before.report.constraints.length]);
   assert.deepEqual([rows[5].satisfied, rows[5].margin, rows[5].message], [true, 0.5, ""]);
   assert.deepEqual([rows[COLLISION].margin, rows[COLLISION].message], [-0.1, "deeper"]);
-  assert.equal(rows.at(-1).rule, "P-COLLIDE");
+  const { rule, kind, text } = rows.at(-1);
+  assert.deepEqual([rule, kind, text], ["P-COLLIDE", "collision", "`lamp` and `sofa` do not collide"]);
   assert.deepEqual(data.report.summary.assertions, { total: 8, satisfied: 6 });
   assert.deepEqual(data.report.summary.physical, { total: 31, satisfied: 29 });
   const lamp = data.objects.find(({ name }) => name === "lamp");

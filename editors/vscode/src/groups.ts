@@ -51,11 +51,10 @@ export function margin({ margin, unit }: Pick<Constraint, "margin" | "unit">): s
   return size < 0.01 ? `${sign}${(size * 1000).toFixed(1)} mm` : `${sign}${size.toFixed(size < 100 ? 2 : 0)} m`;
 }
 
-/** What a place in the text speaks of, for the preview: the name of an object, or the id of a constraint. */
+/** What a place in the text speaks of, for the preview: the name of an object or an array, or the id of a constraint. */
 export function at(scene: Scene, uri: string, line: number, character: number, word: string): string | null {
-  if (scene.objects.some(({ name }) => name === word)) return word;
+  if (scene.objects.some(({ name }) => word === name || word.startsWith(`${name}[`))) return word;
   const inside = ({ range: { start, end } }: { range: Constraint["range"] }) =>
     (line > start.line || (line === start.line && character >= start.character)) && (line < end.line || (line === end.line && character <= end.character));
-  const around = scene.constraints.find((c) => c.uri === uri && inside(c));
-  return around?.id ?? scene.objects.find(inside)?.name ?? scene.objects.find(({ name }) => name.startsWith(`${word}[`))?.name ?? null;
+  return scene.constraints.find((c) => c.uri === uri && inside(c))?.id ?? scene.objects.find(inside)?.name ?? null;
 }

@@ -3,7 +3,7 @@
 
 import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
-import { at } from "./groups.js";
+import { at, speaksOf } from "./groups.js";
 import { page } from "./page.js";
 import type { Move } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
@@ -149,7 +149,7 @@ class Preview {
 
   private async reveal({ object, row }: { readonly object?: string; readonly row?: string }): Promise<void> {
     const scene = this.scenes.get(this.uri);
-    const declared = scene?.objects.find(({ name }) => name === object);
+    const declared = object === undefined ? undefined : scene?.objects.find(({ name }) => speaksOf(object, name));
     const stated = scene?.constraints.find(({ id }) => id === row);
     if (declared !== undefined) await reveal({ uri: this.uri, range: declared.range }, true);
     else if (stated !== undefined) await reveal(stated, true);

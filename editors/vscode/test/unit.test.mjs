@@ -58,7 +58,7 @@ test("constraints by object: an array's are those of its elements, what names no
 });
 
 test("a place in the text is an object, a constraint, or nothing", () => {
-  const cases = [[6, 3, "lamp", "lamp"], [6, 3, "assert", "b"], [1, 0, "", "lamp"], [5, 0, "chair", "a"], [20, 0, "chair", "chair[0]"], [20, 0, "", null]];
+  const cases = [[6, 3, "lamp", "lamp"], [6, 3, "assert", "b"], [1, 0, "", "lamp"], [5, 0, "chairs", "a"], [20, 0, "rug[1]", "rug[1]"], [20, 0, "", null]];
   for (const [line, character, word, meant] of cases) assert.equal(at(SCENE, "file:///a.scene", line, character, word), meant, `${line} ${word}`);
   assert.equal(at(SCENE, "file:///other.scene", 6, 3, ""), null, "a constraint of another file");
 });
