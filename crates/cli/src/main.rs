@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod check;
 mod diff;
+mod export;
 mod fix;
 mod fmt;
 mod input;
@@ -15,11 +16,13 @@ mod model;
 mod parallel;
 mod progress;
 mod repair;
+mod room;
 mod settings;
 mod solve;
 mod synth;
 mod table;
 mod targets;
+mod view;
 mod watch;
 
 use args::{Args, Bench, Command};
@@ -42,6 +45,8 @@ fn main() -> ExitCode {
         Command::Solve(solve) => solve::run(&solve),
         Command::Repair(repair) => repair::run(&repair),
         Command::Synth(synth) => synth::run(&synth),
+        Command::View(view) => view::run(&view),
+        Command::Export(args) => export::run(&args),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),

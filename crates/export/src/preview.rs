@@ -35,6 +35,11 @@ pub fn has_viewer() -> bool {
     !VIEWER.is_empty()
 }
 
+/// The viewer's script, for who serves a page of its own; `None` where it was not there when this program was built.
+pub fn viewer() -> Option<&'static str> {
+    has_viewer().then_some(VIEWER)
+}
+
 /// The page, with the viewer's script or without.
 fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     // Only the viewer needs the geometry.

@@ -14,8 +14,8 @@ export class Server implements Source {
 
   start(sink: Sink): void {
     sink.wait("");
+    // The first event comes at once, and again after a connection was lost.
     const events = new EventSource("events");
-    let lost = false;
     const fetchRoom = async () => {
       const answer = await fetch("scene");
       if (answer.ok) sink.load(await answer.json());
@@ -24,15 +24,7 @@ export class Server implements Source {
     const load = () => void fetchRoom().catch((why: unknown) => sink.stale(String(why)));
     events.addEventListener("changed", load);
     events.addEventListener("stale", (e: MessageEvent<string>) => sink.stale(e.data));
-    events.addEventListener("error", () => {
-      lost = true;
-      sink.stale("the server has gone; scenelang view starts it again");
-    });
-    events.addEventListener("open", () => {
-      if (lost) load();
-      lost = false;
-    });
-    load();
+    events.addEventListener("error", () => sink.stale("the server has gone; scenelang view starts it again"));
   }
 
   readonly move = async (move: Move): Promise<Verdicts> => {

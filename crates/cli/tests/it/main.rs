@@ -19,5 +19,6 @@ mod model;
 mod problems;
 mod repair;
 mod support;
+mod view;
 mod watch;
 mod workspace;
