@@ -17,10 +17,10 @@ pub fn run(args: &Lsp) -> u8 {
     };
     match &args.replay {
         None => serve(stdin(), stdout(), setup),
-        Some(path) => match replay(path) {
-            Ok(session) => serve(session, stdout(), setup),
-            Err(e) => fail(&format!("cannot replay {}: {e}", path.display())),
-        },
+        Some(path) => {
+            let played = replay(path, stdout());
+            played.unwrap_or_else(|e| fail(&format!("cannot replay {}: {e}", path.display())))
+        }
     }
 }
 

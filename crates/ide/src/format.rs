@@ -10,7 +10,7 @@ pub type Replacement = (TextRange, String);
 
 /// What formatting a file changes: the lines between the first and the last that differ.
 pub fn file(text: &str) -> Option<Replacement> {
-    differing(text, &format(text, &FormatOptions::default()), 0)
+    difference(text, &format(text, &FormatOptions::default()))
 }
 
 /// What formatting the statements that a range touches changes.
@@ -36,6 +36,11 @@ fn statements(text: &str, meant: impl Fn(&Chunk) -> bool) -> Option<Replacement>
     let old = text.get(place.bytes())?;
     let new = format(old, &FormatOptions::default());
     differing(old, new.trim_end_matches('\n'), place.start)
+}
+
+/// What makes one text another: the lines between the first and the last that differ.
+pub fn difference(old: &str, new: &str) -> Option<Replacement> {
+    differing(old, new, 0)
 }
 
 /// The part of a text that differs from another, whole lines as far as these are alike.

@@ -6,6 +6,8 @@ use crate::dispatch::{Fault, params};
 use crate::jobs::{LayoutEdit, Outcome};
 use crate::state::{Event, State, guarded};
 use crate::text::Text;
+use scenelang_base::{Edit, SourceMap, TextRange, fix};
+use scenelang_ide::actions::placing;
 use scenelang_ide::{Judged, LayoutFile};
 use scenelang_lang::program::{ObjectId, Program, Unit};
 use scenelang_layout::{Layout, Vec3, file as layout_file};
@@ -47,7 +49,7 @@ pub struct Drag {
 struct Scene {
     judged: Arc<Judged>,
     layout: Arc<LayoutFile>,
-    sources: Arc<scenelang_base::SourceMap>,
+    sources: Arc<SourceMap>,
     options: Options,
     name: String,
 }
@@ -77,7 +79,8 @@ impl State {
             if let Some((_, placed)) = moved.objects.iter_mut().find(|(name, _)| *name == object) {
                 (placed.pos, placed.rot) = (pos, rot);
             }
-            return self.commit(id, &key, &object, &moved, &layout);
+            let edits = placing(&layout, &object, pos, rot).ok_or(Fault::Internal)?;
+            return self.commit(id, &key, &object, &moved, &layout, &edits);
         }
         let judged = context.snapshot.judged().map_err(Fault::from)?.ok_or(Fault::Outdated)?;
         let found = judged.compiled.program.objects.iter().position(|o| o.name == object);
@@ -113,20 +116,23 @@ impl State {
     }
 
     /// Asks the client to make a move part of the layout.
-    fn commit(&mut self, id: &Id, key: &str, object: &str, moved: &Layout, old: &LayoutFile) -> Result<(), Fault> {
+    fn commit(
+        &mut self,
+        id: &Id,
+        key: &str,
+        object: &str,
+        moved: &Layout,
+        old: &LayoutFile,
+        edits: &[Edit],
+    ) -> Result<(), Fault> {
         let context = self.context(key).ok_or(Fault::Outdated)?;
-        let text = layout_file::to_json(moved, Some(&old.read.document));
-        let before = Text::new(context.snapshot.sources().get(old.file).text().to_owned());
-        let open = self.documents.at(&old.path);
-        let uri = open.map(|d| d.uri.clone()).or_else(|| uri_of(&old.path)).ok_or(Fault::Internal)?;
-        let version = open.map(|d| d.version);
-        let all = scenelang_base::TextRange::new(0, before.as_str().len());
-        let change = json!({ "range": before.range(all, self.client.encoding), "newText": text });
-        let edit = if self.client.document_changes {
-            json!({ "documentChanges": [{ "textDocument": { "uri": uri, "version": version }, "edits": [change] }] })
-        } else {
-            json!({ "changes": { uri.as_str(): [change] } })
-        };
+        let before = context.snapshot.sources().get(old.file).text();
+        let local = |e: &Edit| Edit { place: e.place.range, text: e.text.clone() };
+        let made: Vec<Edit<TextRange>> = edits.iter().map(local).collect();
+        let text = fix::apply(before, [made.as_slice()]).text;
+        let uri = context.open.get(&old.path).cloned().or_else(|| uri_of(&old.path)).ok_or(Fault::Internal)?;
+        let edit = context.places().workspace_edit(edits, context.edit_versions());
+        let before = Text::new(before.to_owned());
         let mut options = context.snapshot.judging().options;
         let judged = context.snapshot.judged().map_err(Fault::from)?.ok_or(Fault::Outdated)?;
         options.physics &= judged.compiled.complete;
@@ -135,7 +141,8 @@ impl State {
         let answer = answer(&live, &judged.compiled.program, context.snapshot.sources(), name);
         let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
         let message = format!("move {object}");
-        self.apply_with(id, Outcome { layout: Some(layout), edit: Some(edit), message, count: [0, 0] }, answer);
+        let edit = (!edits.is_empty()).then_some(edit);
+        self.apply_with(id, Outcome { layout: Some(layout), edit, message, count: [0, 0] }, answer);
         Ok(())
     }
 }
@@ -164,7 +171,7 @@ fn follow(scene: &Scene, steps: &Receiver<Step>, events: &Sender<Event>) {
 }
 
 /// What holds now.
-fn answer(live: &Live<'_>, program: &Program, sources: &scenelang_base::SourceMap, name: &str) -> Value {
+fn answer(live: &Live<'_>, program: &Program, sources: &SourceMap, name: &str) -> Value {
     let object = |id: &ObjectId| program.objects.get(id.0 as usize).map_or("", |o| o.name.as_str());
     let id = |row: &Row| match row.subject {
         Subject::Statement(_) => report::statement_id(name, sources, row.place),

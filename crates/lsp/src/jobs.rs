@@ -104,17 +104,19 @@ impl Job {
         if let Some(edit) = layout {
             let uri = edit.uri.as_str().to_owned();
             let change = match &edit.old {
-                Some(old) => {
-                    let all = scenelang_base::TextRange::new(0, old.as_str().len());
-                    json!({ "range": old.range(all, encoding), "newText": edit.text })
-                }
+                Some(old) => match scenelang_ide::format::difference(old.as_str(), &edit.text) {
+                    Some((place, text)) => json!({ "range": old.range(place, encoding), "newText": text }),
+                    None => Value::Null,
+                },
                 None => {
                     creates.push(json!({ "kind": "create", "uri": uri, "options": { "ignoreIfExists": true } }));
                     let start = json!({ "line": 0, "character": 0 });
                     json!({ "range": { "start": start, "end": start }, "newText": edit.text })
                 }
             };
-            by_file.entry(uri).or_default().push(change);
+            if change.is_object() {
+                by_file.entry(uri).or_default().push(change);
+            }
         }
         if self.client.annotates && !note.is_empty() {
             by_file.values_mut().flatten().for_each(|edit| edit["annotationId"] = "change".into());

@@ -532,7 +532,8 @@ impl State {
     /// Looks for proofs about a program that was opened or saved: that takes too long to be done after each keystroke.
     fn prove(&mut self, key: &str) {
         let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) else { return };
-        if !scene.unproved || self.proving {
+        // What is published first is the verdict.
+        if !scene.unproved || self.proving || scene.published == 0 {
             return;
         }
         scene.unproved = false;

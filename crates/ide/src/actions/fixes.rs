@@ -1,13 +1,13 @@
 //! Fixes of what is marked.
 
 use super::{Action, Kind, indent, is_safe, line_end, line_start};
-use crate::Snapshot;
 use crate::diagnostics::{Finding, diagnostics};
+use crate::{LayoutFile, Snapshot};
 use scenelang_base::{Edit, FileId, TextRange, codes, fix};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::program::Program;
 use scenelang_layout::Vec3;
-use scenelang_verify::explain::{Mend, Step, move_in_words};
+use scenelang_verify::explain::{Step, move_in_words};
 
 pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<Action>) -> Result<(), Cancelled> {
     let d = &finding.diagnostic;
@@ -19,7 +19,8 @@ pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<A
     }
     let Some(place) = d.primary.as_ref().map(|label| label.place) else { return Ok(()) };
     if d.code == codes::E0201 {
-        out.extend(declare(snapshot, place.range).into_iter().map(mends));
+        let said = d.fixes.iter().any(|fix| fix.title.contains("`object "));
+        out.extend(declare(snapshot, place.range, !said).into_iter().map(mends));
     }
     if d.code.as_str().starts_with('W') && place.file == snapshot.main() {
         out.push(mends(silence(snapshot, d.code.as_str(), place.range)));
@@ -36,7 +37,7 @@ fn sentence(title: &str) -> String {
 }
 
 /// Declarations of a name that nothing has.
-fn declare(snapshot: &Snapshot, name: TextRange) -> Vec<Action> {
+fn declare(snapshot: &Snapshot, name: TextRange, object: bool) -> Vec<Action> {
     let text = snapshot.text();
     let Some(written) = text.get(name.bytes()) else { return Vec::new() };
     let at = line_start(text, name.start);
@@ -46,7 +47,9 @@ fn declare(snapshot: &Snapshot, name: TextRange) -> Vec<Action> {
         let edit = Edit { place, text: format!("{lead}{word} {written};\n") };
         Action::new(format!("Declare `{written}` as {what}"), Kind::Fix, vec![edit])
     };
-    vec![make("object", "an object"), make("region", "a region"), make("Number", "a number")]
+    let kinds = [("object", "an object"), ("region", "a region"), ("Number", "a number")];
+    // That it may be an object is often said by the diagnostic itself.
+    kinds.into_iter().skip(usize::from(!object)).map(|(word, what)| make(word, what)).collect()
 }
 
 /// A comment behind the line that silences a warning.
@@ -56,25 +59,20 @@ fn silence(snapshot: &Snapshot, code: &str, place: TextRange) -> Action {
     Action::new(format!("Allow {code} here"), Kind::Fix, vec![edit])
 }
 
-/// The move that mends a row and breaks least, if there is one: it was judged before.
+/// The smallest move that mends a row and breaks nothing, if there is one: it was judged before.
 fn smallest_move(snapshot: &Snapshot, index: usize) -> Result<Option<Action>, Cancelled> {
     let (Some(judged), Some(explained)) = (snapshot.judged()?, snapshot.explained()?) else { return Ok(None) };
     let Some(row) = judged.verdict.rows.get(index) else { return Ok(None) };
     let same = explained.rows.iter().find(|r| r.kind == row.kind && r.subject == row.subject);
     let Some(mend) = same.and_then(|r| r.explanation.as_ref()?.mend.as_ref()) else { return Ok(None) };
+    // What breaks something else is a matter for a longer search.
+    if !mend.breaks.is_empty() {
+        return Ok(None);
+    }
     let program = &judged.compiled.program;
     let Some(edits) = moves(snapshot, program, &mend.steps) else { return Ok(None) };
-    let title = sentence(&title(program, mend));
-    Ok(Some(Action { preferred: mend.breaks.is_empty(), ..Action::new(title, Kind::Fix, edits) }))
-}
-
-fn title(program: &Program, mend: &Mend) -> String {
-    let words = move_in_words(program, mend);
-    match mend.breaks.len() {
-        0 => words,
-        1 => format!("{words} (then one other fails)"),
-        n => format!("{words} (then {n} others fail)"),
-    }
+    let title = sentence(&move_in_words(program, mend));
+    Ok(Some(Action { preferred: true, ..Action::new(title, Kind::Fix, edits) }))
 }
 
 /// Moves as edits of the layout: of the numbers, and nothing else.
@@ -84,21 +82,32 @@ fn moves(snapshot: &Snapshot, program: &Program, steps: &[Step]) -> Option<Vec<E
     for step in steps {
         let name = &program.objects.get(step.object.0 as usize)?.name;
         let placed = layout.read.layout.object(name)?;
-        let entry = layout.read.places.objects.get(name)?;
-        let pos = placed.pos + Vec3::from(step.by);
-        edits.push(Edit { place: entry.member("pos")?.value, text: numbers(pos) });
-        if step.turn != 0.0 {
-            let rot = Vec3::new(placed.rot.x, (placed.rot.y + step.turn).rem_euclid(360.0), placed.rot.z);
-            edits.push(match entry.member("rot") {
-                Some(member) => Edit { place: member.value, text: numbers(rot) },
-                // Behind the position, which is there.
-                None => {
-                    let end = entry.member("pos")?.value;
-                    let place = TextRange::empty(end.range.end).in_file(end.file);
-                    Edit { place, text: format!(", \"rot\": {}", numbers(rot)) }
-                }
-            });
-        }
+        let turned = Vec3::new(placed.rot.x, (placed.rot.y + step.turn).rem_euclid(360.0), placed.rot.z);
+        let rot = if step.turn == 0.0 { placed.rot } else { turned };
+        edits.extend(placing(layout, name, placed.pos + Vec3::from(step.by), rot)?);
+    }
+    Some(edits)
+}
+
+/// Another place for an object as edits of the layout: of the numbers that change, and nothing else. `None`: the layout has
+/// no such object.
+pub fn placing(layout: &LayoutFile, name: &str, pos: Vec3, rot: Vec3) -> Option<Vec<Edit>> {
+    let placed = layout.read.layout.object(name)?;
+    let entry = layout.read.places.objects.get(name)?;
+    let at = entry.member("pos")?.value;
+    let mut edits = Vec::new();
+    if pos != placed.pos {
+        edits.push(Edit { place: at, text: numbers(pos) });
+    }
+    if rot != placed.rot {
+        edits.push(match entry.member("rot") {
+            Some(member) => Edit { place: member.value, text: numbers(rot) },
+            // Behind the position, which is there.
+            None => {
+                let place = TextRange::empty(at.range.end).in_file(at.file);
+                Edit { place, text: format!(", \"rot\": {}", numbers(rot)) }
+            }
+        });
     }
     Some(edits)
 }

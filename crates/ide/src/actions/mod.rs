@@ -15,7 +15,7 @@ use crate::diagnostics::{Finding, diagnostics};
 use scenelang_base::{Applicability, Edit, Span, TextRange};
 use scenelang_lang::db::Cancelled;
 
-pub use fixes::all_safe;
+pub use fixes::{all_safe, placing};
 
 /// What kind of change it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

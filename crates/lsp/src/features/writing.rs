@@ -21,7 +21,7 @@ pub struct Completion {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct Trigger {
-    trigger_kind: u32,
+    trigger_kind: Option<u32>,
 }
 
 /// `textDocument/completion`
@@ -29,7 +29,7 @@ pub fn completion(context: &Context, params: &Completion) -> Result<Value, Fault
     const INVOKED: u32 = 1;
     let offset = context.offset(params.at.position);
     // An editor also says so for what a letter brought up; then there are letters.
-    let asked = params.context.as_ref().is_none_or(|c| c.trigger_kind == INVOKED);
+    let asked = params.context.as_ref().is_none_or(|c| c.trigger_kind.is_none_or(|kind| kind == INVOKED));
     let found = complete(&context.snapshot, &Words(&context.path), offset, asked)?;
     let replaces = found.replaces;
     let line = context.text.line(context.text.line_of(offset));
