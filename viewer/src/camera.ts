@@ -41,6 +41,8 @@ export class Cameras {
   private flight: { from: Pose; to: Pose; start: number } | null = null;
   private home: Box3 | null = null;
   private front: Direction = { phi: HOME_PHI, theta: 0 };
+  /** Nobody has looked elsewhere yet. */
+  private untouched = true;
   private aspect = 1;
 
   /** `changed` asks for another frame. */
@@ -52,7 +54,10 @@ export class Cameras {
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, zoomToCursor: true, maxPolarAngle: Math.PI * 0.495, minDistance: 0.3 });
     this.controls.listenToKeyEvents(canvas);
     this.controls.addEventListener("change", changed);
-    this.controls.addEventListener("start", () => this.interrupt());
+    this.controls.addEventListener("start", () => {
+      this.untouched = false;
+      this.interrupt();
+    });
   }
 
   get active(): PerspectiveCamera | OrthographicCamera {
@@ -71,6 +76,7 @@ export class Cameras {
     this.orthographic.right = this.aspect / 2;
     this.perspective.updateProjectionMatrix();
     this.orthographic.updateProjectionMatrix();
+    if (this.untouched && this.home !== null) this.land(this.poseOf(this.mode === "plan" ? DOWN : this.front));
   }
 
   /**
@@ -137,6 +143,7 @@ export class Cameras {
   }
 
   private fly(to: Pose): void {
+    this.untouched = false;
     this.toPerspective();
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.land(to);

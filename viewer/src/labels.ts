@@ -4,7 +4,7 @@
 import { type Camera, Vector3 } from "three";
 import { el } from "./dom.js";
 
-export type TagKind = "name" | "region" | "alert";
+export type TagKind = "name" | "region" | "alert" | "gap";
 
 export interface Tag {
   readonly kind: TagKind;
@@ -50,7 +50,7 @@ export class Labels {
       element.hidden = Math.abs(point.x) > 1.05 || Math.abs(point.y) > 1.05 || point.z > 1 || point.z < -1;
       const x = Math.round(((point.x + 1) / 2) * clientWidth);
       const y = Math.round(((1 - point.y) / 2) * clientHeight);
-      element.style.transform = `translate(${x}px, ${y}px) translate(-50%, ${tag.kind === "region" ? "-50%" : "-100%"})`;
+      element.style.transform = `translate(${x}px, ${y}px) translate(-50%, ${tag.kind === "region" || tag.kind === "gap" ? "-50%" : "-100%"})`;
     }
   }
 

@@ -2,7 +2,7 @@
 //
 // A glTF is right-handed and the layout left-handed: x changes sign between them, nothing else does.
 
-import { Box3, type BufferGeometry, EdgesGeometry, Light, LineBasicMaterial, LineSegments, Mesh, type Object3D, Vector3 } from "three";
+import { Box3, type BufferGeometry, EdgesGeometry, Light, LineBasicMaterial, LineSegments, MathUtils, Matrix4, Mesh, type Object3D, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import type { SceneData, SceneObject, Triple } from "./data.js";
 
@@ -36,6 +36,22 @@ export interface RegionNode {
 
 export function toGl([x, y, z]: Triple): Vector3 {
   return new Vector3(-x, y, z);
+}
+
+/** From an object's own frame to the room's, both as glTF has them: turned about x, then z, then y. */
+function rigid(pos: Triple, rot: Triple): Matrix4 {
+  const [x, y, z] = rot.map(MathUtils.degToRad) as [number, number, number];
+  const turn = new Matrix4().makeRotationY(-y).multiply(new Matrix4().makeRotationZ(-z)).multiply(new Matrix4().makeRotationX(x));
+  return turn.setPosition(toGl(pos));
+}
+
+/** Puts a node that stands where `object` says somewhere else, whatever its own transform is made of. */
+export function place(node: Object3D, object: SceneObject, pos: Triple, rot: Triple): void {
+  const by = rigid(pos, rot).multiply(rigid(object.pos, object.rot).invert());
+  const parent = node.parent?.matrixWorld ?? new Matrix4();
+  const local = parent.clone().invert().multiply(by).multiply(node.matrixWorld);
+  local.decompose(node.position, node.quaternion, node.scale);
+  node.updateMatrixWorld(true);
 }
 
 export async function loadModel(base64: string): Promise<Model> {

@@ -7,8 +7,8 @@ import {
 } from "three";
 import { meshesOf } from "./model.js";
 
-/** A channel of the mask, and a layer of three.js. */
-const CHANNELS = { selected: { layer: 1, mask: 0xff0000 }, hovered: { layer: 2, mask: 0x00ff00 }, region: { layer: 3, mask: 0x0000ff } } as const;
+/** A channel of the mask, and a layer of three.js, counted from an outline's first. */
+const CHANNELS = { selected: { layer: 0, mask: 0xff0000 }, hovered: { layer: 1, mask: 0x00ff00 }, region: { layer: 2, mask: 0x0000ff } } as const;
 export type Channel = keyof typeof CHANNELS;
 
 const FRAGMENT = /* glsl */ `
@@ -61,7 +61,8 @@ export class Outline {
   private readonly flat = new OrthographicCamera();
   private readonly marked: Record<Channel, Mesh[]> = { selected: [], hovered: [], region: [] };
 
-  constructor() {
+  /** `first` of three layers of three.js that are its own. */
+  constructor(private readonly first: number) {
     // One colour of a channel is added to another: an object may be selected and under the pointer.
     this.silhouette.blending = CustomBlending;
     this.silhouette.blendEquation = AddEquation;
@@ -83,7 +84,7 @@ export class Outline {
   }
 
   mark(channel: Channel, nodes: readonly Object3D[]): void {
-    const { layer } = CHANNELS[channel];
+    const layer = this.first + CHANNELS[channel].layer;
     for (const mesh of this.marked[channel]) mesh.layers.disable(layer);
     this.marked[channel] = nodes.flatMap(meshesOf);
     for (const mesh of this.marked[channel]) mesh.layers.enable(layer);
@@ -109,7 +110,7 @@ export class Outline {
     renderer.clear();
     scene.overrideMaterial = this.silhouette;
     for (const channel of channels) {
-      camera.layers.set(CHANNELS[channel].layer);
+      camera.layers.set(this.first + CHANNELS[channel].layer);
       this.silhouette.color.set(CHANNELS[channel].mask);
       renderer.render(scene, camera);
     }

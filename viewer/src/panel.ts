@@ -67,6 +67,14 @@ export class Panel {
     this.render();
   }
 
+  /** The same rows judged anew, and perhaps some more: only those that changed are made again. */
+  judge(data: SceneData, changed: ReadonlySet<number>): void {
+    this.data = data;
+    for (const index of changed) this.items.delete(index);
+    this.renderHead(data);
+    this.render();
+  }
+
   setSelection(selection: Selection): void {
     const scoped = selection.object !== this.selection.object;
     this.selection = selection;

@@ -1,6 +1,6 @@
 // Which object is under the pointer, and what was meant by pressing there: a click, a double click, or only a drag.
 
-import { type Camera, Mesh, type Object3D, Raycaster, Vector2 } from "three";
+import { type Camera, Mesh, type Object3D, Raycaster, Vector2, type Vector3 } from "three";
 import type { Model } from "./model.js";
 
 /** A press that moves further than this (CSS pixels) turns the view. */
@@ -43,6 +43,11 @@ export class Picker {
 
   /** The object at a place of the window, if nothing stands before it. */
   at(clientX: number, clientY: number): string | null {
+    return this.hit(clientX, clientY)?.name ?? null;
+  }
+
+  /** The object at a place of the window, and the point of it that is seen there. */
+  hit(clientX: number, clientY: number): { name: string; point: Vector3 } | null {
     if (this.model === null) return null;
     const area = this.canvas.getBoundingClientRect();
     const x = ((clientX - area.left) / area.width) * 2 - 1;
@@ -51,7 +56,7 @@ export class Picker {
     const hit = this.ray.intersectObject(this.model.root, true).find(({ object }) => object instanceof Mesh && this.events.solid(object));
     for (let node: Object3D | null = hit?.object ?? null; node !== null; node = node.parent) {
       const name = this.names.get(node);
-      if (name !== undefined) return name;
+      if (name !== undefined && hit !== undefined) return { name, point: hit.point };
     }
     return null;
   }

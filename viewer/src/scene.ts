@@ -1,18 +1,21 @@
-// The 3D view: light, ground, the room, and one frame drawn whenever something has changed. Nothing is drawn while
+// The 3D view: the room in its surroundings, and one frame drawn whenever something has changed. Nothing is drawn while
 // nothing moves.
 
-import {
-  ACESFilmicToneMapping, Box3, Color, DirectionalLight, HemisphereLight, LineSegments, Mesh, PCFShadowMap, PlaneGeometry, Scene, ShaderMaterial, Sphere, Vector3, WebGLRenderer,
-} from "three";
+import { ACESFilmicToneMapping, Box3, LineSegments, Mesh, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import { Cameras, type Mode } from "./camera.js";
 import { Cutaway } from "./cutaway.js";
-import type { SceneData } from "./data.js";
+import type { SceneData, SceneObject, Triple } from "./data.js";
 import { el } from "./dom.js";
+import { Drag } from "./drag.js";
+import type { Gap } from "./gaps.js";
 import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
-import { boundsOf, boundsOfAll, loadModel, type Model, toGl } from "./model.js";
+import { Marks } from "./marks.js";
+import { boundsOf, boundsOfAll, loadModel, type Model, place, toGl } from "./model.js";
 import { Outline } from "./outline.js";
 import { Picker } from "./pick.js";
+import { Surroundings } from "./surroundings.js";
+import type { Theme } from "./theme.js";
 import { edgesOf, lowestEdge } from "./walls.js";
 
 /** How an emphasis is meant: neutral, or by the verdict of the constraint that was chosen. */
@@ -21,6 +24,12 @@ export type Tone = "selected" | "holds" | "fails" | "unknown";
 export interface SceneEvents {
   /** An object was pressed; `null`: the empty room. */
   chosen(name: string | null): void;
+  /** Whether objects may be dragged. */
+  readonly movable: boolean;
+  /** An object is on its way over the floor. */
+  dragged(name: string, pos: Triple): void;
+  /** It was let go, for good or, called off, where it came from. */
+  dropped(name: string, pos: Triple, calledOff: boolean): void;
 }
 
 interface Palette {
@@ -39,25 +48,31 @@ export class SceneView {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly sun = new DirectionalLight(0xfff1dd, 2.3);
-  private readonly ground = groundGrid();
+  private readonly surroundings = new Surroundings();
   private readonly cameras: Cameras;
-  private readonly outline = new Outline();
+  private readonly outline = new Outline(1);
+  /** Around what is part of a failing constraint. */
+  private readonly alarm = new Outline(4);
+  private readonly marks = new Marks();
   private readonly labels: Labels;
   private readonly picker: Picker;
-  private readonly theme = matchMedia("(prefers-color-scheme: dark)");
+  private readonly drag: Drag | null;
   private room: { data: SceneData; model: Model; cutaway: Cutaway } | null = null;
+  /** Where the nodes stand, which while something is dragged is not where the data has them. */
+  private readonly places = new Map<string, SceneObject>();
   private highlighted: readonly string[] = [];
   private hovered: string | null = null;
   private tone: Tone = "selected";
   private alerts: ReadonlyMap<string, string> = new Map();
+  private gaps: readonly Gap[] = [];
   private frame = 0;
   private before = 0;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(
     private readonly host: HTMLElement,
-    events: SceneEvents,
+    private readonly theme: Theme,
+    private readonly events: SceneEvents,
   ) {
     this.canvas = el("canvas", { tabindex: "0", role: "application", "aria-label": "The room in 3D. Arrow keys move the view, with Shift they turn it; plus and minus zoom." });
     const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
@@ -84,8 +99,9 @@ export class SceneView {
       clicked: (name) => events.chosen(name),
       doubled: (name) => this.flyTo([name]),
     });
-    this.light();
-    this.theme.addEventListener("change", () => this.paint());
+    this.drag = events.movable ? this.dragging(host) : null;
+    this.scene.add(this.surroundings.group, this.marks.group);
+    theme.watch(() => this.paint());
     this.paint();
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
@@ -106,6 +122,7 @@ export class SceneView {
     this.unload();
     const cutaway = new Cutaway(data, model);
     this.room = { data, model, cutaway };
+    for (const object of data.objects) this.places.set(object.name, object);
     this.scene.add(model.root);
     this.picker.setModel(model);
     const all = boundsOfAll(data, model);
@@ -115,7 +132,8 @@ export class SceneView {
       return box.getCenter(new Vector3()).sub(all.getCenter(new Vector3())).multiplyScalar((box.max.y - all.min.y) ** 2);
     });
     this.cameras.frame(all, (towardsEye) => -tall.reduce((sum, weighted) => sum + weighted.dot(towardsEye), 0));
-    this.aim(all);
+    this.surroundings.aim(all);
+    this.renderer.shadowMap.needsUpdate = true;
     cutaway.update(this.cameras.active, this.cameras.looking(), 1, new Set());
     this.highlight([], "selected");
     return model.triangles;
@@ -129,10 +147,41 @@ export class SceneView {
     this.mark();
   }
 
-  /** Objects that carry a mark, with what it says. */
-  setAlerts(alerts: ReadonlyMap<string, string>): void {
+  /** Objects that carry a mark, with what it says; and what is wrong between them. */
+  setAlerts(alerts: ReadonlyMap<string, string>, gaps: readonly Gap[]): void {
     this.alerts = alerts;
+    this.gaps = gaps;
+    this.marks.show(gaps);
     this.mark();
+  }
+
+  /** What is dragged at the moment. */
+  get dragged(): string | null {
+    return this.drag?.moving ?? null;
+  }
+
+  /** Puts what is dragged back; returns whether anything was. */
+  callOff(): boolean {
+    return this.drag?.cancel() ?? false;
+  }
+
+  /** Shows an object elsewhere than its data has it. */
+  place(name: string, pos: Triple, rot: Triple): void {
+    const [now, node] = [this.places.get(name), this.room?.model.objects.get(name)];
+    if (now === undefined || node === undefined) return;
+    place(node, now, pos, rot);
+    this.places.set(name, { ...now, pos, rot });
+    this.renderer.shadowMap.needsUpdate = true;
+    this.mark();
+  }
+
+  /** Which of the layout's axes is to the right, and which is away from the eye: for keys that push an object. */
+  axes(): { right: Triple; away: Triple } {
+    const looking = this.cameras.looking();
+    // Straight from above, away is up the page.
+    const [x, z] = this.mode === "plan" ? [0, 1] : [-looking.x, looking.z];
+    const away: Triple = Math.abs(x) > Math.abs(z) ? [Math.sign(x), 0, 0] : [0, 0, Math.sign(z) || 1];
+    return { away, right: [away[2], 0, -away[0]] };
   }
 
   flyTo(names: readonly string[]): void {
@@ -168,7 +217,7 @@ export class SceneView {
     const keep = new Set(this.highlighted);
     more = (this.room?.cutaway.update(this.cameras.active, this.cameras.looking(), step, keep) ?? false) || more;
     this.renderer.render(this.scene, this.cameras.active);
-    this.outline.render(this.renderer, this.scene, this.cameras.active);
+    for (const outline of [this.alarm, this.outline]) outline.render(this.renderer, this.scene, this.cameras.active);
     this.labels.place(this.cameras.active);
     if (more || camera !== this.cameras.active) this.invalidate();
   }
@@ -179,9 +228,33 @@ export class SceneView {
     this.frame = requestAnimationFrame((now) => this.draw(now));
   }
 
+  private dragging(host: HTMLElement): Drag {
+    return new Drag(host, this.canvas, {
+      camera: () => this.cameras.active,
+      grab: (x, y) => {
+        const hit = this.picker.hit(x, y);
+        const object = hit === null ? undefined : this.places.get(hit.name);
+        return hit === null || object === undefined ? null : { name: hit.name, pos: object.pos, point: hit.point };
+      },
+      held: (held) => {
+        this.cameras.controls.enabled = !held;
+      },
+      moved: (name, pos) => {
+        this.place(name, pos, this.places.get(name)?.rot ?? [0, 0, 0]);
+        this.canvas.style.cursor = "grabbing";
+        this.events.dragged(name, pos);
+      },
+      dropped: (name, pos, calledOff) => {
+        if (calledOff) this.place(name, pos, this.places.get(name)?.rot ?? [0, 0, 0]);
+        this.canvas.style.cursor = "";
+        this.events.dropped(name, pos, calledOff);
+      },
+    });
+  }
+
   private hover(name: string | null, x: number, y: number): void {
-    const object = this.room?.data.objects.find((o) => o.name === name);
-    this.canvas.style.cursor = object === undefined ? "grab" : "pointer";
+    const object = this.places.get(name ?? "");
+    if (this.dragged === null) this.canvas.style.cursor = object === undefined ? "grab" : this.events.movable ? "move" : "pointer";
     this.labels.showTip(
       object === undefined
         ? null
@@ -205,6 +278,7 @@ export class SceneView {
     const nodes = (names: readonly string[]) => names.flatMap((name) => model.objects.get(name) ?? []);
     this.outline.mark("selected", nodes(this.highlighted));
     this.outline.mark("hovered", this.hovered !== null && !this.highlighted.includes(this.hovered) ? nodes([this.hovered]) : []);
+    this.alarm.mark("selected", nodes([...this.alerts.keys()].filter((name) => !this.highlighted.includes(name))));
     this.outline.mark("region", model.floors.filter(({ region }) => this.highlighted.includes(region)).map(({ node }) => node));
     this.paint();
     this.labels.setTags(this.tags(data, model));
@@ -225,6 +299,7 @@ export class SceneView {
       const anchor = this.highlighted.includes(name) ? null : above(name);
       return anchor === null ? [] : [{ kind: "alert", text: "!", anchor, object: name, title }];
     });
+    const gaps = this.gaps.filter(({ text }) => text !== "").map(({ text, from, to }): Tag => ({ kind: "gap", text, anchor: toGl(from).lerp(toGl(to), 0.5) }));
     const regions = data.regions
       .filter(({ name }) => this.mode === "plan" || this.highlighted.includes(name))
       .flatMap((region): Tag[] => {
@@ -234,43 +309,16 @@ export class SceneView {
         const [x, z] = [(low.a[0] + low.b[0]) / 2 - low.out[0] * 0.25, (low.a[1] + low.b[1]) / 2 - low.out[1] * 0.25];
         return [{ kind: "region", text: region.name, anchor: toGl([x, region.floor, z]) }];
       });
-    return [...regions, ...alerts, ...names];
-  }
-
-  private light(): void {
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.radius = 5;
-    this.sun.shadow.normalBias = 0.02;
-    this.sun.shadow.bias = -0.0004;
-    const fill = new DirectionalLight(0xe6eeff, 0.7);
-    fill.position.set(-2, 3, -5);
-    this.scene.add(new HemisphereLight(0xffffff, 0xd8cfc4, 1.7), fill, this.sun, this.sun.target, this.ground);
-  }
-
-  /** Sun, shadow and ground to the size of the room. */
-  private aim(all: Box3): void {
-    const { center, radius } = all.getBoundingSphere(new Sphere());
-    this.sun.target.position.copy(center);
-    this.sun.position.copy(center).addScaledVector(new Vector3(-0.35, 0.95, -0.4).normalize(), radius * 2);
-    const { camera } = this.sun.shadow;
-    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: radius * 0.2, far: radius * 4 });
-    camera.updateProjectionMatrix();
-    this.renderer.shadowMap.needsUpdate = true;
-    this.ground.position.set(center.x, all.min.y - 0.02, center.z);
-    this.ground.scale.setScalar(radius * 6);
-    this.groundUniforms.radius.value = radius;
+    return [...regions, ...gaps, ...alerts, ...names];
   }
 
   private paint(): void {
-    const palette = this.theme.matches ? DARK : LIGHT;
+    const palette = this.theme.dark ? DARK : LIGHT;
     this.outline.setColours(palette.tones[this.tone], palette.hover);
-    this.groundUniforms.colour.value.set(palette.grid).convertLinearToSRGB();
+    this.alarm.setColours(palette.tones.fails, palette.hover);
+    this.marks.setColour(palette.tones.fails);
+    this.surroundings.setColour(palette.grid);
     this.invalidate();
-  }
-
-  private get groundUniforms(): GridUniforms {
-    return this.ground.material.uniforms as unknown as GridUniforms;
   }
 
   private resize(): void {
@@ -284,7 +332,9 @@ export class SceneView {
 
   private unload(): void {
     if (this.room === null) return;
-    this.outline.clear();
+    for (const outline of [this.alarm, this.outline]) outline.clear();
+    this.marks.clear();
+    this.places.clear();
     this.scene.remove(this.room.model.root);
     this.room.cutaway.dispose();
     this.room.model.root.traverse((node) => {
@@ -294,45 +344,4 @@ export class SceneView {
     });
     this.room = null;
   }
-}
-
-interface GridUniforms {
-  readonly colour: { value: Color };
-  readonly radius: { value: number };
-}
-
-/** Lines one metre apart that fade with the distance from the room: a scale, not a floor. */
-function groundGrid(): Mesh<PlaneGeometry, ShaderMaterial> {
-  const uniforms: GridUniforms = { colour: { value: new Color() }, radius: { value: 1 } };
-  const material = new ShaderMaterial({
-    uniforms: { ...uniforms },
-    transparent: true,
-    depthWrite: false,
-    toneMapped: false,
-    vertexShader: /* glsl */ `
-      varying vec3 world;
-      varying vec2 from;
-      void main() {
-        vec4 at = modelMatrix * vec4(position, 1.0);
-        world = at.xyz;
-        from = at.xz - modelMatrix[3].xz;
-        gl_Position = projectionMatrix * viewMatrix * at;
-      }
-    `,
-    fragmentShader: /* glsl */ `
-      uniform vec3 colour;
-      uniform float radius;
-      varying vec3 world;
-      varying vec2 from;
-      void main() {
-        vec2 width = fwidth(world.xz);
-        vec2 line = 1.0 - smoothstep(width * 0.2, width * 1.0, abs(fract(world.xz - 0.5) - 0.5));
-        float fade = 1.0 - smoothstep(radius * 0.7, radius * 2.4, length(from));
-        gl_FragColor = vec4(colour, max(line.x, line.y) * fade * 0.22);
-      }
-    `,
-  });
-  const ground = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), material);
-  ground.renderOrder = -1;
-  return ground;
 }

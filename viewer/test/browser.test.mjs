@@ -251,6 +251,127 @@ check("a message replaces the room", async (page) => {
   assert.equal((await rowsOf(page)).length, 2);
 });
 
+/** An editor around the page: notes what it is told, and answers moves by `answer`. */
+async function inEditor(page, data, answer) {
+  await page.exposeFunction("answerMove", answer);
+  await page.evaluateOnNewDocument((room) => {
+    window.told = [];
+    const send = (message) => window.postMessage(message, "*");
+    window.acquireVsCodeApi = () => ({
+      setState: (state) => window.told.push({ type: "state", state }),
+      postMessage: (message) => {
+        window.told.push(message);
+        if (message.type === "ready") send({ type: "scenelang-data", data: room, uri: "file:///meeting.scene" });
+        if (message.type === "move") window.answerMove(message).then((said) => send({ type: "moved", id: message.id, ...said }));
+      },
+    });
+  }, data);
+  const path = join(folder, "editor.html");
+  writeFileSync(path, pageOf({}, bundle()).replace(/<script type="application.json"[^]*?<.script>/, ""));
+  await page.goto(pathToFileURL(path).href);
+  await page.waitForFunction(() => document.querySelector('#scenelang[data-state="ready"]') !== null, PATIENCE);
+  return (type) => page.evaluate((type) => window.told.filter((message) => message.type === type), type);
+}
+
+/** A place of the window where an object is seen. */
+async function find(page, name) {
+  const area = await (await page.$("canvas")).boundingBox();
+  for (let i = 0; i < 400; i += 1) {
+    const [x, y] = [area.x + area.width * (0.1 + 0.04 * (i % 20)), area.y + area.height * (0.15 + 0.035 * Math.floor(i / 20))];
+    await page.mouse.move(x, y);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    if ((await page.$eval(".tip", (e) => (e.hidden ? null : e.querySelector("strong").textContent))) === name) return [x, y];
+  }
+  return assert.fail(`${name} is nowhere to be seen`);
+}
+
+check("what fails is drawn between the objects", async (page) => {
+  const data = fixtureData();
+  await open(page, data);
+  assert.deepEqual(await page.$$eval(".tag.gap", (tags) => tags.map((tag) => tag.textContent)), ["−0.12 m", "−0.04 m"]);
+  const red = await shoot(page);
+  for (const row of data.report.constraints) if (row.satisfied === false) row.satisfied = true;
+  await open(page, data);
+  assert.deepEqual(await page.$$(".tag.gap"), []);
+  assert.ok((await difference(red, await shoot(page))) > 0.002, "and nothing where all holds");
+});
+
+check("an object is dragged, judged on its way, written once, and put back by Ctrl+Z", async (page) => {
+  const data = fixtureData();
+  const [id, failing] = [data.report.constraints[5].id, data.report.constraints[0].id];
+  const told = await inEditor(page, data, async ({ pos }) => ({
+    verdicts: { constraints: [{ id, state: "holds", margin: pos[0] }, { id: failing, state: "fails", margin: -pos[2] }], physical: [] },
+  }));
+  const [x, y] = await find(page, "sofa");
+  const headline = () => page.$eval(".headline", (e) => e.textContent);
+  const before = await headline();
+  await page.mouse.down();
+  await page.mouse.move(x - 30, y + 10, { steps: 5 });
+  await page.waitForFunction(() => window.told.some(({ type }) => type === "move"), PATIENCE);
+  await page.waitForFunction((row) => document.querySelector(`[data-row="${row}"]`)?.className.includes("holds"), PATIENCE, 5);
+  assert.ok((await page.$('[data-row="0"].fails')) !== null);
+  assert.equal(await headline(), before, "one holds that did not, one fails that did");
+  assert.ok((await told("move")).every(({ commit, object }) => !commit && object === "sofa"));
+  await page.mouse.up();
+  await page.waitForFunction(() => window.told.some(({ commit }) => commit === true), PATIENCE);
+  const sofa = data.objects.find(({ name }) => name === "sofa");
+  const [made] = (await told("move")).filter(({ commit }) => commit);
+  assert.equal(made.pos[1], sofa.pos[1], "over the floor");
+  assert.ok(Math.hypot(made.pos[0] - sofa.pos[0], made.pos[2] - sofa.pos[2]) > 0.1);
+  assert.deepEqual(made.rot, sofa.rot);
+  await settle(page);
+  await page.keyboard.down("Control");
+  await page.keyboard.press("z");
+  await page.keyboard.up("Control");
+  await page.waitForFunction(() => window.told.filter(({ commit }) => commit === true).length === 2, PATIENCE);
+  assert.deepEqual((await told("move")).at(-1).pos, sofa.pos);
+});
+
+check("Escape calls a drag off; a refusal puts the object back and says why", async (page) => {
+  const data = fixtureData();
+  const told = await inEditor(page, data, async ({ commit }) => (commit ? { error: "the layout cannot be written" } : { verdicts: { constraints: [], physical: [] } }));
+  const shot = await shoot(page);
+  const [x, y] = await find(page, "sofa");
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y + 20, { steps: 5 });
+  await page.waitForFunction(() => window.told.some(({ type }) => type === "move"), PATIENCE);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await settle(page);
+  assert.deepEqual((await told("move")).filter(({ commit }) => commit), []);
+  await page.mouse.move(2, 2);
+  await settle(page);
+  assert.ok((await difference(shot, await shoot(page))) < 0.01, "it is back");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 60, y + 20, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForFunction(() => !document.querySelector(".notice").hidden, PATIENCE);
+  assert.match(await page.$eval(".notice", (e) => e.textContent), /It was not moved.*the layout cannot be written/);
+});
+
+check("keys move what is selected, and what is pressed is told to the editor", async (page) => {
+  const data = fixtureData();
+  const told = await inEditor(page, data, async () => ({ verdicts: { constraints: [], physical: [] } }));
+  await page.evaluate(() => window.postMessage({ type: "select", what: "sofa" }, "*"));
+  await page.waitForFunction(() => window.scenelang.selected().length === 1, PATIENCE);
+  assert.deepEqual(await told("reveal"), [], "who selects it knows where it is");
+  await page.keyboard.down("Alt");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.up("Alt");
+  await page.keyboard.press("]");
+  await page.waitForFunction(() => window.told.filter(({ commit }) => commit === true).length === 2, PATIENCE);
+  const sofa = data.objects.find(({ name }) => name === "sofa");
+  const [pushed, turned] = await told("move");
+  assert.ok(Math.abs(Math.hypot(pushed.pos[0] - sofa.pos[0], pushed.pos[2] - sofa.pos[2]) - 0.05) < 1e-9);
+  assert.deepEqual(turned.pos, pushed.pos);
+  assert.equal(turned.rot[1], -165);
+  await page.keyboard.press("Escape");
+  await page.click('[data-row="5"]');
+  assert.deepEqual(await told("reveal"), [{ type: "reveal", row: data.report.constraints[5].id }]);
+  assert.deepEqual(await told("state"), [{ type: "state", state: { uri: "file:///meeting.scene" } }]);
+});
+
 check("without WebGL there are the plan, the list, and the reason", async (page) => {
   await page.evaluateOnNewDocument(() => (HTMLCanvasElement.prototype.getContext = () => null));
   const data = await open(page);

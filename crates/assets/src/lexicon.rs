@@ -23,6 +23,11 @@ fn aliases() -> impl Iterator<Item = (&'static str, &'static str)> {
     })
 }
 
+/// All nouns that a family draws, in the order of the table.
+pub fn categories() -> impl Iterator<Item = &'static str> {
+    aliases().map(|(_, alias)| alias)
+}
+
 /// Words that end the head of a phrase: what follows describes.
 const ENDS: &str = "of with for in on at from near by under above without to beside";
 /// Words that count things: after them and "of" the head begins.

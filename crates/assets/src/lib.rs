@@ -16,8 +16,8 @@ mod model;
 mod shapes;
 mod words;
 
-pub use lexicon::family_of;
-pub use looks::covering;
+pub use lexicon::{categories, family_of};
+pub use looks::{color_names, color_of, covering, material_names};
 pub use mesh::{Group, Mesh, Surface};
 
 use scenelang_layout::{Part, Vec3};

@@ -174,6 +174,21 @@ fn lines(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
     text.lines().map(|l| l.split_whitespace().collect::<Vec<_>>()).filter(|l| !l.is_empty() && !l[0].starts_with('#'))
 }
 
+/// Names of colours, in alphabetical order.
+pub fn color_names() -> impl Iterator<Item = &'static str> {
+    COLORS.keys().copied()
+}
+
+/// Names of materials, in alphabetical order.
+pub fn material_names() -> impl Iterator<Item = &'static str> {
+    MATERIALS.keys().copied()
+}
+
+/// The colour that a text names first, as red, green and blue (sRGB).
+pub fn color_of(text: &str) -> Option<[u8; 3]> {
+    colors(text).first().map(|rgb| rgb.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8))
+}
+
 /// The colours a text names, one per phrase ("white top, steel-blue legs": two). In a phrase the longest known name
 /// counts, the first of several; `light`, `dark`, `pale` and the like change it; a material stands for its usual colour.
 /// Hex triples are exact.

@@ -24,6 +24,10 @@ pub enum Command {
     Repair(Repair),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
+    /// Show a layout in the browser, follow every change, and let objects be dragged
+    View(View),
+    /// Write a layout as it is in other formats: Unity project, glTF, pictures, a page to look at
+    Export(Export),
     /// Write programs in the standard form
     Fmt(Fmt),
     /// Write a small commented program to start from
@@ -38,6 +42,8 @@ pub enum Command {
     Constraints(Inspect),
     /// Say what two layouts differ in, and what holds in one but not in the other
     Diff(Diff),
+    /// Serve an editor over standard input and output, by the Language Server Protocol
+    Lsp(Lsp),
     /// Print the JSON Schema of a format
     Schema(Schema),
     /// Measure how much of a set of problems is solved, and how fast
@@ -252,6 +258,34 @@ pub struct Synth {
     pub model: Model,
 }
 
+/// `scenelang view`
+#[derive(ClapArgs, Debug)]
+pub struct View {
+    /// A program, whose layout is beside it, or a layout
+    #[arg(value_name = "FILE.scene | FILE.layout.json")]
+    pub file: PathBuf,
+    /// The port on this machine [default: any that is free]
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub port: u16,
+    /// Open no browser: print the address only
+    #[arg(long)]
+    pub no_open: bool,
+}
+
+/// `scenelang export`
+#[derive(ClapArgs, Debug)]
+pub struct Export {
+    /// The layout, or the program beside it
+    #[arg(value_name = "FILE.layout.json")]
+    pub layout: PathBuf,
+    /// The folder to write to
+    #[arg(short, long, value_name = "FOLDER", default_value = "out")]
+    pub output: PathBuf,
+    /// Only these formats: unity, glb, plan, picture, preview; separated by commas
+    #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::export::format)]
+    pub only: Vec<String>,
+}
+
 /// `synth --format`, `diff --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
@@ -337,6 +371,20 @@ pub struct Diff {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `scenelang lsp`
+#[derive(ClapArgs, Debug)]
+pub struct Lsp {
+    /// Write the session down, a message a line
+    #[arg(long, value_name = "FILE", conflicts_with = "replay")]
+    pub record: Option<PathBuf>,
+    /// Serve the client of a recorded session instead of standard input
+    #[arg(long, value_name = "FILE")]
+    pub replay: Option<PathBuf>,
+    /// What editors pass; the server speaks over standard input and output in any case
+    #[arg(long, hide = true)]
+    pub stdio: bool,
 }
 
 /// `scenelang schema`

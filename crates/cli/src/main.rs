@@ -4,22 +4,26 @@ mod args;
 mod bench;
 mod check;
 mod diff;
+mod export;
 mod fix;
 mod fmt;
 mod input;
 mod inspect;
 mod interrupt;
 mod look;
+mod lsp;
 mod model;
 mod parallel;
 mod progress;
 mod repair;
+mod room;
 mod settings;
 mod solution;
 mod solve;
 mod synth;
 mod table;
 mod targets;
+mod view;
 mod watch;
 
 use args::{Args, Bench, Command};
@@ -42,6 +46,8 @@ fn main() -> ExitCode {
         Command::Solve(solve) => solve::run(&solve),
         Command::Repair(repair) => repair::run(&repair),
         Command::Synth(synth) => synth::run(&synth),
+        Command::View(view) => view::run(&view),
+        Command::Export(args) => export::run(&args),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
@@ -49,6 +55,7 @@ fn main() -> ExitCode {
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),
         Command::Diff(diff) => diff::run(&diff),
+        Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
     };

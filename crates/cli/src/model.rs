@@ -53,6 +53,11 @@ impl Asked {
         Ok(Some(Self { session, asking }))
     }
 
+    /// The session, and how it is asked.
+    pub fn into_parts(self) -> (Session, Asking) {
+        (self.session, self.asking)
+    }
+
     /// For the corridor.
     pub fn adviser(&mut self) -> Adviser<'_> {
         Adviser { model: &mut self.session, asking: self.asking }

@@ -43,7 +43,7 @@ pub fn run(args: &Check) -> u8 {
 }
 
 /// What tells one state of a file from another; `None`: there is none.
-type Stamp = Option<(SystemTime, u64)>;
+pub type Stamp = Option<(SystemTime, u64)>;
 
 fn stamp(path: &Path) -> Stamp {
     let data = std::fs::metadata(path).ok()?;
@@ -52,10 +52,11 @@ fn stamp(path: &Path) -> Stamp {
 
 /// The disk, with a memory of what was asked for.
 #[derive(Default)]
-struct Seen(Mutex<BTreeMap<PathBuf, Stamp>>);
+pub struct Seen(Mutex<BTreeMap<PathBuf, Stamp>>);
 
 impl Seen {
-    fn files(self) -> BTreeMap<PathBuf, Stamp> {
+    /// What was asked for, and the state it was in.
+    pub fn files(self) -> BTreeMap<PathBuf, Stamp> {
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -70,7 +71,7 @@ impl Loader for Seen {
 }
 
 /// Waits for a change, until it is complete; false: Ctrl-C.
-fn wait(seen: &BTreeMap<PathBuf, Stamp>, others: impl Fn() -> bool) -> bool {
+pub fn wait(seen: &BTreeMap<PathBuf, Stamp>, others: impl Fn() -> bool) -> bool {
     let now = || seen.keys().map(|path| stamp(path)).collect::<Vec<_>>();
     let before: Vec<Stamp> = seen.values().copied().collect();
     loop {

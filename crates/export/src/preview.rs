@@ -35,6 +35,11 @@ pub fn has_viewer() -> bool {
     !VIEWER.is_empty()
 }
 
+/// The viewer's script, for who serves a page of its own; `None` where it was not there when this program was built.
+pub fn viewer() -> Option<&'static str> {
+    has_viewer().then_some(VIEWER)
+}
+
 /// The page, with the viewer's script or without.
 fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     // Only the viewer needs the geometry.
@@ -55,6 +60,14 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     }
     out.push_str(rest);
     Ok(out)
+}
+
+/// What the page is told, for who shows the scene on a page of its own.
+///
+/// # Errors
+/// The geometry cannot be written.
+pub fn carried(scene: &Scene) -> Result<Value, ExportError> {
+    Ok(data(scene, &STANDARD.encode(glb::bytes(scene)?)))
 }
 
 /// What the page is told: `scenelang.preview/1`. Places are in the layout's frame; `constraints` are rows of the report.
@@ -110,7 +123,7 @@ mod tests {
     }
 
     /// What the page's script will read.
-    fn carried(page: &str) -> Value {
+    fn read_back(page: &str) -> Value {
         let start = page.split("id=\"scenelang-data\">").nth(1).unwrap();
         serde_json::from_str(start.split("</script>").next().unwrap()).unwrap()
     }
@@ -119,7 +132,7 @@ mod tests {
     fn data_survives_whatever_it_says() {
         let page = page(&scene(), None).unwrap();
         assert_eq!(page.matches("</script>").count(), 2, "nothing in the data ends its element");
-        let data = carried(&page);
+        let data = read_back(&page);
         assert_eq!(data["report"]["diagnostics"][0]["message"], "</script><b>");
         assert_eq!(data["name"], "a<b>&c");
         assert!(page.contains("<title>a&lt;b>&amp;c</title>"));
@@ -130,10 +143,10 @@ mod tests {
     fn the_viewer_gets_the_geometry_and_the_page_without_it_says_how_to_get_it() {
         let with = page(&scene(), Some("start('</script>')")).unwrap();
         assert!(with.contains("start('<\\/script>')"));
-        let glb = STANDARD.decode(carried(&with)["glb"].as_str().unwrap()).unwrap();
+        let glb = STANDARD.decode(read_back(&with)["glb"].as_str().unwrap()).unwrap();
         assert!(glb.starts_with(b"glTF"));
         let without = page(&scene(), None).unwrap();
-        assert_eq!(carried(&without)["glb"], "");
+        assert_eq!(read_back(&without)["glb"], "");
         assert!(without.contains("npm ci && npm run build"));
     }
 }

@@ -4,8 +4,9 @@ use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Disk;
-use scenelang_lang::{Compiled, compile_file};
+use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
 use scenelang_solve::{
@@ -180,40 +181,36 @@ pub fn solve_with(
     let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
     observer.leave(Stage::Program);
 
-    observer.enter(Stage::Assets);
-    let draws = scenelang_solve::draws(program, request.seed);
-    let previous = start.as_ref().map(|s| &s.layout);
-    let Furnished { layout, mut warnings } = furnish(program, draws, previous, &request.judge);
-    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
-    observer.leave(Stage::Assets);
-
-    observer.enter(Stage::Layout);
-    let problem = Problem { program, placed: placed(program, previous), start: layout };
-    let options = scenelang_solve::Options {
+    let how = Arranging {
+        previous: start.as_ref().map(|s| &s.layout),
+        locked,
+        time: request.time.map(|time| solving(time, begun.elapsed())),
         seed: request.seed,
         judge: request.judge,
-        time: request.time.map(|time| solving(time, begun.elapsed())),
-        locked,
-        ..Default::default()
+        stop: request.stop.clone(),
     };
+    let Ready { problem, options, mut warnings } = ready(program, how, observer);
+    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
+
+    observer.enter(Stage::Layout);
     if request.stop.is_set() {
         return Err(Failure::Interrupted);
     }
-    let mut watch = |progress: Progress| {
-        observer.solving(&progress);
-        ControlFlow::Continue(())
-    };
     // A model is dear: it is not asked for what cannot be.
     let options = &options;
     let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
         let options = scenelang_solve::Options { stop: stop.clone(), ..options.clone() };
-        let (outcomes, advice) = match (adviser, request.alternatives) {
-            (_, Some(wanted)) => (alternatives(&problem, &options, wanted, &mut watch), None),
-            (None, None) => (vec![scenelang_solve::solve(&problem, &options, &mut watch)], None),
-            (Some(Adviser { model, asking }), None) => {
-                let Hybrid { outcome, tally, without } =
-                    hybrid(&problem, &options, model, asking, Finisher::Numeric, &mut watch);
-                (vec![outcome], Some(Advice { tally, without }))
+        let (outcomes, advice) = match request.alternatives {
+            Some(wanted) => {
+                let mut watch = |progress: Progress| {
+                    observer.solving(&progress);
+                    ControlFlow::Continue(())
+                };
+                (alternatives(&problem, &options, wanted, &mut watch), None)
+            }
+            None => {
+                let (outcome, advice) = place(&problem, &options, adviser, observer);
+                (vec![outcome], advice)
             }
         };
         let ended = match outcomes.first() {
@@ -249,6 +246,95 @@ pub fn solve_with(
     let others = all.collect();
     observer.leave(Stage::Layout);
     Ok(Solved { first, others, advice, warnings, compiled })
+}
+
+/// How a program that is compiled already is laid out.
+#[derive(Clone, Debug, Default)]
+pub struct Arranging<'a> {
+    /// A layout to start from.
+    pub previous: Option<&'a Layout>,
+    /// Objects that stay where it has them.
+    pub locked: Vec<ObjectId>,
+    /// The solver takes at most so long.
+    pub time: Option<Duration>,
+    /// Fixes draws and every random choice.
+    pub seed: u64,
+    /// Tolerances, η, what a solid is, whether the physical rules apply.
+    pub judge: scenelang_verify::Options,
+    /// Set from elsewhere, it ends the work.
+    pub stop: Stop,
+}
+
+/// A layout that is not judged yet.
+#[derive(Debug)]
+pub struct Arranged {
+    /// The layout, and how the solver got there.
+    pub outcome: Outcome,
+    /// What the model had to do with it, if there was one.
+    pub advice: Option<Advice>,
+    /// What had no asset or no usual size.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Stages II and III for a compiled program; `None`: it was asked to end.
+pub fn arrange(
+    program: &Program,
+    how: Arranging<'_>,
+    adviser: Option<Adviser<'_>>,
+    observer: &mut dyn Observer,
+) -> Option<Arranged> {
+    let stop = how.stop.clone();
+    let Ready { problem, options, warnings } = ready(program, how, observer);
+    observer.enter(Stage::Layout);
+    let (outcome, advice) = place(&problem, &options, adviser, observer);
+    observer.leave(Stage::Layout);
+    (!stop.is_set()).then_some(Arranged { outcome, advice, warnings })
+}
+
+/// What the solver is given.
+struct Ready<'a> {
+    problem: Problem<'a>,
+    options: scenelang_solve::Options,
+    warnings: Vec<Diagnostic>,
+}
+
+/// Stage II.
+fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observer) -> Ready<'a> {
+    observer.enter(Stage::Assets);
+    let draws = scenelang_solve::draws(program, how.seed);
+    let Furnished { layout, warnings } = furnish(program, draws, how.previous, &how.judge);
+    observer.leave(Stage::Assets);
+    let problem = Problem { program, placed: placed(program, how.previous), start: layout };
+    let options = scenelang_solve::Options {
+        seed: how.seed,
+        judge: how.judge,
+        time: how.time,
+        locked: how.locked,
+        stop: how.stop,
+        ..Default::default()
+    };
+    Ready { problem, options, warnings }
+}
+
+/// Stage III: by the solver, with a model if there is one.
+fn place(
+    problem: &Problem<'_>,
+    options: &scenelang_solve::Options,
+    adviser: Option<Adviser<'_>>,
+    observer: &mut dyn Observer,
+) -> (Outcome, Option<Advice>) {
+    let mut watch = |progress: Progress| {
+        observer.solving(&progress);
+        ControlFlow::Continue(())
+    };
+    match adviser {
+        None => (scenelang_solve::solve(problem, options, &mut watch), None),
+        Some(Adviser { model, asking }) => {
+            let Hybrid { outcome, tally, without } =
+                hybrid(problem, options, model, asking, Finisher::Numeric, &mut watch);
+            (outcome, Some(Advice { tally, without }))
+        }
+    }
 }
 
 /// A layout as a file called `name`, and its judgement.
@@ -291,13 +377,13 @@ fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {
 }
 
 /// What the layout to start from has places for.
-fn placed(program: &scenelang_lang::Program, previous: Option<&Layout>) -> Placed {
+fn placed(program: &Program, previous: Option<&Layout>) -> Placed {
     let Some(previous) = previous else { return Placed::None };
     let ids = |has: &dyn Fn(usize) -> bool, n: usize| (0..n).filter(|i| has(*i)).map(|i| i as u32).collect::<Vec<_>>();
     let objects = ids(&|i| previous.object(&program.objects[i].name).is_some(), program.objects.len());
     let regions = ids(&|i| previous.region(&program.regions[i].name).is_some(), program.regions.len());
     Placed::Some {
-        objects: objects.into_iter().map(scenelang_lang::program::ObjectId).collect(),
+        objects: objects.into_iter().map(ObjectId).collect(),
         regions: regions.into_iter().map(scenelang_lang::program::RegionId).collect(),
     }
 }

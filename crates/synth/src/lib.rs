@@ -8,7 +8,10 @@ mod furnish;
 mod hold;
 mod output;
 
-pub use corridor::{Advice, Adviser, Failure, Found, Observer, Request, Solved, Stage, numbered, solve, solve_with};
+pub use corridor::{
+    Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
+    solve_with,
+};
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
 pub use output::{Written, export, save, save_layout};

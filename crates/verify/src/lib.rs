@@ -24,7 +24,7 @@ mod world;
 
 pub use check::{
     Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, check_program,
-    program_of,
+    check_read, program_of,
 };
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;

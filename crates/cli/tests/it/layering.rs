@@ -15,7 +15,9 @@ const TABLE: &[(&str, &[&str])] = &[
     ("solve", &["verify", "llm"]),
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve"]),
-    ("cli", &["synth"]),
+    ("ide", &["verify"]),
+    ("lsp", &["ide", "synth"]),
+    ("cli", &["lsp"]),
     ("grammars", &["lang"]),
 ];
 

@@ -21,5 +21,6 @@ mod problems;
 mod repair;
 mod solving;
 mod support;
+mod view;
 mod watch;
 mod workspace;

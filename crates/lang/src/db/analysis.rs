@@ -105,6 +105,16 @@ impl Analysis {
     /// # Errors
     /// [`Cancelled`]: the text was changed by another thread.
     pub fn program(&self, sources: &SourceMap) -> Result<(Option<Program>, Vec<Diagnostic>), Cancelled> {
+        let (program, out) = self.partial(sources)?;
+        Ok((Some(program).filter(|_| !out.iter().any(Diagnostic::is_error)), out))
+    }
+
+    /// The same, but of a program with errors there is what can be made of its other statements: those with an error,
+    /// and all that need one of these, are left out.
+    ///
+    /// # Errors
+    /// [`Cancelled`]: the text was changed by another thread.
+    pub fn partial(&self, sources: &SourceMap) -> Result<(Program, Vec<Diagnostic>), Cancelled> {
         cancellable(AssertUnwindSafe(|| {
             let units = self.units();
             let mut out = self.found(&units);
@@ -116,8 +126,7 @@ impl Analysis {
             if let Some(main) = self.files.first() {
                 out.extend(allow::idle(allowances(&self.db, main.text), main.file, &out));
             }
-            let out = self.listed(self.unsilenced(out));
-            (Some(program).filter(|_| !out.iter().any(Diagnostic::is_error)), out)
+            (program, self.listed(self.unsilenced(out)))
         }))
     }
 

@@ -177,14 +177,23 @@ impl Unfinished {
             return unfit(&shown, place, compiled.diagnostics);
         };
         let mut found = compiled.diagnostics;
-        found.extend(matching::check(&program, read));
-        let judged = check_at(&program, &read.layout, Some(&read.places), job.options);
+        let judged = check_read(&program, read, job.options);
         found.extend(judged.diagnostics);
         scenelang_lang::lint::allow::silence(&self.sources, &mut found);
         (self.verdict.rows, self.verdict.summary) = (judged.rows, judged.summary);
         self.program = Some(program);
         found
     }
+}
+
+/// Judges a layout as it was read, by a program that is compiled already. Among the diagnostics is what does not match
+/// between the two; what is wrong with the layout file by itself is not.
+pub fn check_read(program: &Program, read: &ReadLayout, options: &Options) -> Verdict {
+    let mut found = matching::check(program, read);
+    let mut verdict = check_at(program, &read.layout, Some(&read.places), options);
+    found.append(&mut verdict.diagnostics);
+    verdict.diagnostics = found;
+    verdict
 }
 
 /// What to say where the program does not compile: its own errors and, in the layout, that they are there.

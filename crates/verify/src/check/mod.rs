@@ -10,7 +10,9 @@ mod rooms;
 mod stated;
 
 pub(crate) use describe::number as measure_in_words;
-pub use file::{Checked, check_file, check_file_with, check_layout_of, check_layout_text, check_program, program_of};
+pub use file::{
+    Checked, check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
+};
 pub use live::Live;
 
 use crate::eval::Cause;

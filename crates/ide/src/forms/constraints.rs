@@ -2,14 +2,10 @@
 
 use super::formula::Formulas;
 use super::write::Json;
-use crate::args::{Inspect, Plain};
-use crate::{FAILED, GOOD};
-use scenelang_base::Span;
+use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::ast::Allow;
 use scenelang_lang::print::Printed;
 use scenelang_lang::program::{Allowances, ConstraintKind, MountedOn, ObjectId, Program};
-use scenelang_lang::sources::Disk;
-use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -17,28 +13,25 @@ use std::fmt::Write;
 /// The value of the member `format`.
 const FORMAT: &str = "scenelang.constraints/1";
 
-/// Prints one line for each constraint, or all as JSON. A program that does not compile has none.
-pub fn run(args: &Inspect) -> u8 {
-    let Some((sources, main)) = super::read(&args.file) else { return FAILED };
-    let compiled = compile_main(main, Options::default(), &Disk, sources);
-    super::show(&compiled.diagnostics, &compiled.sources);
-    let Some(program) = &compiled.program else { return FAILED };
-    let view = View { compiled: &compiled, program };
-    match args.format {
-        Plain::Text => super::print(view.text()),
-        Plain::Json => super::print(format_args!("{}\n", view.json())),
-    }
-    GOOD
+/// One line for each constraint.
+pub fn text(program: &Program, sources: &SourceMap, main: FileId) -> String {
+    View { sources, main, program }.text()
+}
+
+/// All as JSON.
+pub fn json(program: &Program, sources: &SourceMap, main: FileId) -> String {
+    View { sources, main, program }.json()
 }
 
 struct View<'a> {
-    compiled: &'a Compiled,
+    sources: &'a SourceMap,
+    main: FileId,
     program: &'a Program,
 }
 
 impl View<'_> {
     fn text(&self) -> String {
-        let sources = &self.compiled.sources;
+        let sources = self.sources;
         let mut out = String::new();
         for c in &self.program.constraints {
             let kind = match c.kind {
@@ -58,7 +51,7 @@ impl View<'_> {
         let mut json = Json::default();
         json.open('{');
         json.member("format", FORMAT);
-        json.member("file", self.compiled.sources.get(self.compiled.main).name());
+        json.member("file", self.sources.get(self.main).name());
         json.name("constraints");
         json.open('[');
         (0..self.program.constraints.len()).for_each(|i| self.constraint(i, &mut json));
@@ -82,7 +75,7 @@ impl View<'_> {
 
     /// What all statements have.
     fn statement(&self, kind: &str, span: Span, text: &str, requirements: &[String]) -> Value {
-        let Compiled { sources, main, .. } = self.compiled;
+        let Self { sources, main, .. } = self;
         json!({
             "id": report::statement_id(sources.get(*main).name(), sources, span),
             "kind": kind,

@@ -1,34 +1,23 @@
 //! `scenelang syntax`: the lossless tree of a file.
 
 use super::write::Json;
-use crate::args::{Inspect, Plain};
-use crate::{FAILED, FINDINGS, GOOD};
-use scenelang_base::{Diagnostic, TextRange};
-use scenelang_lang::parse::parse_file;
+use scenelang_base::TextRange;
 use scenelang_lang::syntax::{self, NodeOrToken, SyntaxElement, SyntaxNode, Tree, WalkEvent, range_of};
 
 /// The value of the member `format`.
 const FORMAT: &str = "scenelang.syntax/1";
 
-/// Prints the tree; errors of syntax go to standard error and make the exit code 1.
-pub fn run(args: &Inspect) -> u8 {
-    let Some((sources, id)) = super::read(&args.file) else { return FAILED };
-    let file = sources.get(id);
-    let tree = syntax::parse(file.text());
-    match args.format {
-        Plain::Text => super::print(Tree(&tree)),
-        Plain::Json => super::print(format_args!("{}\n", json(file.name(), &tree))),
-    }
-    let errors: Vec<Diagnostic> = parse_file(file.text())
-        .diagnostics
-        .into_iter()
-        .filter(Diagnostic::is_error)
-        .map(|d| d.map_places(|range: TextRange| range.in_file(id)))
-        .collect();
-    if super::show(&errors, &sources) { FINDINGS } else { GOOD }
+/// The tree of a text, an element a line.
+pub fn text(text: &str) -> String {
+    Tree(&syntax::parse(text)).to_string()
 }
 
-fn json(file: &str, tree: &SyntaxNode) -> String {
+/// The tree of a text as JSON; `file` is how it is called.
+pub fn json(file: &str, text: &str) -> String {
+    tree(file, &syntax::parse(text))
+}
+
+fn tree(file: &str, tree: &SyntaxNode) -> String {
     let mut json = Json::default();
     json.open('{');
     json.member("format", FORMAT);

@@ -1,16 +1,11 @@
 //! `scenelang hir`: what the names and expressions of a program mean, before it is expanded.
 
-use crate::args::{Inspect, Plain};
-use crate::{FAILED, FINDINGS, GOOD};
 use scenelang_base::{SourceFile, SourceMap, Span, TextRange};
-use scenelang_lang::Options;
 use scenelang_lang::ast::{ExprId, ExprKind, Stmt, StmtKind};
-use scenelang_lang::db::Analysis;
 use scenelang_lang::hir::{Hir, LocalKind, Meanings, Resolution};
 use scenelang_lang::items::{ItemKind, Place, whole_number};
 use scenelang_lang::natives::{SIDES, Signature};
 use scenelang_lang::program::Side;
-use scenelang_lang::sources::Disk;
 use scenelang_lang::syntax::NodeKind;
 use scenelang_lang::types::Ty;
 use scenelang_verify::report;
@@ -22,18 +17,14 @@ const FORMAT: &str = "scenelang.hir/1";
 /// Longer texts of expressions are cut, in the form for people (characters).
 const LONGEST: usize = 60;
 
-/// Prints the declarations and statements of a file; errors go to standard error and make the exit code 1.
-pub fn run(args: &Inspect) -> u8 {
-    let Some((mut sources, main)) = super::read(&args.file) else { return FAILED };
-    let mut analysis = Analysis::new(Options::default());
-    analysis.update(main, &mut sources, &Disk);
-    let (Ok(meanings), Ok(diagnostics)) = (analysis.meanings(main), analysis.diagnostics()) else { return FAILED };
-    let view = View { file: sources.get(main), sources: &sources, meanings: &meanings };
-    match args.format {
-        Plain::Text => super::print(view.text()),
-        Plain::Json => super::print(format_args!("{}\n", view.json())),
-    }
-    if super::show(&diagnostics, &sources) { FINDINGS } else { GOOD }
+/// Declarations and statements of a file, for people.
+pub fn text(file: &SourceFile, sources: &SourceMap, meanings: &Meanings<'_>) -> String {
+    View { file, sources, meanings }.text()
+}
+
+/// The same for programs.
+pub fn json(file: &SourceFile, sources: &SourceMap, meanings: &Meanings<'_>) -> Value {
+    View { file, sources, meanings }.json()
 }
 
 struct View<'a> {

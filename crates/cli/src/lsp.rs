@@ -1,0 +1,36 @@
+//! `scenelang lsp`: serves an editor.
+
+use crate::FAILED;
+use crate::args::{self, Lsp};
+use crate::model::Asked;
+use scenelang_llm::{Error, Model};
+use scenelang_lsp::{Recorder, Setup, replay, serve};
+use scenelang_solve::Asking;
+use scenelang_verify::settings::Llm;
+use std::io::{stdin, stdout};
+
+/// Serves until the editor says `exit` or is gone; 0 if it said `shutdown` before, else 1.
+pub fn run(args: &Lsp) -> u8 {
+    let setup = match args.record.as_deref().map(Recorder::new).transpose() {
+        Ok(record) => Setup { record, connect: Some(connect) },
+        Err(e) => return fail(&format!("cannot record: {e}")),
+    };
+    match &args.replay {
+        None => serve(stdin(), stdout(), setup),
+        Some(path) => {
+            let played = replay(path, stdout());
+            played.unwrap_or_else(|e| fail(&format!("cannot replay {}: {e}", path.display())))
+        }
+    }
+}
+
+/// The model of the workspace's settings; its key comes from the environment.
+fn connect(settings: &Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error> {
+    let asked = Asked::new(&args::Model::default(), settings, 0)?;
+    Ok(asked.map(Asked::into_parts).map(|(session, asking)| (Box::new(session) as Box<dyn Model>, asking)))
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
+}

@@ -1,0 +1,85 @@
+//! A layout with its program, judged and ready to be shown or written in other formats.
+
+use crate::args::Judging;
+use crate::settings;
+use scenelang_base::{Diagnostic, FileId};
+use scenelang_export::{Scene, SceneInput};
+use scenelang_lang::program::Program;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::Layout;
+use scenelang_verify::report::{self, Human};
+use scenelang_verify::{Checked, Options, check_file_with};
+use std::path::{Path, PathBuf};
+
+/// A layout that can be drawn.
+pub struct Room {
+    /// The layout file.
+    pub path: PathBuf,
+    /// All files read, and what holds.
+    pub checked: Checked,
+    /// How it was judged.
+    pub options: Options,
+    /// Its program.
+    pub program: Program,
+    /// Where everything is.
+    pub layout: Layout,
+}
+
+impl Room {
+    /// Reads and judges a layout, or the layout beside a program.
+    ///
+    /// # Errors
+    /// What is wrong with it, for people: a line for each error.
+    pub fn read(path: &Path, loader: &dyn Loader) -> Result<Self, String> {
+        let path = layout_of(path);
+        let name = path.display().to_string();
+        let refused = |checked: &Checked| report::compact(&checked.report, Human { color: false, all: false });
+        let (options, allowed) = settings::options(&Judging::default(), &path, loader).map_err(|settings| {
+            refused(&Checked::refused(&name, settings.sources, settings.diagnostics, &Options::default()))
+        })?;
+        let mut checked = check_file_with(&name, &path, &options, scenelang_lang::Options::default(), loader);
+        checked.silence(&allowed);
+        let whole = !checked.verdict.diagnostics.iter().any(Diagnostic::is_error);
+        match (checked.program.take(), checked.layout.take()) {
+            (Some(program), Some(layout)) if whole => Ok(Self { path, checked, options, program, layout }),
+            _ => Err(refused(&checked).trim_end().to_owned()),
+        }
+    }
+
+    /// The layout file as it was read, and the file itself.
+    pub fn text(&self) -> &str {
+        self.checked.sources.iter().find(|(_, file)| file.path() == self.path).map_or("", |(_, file)| file.text())
+    }
+
+    /// The stem of its files: `study` of `study.layout.json`.
+    pub fn stem(&self) -> String {
+        let name = self.path.file_name().map_or_else(Default::default, |name| name.to_string_lossy());
+        name.strip_suffix(".json").map_or(&*name, |name| name.strip_suffix(".layout").unwrap_or(name)).to_owned()
+    }
+
+    /// What exporters need.
+    ///
+    /// # Errors
+    /// Something is not placed, or a floor is no polygon.
+    pub fn scene(&self) -> Result<Scene, String> {
+        let sources = &self.checked.sources;
+        let files: Vec<FileId> = sources.iter().filter(|(_, f)| f.path() != self.path).map(|(id, _)| id).collect();
+        let report = serde_json::to_value(&self.checked.report).map_err(|e| e.to_string())?;
+        let input = SceneInput {
+            name: &self.stem(),
+            program: &self.program,
+            sources,
+            files: &files,
+            layout: &self.layout,
+            layout_text: self.text(),
+            report: &report,
+        };
+        Scene::build(&input).map_err(|e| e.to_string())
+    }
+}
+
+/// The layout that is meant: the file itself, or the one beside a program.
+pub fn layout_of(path: &Path) -> PathBuf {
+    let program = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("scene"));
+    if program { path.with_extension("layout.json") } else { path.to_path_buf() }
+}

@@ -1,0 +1,159 @@
+//! The room that is shown: read anew when a file changes, judged while something in it is dragged, written when it is let go.
+
+use crate::room::Room;
+use scenelang_export::preview;
+use scenelang_lang::sources::{Disk, Loader};
+use scenelang_layout::{Layout, Vec3, file as layout_file};
+use scenelang_verify::check::check;
+use scenelang_verify::report;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// What a page asks: an object elsewhere.
+#[derive(Deserialize)]
+pub struct Move {
+    object: String,
+    /// Metres.
+    pos: [f64; 3],
+    /// Degrees.
+    rot: [f64; 3],
+    /// Whether the layout is to be changed, or only judged as if it were.
+    commit: bool,
+}
+
+/// Why a move is not made, or not judged.
+pub enum Refused {
+    /// What is asked cannot be.
+    Wrong(String),
+    /// The file is not what the page has seen.
+    Changed(String),
+    /// It could not be written.
+    Failed(String),
+}
+
+/// What all pages show.
+pub struct Shown {
+    file: PathBuf,
+    state: Mutex<State>,
+    news: Condvar,
+}
+
+struct State {
+    /// Counts what pages have to be told.
+    version: u64,
+    room: Option<Room>,
+    /// The room for the page, as JSON.
+    data: Option<String>,
+    /// Why there is no room, or why it is old.
+    why: Option<String>,
+}
+
+impl Shown {
+    /// Nothing yet; `file` is a program or a layout.
+    pub fn new(file: &Path) -> Self {
+        let state = State { version: 0, room: None, data: None, why: Some("it is being read".to_owned()) };
+        Self { file: file.to_path_buf(), state: Mutex::new(state), news: Condvar::new() }
+    }
+
+    /// Reads the files again, and tells all pages if anything is different.
+    pub fn read(&self, loader: &dyn Loader) {
+        let read = Room::read(&self.file, loader).and_then(|room| {
+            let carried = preview::carried(&room.scene()?).map_err(|e| e.to_string())?;
+            Ok((room, carried.to_string()))
+        });
+        let mut state = self.lock();
+        match read {
+            Ok((_, data)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
+            Ok((room, data)) => (state.room, state.data, state.why) = (Some(room), Some(data), None),
+            Err(why) if state.why.as_ref() == Some(&why) => return,
+            // What could be shown last stays.
+            Err(why) => state.why = Some(why),
+        }
+        state.version += 1;
+        self.news.notify_all();
+    }
+
+    /// The room as JSON, or why there is none that is up to date.
+    pub fn data(&self) -> Result<String, String> {
+        let state = self.lock();
+        match (&state.why, &state.data) {
+            (Some(why), _) => Err(why.clone()),
+            (None, Some(data)) => Ok(data.clone()),
+            (None, None) => Err(String::new()),
+        }
+    }
+
+    /// Waits for news after `version`, at most so long: the version now, and why the room is old, if it is.
+    pub fn after(&self, version: u64, patience: Duration) -> (u64, Option<String>) {
+        let state = self.lock();
+        let waited = self.news.wait_timeout_while(state, patience, |state| state.version == version);
+        let (state, _) = waited.unwrap_or_else(PoisonError::into_inner);
+        (state.version, state.why.clone())
+    }
+
+    /// Judges a move, and makes it if that is asked for.
+    ///
+    /// # Errors
+    /// It cannot be, the file has changed since it was read, or it cannot be written.
+    pub fn go(&self, asked: &Move) -> Result<Value, Refused> {
+        let mut state = self.lock();
+        let room = state.room.as_ref().ok_or_else(|| Refused::Wrong("there is no room yet".to_owned()))?;
+        let moved = moved(&room.layout, asked).map_err(Refused::Wrong)?;
+        let verdict = check(&room.program, &moved, &room.options);
+        let name = &room.checked.report.file;
+        let report = report::build(name, &verdict, Some(&room.program), &room.checked.sources, &room.options);
+        if asked.commit {
+            // What somebody else has written meanwhile is not ours to undo.
+            let same =
+                Disk.load(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
+            if !same {
+                return Err(Refused::Changed(format!("{} has changed meanwhile", room.path.display())));
+            }
+            let old = layout_file::read(room.text(), scenelang_base::FileId(0));
+            layout_file::write(&room.path, &moved, old.usable.then_some(&old.document))
+                .map_err(|e| Refused::Failed(e.to_string()))?;
+            // Another move may come before the file is looked at.
+            if let Ok(now) = Room::read(&self.file, &Disk) {
+                state.room = Some(now);
+            }
+        }
+        Ok(answer(&report))
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The layout with an object elsewhere.
+fn moved(layout: &Layout, asked: &Move) -> Result<Layout, String> {
+    let far = |x: &f64| !x.is_finite() || x.abs() > layout_file::LARGEST;
+    if asked.pos.iter().chain(&asked.rot).any(far) {
+        return Err("a position is three numbers within a million".to_owned());
+    }
+    let mut moved = layout.clone();
+    let found = moved.objects.iter_mut().find(|(name, _)| *name == asked.object);
+    let (_, placement) = found.ok_or_else(|| format!("the layout has no `{}`", asked.object))?;
+    (placement.pos, placement.rot) = (Vec3::from(asked.pos), Vec3::from(asked.rot));
+    Ok(moved)
+}
+
+/// What the page is told of a move: every stated constraint, and the physical rules that fail.
+fn answer(report: &scenelang_verify::Report) -> Value {
+    let rows = report.constraints.iter();
+    let (physical, stated): (Vec<_>, Vec<_>) = rows.partition(|row| row.rule.is_some());
+    let state = |satisfied: Option<bool>| match satisfied {
+        Some(true) => "holds",
+        Some(false) => "fails",
+        None => "unknown",
+    };
+    let stated: Vec<Value> = stated
+        .into_iter()
+        .map(|row| json!({ "id": row.id, "state": state(row.satisfied), "margin": row.margin }))
+        .collect();
+    let physical: Vec<_> = physical.into_iter().filter(|row| row.satisfied != Some(true)).collect();
+    json!({ "constraints": stated, "physical": physical })
+}

@@ -1,0 +1,291 @@
+//! `scenelang view`: who is answered, what is moved and written, what pages are told; Ctrl-C ends it.
+#![cfg(unix)]
+
+use crate::support::folder_with;
+use scenelang_export::preview::has_viewer;
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+/// What does not come in this time does not come at all. Nothing here depends on how long it takes.
+const NEVER: Duration = Duration::from_secs(60);
+
+struct View {
+    child: Child,
+    /// `127.0.0.1:PORT`
+    address: String,
+    layout: PathBuf,
+    _folder: tempfile::TempDir,
+}
+
+struct Answer {
+    status: u16,
+    head: String,
+    body: String,
+}
+
+impl View {
+    /// Shows the solved meeting room.
+    fn start() -> Self {
+        let (folder, scene) = folder_with("meeting-room");
+        let program = |args: &[&str]| {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+            command.args(args).arg(&scene).current_dir(folder.path()).stdin(Stdio::null());
+            command
+        };
+        assert!(program(&["solve"]).output().unwrap().status.success());
+        let mut child = program(&["view", "--no-open"]).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.trim().strip_prefix("http://").unwrap().trim_end_matches('/').to_owned();
+        assert!(address.starts_with("127.0.0.1:"), "{address}");
+        let view = Self { child, address, layout: scene.with_extension("layout.json"), _folder: folder };
+        // The first event comes when the room has been read.
+        assert_eq!(view.follow().until("changed"), "1");
+        view
+    }
+
+    fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(&self.address).unwrap();
+        stream.set_read_timeout(Some(NEVER)).unwrap();
+        stream
+    }
+
+    /// A request with these header lines; `Host` is added unless they have one.
+    fn ask(&self, line: &str, headers: &[&str], body: &str) -> Answer {
+        let mut stream = self.connect();
+        let host = format!("Host: {}", self.address);
+        let own = headers.iter().any(|h| h.to_ascii_lowercase().starts_with("host:"));
+        let lines = headers.iter().copied().chain((!own).then_some(host.as_str())).collect::<Vec<_>>().join("\r\n");
+        let length = body.len();
+        write!(stream, "{line} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}")
+            .unwrap();
+        let mut text = String::new();
+        stream.read_to_string(&mut text).unwrap();
+        let (head, body) = text.split_once("\r\n\r\n").unwrap();
+        let status = head.split(' ').nth(1).unwrap().parse().unwrap();
+        // Long answers come in pieces, each after its length.
+        let pieces = head.to_ascii_lowercase().contains("transfer-encoding: chunked");
+        let body = if pieces { join(body) } else { body.to_owned() };
+        Answer { status, head: head.to_ascii_lowercase(), body }
+    }
+
+    fn token(&self) -> String {
+        let page = self.ask("GET /", &[], "").body;
+        page.split("data-token=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+    }
+
+    /// A move by a page that has the token.
+    fn go(&self, asked: &Value) -> Answer {
+        self.ask("POST /move", &[&format!("X-Scenelang-Token: {}", self.token())], &asked.to_string())
+    }
+
+    fn follow(&self) -> Events {
+        let mut stream = self.connect();
+        write!(stream, "GET /events HTTP/1.1\r\nHost: {}\r\n\r\n", self.address).unwrap();
+        Events(BufReader::new(stream))
+    }
+
+    fn pos(&self, name: &str) -> Value {
+        let layout: Value = serde_json::from_str(&fs::read_to_string(&self.layout).unwrap()).unwrap();
+        layout["objects"][name]["pos"].clone()
+    }
+}
+
+impl Drop for View {
+    fn drop(&mut self) {
+        // A test that fails leaves nobody behind.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn join(mut pieces: &str) -> String {
+    let mut out = String::new();
+    while let Some((length, rest)) = pieces.split_once("\r\n") {
+        let length = usize::from_str_radix(length, 16).unwrap();
+        out.push_str(&rest[..length]);
+        pieces = rest[length..].trim_start_matches("\r\n");
+    }
+    out
+}
+
+/// What a page is told.
+struct Events(BufReader<TcpStream>);
+
+impl Events {
+    /// The data of the next event of a kind.
+    fn until(&mut self, kind: &str) -> String {
+        let mut now = String::new();
+        loop {
+            let mut line = String::new();
+            assert!(self.0.read_line(&mut line).unwrap() > 0, "the server hung up");
+            if let Some(event) = line.strip_prefix("event: ") {
+                event.trim().clone_into(&mut now);
+            } else if let Some(data) = line.strip_prefix("data: ")
+                && now == kind
+            {
+                return data.trim().to_owned();
+            }
+        }
+    }
+}
+
+fn there() -> bool {
+    let there = has_viewer();
+    assert!(there || std::env::var("CI").as_deref() != Ok("true"), "in CI nothing may be skipped: no viewer/dist");
+    if !there {
+        eprintln!("skipped: no viewer/dist (Node)");
+    }
+    there
+}
+
+#[test]
+fn only_its_own_pages_are_answered() {
+    if !there() {
+        return;
+    }
+    let view = View::start();
+    let port = view.address.rsplit(':').next().unwrap();
+    let own = format!("Host: localhost:{port}");
+    let origin = format!("Origin: http://{}", view.address);
+    let rebound = format!("Host: evil.example:{port}");
+    let cases: &[(&str, &[&str], u16)] = &[
+        ("GET /", &[], 200),
+        ("GET /", &[&own], 200),
+        ("GET /scene", &[&origin], 200),
+        ("GET /viewer.js", &[], 200),
+        ("GET /", &[&rebound], 403),
+        ("GET /scene", &["Host: 127.0.0.1"], 403),
+        ("GET /scene", &["Host: 127.0.0.1:1"], 403),
+        ("GET /scene", &["Origin: http://evil.example"], 403),
+        ("GET /scene", &["Origin: null"], 403),
+        ("POST /move", &[], 403),
+        ("POST /move", &["X-Scenelang-Token: 0"], 403),
+        ("PUT /move", &[], 405),
+        ("DELETE /", &[], 405),
+        ("GET /meeting-room.scene", &[], 404),
+        ("GET /../meeting-room.scene", &[], 404),
+        ("GET /%2e%2e/meeting-room.scene", &[], 404),
+        ("GET //etc/passwd", &[], 404),
+        ("GET /viewer.js/../../Cargo.toml", &[], 404),
+    ];
+    for (line, headers, status) in cases {
+        assert_eq!(view.ask(line, headers, "").status, *status, "{line} {headers:?}");
+    }
+    let page = view.ask("GET /", &[], "");
+    assert!(page.head.contains("content-security-policy: default-src 'none'; script-src 'self'"), "{}", page.head);
+    assert!(page.head.contains("frame-ancestors 'none'") && page.head.contains("nosniff"));
+    assert!(!page.body.contains("<script>"), "no script is inline");
+    let room: Value = serde_json::from_str(&view.ask("GET /scene", &[], "").body).unwrap();
+    assert_eq!(room["format"], "scenelang.preview/1");
+    assert!(!room["glb"].as_str().unwrap().is_empty());
+}
+
+#[test]
+fn what_is_dragged_is_judged_and_written_when_let_go() {
+    if !there() {
+        return;
+    }
+    let view = View::start();
+    let before = fs::read(&view.layout).unwrap();
+    let away =
+        |commit: bool| json!({ "object": "sideboard", "pos": [0.5, 0, -1.5], "rot": [0, 0, 0], "commit": commit });
+    let judged = view.go(&away(false));
+    assert_eq!(judged.status, 200, "{}", judged.body);
+    let judged: Value = serde_json::from_str(&judged.body).unwrap();
+    let fails = |v: &Value| v["constraints"].as_array().unwrap().iter().filter(|c| c["state"] == "fails").count();
+    assert!(fails(&judged) > 0 && !judged["physical"].as_array().unwrap().is_empty(), "{judged}");
+    assert_eq!(fs::read(&view.layout).unwrap(), before, "judging writes nothing");
+
+    for (wrong, what) in [
+        (json!({ "object": "nobody", "pos": [0, 0, 0], "rot": [0, 0, 0], "commit": true }), "no such object"),
+        (json!({ "object": "sideboard", "pos": [1e300, 0, 0], "rot": [0, 0, 0], "commit": true }), "too far"),
+        (json!({ "object": "sideboard", "pos": [0, 0], "rot": [0, 0, 0], "commit": true }), "two numbers"),
+        (json!("x".repeat(100_000)), "too much"),
+    ] {
+        assert_eq!(view.go(&wrong).status, 400, "{what}");
+    }
+    assert_eq!(fs::read(&view.layout).unwrap(), before, "what is refused writes nothing");
+
+    let mut events = view.follow();
+    events.until("changed");
+    assert_eq!(view.go(&away(true)).status, 200);
+    assert_eq!(view.pos("sideboard"), json!([0.5, 0, -1.5]));
+    events.until("changed");
+    let room: Value = serde_json::from_str(&view.ask("GET /scene", &[], "").body).unwrap();
+    let shown = room["objects"].as_array().unwrap().iter().find(|o| o["name"] == "sideboard").unwrap();
+    assert_eq!(shown["pos"], json!([0.5, 0.0, -1.5]));
+
+    // And back: only its place has changed in the file.
+    let home: Value = serde_json::from_slice(&before).unwrap();
+    let home = &home["objects"]["sideboard"];
+    let back = json!({ "object": "sideboard", "pos": home["pos"], "rot": home["rot"], "commit": true });
+    assert_eq!(view.go(&back).status, 200);
+    assert_eq!(fs::read(&view.layout).unwrap(), before);
+}
+
+#[test]
+fn changes_of_others_are_shown_and_never_overwritten() {
+    if !there() {
+        return;
+    }
+    let mut view = View::start();
+    let mut events = view.follow();
+    events.until("changed");
+    let text = fs::read_to_string(&view.layout).unwrap();
+
+    // At the very moment: the server has not looked at the file yet.
+    let other = text.replacen("\"seed\": 0", "\"seed\": 7", 1);
+    fs::write(&view.layout, &other).unwrap();
+    let asked = json!({ "object": "lamp", "pos": [0, 0, 0], "rot": [0, 0, 0], "commit": true });
+    let answer = view.go(&asked);
+    if answer.status == 409 {
+        assert!(answer.body.contains("has changed meanwhile"), "{}", answer.body);
+        assert_eq!(fs::read_to_string(&view.layout).unwrap(), other);
+    } else {
+        // It had looked already.
+        assert!(fs::read_to_string(&view.layout).unwrap().contains("\"seed\": 7"));
+    }
+
+    fs::write(&view.layout, "{ broken").unwrap();
+    assert!(!events.until("stale").is_empty());
+    let answer = view.ask("GET /scene", &[], "");
+    assert!(answer.status == 409 && answer.body.contains("error"), "{}", answer.body);
+    fs::write(&view.layout, &text).unwrap();
+    events.until("changed");
+
+    let id = view.child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    assert_eq!(view.child.wait().unwrap().code(), Some(0));
+}
+
+#[test]
+fn a_layout_is_exported_as_it_is() {
+    let (folder, scene) = folder_with("meeting-room");
+    let run = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+        command.args(args).current_dir(folder.path()).output().unwrap()
+    };
+    let layout = scene.with_extension("layout.json").display().to_string();
+    assert_eq!(run(&["export", &layout]).status.code(), Some(2), "there is none yet");
+    assert!(!Path::new(&folder.path().join("out")).exists());
+    assert!(run(&["solve", &scene.display().to_string()]).status.success());
+    // Moved by hand, and exported where it is.
+    let text = fs::read_to_string(&layout).unwrap();
+    let mut moved: Value = serde_json::from_str(&text).unwrap();
+    moved["objects"]["sideboard"]["pos"] = json!([0.5, 0, -1.5]);
+    fs::write(&layout, moved.to_string()).unwrap();
+    assert_eq!(run(&["export", &layout, "--only", "glb,plan"]).status.code(), Some(1), "it breaks constraints");
+    let mut names: Vec<_> = fs::read_dir(folder.path().join("out")).unwrap().map(|f| f.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["meeting-room.glb", "plan.png", "plan.svg"]);
+    let again = run(&["check", "out/meeting-room.glb", "--format", "json"]);
+    let report: Value = serde_json::from_slice(&again.stdout).unwrap();
+    assert_eq!(report["ok"], false);
+    assert_eq!(run(&["export", &layout, "--only", "obj"]).status.code(), Some(2));
+}

@@ -1,0 +1,137 @@
+//! Fixes of what is marked.
+
+use super::{Action, Kind, indent, is_safe, line_end, line_start};
+use crate::diagnostics::{Finding, diagnostics};
+use crate::{LayoutFile, Snapshot};
+use scenelang_base::{Edit, FileId, TextRange, codes, fix};
+use scenelang_lang::db::Cancelled;
+use scenelang_lang::program::Program;
+use scenelang_layout::Vec3;
+use scenelang_verify::explain::{Step, move_in_words};
+
+pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<Action>) -> Result<(), Cancelled> {
+    let d = &finding.diagnostic;
+    let mends = |action: Action| Action { mends: Some(finding.clone()), ..action };
+    for fix in &d.fixes {
+        let preferred = is_safe(fix.applicability);
+        let action = Action::new(sentence(&fix.title), Kind::Fix, fix.edits.clone());
+        out.push(mends(Action { preferred, ..action }));
+    }
+    let Some(place) = d.primary.as_ref().map(|label| label.place) else { return Ok(()) };
+    if d.code == codes::E0201 {
+        let said = d.fixes.iter().any(|fix| fix.title.contains("`object "));
+        out.extend(declare(snapshot, place.range, !said).into_iter().map(mends));
+    }
+    if d.code.as_str().starts_with('W') && place.file == snapshot.main() {
+        out.push(mends(silence(snapshot, d.code.as_str(), place.range)));
+    }
+    if let Some(index) = finding.row {
+        out.extend(smallest_move(snapshot, index)?.map(mends));
+    }
+    Ok(())
+}
+
+fn sentence(title: &str) -> String {
+    let mut chars = title.chars();
+    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
+}
+
+/// Declarations of a name that nothing has.
+fn declare(snapshot: &Snapshot, name: TextRange, object: bool) -> Vec<Action> {
+    let text = snapshot.text();
+    let Some(written) = text.get(name.bytes()) else { return Vec::new() };
+    let at = line_start(text, name.start);
+    let lead = indent(text, name.start);
+    let make = |word: &str, what: &str| {
+        let place = TextRange::empty(at).in_file(snapshot.main());
+        let edit = Edit { place, text: format!("{lead}{word} {written};\n") };
+        Action::new(format!("Declare `{written}` as {what}"), Kind::Fix, vec![edit])
+    };
+    let kinds = [("object", "an object"), ("region", "a region"), ("Number", "a number")];
+    // That it may be an object is often said by the diagnostic itself.
+    kinds.into_iter().skip(usize::from(!object)).map(|(word, what)| make(word, what)).collect()
+}
+
+/// A comment behind the line that silences a warning.
+fn silence(snapshot: &Snapshot, code: &str, place: TextRange) -> Action {
+    let end = line_end(snapshot.text(), place.start);
+    let edit = Edit { place: TextRange::empty(end).in_file(snapshot.main()), text: format!(" // allow({code})") };
+    Action::new(format!("Allow {code} here"), Kind::Fix, vec![edit])
+}
+
+/// The smallest move that mends a row and breaks nothing, if there is one: it was judged before.
+fn smallest_move(snapshot: &Snapshot, index: usize) -> Result<Option<Action>, Cancelled> {
+    let (Some(judged), Some(explained)) = (snapshot.judged()?, snapshot.explained()?) else { return Ok(None) };
+    let Some(row) = judged.verdict.rows.get(index) else { return Ok(None) };
+    let same = explained.rows.iter().find(|r| r.kind == row.kind && r.subject == row.subject);
+    let Some(mend) = same.and_then(|r| r.explanation.as_ref()?.mend.as_ref()) else { return Ok(None) };
+    // What breaks something else is a matter for a longer search.
+    if !mend.breaks.is_empty() {
+        return Ok(None);
+    }
+    let program = &judged.compiled.program;
+    let Some(edits) = moves(snapshot, program, &mend.steps) else { return Ok(None) };
+    let title = sentence(&move_in_words(program, mend));
+    Ok(Some(Action { preferred: true, ..Action::new(title, Kind::Fix, edits) }))
+}
+
+/// Moves as edits of the layout: of the numbers, and nothing else.
+fn moves(snapshot: &Snapshot, program: &Program, steps: &[Step]) -> Option<Vec<Edit>> {
+    let layout = snapshot.layout()?;
+    let mut edits = Vec::new();
+    for step in steps {
+        let name = &program.objects.get(step.object.0 as usize)?.name;
+        let placed = layout.read.layout.object(name)?;
+        let turned = Vec3::new(placed.rot.x, (placed.rot.y + step.turn).rem_euclid(360.0), placed.rot.z);
+        let rot = if step.turn == 0.0 { placed.rot } else { turned };
+        edits.extend(placing(layout, name, placed.pos + Vec3::from(step.by), rot)?);
+    }
+    Some(edits)
+}
+
+/// Another place for an object as edits of the layout: of the numbers that change, and nothing else. `None`: the layout has
+/// no such object.
+pub fn placing(layout: &LayoutFile, name: &str, pos: Vec3, rot: Vec3) -> Option<Vec<Edit>> {
+    let placed = layout.read.layout.object(name)?;
+    let entry = layout.read.places.objects.get(name)?;
+    let at = entry.member("pos")?.value;
+    let mut edits = Vec::new();
+    if pos != placed.pos {
+        edits.push(Edit { place: at, text: numbers(pos) });
+    }
+    if rot != placed.rot {
+        edits.push(match entry.member("rot") {
+            Some(member) => Edit { place: member.value, text: numbers(rot) },
+            // Behind the position, which is there.
+            None => {
+                let place = TextRange::empty(at.range.end).in_file(at.file);
+                Edit { place, text: format!(", \"rot\": {}", numbers(rot)) }
+            }
+        });
+    }
+    Some(edits)
+}
+
+/// Three numbers as the layout file has them, to a tenth of a micrometre.
+fn numbers(v: Vec3) -> String {
+    let short = |x: f64| (x * 1e7).round() / 1e7 + 0.0;
+    format!("[{}, {}, {}]", short(v.x), short(v.y), short(v.z))
+}
+
+/// The main file with every safe fix made, if there is any.
+///
+/// # Errors
+/// [`Cancelled`]: the text has changed.
+pub fn all_safe(snapshot: &Snapshot) -> Result<Option<Edit>, Cancelled> {
+    let own = |file: FileId| file == snapshot.main();
+    let found = diagnostics(snapshot)?;
+    let fixes = found.iter().flat_map(|f| f.diagnostic.fixes.iter().find(|fix| is_safe(fix.applicability)));
+    let fixes = fixes.filter(|fix| fix.edits.iter().all(|e| own(e.place.file)));
+    let edits: Vec<Vec<Edit<TextRange>>> = fixes
+        .map(|fix| fix.edits.iter().map(|e| Edit { place: e.place.range, text: e.text.clone() }).collect())
+        .collect();
+    let text = snapshot.text();
+    let applied = fix::apply(text, edits.iter().map(Vec::as_slice));
+    let whole = TextRange::new(0, text.len()).in_file(snapshot.main());
+    Ok((!applied.made.is_empty()).then_some(Edit { place: whole, text: applied.text }))
+}

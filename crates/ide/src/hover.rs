@@ -1,0 +1,258 @@
+//! What is said of the thing under the pointer: its type, its documentation, what it is in the layout; of a constraint, by
+//! how much it holds, what was asked for, and what would mend it.
+
+use crate::diagnostics::margin;
+use crate::names::{self, Occurrence, Symbol};
+use crate::navigate::word_of;
+use crate::{Snapshot, facts};
+use scenelang_base::TextRange;
+use scenelang_lang::ast::{Stmt, StmtKind};
+use scenelang_lang::db::Cancelled;
+use scenelang_lang::hir::LocalKind;
+use scenelang_lang::items::{ItemKind, Place};
+use scenelang_lang::library;
+use scenelang_lang::natives::{self, Signature};
+use scenelang_lang::program::{ObjectId, Program, RegionId};
+use scenelang_lang::types::Ty;
+use scenelang_verify::check::{Judged as Row, Subject};
+use scenelang_verify::explain::move_in_words;
+use std::fmt::Write;
+
+/// Markdown about what is at an offset of the main file, and what it is about.
+///
+/// # Errors
+/// [`Cancelled`]: the text has changed.
+pub fn hover(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+    let name = names::name_at(snapshot, snapshot.main(), offset)?;
+    let constraint = constraint_at(snapshot, offset)?;
+    let about = match &name {
+        Some(name) => of_name(snapshot, name)?,
+        None => None,
+    };
+    Ok(match (name, about, constraint) {
+        (Some(name), Some(text), None) => Some((name.range, text)),
+        (Some(name), Some(text), Some((_, verdict))) => {
+            Some((name.range, format!("{text}\n\n---\n{}", verdict.lines().next().unwrap_or_default())))
+        }
+        (_, None, Some((range, verdict))) => Some((range, verdict)),
+        (_, None, None) => None,
+        (None, Some(_), _) => None,
+    })
+}
+
+fn code(text: &str) -> String {
+    format!("```scene\n{text}\n```")
+}
+
+fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Cancelled> {
+    Ok(match &name.symbol {
+        Symbol::Item(item, kind) => Some(of_item(snapshot, item, *kind)?),
+        Symbol::Local { kind, ty, .. } => {
+            let written = snapshot.slice(name.range.in_file(snapshot.main()));
+            let (ty, how) = match (kind, ty) {
+                (LocalKind::Variable, Ty::Object) => ("Object", "variable of a quantifier"),
+                (LocalKind::Variable, _) => (ty.name(), "variable of a quantifier"),
+                (LocalKind::Parameter, _) => (ty.name(), "parameter"),
+            };
+            Some(format!("{}\n\n{how}", code(&format!("{ty} {written}"))))
+        }
+        Symbol::Predicate(predicate) => {
+            let meanings = snapshot.meanings()?;
+            let Some(span) = meanings.defined.get(predicate) else { return Ok(None) };
+            let other = snapshot.analysis().meanings(span.file)?;
+            let own = |(place, _): &&(Place<'_>, _)| matches!(&place.stmt.kind, StmtKind::Predicate { name, .. } if name.text == *predicate);
+            other.statements.iter().find(own).map(|(place, _)| {
+                let text = snapshot.sources().get(span.file).slice(place.stmt.range.shifted(place.offset));
+                format!("{}{}", code(text), documentation(place.stmt))
+            })
+        }
+        Symbol::Library(predicate) => library_predicate(predicate),
+        Symbol::BuiltIn(built_in) => Some(built_ins(built_in)),
+        Symbol::Property(of, property) => natives::property(*of, property).map(|p| {
+            let value =
+                value_of(snapshot, name, property).map_or(String::new(), |v| format!("\n\nis `{v}` in the layout"));
+            let owner = word_of(*of);
+            format!("{}\n\n{}{value}", code(&format!("{owner}.{} : {}", p.name, p.ty.name())), p.doc)
+        }),
+        Symbol::AllObjects => Some(format!("{}\n\nall objects, elements of arrays included", code("Objects objects"))),
+        Symbol::Component | Symbol::Side => None,
+    })
+}
+
+/// A predicate of the library, with its documentation.
+pub fn library_predicate(name: &str) -> Option<String> {
+    let predicate = library::predicates().get(name)?;
+    let params: Vec<String> =
+        predicate.params.iter().map(|p| format!("{} {}", Ty::of(p.ty).name(), p.name.text)).collect();
+    let head = format!("predicate {name}({})", params.join(", "));
+    Some(format!("{}{}\n\nof the standard library", code(&head), documentation(predicate.place.stmt)))
+}
+
+/// A built-in, with all its overloads.
+pub fn built_ins(name: &str) -> String {
+    let mut heads: Vec<String> = Vec::new();
+    let mut docs: Vec<&str> = Vec::new();
+    for signature in natives::overloads(name) {
+        heads.push(head_of(signature));
+        if !docs.contains(&signature.doc) {
+            docs.push(signature.doc);
+        }
+    }
+    format!("{}\n\n{}", code(&heads.join("\n")), docs.join("\n\n"))
+}
+
+/// `distance(Object a, Object b) -> Number`
+pub(crate) fn head_of(signature: &Signature) -> String {
+    let names: Vec<&str> = signature.names.split(", ").collect();
+    let params: Vec<String> = names
+        .iter()
+        .enumerate()
+        .map(|(i, name)| match signature.param(i) {
+            _ if *name == "…" => "…".to_owned(),
+            Ty::Literal => (*name).to_owned(),
+            ty => format!("{} {name}", ty.name()),
+        })
+        .collect();
+    let result =
+        if signature.result == Ty::Literal { String::new() } else { format!(" -> {}", signature.result.name()) };
+    format!("{}({}){result}", signature.name, params.join(", "))
+}
+
+pub(crate) fn documentation(stmt: &Stmt) -> String {
+    let mut out = String::new();
+    if !stmt.doc.trim().is_empty() {
+        let _ = write!(out, "\n\n{}", stmt.doc.trim());
+    }
+    for (sentence, _) in &stmt.requirements {
+        let _ = write!(out, "\n\n_asked for by “{sentence}”_");
+    }
+    out
+}
+
+fn of_item(snapshot: &Snapshot, item: &str, kind: ItemKind) -> Result<String, Cancelled> {
+    let meanings = snapshot.meanings()?;
+    let mut doc = String::new();
+    let mut head = item.to_owned();
+    if let Some(span) = meanings.declared.get(item) {
+        let other = snapshot.analysis().meanings(span.file)?;
+        let own = |(place, _): &&(Place<'_>, _)| {
+            place
+                .span(place.stmt.range)
+                .is_some_and(|s| s.range.start <= span.range.start && span.range.end <= s.range.end)
+        };
+        if let Some((place, _)) = other.statements.iter().find(own) {
+            head = snapshot.sources().get(span.file).slice(place.stmt.range.shifted(place.offset)).to_owned();
+            doc = documentation(place.stmt);
+        }
+    }
+    let mut out = format!("{}{doc}", code(&head));
+    let compiled = snapshot.compiled()?;
+    let Some(layout) = snapshot.layout().filter(|l| l.read.usable).map(|l| &l.read.layout) else { return Ok(out) };
+    match kind {
+        ItemKind::Object | ItemKind::Array(_) => {
+            let own = |name: &str| name == item || name.strip_prefix(item).is_some_and(|rest| rest.starts_with('['));
+            let placed: Vec<_> = layout.objects.iter().filter(|(name, _)| own(name)).collect();
+            for (name, p) in placed.iter().take(4) {
+                let turn =
+                    if p.rot.amax() > 1e-6 { format!(", turned ({})", facts::triple(p.rot)) } else { String::new() };
+                let _ = write!(out, "\n\n`{name}` is at ({}){turn}, {}", facts::triple(p.pos), facts::size(&p.scale));
+            }
+            if placed.len() > 4 {
+                let _ = write!(out, "\n\nand {} more", placed.len() - 4);
+            }
+            out.push_str(&failing(snapshot, &compiled.program, &own)?);
+        }
+        ItemKind::Region => {
+            if let Some(p) = layout.region(item) {
+                let _ = write!(out, "\n\nis at ({}), {}", facts::triple(p.pos), facts::size(&p.scale));
+            }
+        }
+        ItemKind::Variable(_) => {
+            if let Some(value) = facts::of_variable(layout, item) {
+                let _ = write!(out, "\n\nis `{value}` in the layout");
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// What does not hold of objects.
+fn failing(snapshot: &Snapshot, program: &Program, own: &dyn Fn(&str) -> bool) -> Result<String, Cancelled> {
+    const MOST: usize = 5;
+    let Some(judged) = snapshot.judged()? else { return Ok(String::new()) };
+    let name = |id: &ObjectId| program.objects.get(id.0 as usize).is_some_and(|o| own(&o.name));
+    let fails = |row: &&Row| row.satisfied == Some(false) && row.objects.iter().any(name);
+    let rows: Vec<&Row> = judged.verdict.rows.iter().filter(fails).collect();
+    let mut out = String::new();
+    for row in rows.iter().take(MOST) {
+        let _ = write!(out, "\n- fails: {}", crate::diagnostics::headline(row));
+    }
+    if rows.len() > MOST {
+        let _ = write!(out, "\n- and {} more", rows.len() - MOST);
+    }
+    Ok(if out.is_empty() { out } else { format!("\n{out}") })
+}
+
+/// The value of the property at an occurrence, where it is one of a single thing.
+fn value_of(snapshot: &Snapshot, name: &Occurrence, property: &str) -> Option<String> {
+    let text = snapshot.text();
+    // What stands before the dot, on the same line.
+    let before = text.get(..name.range.start as usize)?.trim_end().strip_suffix('.')?.trim_end();
+    let start = before
+        .rfind(|c: char| !(c.is_alphanumeric() || c == '_' || c == '[' || c == ']'))
+        .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+    let owner = &before[start..];
+    let compiled = snapshot.compiled().ok()?;
+    let program = &compiled.program;
+    let layout = &snapshot.layout()?.read.layout;
+    if let Some(id) = program.objects.iter().position(|o| o.name == owner) {
+        return facts::of_object(snapshot, program, layout, ObjectId(id as u32), property);
+    }
+    let id = program.regions.iter().position(|r| r.name == owner)?;
+    facts::of_region(snapshot, program, layout, RegionId(id as u32), property)
+}
+
+/// The constraint whose statement holds an offset, and what is to be said of it.
+fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+    let Some(judged) = snapshot.judged()? else { return Ok(None) };
+    let here = |row: &Row| {
+        let place = row.place;
+        matches!(row.subject, Subject::Statement(_))
+            && place.file == snapshot.main()
+            && place.range.start <= offset
+            && offset <= place.range.end
+    };
+    let Some(index) = judged.verdict.rows.iter().position(here) else { return Ok(None) };
+    let row = &judged.verdict.rows[index];
+    // The sentences and the moves are worked out only for who asks.
+    let verdict = if row.satisfied == Some(false) { snapshot.explained()? } else { None };
+    let full = verdict.as_ref().and_then(|v| v.rows.iter().find(|r| r.subject == row.subject && r.kind == row.kind));
+    Ok(Some((row.place.range, verdict_in_words(&judged.compiled.program, full.unwrap_or(row)))))
+}
+
+fn verdict_in_words(program: &Program, row: &Row) -> String {
+    let by = margin(row).map_or(String::new(), |m| format!(", margin **{m}**"));
+    let mut out = match row.satisfied {
+        Some(true) => format!("holds{by}"),
+        Some(false) => format!("**fails**{by}"),
+        None => "cannot be judged in this layout".to_owned(),
+    };
+    if !row.measured.is_empty() {
+        let _ = write!(out, "\n\n{}", row.measured);
+    }
+    for label in &row.related {
+        let _ = write!(out, "\n- {}", label.message);
+    }
+    for requirement in &row.requirements {
+        let _ = write!(out, "\n\n_asked for by “{requirement}”_");
+    }
+    if let Some(explanation) = &row.explanation {
+        if let Some(mend) = &explanation.mend {
+            let _ = write!(out, "\n\nto mend it: {}", move_in_words(program, mend));
+        }
+        if !explanation.pinned.is_empty() {
+            out.push_str("\n\nits objects are pinned by assignments");
+        }
+    }
+    out
+}

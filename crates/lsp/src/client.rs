@@ -1,0 +1,85 @@
+//! What the client can, as it said in `initialize`.
+
+use crate::text::Encoding;
+use serde_json::Value;
+
+/// Capabilities that we ask about.
+#[derive(Clone, Debug)]
+pub struct Client {
+    /// How positions count.
+    pub encoding: Encoding,
+    /// Asks for diagnostics itself, and asks again when told to.
+    pub pulls: bool,
+    /// Diagnostics may speak of further places.
+    pub related: bool,
+    /// Versions of documents stand in edits, and files may be created.
+    pub document_changes: bool,
+    /// Files can be created by an edit.
+    pub creates: bool,
+    /// Edits may be applied at our request.
+    pub applies: bool,
+    /// Shows how far long work is.
+    pub progress: bool,
+    /// Has settings for us.
+    pub configuration: bool,
+    /// Says when settings change, if asked to.
+    pub watches_configuration: bool,
+    /// Says when files change, if asked to.
+    pub watches_files: bool,
+    /// Code actions may be completed when they are chosen.
+    pub resolves_edits: bool,
+    /// Completions may be snippets.
+    pub snippets: bool,
+    /// Symbols may contain each other.
+    pub nested_symbols: bool,
+    /// Definitions may say where they were asked from.
+    pub links: bool,
+    /// Hints, lenses, tokens and diagnostics can be asked for again: the requests that say so.
+    pub refreshes: Vec<&'static str>,
+    /// The editor has a language model for us.
+    pub model: bool,
+    /// Edits may come with words about them.
+    pub annotates: bool,
+}
+
+impl Client {
+    /// Reads the parameters of `initialize`.
+    pub fn new(params: &Value) -> Self {
+        let at = |path: &str| params["capabilities"].pointer(path).cloned().unwrap_or_default();
+        let on = |path: &str| at(path).as_bool() == Some(true);
+        let offered = at("/general/positionEncodings");
+        let offers = |encoding: Encoding| {
+            offered.as_array().is_some_and(|list| list.iter().any(|name| name.as_str() == Some(encoding.name())))
+        };
+        let encoding = [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32].into_iter().find(|e| offers(*e));
+        let refresh = [
+            ("/workspace/diagnostics/refreshSupport", "workspace/diagnostic/refresh"),
+            ("/workspace/inlayHint/refreshSupport", "workspace/inlayHint/refresh"),
+            ("/workspace/codeLens/refreshSupport", "workspace/codeLens/refresh"),
+        ];
+        let refreshes: Vec<&'static str> = refresh.iter().filter(|(path, _)| on(path)).map(|(_, name)| *name).collect();
+        let operations = at("/workspace/workspaceEdit/resourceOperations");
+        let resolves = at("/textDocument/codeAction/resolveSupport/properties");
+        let has =
+            |list: &Value, word: &str| list.as_array().is_some_and(|l| l.iter().any(|w| w.as_str() == Some(word)));
+        Self {
+            encoding: encoding.unwrap_or(Encoding::Utf16),
+            pulls: at("/textDocument/diagnostic").is_object() && refreshes.contains(&"workspace/diagnostic/refresh"),
+            related: on("/textDocument/publishDiagnostics/relatedInformation"),
+            document_changes: on("/workspace/workspaceEdit/documentChanges"),
+            creates: has(&operations, "create"),
+            applies: on("/workspace/applyEdit"),
+            progress: on("/window/workDoneProgress"),
+            configuration: on("/workspace/configuration"),
+            watches_configuration: on("/workspace/didChangeConfiguration/dynamicRegistration"),
+            watches_files: on("/workspace/didChangeWatchedFiles/dynamicRegistration"),
+            resolves_edits: has(&resolves, "edit"),
+            snippets: on("/textDocument/completion/completionItem/snippetSupport"),
+            nested_symbols: on("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
+            links: on("/textDocument/definition/linkSupport"),
+            refreshes,
+            model: params["initializationOptions"]["languageModel"].as_str() == Some("client"),
+            annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
+        }
+    }
+}

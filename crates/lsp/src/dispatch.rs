@@ -1,0 +1,224 @@
+//! Which handler answers which question.
+
+use crate::client::Client;
+use crate::config::Config;
+use crate::convert::Places;
+use crate::disk::Found;
+use crate::features;
+use crate::state::State;
+use crate::text::Text;
+use scenelang_base::{FileId, TextRange};
+use scenelang_ide::{Cancelled, Snapshot};
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+use tower_lsp::jsonrpc::{Error, ErrorCode, Id};
+use tower_lsp::ls_types::{Position, Range, Uri};
+
+/// The numbers of semantic tokens, by the number of the answer that they were in.
+pub type Tokens = Arc<Mutex<Option<(String, Vec<u32>)>>>;
+
+/// What a handler sees of the program that it is asked about.
+pub struct Context {
+    /// The document.
+    pub uri: Uri,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: Arc<Text>,
+    /// What is known of it.
+    pub snapshot: Snapshot,
+    /// Where its layout is, or would be.
+    pub layout: Option<PathBuf>,
+    /// The settings of its workspace.
+    pub settings: Arc<Found>,
+    /// Which of its verdicts is asked for.
+    pub generation: u64,
+    /// What the client can.
+    pub client: Arc<Client>,
+    /// What the user has set.
+    pub config: Arc<Config>,
+    /// The semantic tokens that were sent last, with the number of that answer.
+    pub tokens: Tokens,
+    /// Addresses of open documents.
+    pub open: BTreeMap<PathBuf, Uri>,
+    /// Versions of open documents.
+    pub versions: BTreeMap<String, i32>,
+}
+
+impl Context {
+    /// Places in its files.
+    pub fn places(&self) -> Places<'_> {
+        let main = (self.snapshot.main(), Arc::clone(&self.text));
+        Places::new(self.snapshot.sources(), self.client.encoding, &self.open, main)
+    }
+    /// Its own file.
+    pub fn file(&self) -> FileId {
+        self.snapshot.main()
+    }
+    /// The byte offset of a position.
+    pub fn offset(&self, at: Position) -> u32 {
+        self.text.offset(at, self.client.encoding)
+    }
+    /// A range of positions as bytes.
+    pub fn bytes(&self, range: Range) -> TextRange {
+        self.text.bytes(range, self.client.encoding)
+    }
+    /// A range of bytes as positions.
+    pub fn range(&self, range: TextRange) -> Range {
+        self.text.range(range, self.client.encoding)
+    }
+    /// Versions, if the client has edits with these.
+    pub fn edit_versions(&self) -> Option<&BTreeMap<String, i32>> {
+        self.client.document_changes.then_some(&self.versions)
+    }
+}
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// The text has changed: ask again.
+    Outdated,
+    /// There is no such question.
+    Unknown(String),
+    /// It does not ask about anything.
+    Invalid(String),
+    /// It cannot be done, and why.
+    Failed(String),
+    /// Somebody does not want it any more.
+    Cancelled,
+    /// A mistake of ours.
+    Internal,
+}
+
+impl Fault {
+    /// As the protocol has it.
+    pub fn into_error(self) -> Error {
+        let with = |code, message: String| Error { code, message: message.into(), data: None };
+        match self {
+            Self::Outdated => Error::content_modified(),
+            Self::Unknown(method) => with(ErrorCode::MethodNotFound, format!("there is no request `{method}`")),
+            Self::Invalid(why) => with(ErrorCode::InvalidParams, why),
+            Self::Failed(why) => with(ErrorCode::ServerError(-32803), why),
+            Self::Cancelled => Error::request_cancelled(),
+            Self::Internal => Error::internal_error(),
+        }
+    }
+}
+
+impl From<Cancelled> for Fault {
+    fn from(_: Cancelled) -> Self {
+        Self::Outdated
+    }
+}
+
+/// Reads parameters.
+///
+/// # Errors
+/// They are not what the question takes.
+pub fn params<P: DeserializeOwned>(params: Value) -> Result<P, Fault> {
+    P::deserialize(params).map_err(|e| Fault::Invalid(e.to_string()))
+}
+
+impl State {
+    /// Has a question answered.
+    ///
+    /// # Errors
+    /// Why nobody can.
+    pub fn dispatch(&mut self, id: &Id, method: &str, given: Value) -> Result<(), Fault> {
+        use features::*;
+        match method {
+            "textDocument/diagnostic" => self.document(id, given, diagnostic::document),
+            "textDocument/hover" => self.document(id, given, navigation::hover),
+            "textDocument/definition" => self.document(id, given, navigation::definition),
+            "textDocument/declaration" => self.document(id, given, navigation::declaration),
+            "textDocument/typeDefinition" => self.document(id, given, navigation::type_definition),
+            "textDocument/references" => self.document(id, given, navigation::references),
+            "textDocument/documentHighlight" => self.document(id, given, navigation::highlight),
+            "textDocument/prepareRename" => self.document(id, given, navigation::prepare_rename),
+            "textDocument/rename" => self.document(id, given, navigation::rename),
+            "textDocument/documentSymbol" => self.document(id, given, navigation::document_symbols),
+            "textDocument/prepareCallHierarchy" => self.document(id, given, navigation::prepare_calls),
+            "callHierarchy/incomingCalls" => self.item(id, given, navigation::incoming),
+            "callHierarchy/outgoingCalls" => self.item(id, given, navigation::outgoing),
+            "textDocument/completion" => self.document(id, given, writing::completion),
+            "textDocument/signatureHelp" => self.document(id, given, writing::signature_help),
+            "textDocument/formatting" => self.document(id, given, writing::formatting),
+            "textDocument/rangeFormatting" => self.document(id, given, writing::range_formatting),
+            "textDocument/onTypeFormatting" => self.document(id, given, writing::on_type_formatting),
+            "textDocument/linkedEditingRange" => self.document(id, given, writing::linked_editing),
+            "textDocument/semanticTokens/full" => self.document(id, given, looks::tokens_full),
+            "textDocument/semanticTokens/full/delta" => self.document(id, given, looks::tokens_delta),
+            "textDocument/semanticTokens/range" => self.document(id, given, looks::tokens_range),
+            "textDocument/foldingRange" => self.document(id, given, looks::folding),
+            "textDocument/selectionRange" => self.document(id, given, looks::selection),
+            "textDocument/documentLink" => self.document(id, given, looks::links),
+            "textDocument/documentColor" => self.document(id, given, looks::colours),
+            "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
+            "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
+            "textDocument/codeLens" => self.document(id, given, looks::lenses),
+            "textDocument/codeAction" => self.document(id, given, actions::actions),
+            "codeAction/resolve" => self.resolve_action(id, given),
+            "workspace/executeCommand" => self.execute(id, given),
+            "scenelang/scene" => self.custom(id, given, scene::scene),
+            "scenelang/forms" => self.custom(id, given, scene::forms),
+            "scenelang/move" => self.move_object(id, given),
+            "completionItem/resolve" => {
+                self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
+                Ok(())
+            }
+            "workspace/diagnostic" => {
+                self.workspace_diagnostic(id, given);
+                Ok(())
+            }
+            "workspace/symbol" => {
+                let query = given["query"].as_str().unwrap_or_default().to_owned();
+                let (roots, files, encoding) = (self.roots.clone(), self.documents.files(), self.client.encoding);
+                self.ask_pool(id, move || Ok(navigation::workspace_symbols(&roots, &files, encoding, &query)));
+                Ok(())
+            }
+            _ => Err(Fault::Unknown(method.to_owned())),
+        }
+    }
+
+    /// A question that is none of the protocol.
+    fn custom<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
+    }
+
+    /// A question about an item that the client was given before.
+    fn item<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["item"]["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
+    }
+
+    /// A question about a document.
+    fn document<P: DeserializeOwned + Send + Sync + 'static>(
+        &mut self,
+        id: &Id,
+        given: Value,
+        handler: fn(&Context, &P) -> Result<Value, Fault>,
+    ) -> Result<(), Fault> {
+        let uri = given["textDocument"]["uri"].as_str().unwrap_or_default().to_owned();
+        let given: P = params(given)?;
+        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        Ok(())
+    }
+}

@@ -1,0 +1,201 @@
+//! An object under the pointer: each step is judged by what it can change, by a thread that keeps the judgement while the
+//! drag goes on.
+
+use crate::disk::uri_of;
+use crate::dispatch::{Fault, params};
+use crate::jobs::{LayoutEdit, Outcome};
+use crate::state::{Event, State, guarded};
+use crate::text::Text;
+use scenelang_base::{Edit, SourceMap, TextRange, fix};
+use scenelang_ide::actions::placing;
+use scenelang_ide::{Judged, LayoutFile};
+use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_layout::{Layout, Vec3, file as layout_file};
+use scenelang_verify::check::{Judged as Row, Subject};
+use scenelang_verify::{Live, Options, report};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use tower_lsp::jsonrpc::Id;
+use tower_lsp::ls_types::Uri;
+
+#[derive(Deserialize)]
+struct Move {
+    uri: Uri,
+    object: String,
+    pos: [f64; 3],
+    rot: Option<[f64; 3]>,
+    #[serde(default)]
+    commit: bool,
+}
+
+/// One step of a drag.
+struct Step {
+    id: Id,
+    object: ObjectId,
+    pos: Vec3,
+    rot: Vec3,
+}
+
+/// A drag that goes on: what it is about, and where its steps go.
+pub struct Drag {
+    /// The verdict that it began from.
+    generation: u64,
+    steps: Sender<Step>,
+}
+
+/// What the thread of a drag has.
+struct Scene {
+    judged: Arc<Judged>,
+    layout: Arc<LayoutFile>,
+    sources: Arc<SourceMap>,
+    options: Options,
+    name: String,
+}
+
+impl State {
+    /// `scenelang/move`
+    ///
+    /// # Errors
+    /// It does not say what is moved where, or there is no layout in which it could be.
+    pub fn move_object(&mut self, id: &Id, given: Value) -> Result<(), Fault> {
+        let Move { uri, object, pos, rot, commit } = params(given)?;
+        let key = uri.as_str().to_owned();
+        let finite = pos.iter().chain(rot.iter().flatten()).all(|x| x.is_finite() && x.abs() <= layout_file::LARGEST);
+        if !finite {
+            return Err(Fault::Invalid("a position is three numbers within a million".to_owned()));
+        }
+        let context = self.context(&key).ok_or_else(|| Fault::Invalid(format!("{key} is no open program")))?;
+        let generation = context.generation;
+        let Some(layout) = context.snapshot.layout_file().filter(|l| l.read.usable) else {
+            return Err(Fault::Failed("there is no layout in which it could be moved".to_owned()));
+        };
+        let placed = layout.read.layout.object(&object);
+        let placed = placed.ok_or_else(|| Fault::Invalid(format!("the layout has no `{object}`")))?;
+        let (pos, rot) = (Vec3::from(pos), rot.map_or(placed.rot, Vec3::from));
+        if commit {
+            let mut moved = layout.read.layout.clone();
+            if let Some((_, placed)) = moved.objects.iter_mut().find(|(name, _)| *name == object) {
+                (placed.pos, placed.rot) = (pos, rot);
+            }
+            let edits = placing(&layout, &object, pos, rot).ok_or(Fault::Internal)?;
+            return self.commit(id, &key, &object, &moved, &layout, &edits);
+        }
+        let judged = context.snapshot.judged().map_err(Fault::from)?.ok_or(Fault::Outdated)?;
+        let found = judged.compiled.program.objects.iter().position(|o| o.name == object);
+        let found = found.ok_or_else(|| Fault::Invalid(format!("the program has no `{object}`")))?;
+        let step = Step { id: id.clone(), object: ObjectId(found as u32), pos, rot };
+        let going = self.drags.get(&key).filter(|drag| drag.generation == generation);
+        let unsent = match going {
+            None => step,
+            Some(drag) => match drag.steps.send(step) {
+                Ok(()) => return Ok(()),
+                Err(unsent) => unsent.0,
+            },
+        };
+        let mut options = context.snapshot.judging().options;
+        options.physics &= judged.compiled.complete;
+        let name = context.snapshot.sources().get(layout.file).name().to_owned();
+        let (sources, _) = context.snapshot.into_sources();
+        let scene = Scene { judged, layout, sources, options, name };
+        let (steps, taken) = channel();
+        let events = self.events();
+        let thread = std::thread::Builder::new().name("drag".to_owned()).stack_size(8 << 20);
+        let spawned = thread.spawn(move || {
+            // A mistake of ours ends this drag, and the next step begins another.
+            let _ = guarded(|| {
+                follow(&scene, &taken, &events);
+                Ok(())
+            });
+        });
+        spawned.map_err(|e| Fault::Failed(format!("no thread for it: {e}")))?;
+        let _ = steps.send(unsent);
+        self.drags.insert(key, Drag { generation, steps });
+        Ok(())
+    }
+
+    /// Asks the client to make a move part of the layout.
+    fn commit(
+        &mut self,
+        id: &Id,
+        key: &str,
+        object: &str,
+        moved: &Layout,
+        old: &LayoutFile,
+        edits: &[Edit],
+    ) -> Result<(), Fault> {
+        let context = self.context(key).ok_or(Fault::Outdated)?;
+        let before = context.snapshot.sources().get(old.file).text();
+        let local = |e: &Edit| Edit { place: e.place.range, text: e.text.clone() };
+        let made: Vec<Edit<TextRange>> = edits.iter().map(local).collect();
+        let text = fix::apply(before, [made.as_slice()]).text;
+        let uri = context.open.get(&old.path).cloned().or_else(|| uri_of(&old.path)).ok_or(Fault::Internal)?;
+        let edit = context.places().workspace_edit(edits, context.edit_versions());
+        let before = Text::new(before.to_owned());
+        let mut options = context.snapshot.judging().options;
+        let judged = context.snapshot.judged().map_err(Fault::from)?.ok_or(Fault::Outdated)?;
+        options.physics &= judged.compiled.complete;
+        let live = Live::new(&judged.compiled.program, moved, &options);
+        let name = context.snapshot.sources().get(old.file).name();
+        let answer = answer(&live, &judged.compiled.program, context.snapshot.sources(), name);
+        let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
+        let message = format!("move {object}");
+        let edit = (!edits.is_empty()).then_some(edit);
+        self.apply_with(id, Outcome { layout: Some(layout), edit, message, count: [0, 0] }, answer);
+        Ok(())
+    }
+}
+
+/// Judges step after step until nobody sends any more.
+fn follow(scene: &Scene, steps: &Receiver<Step>, events: &Sender<Event>) {
+    let program = &scene.judged.compiled.program;
+    let layout = &scene.layout.read.layout;
+    let mut live = Live::new(program, layout, &scene.options);
+    let mut dragged: Option<ObjectId> = None;
+    while let Ok(step) = steps.recv() {
+        if let Some(before) = dragged.filter(|id| *id != step.object) {
+            // Another object: the first one was let go without being put down.
+            if let Some(home) = program.objects.get(before.0 as usize).and_then(|o| layout.object(&o.name)) {
+                live.place(before, home.pos, home.rot);
+            }
+        }
+        dragged = Some(step.object);
+        live.place(step.object, step.pos, step.rot);
+        let answer = answer(&live, program, &scene.sources, &scene.name);
+        let reply = move |state: &mut State| state.reply(&step.id, Ok(answer));
+        if events.send(Event::Done(Box::new(reply))).is_err() {
+            return;
+        }
+    }
+}
+
+/// What holds now.
+fn answer(live: &Live<'_>, program: &Program, sources: &SourceMap, name: &str) -> Value {
+    let object = |id: &ObjectId| program.objects.get(id.0 as usize).map_or("", |o| o.name.as_str());
+    let id = |row: &Row| match row.subject {
+        Subject::Statement(_) => report::statement_id(name, sources, row.place),
+        Subject::Pair(a, b) => format!("{}:{}:{}", row.kind.rule().unwrap_or_default(), object(&a), object(&b)),
+        Subject::Object(a) => format!("{}:{}", row.kind.rule().unwrap_or_default(), object(&a)),
+    };
+    let shown = |row: &Row| {
+        let state = match row.satisfied {
+            Some(true) => "holds",
+            Some(false) => "fails",
+            None => "unknown",
+        };
+        let margin = row.margin.filter(|(m, _)| m.is_finite());
+        let unit = margin.map(|(_, u)| if u == Unit::Degree { "deg" } else { "m" });
+        let objects: Vec<&str> = row.objects.iter().map(object).collect();
+        json!({
+            "id": id(row), "state": state, "margin": margin.map(|(m, _)| m + 0.0), "unit": unit, "objects": objects,
+        })
+    };
+    let (physical, stated): (Vec<&Row>, Vec<&Row>) = live.rows().partition(|row| row.kind.rule().is_some());
+    let holds = live.rows().filter(|row| row.satisfied == Some(true)).count();
+    json!({
+        "holds": holds, "total": live.rows().count(),
+        "constraints": stated.into_iter().map(shown).collect::<Vec<_>>(),
+        "physical": physical.into_iter().map(shown).collect::<Vec<_>>(),
+    })
+}

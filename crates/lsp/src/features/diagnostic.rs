@@ -1,0 +1,133 @@
+//! Diagnostics for clients that ask for them: of a document, and of all programs of the workspace.
+
+use crate::client::Client;
+use crate::config::Config;
+use crate::disk::{self, Files};
+use crate::dispatch::{Context, Fault, Tokens};
+use crate::documents::{judge_by, layout_of, name_of};
+use crate::publish::verdict;
+use crate::state::{Event, State, guarded};
+use crate::text::Text;
+use rustc_hash::FxHasher;
+use scenelang_ide::Host;
+use scenelang_lang::sources::Loader;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::hash::{Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tower_lsp::jsonrpc::Id;
+use tower_lsp::ls_types::{TextDocumentIdentifier, Uri};
+
+/// Parameters of `textDocument/diagnostic`.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Document {
+    #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
+    text_document: TextDocumentIdentifier,
+    previous_result_id: Option<String>,
+}
+
+/// `textDocument/diagnostic`
+pub fn document(context: &Context, params: &Document) -> Result<Value, Fault> {
+    let id = context.generation.to_string();
+    if params.previous_result_id.as_deref() == Some(&id) {
+        return Ok(json!({ "kind": "unchanged", "resultId": id }));
+    }
+    let mut marks = verdict(context)?.marks;
+    let own = marks.remove(context.uri.as_str()).unwrap_or_default();
+    Ok(json!({ "kind": "full", "resultId": id, "items": own }))
+}
+
+/// What a question about the workspace needs.
+struct Workspace {
+    roots: Vec<PathBuf>,
+    files: Files,
+    client: Arc<Client>,
+    config: Arc<Config>,
+    open: BTreeMap<PathBuf, Uri>,
+    /// What the client was told before, by address.
+    before: BTreeMap<String, String>,
+}
+
+impl State {
+    /// `workspace/diagnostic`: about the programs that are not open. A client that knows all of it already waits until
+    /// something changes.
+    pub fn workspace_diagnostic(&mut self, id: &Id, given: Value) {
+        let before = given["previousResultIds"].as_array().into_iter().flatten();
+        let before = before.filter_map(|p| Some((p["uri"].as_str()?.to_owned(), p["value"].as_str()?.to_owned())));
+        let workspace = Workspace {
+            roots: self.roots.clone(),
+            files: self.documents.files(),
+            client: Arc::clone(&self.client),
+            config: Arc::clone(&self.config),
+            open: self.documents.iter().map(|d| (d.path.clone(), d.uri.clone())).collect(),
+            before: before.collect(),
+        };
+        let (id, events) = (id.clone(), self.events());
+        self.in_background(move || {
+            let found = guarded(|| Ok(workspace.reports()));
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| match found {
+                Ok((_, false)) => state.waiting.push((id, given)),
+                Ok((items, true)) => state.reply(&id, Ok(json!({ "items": items }))),
+                Err(fault) => state.reply(&id, Err(fault)),
+            })));
+        });
+    }
+}
+
+impl Workspace {
+    /// A report for each program, and whether any says something new.
+    fn reports(&self) -> (Vec<Value>, bool) {
+        let mut items = Vec::new();
+        let mut news = self.before.is_empty();
+        let mut known = self.before.clone();
+        for path in self.roots.iter().flat_map(|root| disk::programs(root)) {
+            let Some(uri) = disk::uri_of(&path).filter(|_| !self.open.contains_key(&path)) else { continue };
+            let before = known.remove(uri.as_str());
+            if let Some((item, new)) = self.report(&path, &uri, before.as_deref()) {
+                items.push(item);
+                news |= new;
+            }
+        }
+        // Nothing is said any more of files that are gone, once; open ones are asked about one by one.
+        let gone = known.into_keys().filter(|uri| self.open.values().all(|open| open.as_str() != uri));
+        for uri in gone {
+            items.push(json!({ "kind": "full", "uri": uri, "version": null, "items": [] }));
+            news = true;
+        }
+        (items, news)
+    }
+
+    fn report(&self, path: &Path, uri: &Uri, before: Option<&str>) -> Option<(Value, bool)> {
+        let text = String::from_utf8_lossy(&self.files.load(path).ok()?).into_owned();
+        let mut host = Host::new(&name_of(path), path, &text, &self.files);
+        let layout = layout_of(path, &self.config);
+        let settings = judge_by(&mut host, path, layout.as_deref(), &self.files);
+        let snapshot = host.snapshot();
+        let mut hasher = FxHasher::default();
+        snapshot.sources().iter().for_each(|(_, file)| file.text().hash(&mut hasher));
+        settings.sources.iter().for_each(|(_, file)| file.text().hash(&mut hasher));
+        let id = format!("{:016x}", hasher.finish());
+        if before == Some(&id) {
+            return Some((json!({ "kind": "unchanged", "uri": uri, "version": null, "resultId": id }), false));
+        }
+        let context = Context {
+            uri: uri.clone(),
+            path: path.to_owned(),
+            text: Arc::new(Text::new(text)),
+            snapshot,
+            layout,
+            settings,
+            generation: 0,
+            client: Arc::clone(&self.client),
+            config: Arc::clone(&self.config),
+            tokens: Tokens::default(),
+            open: self.open.clone(),
+            versions: BTreeMap::new(),
+        };
+        let own = verdict(&context).ok()?.marks.remove(uri.as_str()).unwrap_or_default();
+        Some((json!({ "kind": "full", "uri": uri, "version": null, "resultId": id, "items": own }), true))
+    }
+}

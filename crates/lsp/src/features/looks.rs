@@ -1,0 +1,214 @@
+//! What a document looks like: colours of tokens and of colours, folds, selections, links, hints, lenses.
+
+use super::navigation::Positions;
+use super::{Whole, Within};
+use crate::disk;
+use crate::dispatch::{Context, Fault};
+use crate::vocabulary::Words;
+use scenelang_base::TextRange;
+use scenelang_ide::hints::{self, HintKind, Lens};
+use scenelang_ide::shape::{self, Fold, Link};
+use scenelang_ide::{colors, tokens};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::sync::PoisonError;
+use tower_lsp::ls_types::{Range, TextDocumentIdentifier};
+
+// ── Semantic tokens ──
+
+/// Tokens as the protocol has them: five numbers each, relative to the one before; one that goes over several lines is cut.
+fn encoded(context: &Context, within: Option<TextRange>) -> Result<Vec<u32>, Fault> {
+    let text = &context.text;
+    let encoding = context.client.encoding;
+    let mut out = Vec::new();
+    let (mut line, mut column) = (0, 0);
+    for token in tokens::tokens(&context.snapshot, within)? {
+        let TextRange { start, end } = token.range;
+        for number in text.line_of(start)..=text.line_of(end.saturating_sub(1).max(start)) {
+            let own = text.line(number);
+            let (from, to) = (start.max(own.start), end.min(own.end));
+            if from >= to {
+                continue;
+            }
+            let at = encoding.len(&text.as_str()[own.start as usize..from as usize]);
+            let length = encoding.len(&text.as_str()[from as usize..to as usize]);
+            let ahead = if number == line { at - column } else { at };
+            out.extend([number - line, ahead, length, token.ty as u32, token.modifiers]);
+            (line, column) = (number, at);
+        }
+    }
+    Ok(out)
+}
+
+/// `textDocument/semanticTokens/full`
+pub fn tokens_full(context: &Context, _: &Whole) -> Result<Value, Fault> {
+    let data = encoded(context, None)?;
+    let id = context.generation.to_string();
+    let out = json!({ "resultId": id, "data": data });
+    *context.tokens.lock().unwrap_or_else(PoisonError::into_inner) = Some((id, data));
+    Ok(out)
+}
+
+/// `textDocument/semanticTokens/range`
+pub fn tokens_range(context: &Context, within: &Within) -> Result<Value, Fault> {
+    Ok(json!({ "data": encoded(context, Some(context.bytes(within.range)))? }))
+}
+
+/// Parameters of `textDocument/semanticTokens/full/delta`.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Delta {
+    #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
+    text_document: TextDocumentIdentifier,
+    previous_result_id: String,
+}
+
+/// `textDocument/semanticTokens/full/delta`
+pub fn tokens_delta(context: &Context, params: &Delta) -> Result<Value, Fault> {
+    let data = encoded(context, None)?;
+    let id = context.generation.to_string();
+    let mut known = context.tokens.lock().unwrap_or_else(PoisonError::into_inner);
+    let before = known.replace((id.clone(), data.clone())).filter(|(id, _)| *id == params.previous_result_id);
+    let Some((_, before)) = before else { return Ok(json!({ "resultId": id, "data": data })) };
+    let head = before.iter().zip(&data).take_while(|(a, b)| a == b).count() / 5 * 5;
+    let (a, b) = (&before[head..], &data[head..]);
+    let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count() / 5 * 5;
+    let (removed, added) = (a.len() - tail, &b[..b.len() - tail]);
+    let edits = if removed == 0 && added.is_empty() {
+        Vec::new()
+    } else {
+        vec![json!({ "start": head, "deleteCount": removed, "data": added })]
+    };
+    Ok(json!({ "resultId": id, "edits": edits }))
+}
+
+// ── Shape ──
+
+/// `textDocument/foldingRange`
+pub fn folding(context: &Context, _: &Whole) -> Result<Value, Fault> {
+    let folds = shape::folds(context.text.as_str()).into_iter().map(|(range, fold)| {
+        let Range { start, end } = context.range(range);
+        let mut out = json!({ "startLine": start.line, "endLine": end.line });
+        match fold {
+            Fold::Statement => {}
+            Fold::Comment => out["kind"] = "comment".into(),
+            Fold::Imports => out["kind"] = "imports".into(),
+            Fold::Section => out["kind"] = "region".into(),
+        }
+        out
+    });
+    Ok(folds.collect())
+}
+
+/// `textDocument/selectionRange`
+pub fn selection(context: &Context, params: &Positions) -> Result<Value, Fault> {
+    let grown = params.positions.iter().map(|at| {
+        let ranges = shape::selections(context.text.as_str(), context.offset(*at));
+        let outward = ranges.into_iter().rev().fold(Value::Null, |parent, range| {
+            let mut out = json!({ "range": context.range(range) });
+            if !parent.is_null() {
+                out["parent"] = parent;
+            }
+            out
+        });
+        outward
+    });
+    Ok(grown.collect())
+}
+
+/// `textDocument/documentLink`
+pub fn links(context: &Context, _: &Whole) -> Result<Value, Fault> {
+    let places = context.places();
+    let found = shape::links(&context.snapshot)?.into_iter().filter_map(|(range, link)| {
+        let target = match link {
+            Link::Import(file) => places.uri(file)?,
+            Link::Layout => disk::uri_of(context.layout.as_deref()?)?,
+        };
+        Some(json!({ "range": context.range(range), "target": target }))
+    });
+    Ok(found.collect())
+}
+
+// ── Colours ──
+
+/// `textDocument/documentColor`
+pub fn colours(context: &Context, _: &Whole) -> Result<Value, Fault> {
+    let share = |x: u8| f64::from(x) / 255.0;
+    let found = colors::colors(&context.snapshot, &Words(&context.path))?;
+    let shown = found.into_iter().map(|(range, [r, g, b])| {
+        json!({
+            "range": context.range(range),
+            "color": { "red": share(r), "green": share(g), "blue": share(b), "alpha": 1.0 },
+        })
+    });
+    Ok(shown.collect())
+}
+
+/// Parameters of `textDocument/colorPresentation`.
+#[derive(Deserialize)]
+pub struct Presentation {
+    #[serde(flatten)]
+    within: Within,
+    color: Picked,
+}
+
+#[derive(Deserialize)]
+struct Picked {
+    red: f64,
+    green: f64,
+    blue: f64,
+}
+
+/// `textDocument/colorPresentation`
+pub fn presentations(context: &Context, params: &Presentation) -> Result<Value, Fault> {
+    let Picked { red, green, blue } = params.color;
+    let rgb = [red, green, blue].map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let spelled = colors::spellings(rgb, &Words(&context.path))
+        .into_iter()
+        .map(|text| json!({ "label": text, "textEdit": { "range": params.within.range, "newText": text } }));
+    Ok(spelled.collect())
+}
+
+// ── Between the lines ──
+
+/// `textDocument/inlayHint`
+pub fn inlay_hints(context: &Context, within: &Within) -> Result<Value, Fault> {
+    let on = context.config.hints;
+    let shown = |kind: HintKind| match kind {
+        HintKind::Margin => on.margins,
+        HintKind::Value => on.values,
+        HintKind::Size => on.sizes,
+    };
+    let found = hints::hints(&context.snapshot, context.bytes(within.range))?;
+    let found = found.into_iter().filter(|hint| shown(hint.kind)).map(|hint| {
+        json!({
+            "position": context.text.position(hint.at, context.client.encoding),
+            "label": hint.label, "paddingLeft": true, "tooltip": hint.tooltip,
+        })
+    });
+    Ok(found.collect())
+}
+
+/// `textDocument/codeLens`
+pub fn lenses(context: &Context, _: &Whole) -> Result<Value, Fault> {
+    let uri = &context.uri;
+    let mut out = Vec::new();
+    for (range, lens) in hints::lenses(&context.snapshot)? {
+        let range = context.range(range);
+        let mut push = |title: &str, command: &str, argument: Value| {
+            out.push(json!({
+                "range": range, "command": { "title": title, "command": command, "arguments": [argument] },
+            }));
+        };
+        match lens {
+            Lens::Program => {
+                push("Check", "scenelang.check", json!({ "uri": uri }));
+                push("Solve", "scenelang.solve", json!({ "uri": uri }));
+                push("Repair", "scenelang.repairAll", json!({ "uri": uri }));
+                push("Show", "scenelang.show", json!({ "uri": uri }));
+            }
+            Lens::Failing => push("Repair", "scenelang.repair", json!({ "uri": uri, "line": range.start.line })),
+        }
+    }
+    Ok(out.into())
+}

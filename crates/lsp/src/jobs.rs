@@ -1,0 +1,328 @@
+//! Long work: it has a thread of its own, says how far it is, can be cancelled, and its result is an edit.
+
+use crate::convert::{Places, workspace_edit};
+use crate::disk::{Files, uri_of};
+use crate::dispatch::{Context, Fault};
+use crate::model::Advisers;
+use crate::state::{Event, State, Stop, guarded};
+use crate::text::Text;
+use scenelang_base::{Edit, FileId, SourceMap};
+use scenelang_ide::{Compiled, Judging, LayoutFile};
+use scenelang_layout::{Layout, file as layout_file};
+use scenelang_verify::settings::Llm;
+use scenelang_verify::{Explain, Verdict, check_read};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use tower_lsp::jsonrpc::{Id, Request};
+use tower_lsp::ls_types::Uri;
+
+/// How often progress is told at most.
+const EVERY: Duration = Duration::from_millis(100);
+
+/// What long work has: copies, so that nobody waits for it.
+pub struct Job {
+    /// The program.
+    pub compiled: Arc<Compiled>,
+    /// Its files.
+    pub sources: Arc<SourceMap>,
+    /// Its own.
+    pub main: FileId,
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its layout.
+    pub layout: Option<Arc<LayoutFile>>,
+    /// Where that is, or would be.
+    pub layout_path: Option<PathBuf>,
+    /// How it is judged.
+    pub judging: Judging,
+    /// Which language model is asked.
+    pub llm: Llm,
+    /// Open texts, then the disk.
+    pub files: Files,
+    /// Whether the result is wanted.
+    pub stop: Stop,
+    /// Where progress is told.
+    pub progress: Progress,
+    /// How a language model is reached.
+    pub advisers: Advisers,
+    text: Arc<Text>,
+    open: BTreeMap<PathBuf, Uri>,
+    versions: BTreeMap<String, i32>,
+    client: Arc<crate::client::Client>,
+}
+
+impl Job {
+    /// Places in the program's files.
+    pub fn places(&self) -> Places<'_> {
+        Places::new(&self.sources, self.client.encoding, &self.open, (self.main, Arc::clone(&self.text)))
+    }
+
+    /// What holds in a layout of the program, as it would be read from its file.
+    pub fn verdict(&self, layout: &Layout, explain: usize) -> Verdict {
+        let read = layout_file::read(&layout_file::to_json(layout, None), FileId(0));
+        let mut options = self.judging.options;
+        options.detail.explain = Explain::First(explain);
+        options.detail.sentences = false;
+        check_read(&self.compiled.program, &read, &options)
+    }
+
+    /// The edit that makes the layout another one; its file is created where there is none.
+    ///
+    /// # Errors
+    /// The document has no place for a layout.
+    pub fn layout_edit(&self, layout: &Layout) -> Result<LayoutEdit, Fault> {
+        let path = self.layout_path.clone();
+        let (path, uri) = path
+            .and_then(|path| Some((self.open.get(&path).cloned().or_else(|| uri_of(&path))?, path)))
+            .map(|(uri, path)| (path, uri))
+            .ok_or_else(|| Fault::Failed("save the program first: its layout is written beside it".to_owned()))?;
+        let mut layout = layout.clone();
+        if layout.scene.is_none() {
+            layout.scene = Some(relative(&self.path, &path));
+        }
+        let document = self.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.document);
+        let text = layout_file::to_json(&layout, document);
+        let old = self.layout.as_ref().map(|l| self.sources.get(l.file).text());
+        Ok(LayoutEdit { path, uri, text, old: old.map(|old| Text::new(old.to_owned())) })
+    }
+
+    /// Edits of the layout and of the program as a change of the workspace; `note` says what it does, for editors that
+    /// show that before.
+    pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Value {
+        let encoding = self.client.encoding;
+        let mut by_file: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+        let places = self.places();
+        for edit in program {
+            let Some(uri) = places.uri(edit.place.file) else { continue };
+            let change = json!({ "range": places.range(edit.place), "newText": edit.text });
+            by_file.entry(uri.as_str().to_owned()).or_default().push(change);
+        }
+        let mut creates = Vec::new();
+        if let Some(edit) = layout {
+            let uri = edit.uri.as_str().to_owned();
+            let change = match &edit.old {
+                Some(old) => match scenelang_ide::format::difference(old.as_str(), &edit.text) {
+                    Some((place, text)) => json!({ "range": old.range(place, encoding), "newText": text }),
+                    None => Value::Null,
+                },
+                None => {
+                    creates.push(json!({ "kind": "create", "uri": uri, "options": { "ignoreIfExists": true } }));
+                    let start = json!({ "line": 0, "character": 0 });
+                    json!({ "range": { "start": start, "end": start }, "newText": edit.text })
+                }
+            };
+            if change.is_object() {
+                by_file.entry(uri).or_default().push(change);
+            }
+        }
+        if self.client.annotates && !note.is_empty() {
+            by_file.values_mut().flatten().for_each(|edit| edit["annotationId"] = "change".into());
+        }
+        let mut out = workspace_edit(by_file, self.client.document_changes.then_some(&self.versions));
+        if let (Some(changes), false) = (out["documentChanges"].as_array_mut(), creates.is_empty()) {
+            changes.splice(0..0, creates);
+        }
+        if self.client.annotates && !note.is_empty() {
+            let (label, rest) = note.split_once('\n').unwrap_or((note, ""));
+            out["changeAnnotations"] = json!({ "change": { "label": label, "description": rest } });
+        }
+        out
+    }
+}
+
+/// Another text for the layout.
+pub struct LayoutEdit {
+    /// Its file.
+    pub path: PathBuf,
+    /// The address of that.
+    pub uri: Uri,
+    /// All of it.
+    pub text: String,
+    /// What it was; `None`: there was none.
+    pub old: Option<Text>,
+}
+
+/// What came of long work.
+pub struct Outcome {
+    /// The layout afterwards.
+    pub layout: Option<LayoutEdit>,
+    /// The change that the client is asked to make.
+    pub edit: Option<Value>,
+    /// What was done, in a sentence.
+    pub message: String,
+    /// How many constraints hold afterwards, of how many.
+    pub count: [usize; 2],
+}
+
+/// Says how far long work is.
+#[derive(Clone)]
+pub struct Progress {
+    token: Option<Value>,
+    to_client: futures::channel::mpsc::UnboundedSender<Request>,
+    last: Arc<Mutex<Option<Instant>>>,
+}
+
+impl Progress {
+    /// What is being done now.
+    pub fn say(&self, message: &str) {
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if last.is_none_or(|at| at.elapsed() >= EVERY) {
+            *last = Some(Instant::now());
+            self.tell(json!({ "kind": "report", "message": message }));
+        }
+    }
+
+    fn tell(&self, value: Value) {
+        if let Some(token) = &self.token {
+            let request = Request::build("$/progress").params(json!({ "token": token, "value": value })).finish();
+            let _ = self.to_client.unbounded_send(request);
+        }
+    }
+}
+
+/// How the result of a job is used.
+pub type Finish = Box<dyn FnOnce(&mut State, &Id, Outcome) + Send>;
+
+impl State {
+    /// Begins long work about a program. `given`: the token of the client for its progress, if it has one.
+    ///
+    /// # Errors
+    /// There is no such program, or it has errors.
+    pub fn begin(
+        &mut self,
+        id: &Id,
+        uri: &str,
+        title: &str,
+        given: Option<Value>,
+        work: impl FnOnce(&Job) -> Result<Outcome, Fault> + Send + 'static,
+        finish: Finish,
+    ) -> Result<(), Fault> {
+        let context = self.context(uri).ok_or_else(|| Fault::Invalid(format!("{uri} is no open program")))?;
+        let token = given.or_else(|| self.new_token());
+        let stop = self.stop_of(id);
+        if let Some(token) = &token {
+            self.jobs.insert(token.to_string(), (id.clone(), stop.clone()));
+        }
+        let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
+        progress.tell(json!({ "kind": "begin", "title": title, "cancellable": true }));
+        let files = self.documents.files();
+        let advisers = self.advisers(stop.clone());
+        let (id, events, generation) = (id.clone(), self.events(), context.generation);
+        let uri = uri.to_owned();
+        let thread = std::thread::Builder::new().name("job".to_owned()).stack_size(16 << 20);
+        let done = progress.clone();
+        let spawned = thread.spawn(move || {
+            let result = guarded(|| {
+                let job = job_of(context, files, stop, progress, advisers)?;
+                let outcome = work(&job)?;
+                if job.stop.is_set() { Err(Fault::Cancelled) } else { Ok(outcome) }
+            });
+            done.tell(json!({ "kind": "end" }));
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
+                if let Some(token) = token {
+                    state.jobs.remove(&token.to_string());
+                }
+                // An edit of what is there no more would undo what was written meanwhile.
+                let now = state.documents.get(&uri).and_then(|d| d.scene.as_ref());
+                let same = now.is_some_and(|s| s.generation == generation && !s.stale_text && !s.stale_layout);
+                match result {
+                    Ok(_) if !same => {
+                        let why = "the scene was changed meanwhile; nothing was done".to_owned();
+                        state.reply(&id, Err(Fault::Failed(why)));
+                    }
+                    Ok(outcome) => finish(state, &id, outcome),
+                    Err(fault) => state.reply(&id, Err(fault)),
+                }
+            })));
+        });
+        spawned.map(drop).map_err(|e| Fault::Failed(format!("no thread for it: {e}")))
+    }
+
+    /// Somebody pressed "cancel" where progress is shown.
+    pub fn cancel_progress(&mut self, token: &Value) {
+        if let Some((id, stop)) = self.jobs.remove(&token.to_string()) {
+            stop.set();
+            self.reply(&id, Err(Fault::Cancelled));
+        }
+    }
+
+    /// Asks the client to make the change of an outcome, and answers then.
+    pub fn apply(&mut self, id: &Id, outcome: Outcome) {
+        let [holds, total] = outcome.count;
+        let answer = json!({ "message": outcome.message, "holds": holds, "total": total });
+        self.apply_with(id, outcome, answer);
+    }
+
+    /// The same with another answer.
+    pub fn apply_with(&mut self, id: &Id, outcome: Outcome, answer: Value) {
+        let Outcome { layout, edit, message, .. } = outcome;
+        let Some(edit) = edit else { return self.reply(id, Ok(answer)) };
+        let creates = layout.as_ref().is_some_and(|l| l.old.is_none());
+        if !self.client.applies || creates && !self.client.creates {
+            return self.write(id, layout, answer);
+        }
+        let params = json!({ "label": message, "edit": edit });
+        let id = id.clone();
+        self.ask_client("workspace/applyEdit", params, move |state, applied| {
+            let applied = applied.is_ok_and(|a| a["applied"].as_bool() == Some(true));
+            if applied && let Some(layout) = layout {
+                state.documents.assume(&layout.path, layout.text);
+            }
+            let refused = || Fault::Failed("the editor did not make the change".to_owned());
+            state.reply(&id, if applied { Ok(answer) } else { Err(refused()) });
+        });
+    }
+
+    /// Writes a layout where the client cannot.
+    fn write(&mut self, id: &Id, layout: Option<LayoutEdit>, answer: Value) {
+        let Some(layout) = layout else {
+            return self.reply(id, Err(Fault::Failed("the editor cannot make changes".to_owned())));
+        };
+        let written = scenelang_base::fs::write_whole(&layout.path, layout.text.as_bytes());
+        self.documents.touched(&layout.path, "");
+        self.reply(id, written.map(|()| answer).map_err(|e| Fault::Failed(e.to_string())));
+    }
+}
+
+fn job_of(context: Context, files: Files, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
+    let compiled = context.snapshot.compiled()?;
+    if !compiled.complete {
+        return Err(Fault::Failed("the program has errors; mend these first".to_owned()));
+    }
+    let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, .. } = context;
+    let llm = settings.settings.llm.clone();
+    let judging = snapshot.judging().clone();
+    let layout = snapshot.layout_file();
+    let (sources, main) = snapshot.into_sources();
+    Ok(Job {
+        compiled,
+        sources,
+        main,
+        path,
+        layout,
+        layout_path,
+        judging,
+        llm,
+        files,
+        stop,
+        progress,
+        advisers,
+        text,
+        open,
+        versions,
+        client,
+    })
+}
+
+/// The path of a program seen from the folder of its layout.
+fn relative(program: &Path, layout: &Path) -> String {
+    let folder = layout.parent().unwrap_or(Path::new(""));
+    let (a, b): (Vec<_>, Vec<_>) = (program.components().collect(), folder.components().collect());
+    let shared = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
+    let up = std::iter::repeat_n("..".as_ref(), b.len() - shared);
+    let path: PathBuf = up.chain(a[shared..].iter().map(|c| c.as_os_str())).collect();
+    path.to_string_lossy().replace('\\', "/")
+}

@@ -1,0 +1,35 @@
+//! The language server: the protocol around `crates/ide`.
+//!
+//! One thread owns all state and takes messages in the order in which they came ([`serve`], `state`); questions are answered
+//! by a pool of threads from snapshots, and asked again when the text changes meanwhile; long work (solving, mending) has
+//! threads of its own, says how far it is, and can be cancelled.
+//!
+//! Absent here: what the answers are. No protocol type leaves this crate.
+
+mod capabilities;
+mod client;
+mod commands;
+mod config;
+mod convert;
+mod disk;
+mod dispatch;
+mod documents;
+mod drag;
+mod features;
+mod frames;
+mod jobs;
+mod mending;
+mod model;
+mod parent;
+mod pool;
+mod publish;
+mod record;
+mod state;
+mod text;
+mod vocabulary;
+mod wire;
+
+pub use model::Connect;
+pub use record::{Recorder, replay};
+pub use state::Setup;
+pub use wire::serve;

@@ -1,0 +1,249 @@
+//! Repair: what a change of the layout or the program would mend, verified before it is offered, with what it moves and
+//! which margins it changes.
+
+use crate::commands::{Watch, count};
+use crate::dispatch::Fault;
+use crate::jobs::{Job, Outcome};
+use scenelang_base::{SourceFile, SourceMap};
+use scenelang_ide::diagnostics::margin;
+use scenelang_lang::Program;
+use scenelang_lang::program::ObjectId;
+use scenelang_layout::{Layout, Placement};
+use scenelang_solve::Pose;
+use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Which, mend as look};
+use scenelang_synth::{Adviser, Arranging, arrange};
+use scenelang_verify::Verdict;
+use scenelang_verify::check::{Judged, Subject};
+use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
+use scenelang_verify::report::model::Kind;
+
+/// What is to be mended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// Whatever must hold and does not.
+    All,
+    /// What is stated in a line of the document, or asked of what is declared there; lines from 0.
+    Line(u32),
+    /// The same, by numbers and demands of the program instead of moves.
+    Program(u32),
+}
+
+/// Budgets of work, small ones first, so that a change of mind is noticed between them.
+const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
+
+/// Looks for the best way, with a language model first if there is one.
+///
+/// # Errors
+/// There is nothing to mend, or no way was found.
+pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
+    let layout = job.layout.as_ref().filter(|l| l.read.usable);
+    let layout =
+        &layout.ok_or_else(|| Fault::Failed("there is no layout to mend; solve first".to_owned()))?.read.layout;
+    let before = job.verdict(layout, 0);
+    let which = which(job, wanted, &before)?;
+    let targets: Vec<RowRef> = before.rows.iter().map(row_of).filter(|row| is_target(&which, row, &before)).collect();
+    if targets.is_empty() {
+        return Ok(Outcome { layout: None, edit: None, message: "nothing to mend".to_owned(), count: count(&before) });
+    }
+    let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
+    if let Some(found) = asked {
+        return offer(job, layout, &before, &found);
+    }
+    let text = Text {
+        name: job.sources.get(job.main).name(),
+        path: job.sources.get(job.main).path(),
+        compile: scenelang_lang::Options::default(),
+        loader: &job.files,
+        sources: &job.sources,
+    };
+    let damaged = Damaged { program: &job.compiled.program, layout, text: Some(text) };
+    for (round, budget) in BUDGETS.into_iter().enumerate() {
+        if job.stop.is_set() {
+            return Err(Fault::Cancelled);
+        }
+        job.progress.say(&format!("looking for the smallest change, circle {}", round + 1));
+        let options = MendOptions { budget, judge: job.judging.options, ..MendOptions::default() };
+        let unjudged = |_| Fault::Failed("the layout cannot be judged as a whole; its diagnostics say why".to_owned());
+        let found = look(&damaged, &which, &options).map_err(unjudged)?;
+        let moves = |a: &&Alternative| a.how == How::Moves;
+        let chosen = match wanted {
+            Wanted::Program(_) => found.alternatives.iter().find(|a| !moves(a)),
+            _ => found.alternatives.iter().find(moves),
+        };
+        if let Some(chosen) = chosen {
+            return offer(job, layout, &before, chosen);
+        }
+    }
+    Err(Fault::Failed(match wanted {
+        Wanted::Program(_) => "no number or demand was found whose change would mend it".to_owned(),
+        _ => "no move was found that mends it, which proves nothing; the program may be changed instead".to_owned(),
+    }))
+}
+
+fn row_of(row: &Judged) -> RowRef {
+    RowRef { kind: row.kind, subject: row.subject }
+}
+
+/// The rows that are meant.
+fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
+    let (Wanted::Line(line) | Wanted::Program(line)) = wanted else { return Ok(Which::All) };
+    let places = job.places();
+    let meant = |row: &&Judged| {
+        let on_line = |span| {
+            let range = places.range(span);
+            range.start.line <= *line && *line <= range.end.line
+        };
+        let own = |id: &ObjectId| job.compiled.program.objects.get(id.0 as usize).is_some_and(|o| on_line(o.span));
+        let here = row.place.file == job.main;
+        match row.subject {
+            Subject::Statement(_) => here && on_line(row.place),
+            Subject::Pair(a, b) => own(&a) || own(&b),
+            Subject::Object(a) => own(&a),
+        }
+    };
+    let rows: Vec<RowRef> = before.rows.iter().filter(meant).map(row_of).collect();
+    if rows.is_empty() {
+        Err(Fault::Failed("there is no constraint in this line".to_owned()))
+    } else {
+        Ok(Which::Rows(rows))
+    }
+}
+
+fn is_target(which: &Which, row: &RowRef, before: &Verdict) -> bool {
+    let fails = before.rows.iter().any(|r| row_of(r) == *row && r.satisfied == Some(false));
+    fails
+        && match which {
+            Which::All => row.kind != Kind::Prefer,
+            Which::Rows(rows) => rows.contains(row),
+        }
+}
+
+/// What a language model and the numeric search make of the layout, if it mends what is to be mended and breaks nothing.
+fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) -> Result<Option<Alternative>, Fault> {
+    let Ok(Some((mut model, asking))) = job.advisers.model(&job.llm) else { return Ok(None) };
+    job.progress.say("asking the language model");
+    let how = Arranging {
+        previous: Some(layout),
+        judge: job.judging.options,
+        stop: job.stop.clone(),
+        ..Arranging::default()
+    };
+    let adviser = Adviser { model: model.as_mut(), asking };
+    let program = &job.compiled.program;
+    let Some(arranged) = arrange(program, how, Some(adviser), &mut Watch(job)) else { return Err(Fault::Cancelled) };
+    // Draws are those of the layout that is mended.
+    let after = Layout { draws: layout.draws.clone(), ..arranged.outcome.layout };
+    let verdict = job.verdict(&after, 0);
+    let holds =
+        |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));
+    let mends = targets.iter().all(|row| holds(row, &verdict));
+    let keeps = before.rows.iter().filter(|r| r.satisfied == Some(true)).all(|r| holds(&row_of(r), &verdict));
+    // A physical rule is listed only where it fails.
+    let was = |r: &Judged| before.rows.iter().any(|b| row_of(b) == row_of(r));
+    let breaks = verdict.rows.iter().any(|r| r.satisfied == Some(false) && !was(r));
+    if !mends || !keeps || breaks {
+        return Ok(None);
+    }
+    let moves = moved(program, layout, &after);
+    Ok((!moves.is_empty()).then(|| Alternative {
+        how: How::Moves,
+        moves,
+        also: Vec::new(),
+        edits: Vec::new(),
+        least: Vec::new(),
+        drops: Vec::new(),
+        layout: after,
+        cost: 0.0,
+    }))
+}
+
+/// What stands elsewhere in another layout.
+fn moved(program: &Program, from: &Layout, to: &Layout) -> Vec<Moved> {
+    let pose = |p: &Placement| Pose { pos: p.pos, rot: p.rot, scale: p.scale };
+    let objects = program.objects.iter().enumerate();
+    let differs = objects.filter_map(|(id, object)| {
+        let (a, b) = (from.object(&object.name)?, to.object(&object.name)?);
+        let far = (a.pos - b.pos).amax().max((a.rot - b.rot).amax()) > 1e-6;
+        far.then(|| Moved { object: ObjectId(id as u32), from: pose(a), to: pose(b), with: None })
+    });
+    differs.collect()
+}
+
+/// A change, judged once more as it will be, with words about it.
+fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative) -> Result<Outcome, Fault> {
+    let after = verified(job, chosen)?;
+    let changes_layout = !chosen.moves.is_empty() || !chosen.also.is_empty() || *layout != chosen.layout;
+    let edit = if changes_layout { Some(job.layout_edit(&chosen.layout)?) } else { None };
+    let message = words(job, chosen);
+    let margins = margins(&job.compiled.program, before, &after);
+    let note = if margins.is_empty() { message.clone() } else { format!("{message}\n{}", margins.join("\n")) };
+    let change = job.change(edit.as_ref(), &chosen.edits, &note);
+    Ok(Outcome { layout: edit, edit: Some(change), message: note, count: count(&after) })
+}
+
+/// What holds after a change of layout and program.
+fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
+    if chosen.edits.is_empty() {
+        return Ok(job.verdict(&chosen.layout, 0));
+    }
+    let overlap = || Fault::Failed("the edits overlap".to_owned());
+    let texts = scenelang_solve::mend::edited(&job.sources, &chosen.edits).ok_or_else(overlap)?;
+    let main = job.sources.get(job.main);
+    let text = texts.iter().find(|(id, _)| **id == job.main).map_or(main.text(), |(_, text)| text.as_str());
+    let mut sources = SourceMap::new();
+    let id = sources.add(SourceFile::new(main.name(), main.path(), text));
+    let compiled = scenelang_lang::compile_main(id, scenelang_lang::Options::default(), &job.files, sources);
+    let broken = || Fault::Failed("the program would not compile any more".to_owned());
+    Ok(scenelang_verify::check(&compiled.program.ok_or_else(broken)?, &chosen.layout, &job.judging.options))
+}
+
+/// A change in the imperative.
+fn words(job: &Job, chosen: &Alternative) -> String {
+    let program = &job.compiled.program;
+    let mut parts = Vec::new();
+    let steps: Vec<Step> = chosen.moves.iter().map(step).collect();
+    if !steps.is_empty() {
+        parts.push(move_in_words(program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
+    }
+    if !chosen.also.is_empty() {
+        parts.push(format!("change `{}`", chosen.also.join("`, `")));
+    }
+    parts.extend(
+        chosen.edits.iter().map(|edit| format!("write `{}` for `{}`", edit.text, job.sources.text(edit.place))),
+    );
+    parts.extend(chosen.drops.iter().map(|i| format!("give up the wish `{}`", program.constraints[*i].text)));
+    parts.join("; ")
+}
+
+fn step(m: &Moved) -> Step {
+    let by = m.to.pos - m.from.pos;
+    let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+    let turn = (m.to.rot.y - m.from.rot.y).rem_euclid(360.0);
+    let turn = rounded(if turn > 180.0 { turn - 360.0 } else { turn });
+    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: m.with }
+}
+
+/// Which margins a change changes, the first few: `text: −0.07 m → +0.00 m`.
+fn margins(program: &Program, before: &Verdict, after: &Verdict) -> Vec<String> {
+    const MOST: usize = 6;
+    const SEEN: f64 = 0.005;
+    let said = |row: &Judged| {
+        margin(row).unwrap_or_else(|| if row.satisfied == Some(true) { "holds" } else { "fails" }.to_owned())
+    };
+    let changed = before.rows.iter().filter_map(|row| {
+        let now = after.rows.iter().find(|other| row_of(other) == row_of(row));
+        let text = row.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let Some(now) = now else {
+            return row.kind.rule().map(|rule| format!("{rule} of {}: holds", names(program, row)));
+        };
+        let moved = row.margin.zip(now.margin).is_some_and(|((a, _), (b, _))| (a - b).abs() > SEEN);
+        (moved || row.satisfied != now.satisfied).then(|| format!("{text}: {} → {}", said(row), said(now)))
+    });
+    changed.take(MOST).collect()
+}
+
+fn names(program: &Program, row: &Judged) -> String {
+    let names: Vec<&str> =
+        row.objects.iter().filter_map(|id| Some(program.objects.get(id.0 as usize)?.name.as_str())).collect();
+    names.join(", ")
+}

@@ -1,0 +1,85 @@
+//! The language model behind solving and mending: the editor's own, asked through the client; one that the settings of the
+//! workspace name; or none. Keys are the business of whoever connects: none pass through here.
+
+use crate::state::{Event, State, Stop};
+use scenelang_llm::{Error, Model, Reply, Request, Usage};
+use scenelang_solve::Asking;
+use scenelang_verify::settings::Llm;
+use serde_json::{Value, json};
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
+
+/// Reaches the model that the settings of a workspace name; `None`: they name none.
+pub type Connect = fn(&Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error>;
+
+/// The longest wait for an answer of the editor's model.
+const LONGEST: Duration = Duration::from_secs(180);
+
+/// Where a model may come from.
+#[derive(Clone)]
+pub struct Advisers {
+    client: Option<Sender<Event>>,
+    connect: Option<Connect>,
+    stop: Stop,
+}
+
+impl Advisers {
+    /// The model to ask, if there is one.
+    ///
+    /// # Errors
+    /// It cannot even be tried.
+    pub fn model(&self, settings: &Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error> {
+        if let Some(events) = &self.client {
+            let model = Editor { events: events.clone(), stop: self.stop.clone() };
+            return Ok(Some((Box::new(model), Asking::default())));
+        }
+        self.connect.map_or(Ok(None), |connect| connect(settings))
+    }
+}
+
+impl State {
+    /// Where a model may come from, for work that can be stopped.
+    pub fn advisers(&self, stop: Stop) -> Advisers {
+        Advisers { client: self.client.model.then(|| self.events()), connect: self.connect, stop }
+    }
+}
+
+/// The editor's own model.
+struct Editor {
+    events: Sender<Event>,
+    stop: Stop,
+}
+
+impl Model for Editor {
+    fn name(&self) -> &str {
+        "editor"
+    }
+
+    fn ask(&mut self, request: &Request) -> Result<Reply, Error> {
+        let unreachable = |why: &str| Error::Unreachable(why.to_owned());
+        let params = json!({ "messages": request.messages, "schema": request.schema.json });
+        let (answer, answered) = mpsc::channel();
+        let ask = move |state: &mut State| {
+            state.ask_client("scenelang/languageModel", params, move |_, result| {
+                // Whoever asked may have given up.
+                let _ = answer.send(result);
+            });
+        };
+        self.events.send(Event::Done(Box::new(ask))).map_err(|_| unreachable("the editor is gone"))?;
+        let asked = Instant::now();
+        let result = loop {
+            match answered.recv_timeout(Duration::from_millis(50)) {
+                Ok(result) => break result,
+                Err(RecvTimeoutError::Disconnected) => return Err(unreachable("the editor is gone")),
+                Err(RecvTimeoutError::Timeout) if self.stop.is_set() => return Err(unreachable("it was cancelled")),
+                Err(RecvTimeoutError::Timeout) if asked.elapsed() > LONGEST => return Err(Error::TimedOut(LONGEST)),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        };
+        let text = result.map_err(|e| unreachable(&scenelang_llm::plain(&e.message, 200)))?;
+        match &text["text"] {
+            Value::String(text) => Ok(Reply { text: text.clone(), usage: Usage::estimate(request, text) }),
+            _ => Err(Error::Malformed("the editor's answer has no text".to_owned())),
+        }
+    }
+}

@@ -1,0 +1,625 @@
+//! The one owner of all state: takes messages in the order in which they came, hands questions to readers with a snapshot,
+//! and publishes what they find only as long as it is about the newest text.
+
+use crate::client::Client;
+use crate::config::Config;
+use crate::dispatch::{Context, Fault};
+use crate::documents::{Document, Documents};
+use crate::drag::Drag;
+use crate::model::Connect;
+use crate::pool::Pool;
+use crate::publish::{Board, Verdict, proofs, verdict};
+use crate::record::Recorder;
+use crate::text::Encoding;
+use crate::{capabilities, disk, parent};
+use futures::channel::{mpsc, oneshot};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::{Arc, mpsc as queue};
+use tower_lsp::jsonrpc::{self, Error, ErrorCode, Id, Request, Response};
+use tower_lsp::ls_types::{
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, Uri,
+};
+
+/// What a server needs to know besides what the client tells it.
+#[derive(Default)]
+pub struct Setup {
+    /// Where the session is written down.
+    pub record: Option<Recorder>,
+    /// Reaches the language model that the settings of a workspace name.
+    pub connect: Option<Connect>,
+}
+
+/// What happens to the state.
+pub enum Event {
+    /// The client asks.
+    Request {
+        /// Its number for it.
+        id: Id,
+        /// What.
+        method: String,
+        /// About what.
+        params: Value,
+        /// Where the answer goes.
+        reply: oneshot::Sender<jsonrpc::Result<Value>>,
+    },
+    /// The client tells.
+    Notification {
+        /// What.
+        method: String,
+        /// About what.
+        params: Value,
+    },
+    /// The client answers.
+    Answer(Response),
+    /// Another thread has something to say.
+    Done(Box<dyn FnOnce(&mut State) + Send>),
+    /// The client is gone.
+    Closed,
+}
+
+/// How far the session is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Phase {
+    New,
+    Running,
+    ShutDown,
+}
+
+/// A question that is being worked on.
+struct Pending {
+    reply: oneshot::Sender<jsonrpc::Result<Value>>,
+    stop: Stop,
+}
+
+pub use scenelang_solve::Stop;
+
+/// What is done with an answer of the client.
+type Continuation = Box<dyn FnOnce(&mut State, Result<Value, Error>) + Send>;
+/// How a question is answered; asked again if the text changes meanwhile.
+pub type Work = Arc<dyn Fn(&Context) -> Result<Value, Fault> + Send + Sync>;
+
+/// All state.
+pub struct State {
+    phase: Phase,
+    /// What the client can.
+    pub client: Arc<Client>,
+    /// What the user has set.
+    pub config: Arc<Config>,
+    /// What is open.
+    pub documents: Documents,
+    /// The folders of the workspace.
+    pub roots: Vec<PathBuf>,
+    board: Board,
+    pool: Pool,
+    pending: HashMap<Id, Pending>,
+    asked: HashMap<i64, Continuation>,
+    asks: i64,
+    to_client: mpsc::UnboundedSender<Request>,
+    events: queue::Sender<Event>,
+    /// Long work by the token of its progress.
+    pub jobs: HashMap<String, (Id, Stop)>,
+    /// Drags by document.
+    pub drags: HashMap<String, Drag>,
+    /// Reaches a language model.
+    pub connect: Option<Connect>,
+    /// Whether something is being proved: one thing at a time.
+    proving: bool,
+    /// Questions about the workspace that wait for a change.
+    pub waiting: Vec<(Id, Value)>,
+}
+
+impl State {
+    /// Nothing is open yet.
+    pub fn new(setup: Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
+        Self {
+            phase: Phase::New,
+            client: Arc::new(Client::new(&Value::Null)),
+            config: Arc::default(),
+            documents: Documents::default(),
+            roots: Vec::new(),
+            board: Board::default(),
+            pool: Pool::new(),
+            pending: HashMap::new(),
+            asked: HashMap::new(),
+            asks: 0,
+            to_client,
+            events,
+            proving: false,
+            jobs: HashMap::new(),
+            drags: HashMap::new(),
+            connect: setup.connect,
+            waiting: Vec::new(),
+        }
+    }
+
+    /// Takes events until the client says `exit`, or is gone; the exit code.
+    pub fn run(mut self, events: &queue::Receiver<Event>) -> u8 {
+        while let Ok(event) = events.recv() {
+            let mut next = Some(event);
+            while let Some(event) = next {
+                if let Some(code) = self.take(event) {
+                    return code;
+                }
+                next = events.try_recv().ok();
+            }
+            // Nothing more has come: time to see what the changes mean.
+            self.settle();
+        }
+        1
+    }
+
+    fn take(&mut self, event: Event) -> Option<u8> {
+        match event {
+            Event::Request { id, method, params, reply } => self.request(id, &method, params, reply),
+            Event::Notification { method, params } if method == "exit" => {
+                drop(params);
+                return Some(u8::from(self.phase != Phase::ShutDown));
+            }
+            Event::Notification { method, params } => self.notification(&method, params),
+            Event::Answer(answer) => {
+                let (id, body) = answer.into_parts();
+                if let Id::Number(number) = id
+                    && let Some(go_on) = self.asked.remove(&number)
+                {
+                    go_on(self, body);
+                }
+            }
+            Event::Done(say) => say(self),
+            Event::Closed => return Some(u8::from(self.phase != Phase::ShutDown)),
+        }
+        None
+    }
+
+    // ── Questions ──
+
+    fn request(&mut self, id: Id, method: &str, params: Value, reply: oneshot::Sender<jsonrpc::Result<Value>>) {
+        match (self.phase, method) {
+            (Phase::New, "initialize") => {
+                let answer = self.initialize(&params);
+                let _ = reply.send(Ok(answer));
+            }
+            (Phase::New, _) => {
+                let message = "the server is not initialized".into();
+                let _ = reply.send(Err(Error { code: ErrorCode::ServerError(-32002), message, data: None }));
+            }
+            (Phase::ShutDown, _) | (Phase::Running, "initialize") => {
+                let _ = reply.send(Err(Error::invalid_request()));
+            }
+            (Phase::Running, "shutdown") => {
+                self.phase = Phase::ShutDown;
+                for pending in self.pending.values() {
+                    pending.stop.set();
+                }
+                let _ = reply.send(Ok(Value::Null));
+            }
+            (Phase::Running, _) => {
+                self.pending.insert(id.clone(), Pending { reply, stop: Stop::default() });
+                if let Err(fault) = self.dispatch(&id, method, params) {
+                    self.reply(&id, Err(fault));
+                }
+            }
+        }
+    }
+
+    /// Answers a question, unless it was cancelled.
+    pub fn reply(&mut self, id: &Id, result: Result<Value, Fault>) {
+        let Some(Pending { reply, .. }) = self.pending.remove(id) else { return };
+        let _ = reply.send(result.map_err(Fault::into_error));
+    }
+
+    /// Whether a question was cancelled, for whoever works on it.
+    pub fn stop_of(&self, id: &Id) -> Stop {
+        self.pending.get(id).map(|p| p.stop.clone()).unwrap_or_default()
+    }
+
+    /// Lets a reader answer a question about an open program; of any other document there is nothing to say.
+    pub fn ask_reader(&mut self, id: &Id, uri: &str, work: Work) {
+        let Some(context) = self.context(uri) else { return self.reply(id, Ok(Value::Null)) };
+        let (id, uri, stop, events) = (id.clone(), uri.to_owned(), self.stop_of(id), self.events.clone());
+        self.pool.run(move || {
+            if stop.is_set() {
+                return;
+            }
+            let result = guarded(|| work(&context));
+            drop(context);
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| match result {
+                Err(Fault::Outdated) if state.pending.contains_key(&id) => state.ask_reader(&id, &uri, work),
+                result => state.reply(&id, result),
+            })));
+        });
+    }
+
+    /// Has a thread do something.
+    pub fn in_background(&self, work: impl FnOnce() + Send + 'static) {
+        self.pool.run(work);
+    }
+
+    /// Lets a thread do something that needs no program.
+    pub fn ask_pool(&mut self, id: &Id, work: impl FnOnce() -> Result<Value, Fault> + Send + 'static) {
+        let (id, events) = (id.clone(), self.events.clone());
+        self.pool.run(move || {
+            let result = guarded(work);
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| state.reply(&id, result))));
+        });
+    }
+
+    /// Where other threads say that they are done.
+    pub fn events(&self) -> queue::Sender<Event> {
+        self.events.clone()
+    }
+
+    /// What a reader sees of a program.
+    pub fn context(&mut self, uri: &str) -> Option<Context> {
+        self.documents.sync(uri);
+        let open = self.documents.iter().map(|d| (d.path.clone(), d.uri.clone())).collect();
+        let versions = self.documents.iter().map(|d| (d.uri.as_str().to_owned(), d.version)).collect();
+        let document = self.documents.get(uri)?;
+        let scene = document.scene.as_ref()?;
+        Some(Context {
+            uri: document.uri.clone(),
+            path: document.path.clone(),
+            text: Arc::clone(&document.text),
+            snapshot: scene.host.snapshot(),
+            layout: scene.layout.clone(),
+            settings: Arc::clone(&scene.settings),
+            generation: scene.generation,
+            client: Arc::clone(&self.client),
+            config: Arc::clone(&self.config),
+            tokens: Arc::clone(&scene.tokens),
+            open,
+            versions,
+        })
+    }
+
+    // ── What the client tells ──
+
+    fn notification(&mut self, method: &str, params: Value) {
+        match (self.phase, method) {
+            (_, "$/cancelRequest") => self.cancel(&params["id"]),
+            (Phase::Running, "window/workDoneProgress/cancel") => self.cancel_progress(&params["token"]),
+            (Phase::Running, "initialized") => self.initialized(),
+            (Phase::Running, "textDocument/didOpen") => self.with(params, Self::opened),
+            (Phase::Running, "textDocument/didChange") => self.with(params, Self::changed),
+            (Phase::Running, "textDocument/didClose") => self.with(params, Self::closed),
+            (Phase::Running, "textDocument/didSave") => self.with(params, Self::saved),
+            (Phase::Running, "workspace/didChangeConfiguration") => self.configured(&params),
+            (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, Self::watched),
+            (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, Self::folders),
+            _ => {}
+        }
+    }
+
+    /// Does something with parameters; what does not read as such is passed over, for nobody waits for an answer.
+    fn with<P: DeserializeOwned>(&mut self, params: Value, then: impl FnOnce(&mut Self, P)) {
+        if let Ok(params) = P::deserialize(params) {
+            then(self, params);
+        }
+    }
+
+    fn cancel(&mut self, id: &Value) {
+        let Ok(id) = Id::deserialize(id) else { return };
+        let Some(Pending { reply, stop }) = self.pending.remove(&id) else { return };
+        stop.set();
+        let _ = reply.send(Err(Error::request_cancelled()));
+    }
+
+    fn opened(&mut self, params: DidOpenTextDocumentParams) {
+        let d = params.text_document;
+        let key = d.uri.as_str().to_owned();
+        self.documents.open(d.uri, &d.language_id, d.version, d.text, &self.config);
+        // What it said before it was opened again is not what the editor shows now.
+        let _ = self.board.remove(&key);
+    }
+
+    fn changed(&mut self, params: DidChangeTextDocumentParams) {
+        let key = params.text_document.uri.as_str().to_owned();
+        let encoding = self.encoding();
+        let Some(document) = self.documents.get_mut(&key) else { return };
+        document.version = params.text_document.version;
+        let text = Arc::make_mut(&mut document.text);
+        for change in params.content_changes {
+            text.change(change, encoding);
+        }
+        if let Some(scene) = &mut document.scene {
+            scene.stale_text = true;
+        }
+        let path = document.path.clone();
+        self.documents.touched(&path, &key);
+    }
+
+    fn closed(&mut self, params: DidCloseTextDocumentParams) {
+        let key = params.text_document.uri.as_str();
+        if self.documents.close(key) {
+            self.drags.remove(key);
+            for (uri, marks) in self.board.remove(key) {
+                self.publish(&uri, &marks);
+            }
+        }
+    }
+
+    fn saved(&mut self, params: DidSaveTextDocumentParams) {
+        let key = params.text_document.uri.as_str();
+        if let Some(path) = self.documents.get(key).map(|d| d.path.clone()) {
+            self.documents.touched(&path, key);
+        }
+        if let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) {
+            scene.unproved = true;
+            scene.published = 0;
+        }
+    }
+
+    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+        for change in params.changes {
+            let path = disk::path_of(&change.uri);
+            // Of what is open, the editor's text counts.
+            if self.documents.at(&path).is_none() {
+                self.documents.forget(&path);
+                self.documents.touched(&path, "");
+            }
+        }
+        self.wake();
+    }
+
+    fn folders(&mut self, params: DidChangeWorkspaceFoldersParams) {
+        let removed: Vec<PathBuf> = params.event.removed.iter().map(|f| disk::path_of(&f.uri)).collect();
+        self.roots.retain(|root| !removed.contains(root));
+        self.roots.extend(params.event.added.iter().map(|f| disk::path_of(&f.uri)));
+        self.wake();
+    }
+
+    // ── Beginning ──
+
+    fn initialize(&mut self, params: &Value) -> Value {
+        self.phase = Phase::Running;
+        self.client = Arc::new(Client::new(params));
+        let folder = |value: &Value| Uri::deserialize(value).ok().map(|uri| disk::path_of(&uri));
+        let folders = params["workspaceFolders"].as_array();
+        self.roots = match folders {
+            Some(list) => list.iter().filter_map(|f| folder(&f["uri"])).collect(),
+            None => folder(&params["rootUri"]).into_iter().collect(),
+        };
+        if params["initializationOptions"].is_object() {
+            self.config = Arc::new(Config::read(&params["initializationOptions"]));
+        }
+        if let Some(process) = params["processId"].as_u64().and_then(|p| u32::try_from(p).ok()) {
+            let events = self.events.clone();
+            parent::watch(process, move || {
+                let _ = events.send(Event::Closed);
+                // Whoever should close our input is gone, and may have left it open.
+                std::thread::sleep(std::time::Duration::from_millis(500));
+                std::process::exit(1);
+            });
+        }
+        capabilities::of(&self.client)
+    }
+
+    fn initialized(&mut self) {
+        let mut registrations = Vec::new();
+        if self.client.watches_files {
+            let globs = ["**/*.scene", "**/*.json", "**/scenelang.toml"].map(|glob| json!({ "globPattern": glob }));
+            registrations.push(json!({
+                "id": "files", "method": "workspace/didChangeWatchedFiles", "registerOptions": { "watchers": globs },
+            }));
+        }
+        if self.client.watches_configuration {
+            registrations.push(json!({
+                "id": "configuration", "method": "workspace/didChangeConfiguration",
+                "registerOptions": { "section": "scenelang" },
+            }));
+        }
+        if !registrations.is_empty() {
+            self.ask_client("client/registerCapability", json!({ "registrations": registrations }), |_, _| {});
+        }
+        self.pull_configuration();
+    }
+
+    /// Settings came along, or must be asked for.
+    fn configured(&mut self, params: &Value) {
+        let section = &params["settings"]["scenelang"];
+        if section.is_object() {
+            self.reconfigure(section);
+        } else {
+            self.pull_configuration();
+        }
+    }
+
+    fn pull_configuration(&mut self) {
+        if self.client.configuration {
+            let items = json!({ "items": [{ "section": "scenelang" }] });
+            self.ask_client("workspace/configuration", items, |state, answer| {
+                if let Ok(values) = answer
+                    && values[0].is_object()
+                {
+                    state.reconfigure(&values[0]);
+                }
+            });
+        }
+    }
+
+    fn reconfigure(&mut self, section: &Value) {
+        let config = Config::read(section);
+        if config != *self.config {
+            self.documents.reconfigured(&config);
+            self.config = Arc::new(config);
+        }
+    }
+
+    fn encoding(&self) -> Encoding {
+        self.client.encoding
+    }
+
+    // ── What changes mean ──
+
+    /// Has judged again whatever has changed.
+    fn settle(&mut self) {
+        let stale = |d: &Document| {
+            d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
+        };
+        let keys: Vec<String> = self.documents.iter().filter(|d| stale(d)).map(|d| d.uri.as_str().to_owned()).collect();
+        for key in keys {
+            let judging = self.documents.get(&key).and_then(|d| d.scene.as_ref()).is_some_and(|s| s.judging);
+            // One verdict at a time: the next begins when this one is there, or was found outdated.
+            if judging {
+                self.documents.sync(&key);
+                continue;
+            }
+            let Some(context) = self.context(&key) else { continue };
+            if let Some(scene) = self.documents.get_mut(&key).and_then(|d| d.scene.as_mut()) {
+                scene.judging = true;
+            }
+            let events = self.events.clone();
+            self.pool.run(move || {
+                let generation = context.generation;
+                let found = guarded(|| Ok(verdict(&context)?));
+                drop(context);
+                let _ = events.send(Event::Done(Box::new(move |state| state.judged(&key, generation, found))));
+            });
+        }
+    }
+
+    fn judged(&mut self, key: &str, generation: u64, found: Result<Verdict, Fault>) {
+        let Some(Document { uri, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
+        scene.judging = false;
+        if scene.generation != generation || scene.stale_text || scene.stale_layout {
+            return;
+        }
+        // A verdict that could not be had is not tried again until something changes.
+        scene.published = generation;
+        let outside = std::mem::take(&mut scene.outside);
+        let Ok(Verdict { marks, count }) = found else { return };
+        let layout = count.and_then(|_| scene.layout.as_deref()).and_then(disk::uri_of);
+        let [holds, total] = count.unwrap_or_default();
+        let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });
+        for (uri, marks) in self.board.put(key, marks) {
+            self.publish(&uri, &marks);
+        }
+        self.tell("scenelang/changed", changed);
+        if outside {
+            for request in self.client.refreshes.clone() {
+                self.ask_client(request, Value::Null, |_, _| {});
+            }
+        }
+        self.wake();
+        self.prove(key);
+    }
+
+    /// Looks for proofs about a program now.
+    pub fn prove_now(&mut self, key: &str) {
+        if let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) {
+            scene.unproved = true;
+            self.prove(key);
+        }
+    }
+
+    /// Looks for proofs about a program that was opened or saved: that takes too long to be done after each keystroke.
+    fn prove(&mut self, key: &str) {
+        let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) else { return };
+        // What is published first is the verdict.
+        if !scene.unproved || self.proving || scene.published == 0 {
+            return;
+        }
+        scene.unproved = false;
+        let Some(context) = self.context(key) else { return };
+        self.proving = true;
+        let (key, events) = (key.to_owned(), self.events.clone());
+        std::thread::spawn(move || {
+            let generation = context.generation;
+            let found = guarded(|| proofs(context));
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
+                state.proving = false;
+                let scene = state.documents.get_mut(&key).and_then(|d| d.scene.as_mut());
+                if let (Some(scene), Ok(found)) = (scene.filter(|s| s.generation == generation), found) {
+                    scene.proofs = found;
+                    let marks = state.board.about(&key);
+                    state.publish(&key, &marks);
+                }
+                let next = state.documents.iter().find(|d| d.scene.as_ref().is_some_and(|s| s.unproved));
+                if let Some(next) = next.map(|d| d.uri.as_str().to_owned()) {
+                    state.prove(&next);
+                }
+            })));
+        });
+    }
+
+    /// Looks again at questions that were waiting for a change.
+    fn wake(&mut self) {
+        for (id, params) in std::mem::take(&mut self.waiting) {
+            if self.pending.contains_key(&id)
+                && let Err(fault) = self.dispatch(&id, "workspace/diagnostic", params)
+            {
+                self.reply(&id, Err(fault));
+            }
+        }
+    }
+
+    /// Says what is marked in a file. What the client asks for itself it is not told, but for what is proved, which takes
+    /// longer than it would want to wait.
+    fn publish(&mut self, uri: &str, marks: &[Value]) {
+        let document = self.documents.get(uri);
+        let mut all: Vec<Value> = Vec::new();
+        let pulled = self.client.pulls && document.is_some_and(|d| d.scene.is_some());
+        if !pulled {
+            all.extend(marks.iter().cloned());
+        }
+        let version = document.map(|d| d.version);
+        if let Some(scene) = self.documents.get_mut(uri).and_then(|d| d.scene.as_mut()) {
+            all.extend(scene.proofs.iter().cloned());
+            let told = std::mem::replace(&mut scene.told_proofs, !scene.proofs.is_empty());
+            if pulled && !told && !scene.told_proofs {
+                return;
+            }
+        }
+        let mut params = json!({ "uri": uri, "diagnostics": all });
+        if let Some(version) = version {
+            params["version"] = version.into();
+        }
+        self.tell("textDocument/publishDiagnostics", params);
+    }
+
+    // ── The other direction ──
+
+    /// A token for progress, if the client shows that.
+    pub fn new_token(&mut self) -> Option<Value> {
+        if !self.client.progress {
+            return None;
+        }
+        let token = json!(format!("scenelang/{}", self.asks + 1));
+        self.ask_client("window/workDoneProgress/create", json!({ "token": token }), |_, _| {});
+        Some(token)
+    }
+
+    /// For threads that tell the client something themselves.
+    pub fn sender(&self) -> mpsc::UnboundedSender<Request> {
+        self.to_client.clone()
+    }
+
+    /// Tells the client something.
+    pub fn tell(&self, method: &'static str, params: Value) {
+        let _ = self.to_client.unbounded_send(Request::build(method).params(params).finish());
+    }
+
+    /// Asks the client something, and goes on when it answers. Nothing waits for that.
+    pub fn ask_client(
+        &mut self,
+        method: &'static str,
+        params: Value,
+        then: impl FnOnce(&mut State, Result<Value, Error>) + Send + 'static,
+    ) {
+        self.asks += 1;
+        self.asked.insert(self.asks, Box::new(then));
+        let request = Request::build(method).id(self.asks);
+        let request = if params.is_null() { request } else { request.params(params) };
+        let _ = self.to_client.unbounded_send(request.finish());
+    }
+}
+
+/// Runs what a message made us do; a mistake of ours ends the question and not the server.
+pub fn guarded<T>(work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(Fault::Internal))
+}

@@ -1,0 +1,173 @@
+//! Code actions: each is made, and the program read again.
+
+use crate::client::{Client, at, edited, edits_of, room};
+use serde_json::{Value, json};
+
+impl Client {
+    /// What is offered where some text stands.
+    fn offered(&mut self, uri: &str, text: &str, marked: &str, only: Option<&str>) -> Vec<Value> {
+        let (from, to) = match marked.split_once('‹') {
+            None => (at(text, marked), at(text, marked)),
+            Some((before, rest)) => {
+                let (inner, after) = rest.split_once('›').expect("a selection has two ends");
+                (at(text, &format!("{before}|{inner}{after}")), at(text, &format!("{before}{inner}|{after}")))
+            }
+        };
+        let context = json!({ "diagnostics": [], "only": only.map(|kind| vec![kind]) });
+        let ask = json!({ "textDocument": { "uri": uri }, "range": { "start": from, "end": to }, "context": context });
+        self.ask("textDocument/codeAction", ask).as_array().unwrap().clone()
+    }
+
+    /// The text after an action of this title.
+    fn made(&mut self, uri: &str, text: &str, marked: &str, title: &str) -> String {
+        let all = self.offered(uri, text, marked, None);
+        let titles: Vec<&str> = all.iter().map(|a| a["title"].as_str().unwrap()).collect();
+        let action = all.iter().find(|a| a["title"] == title).unwrap_or_else(|| panic!("{marked}: {titles:?}"));
+        edited(text, edits_of(&action["edit"], uri))
+    }
+}
+
+#[test]
+fn fixes_and_changes_of_form() {
+    let (folder, scene, _) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    for (added, place, title, wanted) in [
+        ("assert bed.tpo > 0;", "bed.t|po", "Write `top`", "assert bed.top > 0;"),
+        ("object a1", "object a1|", "Insert `;`", "object a1;"),
+        ("assert vase.top > 0;", "va|se.top", "Declare `vase` as an object", "object vase;\nassert vase.top > 0;"),
+        (
+            "assert gap(bed, hall) > 0;",
+            "ha|ll",
+            "Declare `hall` as a region",
+            "region hall;\nassert gap(bed, hall) > 0;",
+        ),
+        ("assert bed.top <-1;", "<|-1", "Write a space between them", "assert bed.top < -1;"),
+        ("object idle;", "object id|le", "Allow W0201 here", "object idle; // allow(W0201)"),
+        (
+            "assert bed.top > 0 and lamp.top > 0;",
+            "bed.t|op > 0 and",
+            "Split into 2 assertions",
+            "assert bed.top > 0;\nassert lamp.top > 0;",
+        ),
+        (
+            "@req(\"low\")\nassert (bed.top < 1 or bed.top > 9) and lamp.top < 2;",
+            "bed.t|op < 1",
+            "Split into 2 assertions",
+            "@req(\"low\")\nassert (bed.top < 1 or bed.top > 9);\n@req(\"low\")\nassert lamp.top < 2;",
+        ),
+        (
+            "assert ‹gap(lamp, bed) > 0.1› and lamp.top > 0;",
+            "assert ‹gap(lamp, bed) > 0.1› and lamp",
+            "Extract predicate `holds`",
+            "predicate holds(Object a, Object b) := gap(a, b) > 0.1;\nassert holds(lamp, bed) and lamp.top > 0;",
+        ),
+        (
+            "assert forall s in stand: near(s, stand[0], 9);",
+            "forall s in stand: ‹near(s, stand[0], 9)›;",
+            "Extract predicate `holds`",
+            "predicate holds(Object a, Object b) := near(a, b, 9);\nassert forall s in stand: holds(s, stand[0]);",
+        ),
+        ("assert low(lamp, 1 + 1);", "assert l|ow(lamp", "Inline predicate `low`", "assert (lamp.top < (1 + 1));"),
+        (
+            "object cup1;\nobject cup2;\nassert cup1.top > cup2.top;",
+            "object c|up1",
+            "Make `cup[2]` of these objects",
+            "object cup[2];\nassert cup[0].top > cup[1].top;",
+        ),
+    ] {
+        let text = format!("{scene}{}\n", added.replace(['‹', '›'], ""));
+        client.set(&uri, &text);
+        let found = client.made(&uri, &text, place, title);
+        assert_eq!(found, format!("{scene}{wanted}\n"), "{title}");
+    }
+    // The place in the layout as assignments.
+    client.set(&uri, &scene);
+    let pinned = client.made(&uri, &scene, "object |bed", "Pin `bed` at its current place");
+    assert!(pinned.contains("object bed;\nbed.pos <- vec3(0, 0, -0.9);\nbed.rot <- rot(0, 0, 0);\n"), "{pinned}");
+    client.set(&uri, &pinned);
+    let again = client.offered(&uri, &pinned, "object |bed", None);
+    assert!(again.iter().all(|a| !a["title"].as_str().unwrap().starts_with("Pin")), "{again:?}");
+    // All safe fixes at once, where somebody asks for that.
+    let text = format!("{scene};;\nobject a\n");
+    client.set(&uri, &text);
+    let all = client.offered(&uri, &text, "|// A bed", Some("source.fixAll"));
+    assert_eq!(all.len(), 1);
+    assert_eq!(edited(&text, edits_of(&all[0]["edit"], &uri)), format!("{scene}\nobject a;\n"));
+    assert!(client.offered(&uri, &text, "object |bed", Some("refactor.inline")).is_empty());
+    client.stop();
+}
+
+#[test]
+fn the_smallest_move_is_offered_at_once() {
+    let (folder, scene, layout) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let all = client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix"));
+    let step = all.iter().find(|a| a["title"].as_str().unwrap().starts_with("Move `stand[1]`")).expect("a move");
+    assert_eq!((&step["isPreferred"], &step["diagnostics"][0]["code"]), (&json!(true), &json!("V0101")));
+    let data = client.uri("room.layout.json");
+    let after = edited(&layout, edits_of(&step["edit"], &data));
+    let data = client.open("room.layout.json", &after);
+    client.published(&data);
+    client.until("it to hold", |c| {
+        let marks = c.published(&uri);
+        marks.iter().all(|m| m["code"] != "V0101").then_some(())
+    });
+    client.stop();
+}
+
+#[test]
+fn repair_is_listed_at_once_and_worked_out_on_demand() {
+    let (folder, scene, layout) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let all = client.offered(&uri, &scene, "assert g|ap(stand", None);
+    let repair = all.iter().find(|a| a["title"] == "Repair this constraint").expect("repair").clone();
+    assert!(repair.get("edit").is_none() && repair.get("command").is_none());
+    let whole = client.ask("codeAction/resolve", repair);
+    let data = client.uri("room.layout.json");
+    let after = edited(&layout, edits_of(&whole["edit"], &data));
+    assert!(after.contains("\"note\": \"mine\""));
+    // The preview says what moves, and which margins change.
+    let note = &whole["edit"]["changeAnnotations"]["change"];
+    assert!(note["label"].as_str().unwrap().contains("move `stand[1]`"), "{note}");
+    assert!(note["description"].as_str().unwrap().contains("−0.12 m → +"), "{note}");
+    for kind in ["begin", "end"] {
+        client.until(kind, |c| {
+            let of = |m: &&Value| m["method"] == "$/progress" && m["params"]["value"]["kind"] == kind;
+            c.told.iter().find(of).map(|_| ())
+        });
+    }
+    // As a change of the program.
+    let other = all.iter().find(|a| a["title"] == "Change the program so that this holds").expect("the other").clone();
+    let whole = client.ask("codeAction/resolve", other);
+    let changed = edited(&scene, edits_of(&whole["edit"], &uri));
+    assert_ne!(changed, scene);
+    client.set(&uri, &changed);
+    assert!(client.published(&uri).iter().all(|m| m["code"] != "V0101"), "{changed}");
+    // It holds now: there is nothing to be repaired.
+    let all = client.offered(&uri, &changed, "room.scale", None);
+    assert!(all.iter().all(|a| a["title"] != "Repair this constraint"));
+    client.stop();
+}
+
+#[test]
+fn clients_that_cannot_complete_an_action_get_a_command() {
+    let (folder, scene, _) = room();
+    let mut can = crate::client::usual();
+    can["textDocument"]["codeAction"] = json!({});
+    let mut client = Client::start_with(folder.path(), can, Value::Null);
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let all = client.offered(&uri, &scene, "assert g|ap(stand", None);
+    let repair = all.iter().find(|a| a["title"] == "Repair this constraint").expect("repair");
+    let command = &repair["command"];
+    let run = json!({ "command": command["command"], "arguments": command["arguments"] });
+    assert!(client.ask("workspace/executeCommand", run)["message"].as_str().unwrap().contains("stand[1]"));
+    assert!(client.asked.iter().any(|m| m["method"] == "workspace/applyEdit"));
+    client.stop();
+}

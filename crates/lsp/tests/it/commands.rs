@@ -1,0 +1,183 @@
+//! Commands, the scene for a preview, dragging, and what the program becomes.
+
+use crate::client::{Client, at, edited, edits_of, room, usual};
+use serde_json::{Value, json};
+
+fn run(client: &mut Client, command: &str, argument: Value) -> Value {
+    client.ask("workspace/executeCommand", json!({ "command": command, "arguments": [argument] }))
+}
+
+/// The change that the client was last asked to make.
+fn asked(client: &Client) -> Value {
+    client.asked.iter().rev().find(|m| m["method"] == "workspace/applyEdit").expect("an edit")["params"]["edit"].clone()
+}
+
+#[test]
+fn checking_solving_and_repairing() {
+    let (folder, scene, layout) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let of = json!({ "uri": uri });
+    let checked = run(&mut client, "scenelang.check", of.clone());
+    assert_eq!((&checked["holds"], &checked["total"]), (&json!(9), &json!(12)));
+    assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
+
+    let repaired = run(&mut client, "scenelang.repairAll", of.clone());
+    assert!(repaired["message"].as_str().unwrap().contains("stand[1]"), "{repaired}");
+    let data = client.uri("room.layout.json");
+    let after = edited(&layout, edits_of(&asked(&client), &data));
+    assert!(after.contains("\"note\": \"mine\""), "what others wrote stays: {after}");
+    // The editor has made it, but has not opened the file with us: it is what counts all the same.
+    client.until("it to hold", |c| c.published(&uri).iter().all(|m| m["code"] == "V0106").then_some(()));
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("room.layout.json")).unwrap(),
+        layout,
+        "nobody wrote the file"
+    );
+
+    let line = at(&scene, "|prefer bed")["line"].clone();
+    let one = run(&mut client, "scenelang.repair", json!({ "uri": uri, "line": line }));
+    assert!(one["message"].is_string());
+    let solved = run(&mut client, "scenelang.solve", json!({ "uri": uri, "seed": 3 }));
+    assert_eq!(solved["holds"], solved["total"], "{solved}");
+    let text = edits_of(&asked(&client), &data)[0]["newText"].as_str().unwrap().to_owned();
+    assert!(text.contains("\"seed\": 3"));
+
+    for (command, argument, code) in [
+        ("scenelang.nothing", of.clone(), -32602),
+        ("scenelang.solve", json!({}), -32602),
+        ("scenelang.repair", of.clone(), -32602),
+        ("scenelang.check", json!({ "uri": "file:///nowhere.scene" }), -32602),
+        ("scenelang.repair", json!({ "uri": uri, "line": 0 }), -32803),
+    ] {
+        let ask = json!({ "command": command, "arguments": [argument] });
+        assert_eq!(client.refused("workspace/executeCommand", ask).0, code, "{command}");
+    }
+    client.set(&uri, "object a");
+    let ask = json!({ "command": "scenelang.solve", "arguments": [of] });
+    assert!(client.refused("workspace/executeCommand", ask).1.contains("errors"));
+    client.stop();
+}
+
+#[test]
+fn a_layout_that_is_not_there_is_created() {
+    let (folder, ..) = room();
+    let text = "region r;\nr.pos <- vec3(0, 0, 0);\nr.scale <- vec3(3, 2.5, 3);\nobject chair;\nchair.category <- \"chair\";\nassert inside(chair, r);\n";
+    let mut client = Client::start(folder.path());
+    let uri = client.open("new.scene", text);
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    let edit = asked(&client);
+    let data = client.uri("new.layout.json");
+    assert_eq!(
+        edit["documentChanges"][0],
+        json!({ "kind": "create", "uri": data, "options": { "ignoreIfExists": true } })
+    );
+    let text_of = edits_of(&edit, &data)[0]["newText"].as_str().unwrap().to_owned();
+    assert!(text_of.contains("\"scene\": \"new.scene\""), "{text_of}");
+    client.stop();
+
+    // A client that cannot do that has it written: whole.
+    let mut can = usual();
+    can["workspace"]["applyEdit"] = false.into();
+    let mut client = Client::start_with(folder.path(), can, Value::Null);
+    let uri = client.open("new.scene", text);
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    assert_eq!(std::fs::read_to_string(folder.path().join("new.layout.json")).unwrap(), text_of);
+    client.stop();
+}
+
+#[test]
+fn the_scene_is_what_the_viewer_reads() {
+    let (folder, scene, layout) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    let found = client.ask("scenelang/scene", json!({ "uri": uri }));
+    assert_eq!((&found["holds"], &found["total"]), (&json!(9), &json!(12)));
+    assert_eq!(found["layout"], client.uri("room.layout.json"));
+    assert_eq!(found["data"]["format"], "scenelang.preview/1");
+    assert!(found["data"]["glb"].as_str().unwrap().len() > 1000);
+    let names: Vec<&str> = found["objects"].as_array().unwrap().iter().map(|o| o["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["bed", "stand", "lamp"]);
+    let rows = found["constraints"].as_array().unwrap();
+    let fails = rows.iter().find(|r| r["text"].as_str().unwrap().starts_with("gap(")).unwrap();
+    assert_eq!((&fails["state"], &fails["unit"]), (&json!("fails"), &json!("m")));
+    assert_eq!(fails["id"], "room.scene:34:1");
+    assert_eq!(fails["line"], 33);
+    assert_eq!(fails["objects"], json!(["bed", "stand[1]"]));
+    assert!(rows.iter().any(|r| r["id"] == "P-COLLIDE:bed:stand[1]"));
+
+    // A drag is judged step by step, and nothing is done until it ends.
+    let state = |answer: &Value, id: &str| {
+        answer["constraints"].as_array().unwrap().iter().find(|r| r["id"] == id).unwrap()["state"].clone()
+    };
+    let mut step = json!({ "uri": uri, "object": "stand[1]", "pos": [1.2, 0, -1.5], "commit": false });
+    let answer = client.ask("scenelang/move", step.clone());
+    assert_eq!((state(&answer, "room.scene:34:1"), &answer["physical"]), (json!("holds"), &json!([])));
+    assert_eq!(state(&answer, "room.scene:32:1"), "fails");
+    step["pos"] = json!([1.05, 0, -1.5]);
+    let answer = client.ask("scenelang/move", step.clone());
+    assert_eq!(state(&answer, "room.scene:32:1"), "holds");
+    // Another object: the first is where it was.
+    let other = json!({ "uri": uri, "object": "lamp", "pos": [-1.05, 0.5, -1.5], "rot": [0, 90, 0], "commit": false });
+    assert_eq!(client.ask("scenelang/move", other)["holds"], 9);
+    assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
+    step["commit"] = true.into();
+    let answer = client.ask("scenelang/move", step);
+    assert_eq!(state(&answer, "room.scene:34:1"), "holds");
+    let data = client.uri("room.layout.json");
+    let after = edited(&layout, edits_of(&asked(&client), &data));
+    assert_eq!(after, layout.replace("[0.9, 0, -1.5]", "[1.05, 0, -1.5]"), "only the position");
+    for bad in [
+        json!({ "uri": uri, "object": "nobody", "pos": [0, 0, 0] }),
+        json!({ "uri": uri, "object": "lamp", "pos": [0, 0] }),
+        json!({ "uri": uri, "object": "lamp", "pos": [1e300, 0, 0] }),
+        json!({ "uri": "file:///x.scene", "object": "lamp", "pos": [0, 0, 0] }),
+    ] {
+        assert_eq!(client.refused("scenelang/move", bad).0, -32602);
+    }
+    client.stop();
+}
+
+#[test]
+fn what_a_program_becomes() {
+    let (folder, scene, _) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    for (form, part) in
+        [("syntax", "Declaration"), ("hir", "lamp : Object"), ("constraints", "room.scene:34:1: assert")]
+    {
+        let text =
+            client.ask("scenelang/forms", json!({ "uri": uri, "form": form }))["text"].as_str().unwrap().to_owned();
+        assert!(text.contains(part), "{form}: {text}");
+    }
+    assert_eq!(client.refused("scenelang/forms", json!({ "uri": uri, "form": "poem" })).0, -32602);
+    client.stop();
+}
+
+/// The editor's own language model is asked through the client, and what it says is judged.
+#[test]
+fn the_editors_model_proposes_and_is_judged() {
+    let (folder, scene, _) = room();
+    let options = json!({ "languageModel": "client" });
+    for says in [
+        json!({ "text": "{\"moves\": [{\"object\": \"stand[1]\", \"pos\": {\"x\": 1.06, \"y\": 0, \"z\": -1.5}, \"rot\": {\"x\": 0, \"y\": 0, \"z\": 0}, \"reason\": null}]}" }),
+        json!({ "text": "I would rather not." }),
+        json!({ "text": 5 }),
+        Value::Null,
+    ] {
+        let mut client = Client::start_with(folder.path(), usual(), options.clone());
+        client.model = says.clone();
+        let uri = client.open("room.scene", &scene);
+        client.published(&uri);
+        let answer = run(&mut client, "scenelang.repairAll", json!({ "uri": uri }));
+        // Whatever it says, what is offered mends.
+        assert!(answer["message"].as_str().unwrap().contains("stand[1]"), "{says}: {answer}");
+        let question = client.asked.iter().find(|m| m["method"] == "scenelang/languageModel").expect("it is asked");
+        assert!(question["params"]["messages"].as_array().is_some_and(|m| !m.is_empty()));
+        assert!(question["params"]["schema"].is_object());
+        client.stop();
+    }
+}

@@ -1,0 +1,123 @@
+// The commands of the palette. Judging, solving and mending are the server's, which knows what is in the editor but not yet on
+// disk; building and exporting files is the command line's.
+
+import { basename, dirname, join } from "node:path";
+import * as vscode from "vscode";
+import type { Done } from "./protocol.js";
+import { run } from "./run.js";
+import { LANGUAGE, type Scenes } from "./scenes.js";
+import type { Server } from "./server.js";
+
+export class Commands {
+  constructor(
+    private readonly server: Server,
+    private readonly scenes: Scenes,
+  ) {}
+
+  /** The program that a command is for: the one it is given, else the one that is worked on. */
+  target(uri?: vscode.Uri | string): vscode.Uri | null {
+    if (uri !== undefined) return typeof uri === "string" ? vscode.Uri.parse(uri) : uri;
+    const document = vscode.window.activeTextEditor?.document;
+    const found = document?.languageId === LANGUAGE ? document.uri : this.scenes.current;
+    if (found === null) void vscode.window.showInformationMessage("Open a program (.scene) first.");
+    return found;
+  }
+
+  /** A command of the server, which shows its own progress. */
+  async serve(command: string, uri?: vscode.Uri): Promise<void> {
+    const target = this.target(uri);
+    if (target === null) return;
+    try {
+      const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString() }] });
+      if (done !== null) say(done.holds === done.total, done.message);
+    } catch (error) {
+      if (!isCancelled(error)) say(false, error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Solves and builds everything into a folder. */
+  async synth(uri?: vscode.Uri): Promise<void> {
+    const target = await this.saved(uri);
+    if (target === null) return;
+    const folder = await this.folder(target);
+    if (folder === null) return;
+    await this.build(`Building ${basename(target.fsPath)}`, ["synth", target.fsPath, "-o", folder], target, folder);
+  }
+
+  /** Writes the layout as it is into the formats of others. */
+  async export(uri?: vscode.Uri): Promise<void> {
+    const target = await this.saved(uri);
+    if (target === null) return;
+    const layout = this.scenes.get(target.toString())?.layout ?? null;
+    if (layout === null) return say(false, "There is no layout to export yet: solve the program first.");
+    const chosen = await vscode.window.showQuickPick(EXPORTS, { placeHolder: "Which formats?", canPickMany: true });
+    if (chosen === undefined || chosen.length === 0) return;
+    const folder = await this.folder(target);
+    if (folder === null) return;
+    const file = vscode.Uri.parse(layout);
+    await (await vscode.workspace.openTextDocument(file)).save();
+    await this.build(`Exporting ${basename(file.fsPath)}`, ["export", file.fsPath, "-o", folder, "--only", chosen.map(({ label }) => label).join(",")], target, folder);
+  }
+
+  private async build(title: string, args: readonly string[], target: vscode.Uri, folder: string): Promise<void> {
+    const program = this.server.program();
+    if (program === null) return;
+    const ended = await vscode.window.withProgress({ location: vscode.ProgressLocation.Notification, title, cancellable: true }, async (_, token) => {
+      const abort = new AbortController();
+      token.onCancellationRequested(() => abort.abort());
+      const result = await run(program, args, dirname(target.fsPath), abort.signal).catch((error: unknown) => ({ code: 2, stdout: "", stderr: String(error) }));
+      return abort.signal.aborted ? null : result;
+    });
+    if (ended === null) return;
+    this.server.output.info(`${program} ${args.join(" ")}\n${ended.stdout}${ended.stderr}`);
+    const good = ended.code === 0;
+    const message = good ? `Written to ${folder}` : ended.code === 1 ? `Written to ${folder}, but not all constraints hold` : `It could not be done: ${lastLine(ended.stderr)}`;
+    const buttons = ended.code === 0 || ended.code === 1 ? ["Reveal", "Show Output"] : ["Show Output"];
+    const pressed = await (good ? vscode.window.showInformationMessage : vscode.window.showWarningMessage)(message, ...buttons);
+    if (pressed === "Reveal") await vscode.commands.executeCommand("revealFileInOS", vscode.Uri.file(folder));
+    if (pressed === "Show Output") this.server.output.show();
+  }
+
+  /** The program on disk, as the command line will read it. */
+  private async saved(uri?: vscode.Uri): Promise<vscode.Uri | null> {
+    const target = this.target(uri);
+    if (target === null) return null;
+    if (!vscode.workspace.isTrusted) return say(false, "This is done in trusted workspaces only."), null;
+    const document = await vscode.workspace.openTextDocument(target);
+    if (document.isUntitled || !(await document.save())) return say(false, "The program must be saved first."), null;
+    return document.uri;
+  }
+
+  private async folder(target: vscode.Uri): Promise<string | null> {
+    const stem = basename(target.fsPath).replace(/\.scene$/, "");
+    const usual = join(vscode.workspace.getWorkspaceFolder(target)?.uri.fsPath ?? dirname(target.fsPath), "out", stem);
+    const chosen = await vscode.window.showQuickPick([{ label: usual }, { label: "Another folder…", other: true }], { placeHolder: "Where to?" });
+    if (chosen === undefined) return null;
+    if (!("other" in chosen)) return usual;
+    const [folder] = (await vscode.window.showOpenDialog({ canSelectFolders: true, canSelectFiles: false, openLabel: "Write Here" })) ?? [];
+    return folder?.fsPath ?? null;
+  }
+}
+
+/** The exporters of `scenelang export --only`. */
+const EXPORTS: readonly vscode.QuickPickItem[] = [
+  { label: "glb", description: "glTF, one binary file", picked: true },
+  { label: "unity", description: "a Unity project" },
+  { label: "plan", description: "a floor plan, SVG and PNG" },
+  { label: "picture", description: "a picture, PNG" },
+  { label: "preview", description: "a page with the room and every constraint" },
+];
+
+function say(good: boolean, message: string): void {
+  void (good ? vscode.window.showInformationMessage(message) : vscode.window.showWarningMessage(message));
+}
+
+/** The codes by which the protocol calls off. */
+function isCancelled(error: unknown): boolean {
+  const code = (error as { readonly code?: unknown } | null)?.code;
+  return code === -32800 || code === -32802;
+}
+
+function lastLine(text: string): string {
+  return text.trim().split("\n").at(-1) ?? "";
+}

@@ -1,0 +1,59 @@
+// What the extension is made of, put together.
+
+import * as vscode from "vscode";
+import { Commands } from "./commands.js";
+import { Forms } from "./forms.js";
+import { Keys } from "./keys.js";
+import { Previews } from "./preview.js";
+import { LANGUAGE, Scenes } from "./scenes.js";
+import { Server } from "./server.js";
+import { Status } from "./status.js";
+import { Tasks } from "./tasks.js";
+import { Tree } from "./tree.js";
+
+let server: Server | null = null;
+
+export function activate(context: vscode.ExtensionContext): void {
+  const keys = new Keys(context.secrets);
+  server = new Server(context, keys);
+  const running = server;
+  const scenes = new Scenes(running);
+  const previews = new Previews(context.extensionUri, scenes, running);
+  const forms = new Forms(running);
+  const commands = new Commands(running, scenes);
+
+  const on = (name: string, act: (...args: never[]) => unknown) => vscode.commands.registerCommand(`scenelang.${name}`, act);
+  context.subscriptions.push(
+    scenes,
+    previews,
+    forms,
+    new Tree(scenes, context.workspaceState),
+    new Status(scenes, running),
+    vscode.tasks.registerTaskProvider(LANGUAGE, new Tasks(running)),
+    on("openPreview", (uri?: vscode.Uri) => {
+      const target = commands.target(uri);
+      if (target !== null) previews.open(target);
+    }),
+    // What the server's code lenses call.
+    on("show", ({ uri, object }: { uri: string; object?: string }) => previews.open(vscode.Uri.parse(uri), object ?? null)),
+    on("checkScene", (uri?: vscode.Uri) => commands.serve("scenelang.check", uri)),
+    on("solveScene", (uri?: vscode.Uri) => commands.serve("scenelang.solve", uri)),
+    on("repairScene", () => commands.serve("scenelang.repairAll")),
+    on("synthScene", (uri?: vscode.Uri) => commands.synth(uri)),
+    on("exportScene", (uri?: vscode.Uri) => commands.export(uri)),
+    on("showForms", async (uri?: vscode.Uri) => {
+      const target = commands.target(uri);
+      if (target !== null) await forms.show(target);
+    }),
+    on("restartServer", () => running.restart()),
+    on("showOutput", () => running.output.show()),
+    on("setKey", () => keys.set()),
+    on("forgetKey", () => keys.forget()),
+  );
+  void running.restart();
+}
+
+export async function deactivate(): Promise<void> {
+  await server?.dispose();
+  server = null;
+}

@@ -1,0 +1,37 @@
+// Which `scenelang` program is the server: what the user set, else the one that comes with the extension, else the one on
+// the PATH. Knows nothing of the editor.
+
+import { delimiter, isAbsolute, join } from "node:path";
+
+export interface Places {
+  /** The setting; empty: none. */
+  readonly setting: string;
+  /** What a relative setting is relative to; `null`: no folder is open. */
+  readonly workspace: string | null;
+  /** The folder of the extension. */
+  readonly extension: string;
+  /** The variable PATH. */
+  readonly path: string;
+  readonly windows: boolean;
+  /** Whether a file is there and may be run. */
+  readonly runs: (file: string) => boolean;
+}
+
+export type Located = { readonly command: string; readonly from: "setting" | "extension" | "PATH" } | { readonly missing: string };
+
+export function locate({ setting, workspace, extension, path, windows, runs }: Places): Located {
+  const name = windows ? "scenelang.exe" : "scenelang";
+  if (setting !== "") {
+    const file = isAbsolute(setting) || workspace === null ? setting : join(workspace, setting);
+    if (!isAbsolute(file)) return { missing: `the setting scenelang.server.path is "${setting}", which is relative, and no folder is open` };
+    // Whoever sets it does not want another.
+    return runs(file) ? { command: file, from: "setting" } : { missing: `the setting scenelang.server.path names ${file}, which is no program` };
+  }
+  const bundled = join(extension, "server", name);
+  if (runs(bundled)) return { command: bundled, from: "extension" };
+  // A relative entry would be looked up in whatever folder is open.
+  const folders = path.split(delimiter).filter((folder) => isAbsolute(folder));
+  const found = folders.map((folder) => join(folder, name)).find(runs);
+  if (found !== undefined) return { command: found, from: "PATH" };
+  return { missing: `there is no ${name} in the extension or on the PATH` };
+}

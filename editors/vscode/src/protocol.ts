@@ -1,0 +1,74 @@
+// What the server offers beyond the protocol of language servers. Positions are the protocol's: lines and UTF-16 units from 0.
+
+export interface Position {
+  readonly line: number;
+  readonly character: number;
+}
+
+export interface Range {
+  readonly start: Position;
+  readonly end: Position;
+}
+
+export type State = "holds" | "fails" | "unknown";
+
+export interface Constraint {
+  readonly id: string;
+  readonly text: string;
+  readonly uri: string;
+  readonly range: Range;
+  readonly state: State;
+  readonly margin: number | null;
+  readonly unit: string | null;
+  readonly objects: readonly string[];
+}
+
+export interface SceneObject {
+  readonly name: string;
+  readonly range: Range;
+}
+
+/** `scenelang/scene` {uri}: a program as its layout has it. */
+export interface Scene {
+  readonly layout: string | null;
+  /** For the page, which checks it; `null` where there is no room to show. */
+  readonly data: unknown;
+  readonly holds: number;
+  readonly total: number;
+  readonly constraints: readonly Constraint[];
+  readonly objects: readonly SceneObject[];
+}
+
+/** `scenelang/changed`: a program was judged anew. */
+export interface Changed {
+  readonly uri: string;
+  readonly holds: number;
+  readonly total: number;
+  readonly layout: string | null;
+}
+
+/** `scenelang/move`: an object elsewhere, judged, or with `commit` written to the layout. */
+export interface Move {
+  readonly uri: string;
+  readonly object: string;
+  readonly pos: readonly number[];
+  readonly rot?: readonly number[];
+  readonly commit: boolean;
+}
+
+/** `scenelang/forms` {uri, form} -> {text}. */
+export const FORMS = ["syntax", "hir", "constraints"] as const;
+export type Form = (typeof FORMS)[number];
+
+/** What `scenelang.check`, `.solve` and `.repairAll` answer. */
+export interface Done {
+  readonly message: string;
+  readonly holds: number;
+  readonly total: number;
+}
+
+/** `scenelang/languageModel`, asked by the server. */
+export interface Question {
+  readonly messages: readonly { readonly role: string; readonly content: string }[];
+  readonly schema?: unknown;
+}

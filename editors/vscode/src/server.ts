@@ -1,0 +1,135 @@
+// The server: found, started with what it may know, and started again when that changes.
+
+import { existsSync, statSync } from "node:fs";
+import * as vscode from "vscode";
+import { LanguageClient, type LanguageClientOptions, RevealOutputChannelOn, type ServerOptions } from "vscode-languageclient/node";
+import type { Keys } from "./keys.js";
+import { type Located, locate } from "./locate.js";
+import { askEditor } from "./model.js";
+import type { Changed, Question } from "./protocol.js";
+
+/** Which of the settings the server is started with; of the others it is told while it runs. */
+const AT_START = ["scenelang.server.path", "scenelang.languageModel"];
+
+export class Server implements vscode.Disposable {
+  readonly output = vscode.window.createOutputChannel("ScenethesisLang", { log: true });
+  private readonly changed = new vscode.EventEmitter<Changed>();
+  /** A program was judged anew. */
+  readonly onChanged = this.changed.event;
+  private readonly turned = new vscode.EventEmitter<boolean>();
+  /** It runs, or it no longer does. */
+  readonly onTurned = this.turned.event;
+  private client: LanguageClient | null = null;
+  /** Starts and stops, one after the other. */
+  private queue: Promise<void> = Promise.resolve();
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(
+    private readonly context: vscode.ExtensionContext,
+    private readonly keys: Keys,
+  ) {
+    this.subscriptions = [
+      vscode.workspace.onDidChangeConfiguration((e) => AT_START.some((name) => e.affectsConfiguration(name)) && void this.restart()),
+      // What a folder may say, and what may be told to it, depends on trust.
+      vscode.workspace.onDidGrantWorkspaceTrust(() => void this.restart()),
+      context.secrets.onDidChange(() => void this.restart()),
+    ];
+  }
+
+  get running(): boolean {
+    return this.client !== null;
+  }
+
+  /** The program, for commands that run it themselves. */
+  locate(): Located {
+    return locate({
+      setting: vscode.workspace.getConfiguration("scenelang").get("server.path", "").trim(),
+      workspace: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath ?? null,
+      extension: this.context.extensionPath,
+      path: process.env["PATH"] ?? "",
+      windows: process.platform === "win32",
+      runs: (file) => existsSync(file) && statSync(file).isFile(),
+    });
+  }
+
+  restart(): Promise<void> {
+    this.queue = this.queue.then(() => this.stop()).then(() => this.start());
+    return this.queue;
+  }
+
+  /** Asks the server; rejects where there is none. */
+  async ask<T>(method: string, params: unknown): Promise<T> {
+    await this.queue;
+    if (this.client === null) throw new Error("there is no server");
+    return this.client.sendRequest<T>(method, params);
+  }
+
+  /** The program, or nothing, in which case the user has been told. */
+  program(): string | null {
+    const located = this.locate();
+    if ("command" in located) return located.command;
+    this.tellMissing(located.missing);
+    return null;
+  }
+
+  async dispose(): Promise<void> {
+    for (const subscription of this.subscriptions) subscription.dispose();
+    await this.queue.then(() => this.stop());
+    this.output.dispose();
+  }
+
+  private async start(): Promise<void> {
+    const located = this.locate();
+    if ("missing" in located) {
+      this.tellMissing(located.missing);
+      this.turned.fire(false);
+      return;
+    }
+    this.output.info(`the server is ${located.command}, from the ${located.from === "PATH" ? "PATH" : located.from}`);
+    const trusted = vscode.workspace.isTrusted;
+    // A folder's settings may say to whom a key is sent, so one that is not trusted gets none.
+    const env = { ...process.env, ...(trusted ? await this.keys.environment() : {}) };
+    const server: ServerOptions = { command: located.command, args: ["lsp"], options: { env } };
+    const model = trusted ? vscode.workspace.getConfiguration("scenelang").get<string>("languageModel", "none") : "none";
+    const options: LanguageClientOptions = {
+      documentSelector: [{ scheme: "file", language: "scenelang" }, { scheme: "untitled", language: "scenelang" }, { scheme: "file", pattern: "**/*.layout.json" }],
+      // "Show" of a code lens is a command of this extension.
+      initializationOptions: { languageModel: model === "editor" ? "client" : model, commands: ["scenelang.show"] },
+      outputChannel: this.output,
+      revealOutputChannelOn: RevealOutputChannelOn.Never,
+    };
+    const client = new LanguageClient("scenelang", "ScenethesisLang", server, options);
+    client.onNotification("scenelang/changed", (changed: Changed) => this.changed.fire(changed));
+    client.onRequest("scenelang/languageModel", (question: Question, token: vscode.CancellationToken) => askEditor(question, token));
+    try {
+      await client.start();
+      this.client = client;
+      this.turned.fire(true);
+    } catch (error) {
+      this.turned.fire(false);
+      const why = error instanceof Error ? error.message : String(error);
+      void this.offer(`The server ${located.command} does not start: ${why}`, ["Show Output", () => this.output.show()]);
+    }
+  }
+
+  private async stop(): Promise<void> {
+    const { client } = this;
+    this.client = null;
+    // One that has crashed cannot be stopped.
+    await client?.dispose().catch((error: unknown) => this.output.warn(String(error)));
+  }
+
+  private tellMissing(why: string): void {
+    this.output.error(why);
+    void this.offer(
+      `ScenethesisLang has no server: ${why}.`,
+      ["Open Setting", () => vscode.commands.executeCommand("workbench.action.openSettings", "scenelang.server.path")],
+      ["Show Output", () => this.output.show()],
+    );
+  }
+
+  private async offer(message: string, ...buttons: readonly (readonly [string, () => unknown])[]): Promise<void> {
+    const pressed = await vscode.window.showErrorMessage(message, ...buttons.map(([title]) => title));
+    await buttons.find(([title]) => title === pressed)?.[1]();
+  }
+}

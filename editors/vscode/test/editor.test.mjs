@@ -1,0 +1,277 @@
+// The extension in a real VS Code, installed from the .vsix, on a server that plays the contract (`fake/scenelang`). What is
+// read is what is drawn, and what the editor's own API says. Skipped where there is no editor, which fails in CI.
+// SHOTS names a folder for pictures of each step.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { lacking, open, sleep, until } from "./support/editor.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const missing = lacking();
+const shots = process.env.SHOTS;
+const LIMIT = 3 << 20;
+
+let folder;
+let vsix;
+/** The editor of most tests. */
+let editor;
+
+before(async () => {
+  if (missing !== null) return;
+  folder = mkdtempSync(join(tmpdir(), "scenelang-vsix-"));
+  const pack = (name, ...options) => (execFileSync(process.execPath, [here("../package.mjs"), join(folder, name), ...options]), join(folder, name));
+  vsix = { bare: pack("bare.vsix"), bundled: pack("bundled.vsix", "--server", here("fake/scenelang"), "--target", "linux-x64") };
+  editor = await open({ vsix: vsix.bundled, workspace: here("workspace"), file: "meeting.scene", env: environment("main") });
+});
+after(async () => {
+  await editor?.close();
+  if (folder !== undefined) rmSync(folder, { recursive: true, force: true });
+});
+
+/** For the fake server, which is far from its files when it is in an extension. */
+function environment(log) {
+  return { FAKE_MODULES: here("fake"), FAKE_ROOM: here("../../../viewer/test/fixture.mjs"), FAKE_LOG: join(folder, `${log}.log`), OPENAI_API_KEY: "" };
+}
+const logged = (log) => (existsSync(join(folder, `${log}.log`)) ? readFileSync(join(folder, `${log}.log`), "utf8").trim().split("\n").map((line) => JSON.parse(line)) : []);
+
+function check(name, run) {
+  test(name, { skip: missing !== null && process.env.CI !== "true" ? missing : false }, async () => {
+    if (missing !== null) assert.fail(missing);
+    try {
+      await run(editor);
+    } catch (error) {
+      if (shots !== undefined) await editor?.page.screenshot({ path: join(shots, "error.png") });
+      throw error;
+    }
+  });
+}
+
+const shoot = async (name, { page } = editor) => {
+  if (shots !== undefined) await page.screenshot({ path: join(shots, `${name}.png`) });
+};
+const command = ({ api }, name, ...args) => api("return vscode.commands.executeCommand(args.name, ...args.args)", { name, args });
+/** Begins a command that ends only when the user has answered. */
+const begin = ({ api }, name, ...args) => api("void vscode.commands.executeCommand(args.name, ...args.args)", { name, args });
+const text = ({ api }, name) => api("return (await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/' + args.name))).getText()", { name });
+const show = ({ api }, name, line = 0, character = 0) =>
+  api("const p = new vscode.Position(args.line, args.character); const e = await vscode.window.showTextDocument(vscode.Uri.file(args.ws + '/' + args.name), {viewColumn: 1, preview: false}); e.selection = new vscode.Selection(p, p); e.revealRange(new vscode.Range(p, p), 2)", { name, line, character });
+const lineOf = async (e, words) => (await text(e, "meeting.scene")).split("\n").findIndex((line) => line.includes(words));
+const texts = ({ page }, selector) => page.$$eval(selector, (all) => all.map((e) => e.innerText.replace(/\s+/g, " ").trim()));
+const status = async ({ page }) => page.$eval('[id="scenelang.scenelang.scenelang.status"], [id$="scenelang.status"]', (e) => e.innerText.trim());
+const notices = async (e) => {
+  const selector = ".notifications-center .notification-list-item";
+  // Toasts go away by themselves.
+  if ((await e.page.$(".notifications-center.visible")) === null) await command(e, "notifications.showList");
+  return texts(e, selector);
+};
+
+/** The page of the preview, which is a frame in a frame. */
+async function room({ page }) {
+  return until("the room in the preview", async () => {
+    for (const frame of page.frames()) if (await frame.evaluate(() => window.scenelang?.ready === true).catch(() => false)) return frame;
+    return null;
+  });
+}
+
+check("the package is small, and the same each time", async () => {
+  assert.ok(statSync(vsix.bare).size <= LIMIT, `${statSync(vsix.bare).size} bytes`);
+  const again = join(folder, "again.vsix");
+  execFileSync(process.execPath, [here("../package.mjs"), again]);
+  assert.ok(readFileSync(again).equals(readFileSync(vsix.bare)));
+});
+
+check("a constraint that fails has a squiggle, a row among the problems, and a hover", async (e) => {
+  const line = await lineOf(e, "distance(lamp");
+  await until("a squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length > 0);
+  await command(e, "workbench.actions.view.problems");
+  await until("a problem", async () => (await texts(e, ".markers-panel .monaco-list-row")).some((row) => row.includes("at most 3.20 m")));
+  await shoot("squiggle");
+  await command(e, "workbench.action.closePanel");
+  await show(e, "meeting.scene", line, 10);
+  await begin(e, "editor.action.showHover");
+  await until("a hover", async () => (await texts(e, ".monaco-hover:not(.hidden) .hover-row")).some((row) => row.includes("margin -0.")));
+  await shoot("hover");
+  await e.page.keyboard.press("Escape");
+});
+
+check("the status bar counts what holds", async (e) => {
+  await until("8/11", async () => (await status(e)) === "8/11 hold");
+});
+
+check("the tree shows the constraints by state and by object, and leads to the text", async (e) => {
+  const rows = () => texts(e, '[id="workbench.view.extension.scenelang"] .monaco-list-row, .pane-body .monaco-list-row');
+  await command(e, "scenelang.constraints.focus");
+  await until("groups by state", async () => (await rows()).some((row) => row.startsWith("Fails")));
+  assert.ok((await rows()).some((row) => /−0\.\d\d m distance\(lamp, plant\) <= 3\.2/.test(row)), (await rows()).join("\n"));
+  await shoot("tree");
+  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'monaco-list-row')][contains(., 'distance(lamp')])");
+  await row.click();
+  const line = await lineOf(e, "distance(lamp");
+  await until("the line in the text", async () => (await e.api("return vscode.window.activeTextEditor?.selection.start.line")) === line);
+  await command(e, "scenelang.treeByObject");
+  await until("groups by object", async () => (await rows()).some((row) => /^lamp ?0\/1/.test(row)));
+  await shoot("tree-by-object");
+  await command(e, "scenelang.treeByState");
+  await command(e, "workbench.view.explorer");
+});
+
+check("the preview shows the room; what is pressed is shown in the text, where the cursor is in the room", async (e) => {
+  await show(e, "meeting.scene", 0);
+  await command(e, "scenelang.openPreview");
+  const frame = await room(e);
+  await until("a drawn room", () => frame.evaluate(() => /READY [1-9]/.test(document.title)));
+  await shoot("preview");
+  await frame.click('[data-row="5"]');
+  const line = await lineOf(e, "distance(lamp");
+  await until("the statement", async () => (await e.api("return vscode.window.visibleTextEditors[0]?.selection.start.line")) === line);
+  await frame.evaluate(() => window.scenelang.select(null));
+  await show(e, "meeting.scene", await lineOf(e, "object sofa"), 8);
+  await until("the sofa selected", async () => (await frame.evaluate(() => window.scenelang.selected())).join() === "sofa");
+  await show(e, "meeting.scene", line, 3);
+  await until("what the constraint speaks of", async () => (await frame.evaluate(() => window.scenelang.selected())).join() === "lamp,plant");
+});
+
+check("what is dragged changes the layout, and can be undone there", async (e) => {
+  const frame = await room(e);
+  await frame.evaluate(() => window.scenelang.select(null));
+  const canvas = await frame.$("canvas");
+  const area = await canvas.boundingBox();
+  const at = await until("the plant", async () => {
+    for (let i = 0; i < 600; i += 1) {
+      const [x, y] = [area.x + area.width * (0.05 + 0.03 * (i % 30)), area.y + area.height * (0.05 + 0.045 * Math.floor(i / 30))];
+      await e.page.mouse.move(x, y);
+      await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      if ((await frame.$eval(".tip", (tip) => (tip.hidden ? null : tip.querySelector("strong").textContent))) === "plant") return [x, y];
+    }
+    return null;
+  });
+  const verdict = () => frame.$eval('[data-row="5"] .margin', (margin) => margin.textContent);
+  const before = await verdict();
+  await e.page.mouse.move(...at);
+  await e.page.mouse.down();
+  await e.page.mouse.move(at[0] - 15, at[1] + 5, { steps: 4 });
+  await until("a margin that follows", async () => (await verdict()) !== before);
+  await shoot("drag");
+  const written = await text(e, "meeting.layout.json");
+  assert.equal(JSON.parse(written).objects.plant, undefined, "nothing is written on the way");
+  await e.page.mouse.up();
+  const layout = await until("an edit of the layout", async () => ((now) => now !== written && now)(await text(e, "meeting.layout.json")));
+  const { pos } = JSON.parse(layout).objects.plant;
+  assert.notDeepEqual(pos, [4.78, 0, 3.75]);
+  assert.equal(pos[1], 0);
+  await show(e, "meeting.layout.json");
+  await command(e, "undo");
+  await until("the layout as it was", async () => (await text(e, "meeting.layout.json")) === written);
+  await until("the room as it was", async () => (await verdict()) === before);
+});
+
+check("the light bulb mends a constraint", async (e) => {
+  const line = await lineOf(e, "distance(lamp");
+  await show(e, "meeting.scene", line, 10);
+  await until("an action", async () => (await e.api("const e = vscode.window.activeTextEditor; return (await vscode.commands.executeCommand('vscode.executeCodeActionProvider', e.document.uri, e.selection)).map((a) => a.title)")).includes("Repair this constraint"));
+  await e.page.keyboard.down("Control");
+  await e.page.keyboard.press(".");
+  await e.page.keyboard.up("Control");
+  await until("the menu", async () => (await texts(e, ".action-widget .monaco-list-row")).includes("Repair this constraint"));
+  await shoot("repair");
+  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(@class, 'monaco-list-row')][contains(., 'Repair this')])");
+  await row.click();
+  await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
+  await until("9/11", async () => (await status(e)) === "9/11 hold");
+  const frame = await room(e);
+  assert.equal(await frame.$('[data-row="5"].fails'), null);
+});
+
+check("commands of the palette speak to the server; a broken program leaves the last room", async (e) => {
+  await show(e, "meeting.scene");
+  await command(e, "scenelang.checkScene");
+  await until("what it said", async () => (await notices(e)).some((notice) => notice.includes("9 of 11 hold")));
+  await command(e, "notifications.clearAll");
+  await e.api("await vscode.window.activeTextEditor.edit((b) => b.insert(new vscode.Position(0, 0), 'oops\\n'))");
+  const frame = await room(e);
+  await until("why it is old", () => frame.$eval(".notice", (notice) => !notice.hidden && /does not compile/.test(notice.textContent)));
+  await command(e, "undo");
+  await until("the room again", () => frame.$eval(".notice", (notice) => notice.hidden));
+});
+
+check("intermediate forms are shown beside, and follow the text", async (e) => {
+  await show(e, "meeting.scene");
+  await begin(e, "scenelang.showForms");
+  await until("the question", async () => (await texts(e, ".quick-input-list .monaco-list-row")).some((row) => row.startsWith("hir")));
+  await e.page.keyboard.type("hir");
+  await e.page.keyboard.press("Enter");
+  const form = () => e.api("return vscode.workspace.textDocuments.find((d) => d.uri.scheme === 'scenelang-form')?.getText()");
+  await until("the form", async () => (await form())?.startsWith("hir of file:///"));
+  await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/meeting.scene')); const w = new vscode.WorkspaceEdit(); w.insert(d.uri, new vscode.Position(0, 0), '// newer\\n'); await vscode.workspace.applyEdit(w)");
+  await until("the newer form", async () => (await form())?.includes("// newer"));
+  await command(e, "workbench.action.closeActiveEditor");
+});
+
+check("building shows progress, and ends when it is called off", async (e) => {
+  await show(e, "meeting.scene");
+  const build = async () => {
+    await begin(e, "scenelang.synthScene");
+    await until("where to", async () => (await texts(e, ".quick-input-list .monaco-list-row")).length === 2);
+    await e.page.keyboard.press("Enter");
+  };
+  await build();
+  await until("that it is written", async () => (await notices(e)).some((notice) => notice.includes("Written to")));
+  assert.ok(existsSync(e.path("out/meeting/made")));
+  await command(e, "notifications.clearAll");
+  writeFileSync(e.path("slow"), "");
+  await build();
+  await until("progress", async () => (await notices(e)).some((notice) => notice.includes("Building meeting.scene")));
+  const [cancel] = await e.page.$$("::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., 'Cancel')])");
+  await cancel.click();
+  await until("its end", () => logged("main").some(({ ended }) => ended === "SIGINT"));
+  rmSync(e.path("slow"));
+});
+
+check("fenced programs in Markdown have colours", async (e) => {
+  writeFileSync(e.path("notes.md"), "# Notes\n\n```scene\nobject table;\n```\n");
+  const tokens = await command(e, "_workbench.captureSyntaxTokens", { $mid: 1, scheme: "file", path: e.path("notes.md") }).catch(() => null);
+  if (tokens !== null) assert.ok(JSON.stringify(tokens).includes("source.scenelang") || JSON.stringify(tokens).includes(".scenelang"), JSON.stringify(tokens).slice(0, 500));
+});
+
+check("without a server it says so, and how to name one", async () => {
+  const other = await open({ vsix: vsix.bare, workspace: here("workspace"), file: "meeting.scene", env: { PATH: "/usr/bin:/bin" } });
+  try {
+    await until("the message", async () => (await notices(other)).some((notice) => /has no server/.test(notice)));
+    await shoot("no-server", other);
+    assert.match(await status(other), /no server/);
+    const [button] = await other.page.$$("::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., 'Open Setting')])");
+    await button.click();
+    await until("the setting", async () => (await other.api("return vscode.window.tabGroups.activeTabGroup.activeTab?.label")) === "Settings");
+    // And with the setting it starts.
+    await other.api("await vscode.workspace.getConfiguration('scenelang').update('server.path', args.path, 1)", { path: here("fake/scenelang") });
+    await until("a server", async () => /\d+\/\d+ hold/.test(await status(other)));
+  } finally {
+    await other.close();
+  }
+});
+
+check("a folder that is not trusted chooses neither server nor model", async () => {
+  const untrusted = mkdtempSync(join(folder, "untrusted-"));
+  execFileSync("cp", ["-r", `${here("workspace")}/.`, untrusted]);
+  execFileSync("mkdir", [join(untrusted, ".vscode")]);
+  writeFileSync(join(untrusted, "evil"), `#!/bin/sh\ntouch ${join(untrusted, "ran")}\n`, { mode: 0o755 });
+  writeFileSync(join(untrusted, ".vscode/settings.json"), JSON.stringify({ "scenelang.server.path": join(untrusted, "evil"), "scenelang.languageModel": "editor" }));
+  const other = await open({ vsix: vsix.bundled, workspace: untrusted, file: "meeting.scene", env: environment("untrusted"), trusted: false });
+  try {
+    await until("the bundled server", () => logged("untrusted").length > 0);
+    assert.equal(await other.api("return vscode.workspace.isTrusted"), false);
+    assert.deepEqual(logged("untrusted")[0].model, "none");
+    assert.ok(!existsSync(join(untrusted, "ran")), "the folder's program was not started");
+  } finally {
+    await other.close();
+  }
+});
+
+check("nothing was asked of the network, and no script failed", async ({ outside, errors }) => {
+  assert.deepEqual([...outside], []);
+  assert.deepEqual(errors, []);
+});

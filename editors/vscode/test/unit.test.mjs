@@ -1,0 +1,125 @@
+// What of the extension needs no editor: finding the server, grouping, the page's policy, running programs, packing; and that
+// the manifest and the code speak of the same things.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+import { zip } from "../zip.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), "scenelang-extension-"));
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+async function load(name) {
+  const { outputFiles } = await build({ entryPoints: [here(`../src/${name}`)], bundle: true, write: false, format: "esm", platform: "node", external: ["vscode"], logLevel: "warning" });
+  const file = join(folder, name.replace(".ts", ".mjs"));
+  writeFileSync(file, outputFiles[0].contents);
+  return import(file);
+}
+const { locate } = await load("locate.ts");
+const { at, groups, margin } = await load("groups.ts");
+const { page } = await load("page.ts");
+const { run } = await load("run.ts");
+const manifest = JSON.parse(readFileSync(here("../package.json"), "utf8"));
+
+const PLACES = { setting: "", workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
+const LOCATED = [
+  ["the setting, before all others", { setting: "/own/scenelang" }, ["/own/scenelang", "/ext/server/scenelang"], { command: "/own/scenelang", from: "setting" }],
+  ["the setting, relative to the workspace", { setting: "bin/scenelang" }, ["/ws/bin/scenelang"], { command: "/ws/bin/scenelang", from: "setting" }],
+  ["the one that comes with the extension", {}, ["/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
+  ["the first on the PATH", {}, ["/opt/bin/scenelang"], { command: "/opt/bin/scenelang", from: "PATH" }],
+  ["with the name of the system", { windows: true }, ["/ext/server/scenelang.exe", "/ext/server/scenelang"], { command: "/ext/server/scenelang.exe", from: "extension" }],
+  ["never a relative entry of the PATH", { path: ".:bin" }, ["bin/scenelang", "scenelang", "/ws/scenelang"], { missing: "there is no scenelang in the extension or on the PATH" }],
+  ["a setting that names nothing is not passed over", { setting: "/gone" }, ["/ext/server/scenelang"], { missing: "the setting scenelang.server.path names /gone, which is no program" }],
+  ["a relative setting without a folder", { setting: "bin/x", workspace: null }, ["bin/x"], { missing: 'the setting scenelang.server.path is "bin/x", which is relative, and no folder is open' }],
+];
+for (const [name, places, there, found] of LOCATED) test(`the server: ${name}`, () => assert.deepEqual(locate({ ...PLACES, ...places, runs: (file) => there.includes(file) }), found));
+
+const range = (line, from = 0, to = 80) => ({ start: { line, character: from }, end: { line, character: to } });
+const row = (id, state, objects, line = 0) => ({ id, text: id, uri: "file:///a.scene", range: range(line), state, margin: 0.1, unit: "m", objects });
+const SCENE = {
+  layout: null, data: null, holds: 1, total: 4,
+  objects: [{ name: "lamp", range: range(1) }, { name: "chair[0]", range: range(2) }, { name: "chair[1]", range: range(2) }, { name: "rug", range: range(3) }],
+  constraints: [row("a", "holds", ["lamp"], 5), row("b", "fails", ["lamp", "chair[1]"], 6), row("c", "unknown", [], 7), row("d", "holds", ["chair"], 8)],
+};
+const shape = (list) => list.map(({ name, state, constraints }) => [name, state, constraints.map(({ id }) => id).join("")]);
+
+test("constraints by state, the worst first, and no empty groups", () => {
+  assert.deepEqual(shape(groups(SCENE, "state")), [["Fails", "fails", "b"], ["Not judged", "unknown", "c"], ["Holds", "holds", "ad"]]);
+  assert.deepEqual(groups({ ...SCENE, constraints: [] }, "state"), []);
+});
+
+test("constraints by object: an array's are those of its elements, what names none is listed too", () => {
+  assert.deepEqual(shape(groups(SCENE, "object")), [["lamp", "fails", "ba"], ["chair[0]", "holds", "d"], ["chair[1]", "fails", "bd"], ["Other", "unknown", "c"]]);
+});
+
+test("a place in the text is an object, a constraint, or nothing", () => {
+  const cases = [[6, 3, "lamp", "lamp"], [6, 3, "assert", "b"], [1, 0, "", "lamp"], [5, 0, "chairs", "a"], [20, 0, "rug[1]", "rug[1]"], [20, 0, "", null]];
+  for (const [line, character, word, meant] of cases) assert.equal(at(SCENE, "file:///a.scene", line, character, word), meant, `${line} ${word}`);
+  assert.equal(at(SCENE, "file:///other.scene", 6, 3, ""), null, "a constraint of another file");
+});
+
+test("margins have a sign and a unit", () => {
+  for (const [value, unit, text] of [[0.123, "m", "+0.12 m"], [-0.003, "m", "−3.0 mm"], [1.54, "deg", "+1.5°"], [-2, null, "−2"], [null, "m", ""], [-0.5, "m²", "−0.5 m²"]]) assert.equal(margin({ margin: value, unit }), text);
+});
+
+test("the page runs one script, and loads nothing else", () => {
+  const text = page({ script: "https://x/viewer.js", nonce: "abc" });
+  const policy = /Content-Security-Policy" content="([^"]*)"/.exec(text)[1];
+  assert.match(policy, /^default-src 'none'; script-src 'nonce-abc';/);
+  assert.doesNotMatch(policy, /unsafe|https?:|\*/);
+  assert.deepEqual(text.match(/<script[^>]*>/g), ['<script nonce="abc" src="https://x/viewer.js">']);
+});
+
+test("a program is run, and ended when it is called off", async () => {
+  const never = new AbortController().signal;
+  assert.deepEqual(await run(process.execPath, ["-e", "console.log(process.cwd()); console.error(2); process.exit(3)"], folder, never), { code: 3, stdout: `${folder}\n`, stderr: "2\n" });
+  await assert.rejects(run(join(folder, "nothing"), [], folder, never), /ENOENT/);
+  const abort = new AbortController();
+  const script = 'process.on("SIGINT", () => { console.log("told"); process.exit(130); }); console.log("up"); setInterval(() => {}, 1000)';
+  setTimeout(() => abort.abort(), 700);
+  const ended = await run(process.execPath, ["-e", script], folder, abort.signal);
+  assert.deepEqual([ended.code, ended.stdout], [130, "up\ntold\n"]);
+});
+
+test("the archive is a zip that others read, with the bits of programs", () => {
+  const files = [{ name: "a.txt", bytes: Buffer.from("a".repeat(1000)) }, { name: "deep/ä.txt", bytes: Buffer.from("") }, { name: "bin/run", bytes: Buffer.from("#!/bin/sh\n"), executable: true }];
+  const archive = join(folder, "a.zip");
+  writeFileSync(archive, zip(files));
+  assert.ok(zip(files).equals(readFileSync(archive)), "the same each time");
+  const out = join(folder, "out");
+  const script = "import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2]); print([oct(i.external_attr >> 16) for i in z.infolist()])";
+  const modes = execFileSync("python3", ["-c", script, archive, out]).toString().trim();
+  assert.equal(modes, "['0o100644', '0o100644', '0o100755']");
+  for (const { name, bytes } of files) assert.ok(readFileSync(join(out, name)).equals(bytes), name);
+});
+
+test("what the manifest names is there, and what is registered is in it", () => {
+  const code = readdirSync(here("../src")).map((name) => readFileSync(here(`../src/${name}`), "utf8")).join("\n");
+  const registered = [...code.matchAll(/[^.]\bon\("(\w+)"/g)].map(([, name]) => `scenelang.${name}`).concat([...code.matchAll(/registerCommand\("([\w.]+)"/g)].map(([, name]) => name));
+  const { commands, menus, configuration, languages, grammars, snippets, walkthroughs } = manifest.contributes;
+  const named = commands.map(({ command }) => command);
+  // Code lenses call it with what it shows; nobody can from the palette.
+  assert.deepEqual([...named, "scenelang.show"].sort(), registered.sort());
+  for (const { command } of Object.values(menus).flat()) assert.ok(named.includes(command), command);
+  // The client registers what the server offers under the server's own names.
+  for (const name of ["check", "solve", "repair", "repairAll"]) assert.ok(!registered.includes(`scenelang.${name}`), name);
+  for (const name of [...code.matchAll(/affectsConfiguration\("([\w.]+)"|"(scenelang\.server\.path|scenelang\.languageModel)"/g)].map(([, a, b]) => a ?? b)) assert.ok(configuration.properties[name], name);
+  const files = [...languages.flatMap(({ configuration, icon }) => [configuration, icon.light, icon.dark]), ...grammars.map(({ path }) => path), ...snippets.map(({ path }) => path), ...walkthroughs.flatMap(({ steps }) => steps.map(({ media }) => media.markdown)), manifest.icon];
+  for (const file of files) assert.ok(statSync(here(`../${file}`)).isFile(), file);
+  const readme = readFileSync(here("../README.md"), "utf8");
+  for (const name of Object.keys(configuration.properties)) assert.ok(readme.includes(`\`${name}\``) || readme.includes(`\`${name.replace("scenelang.inlayHints", "")}\``), `${name} is documented`);
+});
+
+test("the problem matcher reads what the command line writes", () => {
+  const { regexp, ...groups } = manifest.contributes.problemMatchers[0].pattern;
+  const found = new RegExp(regexp).exec("rooms/a room.scene:12:3: error[V0102]: `a` overlaps `b` by 0.04 m (margin -0.041 m)");
+  assert.deepEqual(Object.fromEntries(Object.entries(groups).map(([name, i]) => [name, found[i]])), {
+    file: "rooms/a room.scene", line: "12", column: "3", severity: "error", code: "V0102", message: "`a` overlaps `b` by 0.04 m (margin -0.041 m)",
+  });
+  assert.equal(new RegExp(regexp).exec("a.layout.json: 18 of 22 assertions hold"), null);
+});

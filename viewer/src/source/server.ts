@@ -1,0 +1,38 @@
+// A page of `scenelang view`: the room over HTTP, news of it as server-sent events, moves as requests.
+//
+//   GET  scene   the room              GET events   `changed`, `stale` (data: why)
+//   POST move    {object, pos, rot, commit} -> verdicts
+//
+// What the page may ask is secured by a token that only the page knows (`data-token`): another site that guesses the port
+// can send a request, but not this header.
+
+import { type Move, readVerdicts, type Verdicts } from "../live.js";
+import type { Sink, Source } from "./source.js";
+
+export class Server implements Source {
+  constructor(private readonly token: string) {}
+
+  start(sink: Sink): void {
+    sink.wait("");
+    // The first event comes at once, and again after a connection was lost.
+    const events = new EventSource("events");
+    const fetchRoom = async () => {
+      const answer = await fetch("scene");
+      if (answer.ok) sink.load(await answer.json());
+      else sink.stale((await answer.text()) || answer.statusText);
+    };
+    const load = () => void fetchRoom().catch((why: unknown) => sink.stale(String(why)));
+    events.addEventListener("changed", load);
+    events.addEventListener("stale", (e: MessageEvent<string>) => sink.stale(e.data));
+    events.addEventListener("error", () => sink.stale("the server has gone; scenelang view starts it again"));
+  }
+
+  readonly move = async (move: Move): Promise<Verdicts> => {
+    const headers = { "content-type": "application/json", "x-scenelang-token": this.token };
+    const answer = await fetch("move", { method: "POST", headers, body: JSON.stringify(move) });
+    if (!answer.ok) throw new Error((await answer.text()) || answer.statusText);
+    return readVerdicts(await answer.json());
+  };
+
+  reveal(): void {}
+}
