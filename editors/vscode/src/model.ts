@@ -10,7 +10,7 @@ const MOST = 1 << 20;
 export async function askEditor({ messages, schema }: Question, token: vscode.CancellationToken): Promise<{ text: string }> {
   const [model] = await vscode.lm.selectChatModels();
   if (model === undefined) throw new Error("this editor offers no language model");
-  const said = messages.map(({ role, content }) => (role === "assistant" ? vscode.LanguageModelChatMessage.Assistant(content) : vscode.LanguageModelChatMessage.User(content)));
+  const said = messages.map(({ role, text }) => (role === "assistant" ? vscode.LanguageModelChatMessage.Assistant(text) : vscode.LanguageModelChatMessage.User(text)));
   if (schema !== undefined && schema !== null) {
     // The API has no schemas of answers; the server checks what comes.
     said.push(vscode.LanguageModelChatMessage.User(`Answer with one JSON object and nothing else. It must fit this JSON Schema:\n${JSON.stringify(schema)}`));

@@ -69,6 +69,6 @@ export interface Done {
 
 /** `scenelang/languageModel`, asked by the server. */
 export interface Question {
-  readonly messages: readonly { readonly role: string; readonly content: string }[];
+  readonly messages: readonly { readonly role: string; readonly text: string }[];
   readonly schema?: unknown;
 }

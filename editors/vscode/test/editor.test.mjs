@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { lacking, open, sleep, until } from "./support/editor.mjs";
+import { lacking, open, until } from "./support/editor.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const missing = lacking();
@@ -34,7 +34,7 @@ after(async () => {
 
 /** For the fake server, which is far from its files when it is in an extension. */
 function environment(log) {
-  return { FAKE_MODULES: here("fake"), FAKE_ROOM: here("../../../viewer/test/fixture.mjs"), FAKE_LOG: join(folder, `${log}.log`), OPENAI_API_KEY: "" };
+  return { FAKE_MODULES: here("fake"), FAKE_ROOM: here("../../../viewer/test/fixture.mjs"), FAKE_LOG: join(folder, `${log}.log`) };
 }
 const logged = (log) => (existsSync(join(folder, `${log}.log`)) ? readFileSync(join(folder, `${log}.log`), "utf8").trim().split("\n").map((line) => JSON.parse(line)) : []);
 
@@ -61,7 +61,7 @@ const show = ({ api }, name, line = 0, character = 0) =>
   api("const p = new vscode.Position(args.line, args.character); const e = await vscode.window.showTextDocument(vscode.Uri.file(args.ws + '/' + args.name), {viewColumn: 1, preview: false}); e.selection = new vscode.Selection(p, p); e.revealRange(new vscode.Range(p, p), 2)", { name, line, character });
 const lineOf = async (e, words) => (await text(e, "meeting.scene")).split("\n").findIndex((line) => line.includes(words));
 const texts = ({ page }, selector) => page.$$eval(selector, (all) => all.map((e) => e.innerText.replace(/\s+/g, " ").trim()));
-const status = async ({ page }) => page.$eval('[id="scenelang.scenelang.scenelang.status"], [id$="scenelang.status"]', (e) => e.innerText.trim());
+const status = async ({ page }) => page.$eval('[id$="scenelang.status"]', (e) => e.innerText.trim());
 const notices = async (e) => {
   const selector = ".notifications-center .notification-list-item";
   // Toasts go away by themselves.
@@ -231,10 +231,24 @@ check("building shows progress, and ends when it is called off", async (e) => {
   rmSync(e.path("slow"));
 });
 
+check("there are tasks for the folder and for the program", async (e) => {
+  await show(e, "meeting.scene");
+  const tasks = () => e.api("return (await vscode.tasks.fetchTasks({type: 'scenelang'})).map((t) => [t.name, t.execution.args.join(' '), t.problemMatchers.join()])");
+  assert.deepEqual(await until("tasks", async () => ((found) => found.length > 0 && found)(await tasks())), [
+    ["check", "check . --verbosity compact", "$scenelang"],
+    ["check meeting.scene", "check meeting.scene --verbosity compact", "$scenelang"],
+    ["solve meeting.scene", "solve meeting.scene", "$scenelang"],
+    ["synth meeting.scene", "synth meeting.scene", "$scenelang"],
+  ]);
+});
+
 check("fenced programs in Markdown have colours", async (e) => {
-  writeFileSync(e.path("notes.md"), "# Notes\n\n```scene\nobject table;\n```\n");
-  const tokens = await command(e, "_workbench.captureSyntaxTokens", { $mid: 1, scheme: "file", path: e.path("notes.md") }).catch(() => null);
-  if (tokens !== null) assert.ok(JSON.stringify(tokens).includes("source.scenelang") || JSON.stringify(tokens).includes(".scenelang"), JSON.stringify(tokens).slice(0, 500));
+  writeFileSync(e.path("notes.md"), "```scene\nobject first;\n```\n\n```other\nobject second;\n```\n");
+  await show(e, "notes.md");
+  const pieces = (word) => e.page.$$eval(".view-line", (lines, word) => lines.filter((line) => line.innerText.includes(word)).map((line) => line.querySelectorAll("span > span").length)[0], word);
+  await until("pieces of several colours", async () => (await pieces("first")) >= 2);
+  assert.equal(await pieces("second"), 1, "what is no program has one");
+  await command(e, "workbench.action.closeActiveEditor");
 });
 
 check("without a server it says so, and how to name one", async () => {
@@ -266,6 +280,33 @@ check("a folder that is not trusted chooses neither server nor model", async () 
     assert.equal(await other.api("return vscode.workspace.isTrusted"), false);
     assert.deepEqual(logged("untrusted")[0].model, "none");
     assert.ok(!existsSync(join(untrusted, "ran")), "the folder's program was not started");
+  } finally {
+    await other.close();
+  }
+});
+
+check("the editor's own model answers the server; a key goes from the secret storage to the server, and nowhere else", async () => {
+  const settings = { "chat.disableAIFeatures": false, "scenelang.languageModel": "editor" };
+  const other = await open({ vsix: vsix.bundled, workspace: here("workspace"), file: "meeting.scene", env: { ...environment("model"), PROBE_MODEL: "1" }, settings });
+  try {
+    await until("a server", async () => /hold/.test(await status(other)));
+    assert.equal(logged("model")[0].model, "client");
+    await until("a model", () => other.api("return (await vscode.lm.selectChatModels()).length"));
+    await begin(other, "scenelang.repairScene");
+    await until("its answer", () => logged("model").some(({ said }) => said === "the first piece, the second"));
+    const asked = JSON.parse(readFileSync(`${other.socket}.said`, "utf8")).map(([, said]) => said);
+    assert.deepEqual(asked.slice(0, 2), ["You move furniture.", "Where to?"]);
+    assert.match(asked[2], /JSON Schema:\n\{"type":"object"\}/);
+
+    await begin(other, "scenelang.setKey");
+    await until("whose", async () => (await texts(other, ".quick-input-list .monaco-list-row")).some((row) => /^OpenAI/.test(row)));
+    await other.page.keyboard.press("Enter");
+    await until("the box", () => other.page.$eval(".quick-input-widget input", ({ type }) => type === "password"));
+    await other.page.keyboard.type("sk-very-secret");
+    await other.page.keyboard.press("Enter");
+    const restarted = await until("a server with the key", () => logged("model").find(({ keys, model }) => model !== undefined && keys.includes("OPENAI_API_KEY") && logged("model").filter(({ model }) => model !== undefined).length > 1));
+    assert.equal(restarted.model, "client");
+    assert.throws(() => execFileSync("grep", ["-rl", "sk-very-secret", join(other.ws, ".."), "--include=*.json", "--include=*.log", "--include=*.txt"]), "no setting and no log has it");
   } finally {
     await other.close();
   }

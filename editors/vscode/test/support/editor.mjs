@@ -58,7 +58,17 @@ const PROBE = `
 const vscode = require("vscode");
 const Async = Object.getPrototypeOf(async function () {}).constructor;
 const plain = (value) => JSON.parse(JSON.stringify(value, (_, v) => (v instanceof vscode.Uri ? v.toString() : typeof v === "function" ? undefined : v)) ?? "null");
-exports.activate = () => require("http").createServer((request, answer) => {
+const answer = "the first piece, the second";
+const model = { id: "parrot", name: "Parrot", family: "parrot", version: "1", maxInputTokens: 10000, maxOutputTokens: 1000, capabilities: {} };
+const offer = () => vscode.lm.registerLanguageModelChatProvider("test", {
+  provideLanguageModelChatInformation: () => [model],
+  provideTokenCount: () => 1,
+  provideLanguageModelChatResponse: async (_, messages, __, progress) => {
+    require("fs").writeFileSync(process.env.PROBE_SOCKET + ".said", JSON.stringify(messages.map((m) => [m.role, m.content.map((part) => part.value).join("")])));
+    for (const piece of answer.split(/(?<=,)/)) progress.report(new vscode.LanguageModelTextPart(piece));
+  },
+});
+exports.activate = () => (process.env.PROBE_MODEL === "1" && offer(), require("http").createServer((request, answer) => {
   let text = "";
   request.on("data", (piece) => (text += piece));
   request.on("end", async () => {
@@ -69,7 +79,7 @@ exports.activate = () => require("http").createServer((request, answer) => {
       answer.end(JSON.stringify({ error: String(error?.stack ?? error) }));
     }
   });
-}).listen(process.env.PROBE_SOCKET);
+}).listen(process.env.PROBE_SOCKET));
 `;
 
 /**
@@ -88,7 +98,7 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
     mkdirSync(join(user, name));
     writeFileSync(join(user, name, "settings.json"), JSON.stringify({ ...QUIET, "workbench.colorTheme": theme, ...trust, ...settings }));
   }
-  const manifest = { name: "probe", publisher: "test", version: "0.0.1", engines: { vscode: "^1.91.0" }, main: "./probe.js", activationEvents: ["*"], capabilities: { untrustedWorkspaces: { supported: true } } };
+  const manifest = { name: "probe", publisher: "test", version: "0.0.1", engines: { vscode: "^1.91.0" }, main: "./probe.js", activationEvents: ["*"], contributes: { languageModelChatProviders: [{ vendor: "test", displayName: "Test" }] }, capabilities: { untrustedWorkspaces: { supported: true } } };
   writeFileSync(join(probe, "package.json"), JSON.stringify(manifest));
   writeFileSync(join(probe, "probe.js"), PROBE);
   const port = await new Promise((done) => {
@@ -161,7 +171,7 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
         request.end(JSON.stringify({ body, args: { ...args, ws } }));
       });
     await until("the probe", () => api("return true"));
-    return { page, api, ws, outside, errors, close, path: (name) => join(ws, name) };
+    return { page, api, ws, socket, outside, errors, close, path: (name) => join(ws, name) };
   } catch (error) {
     await close();
     throw error;
