@@ -2,10 +2,9 @@
 
 use crate::FAILED;
 use crate::args::{self, Lsp};
-use crate::model::Asked;
+use crate::model;
 use scenelang_llm::{Error, Model};
-use scenelang_lsp::{Recorder, Setup, replay, serve};
-use scenelang_solve::Asking;
+use scenelang_lsp::{Asked, Recorder, Setup, replay, serve};
 use scenelang_verify::settings::Llm;
 use std::io::{stdin, stdout};
 
@@ -25,9 +24,9 @@ pub fn run(args: &Lsp) -> u8 {
 }
 
 /// The model of the workspace's settings; its key comes from the environment.
-fn connect(settings: &Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error> {
-    let asked = Asked::new(&args::Model::default(), settings, 0)?;
-    Ok(asked.map(Asked::into_parts).map(|(session, asking)| (Box::new(session) as Box<dyn Model>, asking)))
+fn connect(settings: &Llm) -> Result<Option<Asked>, Error> {
+    let asked = model::Asked::new(&args::Model::default(), settings, 0)?;
+    Ok(asked.map(model::Asked::into_parts).map(|(session, asking)| (Box::new(session) as Box<dyn Model>, asking)))
 }
 
 fn fail(message: &str) -> u8 {

@@ -109,7 +109,7 @@ impl Host {
     }
 
     /// Takes over the layout called `name` at `path`; `None`: there is none.
-    pub fn set_layout(&mut self, layout: Option<(&str, &Path, io::Result<Vec<u8>>)>) {
+    pub fn set_layout(&mut self, layout: Option<(String, &Path, io::Result<Vec<u8>>)>) {
         self.layout = layout.and_then(|(name, path, bytes)| {
             let missing = bytes.as_ref().err().is_some_and(|e| e.kind() == io::ErrorKind::NotFound);
             if missing {

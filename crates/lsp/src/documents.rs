@@ -198,10 +198,7 @@ pub fn judge_by(host: &mut Host, path: &Path, layout: Option<&Path>, files: &Fil
     let found = settings_for(path, files);
     host.set_judging(found.judging());
     let layout = layout.map(|path| (name_of(path), path, files.load(path)));
-    host.set_layout(layout.as_ref().map(|(name, path, bytes)| {
-        let bytes = bytes.as_ref().map(Vec::clone).map_err(|e| std::io::Error::from(e.kind()));
-        (name.as_str(), *path, bytes)
-    }));
+    host.set_layout(layout);
     Arc::new(found)
 }
 

@@ -171,11 +171,11 @@ impl Progress {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if last.is_none_or(|at| at.elapsed() >= EVERY) {
             *last = Some(Instant::now());
-            self.tell(json!({ "kind": "report", "message": message }));
+            self.tell(&json!({ "kind": "report", "message": message }));
         }
     }
 
-    fn tell(&self, value: Value) {
+    fn tell(&self, value: &Value) {
         if let Some(token) = &self.token {
             let request = Request::build("$/progress").params(json!({ "token": token, "value": value })).finish();
             let _ = self.to_client.unbounded_send(request);
@@ -207,7 +207,7 @@ impl State {
             self.jobs.insert(token.to_string(), (id.clone(), stop.clone()));
         }
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
-        progress.tell(json!({ "kind": "begin", "title": title, "cancellable": true }));
+        progress.tell(&json!({ "kind": "begin", "title": title, "cancellable": true }));
         let files = self.documents.files();
         let advisers = self.advisers(stop.clone());
         let (id, events, generation) = (id.clone(), self.events(), context.generation);
@@ -220,7 +220,7 @@ impl State {
                 let outcome = work(&job)?;
                 if job.stop.is_set() { Err(Fault::Cancelled) } else { Ok(outcome) }
             });
-            done.tell(json!({ "kind": "end" }));
+            done.tell(&json!({ "kind": "end" }));
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
                 if let Some(token) = token {
                     state.jobs.remove(&token.to_string());

@@ -29,7 +29,7 @@ mod text;
 mod vocabulary;
 mod wire;
 
-pub use model::Connect;
+pub use model::{Asked, Connect};
 pub use record::{Recorder, replay};
 pub use state::Setup;
 pub use wire::serve;

@@ -176,7 +176,7 @@ fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative) -> 
     let edit = if changes_layout { Some(job.layout_edit(&chosen.layout)?) } else { None };
     let message = words(job, chosen);
     let margins = margins(&job.compiled.program, before, &after);
-    let note = if margins.is_empty() { message.clone() } else { format!("{message}\n{}", margins.join("\n")) };
+    let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
     Ok(Outcome { layout: edit, edit: Some(change), message: note, count: count(&after) })
 }

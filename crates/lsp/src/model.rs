@@ -9,8 +9,10 @@ use serde_json::{Value, json};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
+/// A model, and how it is asked.
+pub type Asked = (Box<dyn Model>, Asking);
 /// Reaches the model that the settings of a workspace name; `None`: they name none.
-pub type Connect = fn(&Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error>;
+pub type Connect = fn(&Llm) -> Result<Option<Asked>, Error>;
 
 /// The longest wait for an answer of the editor's model.
 const LONGEST: Duration = Duration::from_secs(180);
@@ -28,7 +30,7 @@ impl Advisers {
     ///
     /// # Errors
     /// It cannot even be tried.
-    pub fn model(&self, settings: &Llm) -> Result<Option<(Box<dyn Model>, Asking)>, Error> {
+    pub fn model(&self, settings: &Llm) -> Result<Option<Asked>, Error> {
         if let Some(events) = &self.client {
             let model = Editor { events: events.clone(), stop: self.stop.clone() };
             return Ok(Some((Box::new(model), Asking::default())));

@@ -116,7 +116,7 @@ pub struct State {
 
 impl State {
     /// Nothing is open yet.
-    pub fn new(setup: Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
+    pub fn new(setup: &Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
         Self {
             phase: Phase::New,
             client: Arc::new(Client::new(&Value::Null)),
@@ -156,7 +156,7 @@ impl State {
 
     fn take(&mut self, event: Event) -> Option<u8> {
         match event {
-            Event::Request { id, method, params, reply } => self.request(id, &method, params, reply),
+            Event::Request { id, method, params, reply } => self.request(&id, &method, params, reply),
             Event::Notification { method, params } if method == "exit" => {
                 drop(params);
                 return Some(u8::from(self.phase != Phase::ShutDown));
@@ -178,7 +178,7 @@ impl State {
 
     // ── Questions ──
 
-    fn request(&mut self, id: Id, method: &str, params: Value, reply: oneshot::Sender<jsonrpc::Result<Value>>) {
+    fn request(&mut self, id: &Id, method: &str, params: Value, reply: oneshot::Sender<jsonrpc::Result<Value>>) {
         match (self.phase, method) {
             (Phase::New, "initialize") => {
                 let answer = self.initialize(&params);
@@ -200,8 +200,8 @@ impl State {
             }
             (Phase::Running, _) => {
                 self.pending.insert(id.clone(), Pending { reply, stop: Stop::default() });
-                if let Err(fault) = self.dispatch(&id, method, params) {
-                    self.reply(&id, Err(fault));
+                if let Err(fault) = self.dispatch(id, method, params) {
+                    self.reply(id, Err(fault));
                 }
             }
         }
@@ -286,11 +286,11 @@ impl State {
             (Phase::Running, "initialized") => self.initialized(),
             (Phase::Running, "textDocument/didOpen") => self.with(params, Self::opened),
             (Phase::Running, "textDocument/didChange") => self.with(params, Self::changed),
-            (Phase::Running, "textDocument/didClose") => self.with(params, Self::closed),
-            (Phase::Running, "textDocument/didSave") => self.with(params, Self::saved),
+            (Phase::Running, "textDocument/didClose") => self.with(params, |s, p| s.closed(&p)),
+            (Phase::Running, "textDocument/didSave") => self.with(params, |s, p| s.saved(&p)),
             (Phase::Running, "workspace/didChangeConfiguration") => self.configured(&params),
             (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, Self::watched),
-            (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, Self::folders),
+            (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, |s, p| s.folders(&p)),
             _ => {}
         }
     }
@@ -333,7 +333,7 @@ impl State {
         self.documents.touched(&path, &key);
     }
 
-    fn closed(&mut self, params: DidCloseTextDocumentParams) {
+    fn closed(&mut self, params: &DidCloseTextDocumentParams) {
         let key = params.text_document.uri.as_str();
         if self.documents.close(key) {
             self.drags.remove(key);
@@ -343,7 +343,7 @@ impl State {
         }
     }
 
-    fn saved(&mut self, params: DidSaveTextDocumentParams) {
+    fn saved(&mut self, params: &DidSaveTextDocumentParams) {
         let key = params.text_document.uri.as_str();
         if let Some(path) = self.documents.get(key).map(|d| d.path.clone()) {
             self.documents.touched(&path, key);
@@ -366,7 +366,7 @@ impl State {
         self.wake();
     }
 
-    fn folders(&mut self, params: DidChangeWorkspaceFoldersParams) {
+    fn folders(&mut self, params: &DidChangeWorkspaceFoldersParams) {
         let removed: Vec<PathBuf> = params.event.removed.iter().map(|f| disk::path_of(&f.uri)).collect();
         self.roots.retain(|root| !removed.contains(root));
         self.roots.extend(params.event.added.iter().map(|f| disk::path_of(&f.uri)));
@@ -493,7 +493,7 @@ impl State {
         scene.published = generation;
         let outside = std::mem::take(&mut scene.outside);
         let Ok(Verdict { marks, count }) = found else { return };
-        let layout = count.and_then(|_| scene.layout.as_deref()).and_then(disk::uri_of);
+        let layout = scene.layout.as_deref().filter(|_| count.is_some()).and_then(disk::uri_of);
         let [holds, total] = count.unwrap_or_default();
         let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });
         for (uri, marks) in self.board.put(key, marks) {

@@ -41,7 +41,7 @@ pub fn serve(input: impl Read + Send + 'static, output: impl Write + Send + 'sta
     let state = thread::Builder::new()
         .name("state".to_owned())
         .stack_size(16 << 20)
-        .spawn(move || State::new(setup, own_events, to_client).run(&state_events));
+        .spawn(move || State::new(&setup, own_events, to_client).run(&state_events));
     let Ok(state) = state else { return 1 };
 
     let socket = Socket { requests, events: events.clone() };

@@ -41,7 +41,7 @@ pub(super) fn extract(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Actio
     }
     let names = occurrences(snapshot, snapshot.main())?;
     let inside = names.iter().filter(|o| chosen.start <= o.range.start && o.range.end <= chosen.end);
-    let Some(params) = parameters(text, chosen, inside.collect()) else { return Ok(()) };
+    let Some(params) = parameters(text, chosen, &inside.collect::<Vec<_>>()) else { return Ok(()) };
     let name = free_name("holds", |n| meanings.defined.contains_key(n) || scenelang_lang::natives::is_built_in(n));
     let head: Vec<String> = params.iter().map(|p| format!("{} {}", p.ty.name(), p.name)).collect();
     let args: Vec<&str> = params.iter().map(|p| p.argument.as_str()).collect();
@@ -72,12 +72,12 @@ struct Param {
 }
 
 /// What a formula speaks of, as parameters; `None`: something that cannot be one.
-fn parameters(text: &str, whole: TextRange, names: Vec<&Occurrence>) -> Option<Vec<Param>> {
+fn parameters(text: &str, whole: TextRange, names: &[&Occurrence]) -> Option<Vec<Param>> {
     let bound_inside =
         |o: &Occurrence| names.iter().any(|d| d.symbol.is(&o.symbol) && d.role == crate::names::Role::Declares);
     let mut out: Vec<Param> = Vec::new();
     let mut letters = (b'a'..=b'z').map(char::from);
-    for name in &names {
+    for name in names {
         let (ty, range) = match &name.symbol {
             Symbol::Item(_, ItemKind::Array(_)) => match element(text, name.range, whole) {
                 Some(range) => (Ty::Object, range),

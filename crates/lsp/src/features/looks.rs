@@ -104,14 +104,13 @@ pub fn folding(context: &Context, _: &Whole) -> Result<Value, Fault> {
 pub fn selection(context: &Context, params: &Positions) -> Result<Value, Fault> {
     let grown = params.positions.iter().map(|at| {
         let ranges = shape::selections(context.text.as_str(), context.offset(*at));
-        let outward = ranges.into_iter().rev().fold(Value::Null, |parent, range| {
+        ranges.into_iter().rev().fold(Value::Null, |parent, range| {
             let mut out = json!({ "range": context.range(range) });
             if !parent.is_null() {
                 out["parent"] = parent;
             }
             out
-        });
-        outward
+        })
     });
     Ok(grown.collect())
 }

@@ -206,7 +206,7 @@ fn signatures() {
 #[test]
 fn going_places() {
     let (_folder, mut client, uri, scene) = opened();
-    let mut text = scene.clone();
+    let mut text = scene;
     text.push_str("Number wide;\nwide <- 3;\nassert bed.top < wide;\n");
     client.set(&uri, &text);
     for (method, place, file, wanted) in [

@@ -76,3 +76,24 @@ fn a_session_can_be_recorded_and_played_again() {
     std::fs::write(&file, "{}\n").unwrap();
     assert!(replay(&file, Vec::new()).is_err());
 }
+
+/// What the server says that it can is what the table of `docs/editors.md` says, and no more.
+#[test]
+fn the_document_lists_what_the_server_can() {
+    let (folder, ..) = room();
+    let client = Client::start_with(folder.path(), crate::client::pulling(), Value::Null);
+    let can: Vec<String> = client.capabilities.as_object().unwrap().keys().cloned().collect();
+    client.stop();
+    let text = include_str!("../../../../docs/editors.md");
+    let rows = text.lines().skip_while(|l| !l.starts_with("| what |")).take_while(|l| l.starts_with('|'));
+    let mut said: Vec<String> = Vec::new();
+    for row in rows.filter(|row| row.contains('●')) {
+        let cell = row.split('|').nth(3).unwrap();
+        said.extend(cell.split('`').skip(1).step_by(2).map(str::to_owned));
+    }
+    let sorted = |mut list: Vec<String>| {
+        list.sort();
+        list
+    };
+    assert_eq!(sorted(said), sorted(can));
+}

@@ -113,7 +113,7 @@ fn clients_that_ask_are_told_when_to_ask_again() {
     let mut client = Client::start_with(folder.path(), pulling(), Value::Null);
     let uri = client.open("room.scene", &scene);
     let document = json!({ "textDocument": { "uri": uri } });
-    let first = client.ask("textDocument/diagnostic", document.clone());
+    let first = client.ask("textDocument/diagnostic", document);
     assert_eq!(codes(first["items"].as_array().unwrap()), ["V0101", "V0102", "V0102", "V0106"]);
     let again = json!({ "textDocument": { "uri": uri }, "previousResultId": first["resultId"] });
     assert_eq!(client.ask("textDocument/diagnostic", again.clone())["kind"], "unchanged");
