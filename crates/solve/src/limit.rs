@@ -85,8 +85,9 @@ mod tests {
         assert!(!below.set());
         assert!(below.set() && below.is_set() && !above.is_set());
         let other = above.below();
-        above.clone().set();
-        assert!(other.is_set() && above.is_set());
+        let same = above.clone();
+        same.set();
+        assert!(other.is_set() && above.is_set() && same.is_set());
     }
 
     #[test]

@@ -51,7 +51,7 @@ const CASES: [(&str, usize, &[&str]); 6] = [
 
 fn run(text: &str, options: &Options) -> Outcome {
     let compiled = compiled(text);
-    let program = compiled.program.as_ref().unwrap();
+    let program = compiled.program.as_ref().expect("the program compiles");
     let problem = Problem { program, start: Layout::default(), placed: Placed::None };
     solve(&problem, options, &mut |_| ControlFlow::Continue(()))
 }
