@@ -2,8 +2,8 @@
 
 use super::{Action, Kind, indent};
 use crate::Snapshot;
-use crate::names::{Symbol, declared_kind, name_at};
-use crate::navigate::references;
+use crate::names::{Role, Symbol, declared_kind, name_at, occurrences};
+use rustc_hash::FxHashMap;
 use scenelang_base::{Edit, Span, TextRange};
 use scenelang_lang::ast::{BinaryOp, ExprId, ExprKind, Stmt, StmtKind};
 use scenelang_lang::db::Cancelled;
@@ -99,13 +99,19 @@ pub(super) fn array(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>
         return Ok(());
     }
     let mut edits = Vec::new();
+    let numbers: FxHashMap<&str, usize> = members.iter().enumerate().map(|(i, (_, n, _))| (n.as_str(), i)).collect();
+    for (file, _) in snapshot.sources().iter().filter(|(id, _)| snapshot.layout().is_none_or(|l| l.file != *id)) {
+        for o in occurrences(snapshot, file)?.iter().filter(|o| o.role != Role::Declares) {
+            let Symbol::Item(named, _) = &o.symbol else { continue };
+            if let Some(index) = numbers.get(named.as_str()) {
+                edits.push(Edit { place: o.range.in_file(file), text: format!("{stem}[{index}]") });
+            }
+        }
+    }
     let text = snapshot.text();
     let first = members.iter().map(|(.., span)| span.range.start).min().unwrap_or_default();
     for (index, (_, name, span)) in members.iter().enumerate() {
         let element = format!("{stem}[{index}]");
-        let symbol = Symbol::Item(name.clone(), ItemKind::Object);
-        let named = references(snapshot, snapshot.main(), &symbol, false)?;
-        edits.extend(named.into_iter().map(|(place, _)| Edit { place, text: element.clone() }));
         if let Some(entry) = snapshot.layout().and_then(|l| l.read.places.objects.get(name)) {
             edits.push(Edit { place: entry.place.key, text: serde_json::Value::from(element).to_string() });
         }
