@@ -16,6 +16,8 @@ use std::ops::ControlFlow;
 
 /// The part of the budget after which the repair loop gives up.
 const PART: f64 = 0.6;
+/// The part of the budget of a new solution that may go into preferences.
+const POLISH: f64 = 0.5;
 /// Rounds of the repair loop.
 const ROUNDS: usize = 120;
 
@@ -55,11 +57,13 @@ fn solved(room: &mut Room<'_, '_>, options: &MendOptions) -> Option<Snapshot> {
         placed: Placed::Some { objects: Vec::new(), regions },
     };
     let left = options.budget.saturating_sub(room.search.state.work);
+    // A solution owes preferences nothing: where one is to be mended, work goes into them as well.
+    let wished = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
     let solver = Options {
         seed: judge.layout.seed.unwrap_or(0),
         budget: left,
         judge: judge.options,
-        polish: 0.0,
+        polish: if wished { POLISH } else { 0.0 },
         diagnose: false,
         ..Options::default()
     };
