@@ -75,12 +75,11 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: 
         state.keep();
     }
     state.measure_all();
-    state.look_at_ways();
     let frame = &setup.frame;
     let mut order: Vec<ObjectId> = frame.objects().filter(|id| frame.is_movable(*id)).collect();
     let demands = |id: ObjectId| frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard()).count();
     order.sort_by_key(|id| (demands(*id), *id));
-    let mut look = Look { before: state.violated().len(), start: Snapshot::of(&state), state };
+    let mut look = Look { before: violated(&state), start: Snapshot::of(&state), state };
     let mut found = Free { objects: Vec::new(), complete: true };
     for id in order {
         if look.state.work >= work {
@@ -147,17 +146,22 @@ impl Look<'_> {
         if self.state.attempt(&changes, HARM).is_none() {
             return false;
         }
-        if self.state.violated().len() > self.before || self.state.frame.walks.is_empty() {
-            let harmless = self.state.violated().len() <= self.before;
+        let harmless = violated(&self.state) <= self.before;
+        if !harmless || self.state.frame.walks.is_empty() {
             self.state.undo();
             return harmless;
         }
         // Ways over the floor are not looked at in a trial.
         self.state.keep();
-        self.state.look_at_ways();
-        let harmless = self.state.violated().len() <= self.before;
+        let frame = self.state.frame;
+        let harmless = self.state.has_ways(|term| frame.terms[term].is_hard());
         self.start.show(&mut self.state);
-        self.state.look_at_ways();
         harmless
     }
+}
+
+/// How much is violated, ways over the floor left out.
+fn violated(state: &State<'_>) -> usize {
+    let walks = |check: usize| state.frame.terms.get(check).is_some_and(|t| t.walks);
+    state.violated().into_iter().filter(|check| !walks(*check)).count()
 }

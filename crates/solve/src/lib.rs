@@ -39,6 +39,7 @@ mod select;
 mod setup;
 mod solve;
 mod state;
+mod stay;
 mod steps;
 mod terms;
 mod tidy;

@@ -9,7 +9,7 @@ use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::state::{Change, State};
 use crate::steps::Steps;
-use crate::{diagnose, finish, regions, relax, tidy, wishes};
+use crate::{diagnose, finish, regions, relax, stay, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
@@ -169,6 +169,7 @@ impl<'r, 'a> Run<'r, 'a> {
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
         if attempt == 0 && steps.is_default() && self.quick(search) {
+            stay::put_back(search, &self.setup.given);
             search.note();
             if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
                 self.finish(search, progress)?;
@@ -256,12 +257,19 @@ impl<'r, 'a> Run<'r, 'a> {
     ) -> ControlFlow<()> {
         progress(search.progress(Phase::Preferences, self.iterations))?;
         let spent = search.state.work as f64 / self.options.budget as f64;
-        wishes::improve(search, (spent + self.options.polish).min(1.0));
+        wishes::improve(search, (spent + self.options.polish).min(1.0), !self.setup.given.is_empty());
+        if !self.setup.given.is_empty() {
+            stay::put_back(search, &self.setup.given);
+            search.best = None;
+        }
         for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
             if search.is_late() {
                 break;
             }
-            tidy::object(&mut search.state, id);
+            // Who is where somebody wanted it stays there to the last digit.
+            if !self.setup.given.contains(&(id, Some(search.state.pose(id)))) {
+                tidy::object(&mut search.state, id);
+            }
         }
         search.note();
         ControlFlow::Continue(())

@@ -248,6 +248,19 @@ impl<'a> State<'a> {
         }
     }
 
+    /// Whether all of these ways over the floor are free. One that is barred is enough to know.
+    pub fn has_ways(&mut self, terms: impl Fn(usize) -> bool) -> bool {
+        let frame = self.frame;
+        frame.walks.iter().filter(|t| terms(**t)).all(|&term| {
+            if self.walks_stale && !self.limit.is_over() {
+                (self.cost[term], self.holds[term]) = self.measure(term);
+                self.holds[term]
+            } else {
+                !self.walks_stale && self.holds[term]
+            }
+        })
+    }
+
     /// Makes changes as a trial. `Some`: by how much everything now costs more (or less, if negative); the trial must
     /// then be kept or taken back. `None`: more than `limit`; all is as it was.
     pub fn attempt(&mut self, changes: &[Change], limit: f64) -> Option<f64> {

@@ -16,8 +16,9 @@ const TOGETHER: usize = 14;
 /// What looks odder than this is looked at (see `looks`).
 const ODD: f64 = 0.004;
 
-/// Improves a layout in which everything holds, up to a part of the budget.
-pub(crate) fn improve(search: &mut Search<'_>, until: f64) {
+/// Improves a layout in which everything holds, up to a part of the budget. What is `settled` is moved only for a
+/// preference that holds then: not to come closer to one, nor for its looks.
+pub(crate) fn improve(search: &mut Search<'_>, until: f64, settled: bool) {
     for _ in 0..PASSES {
         let mut better = false;
         let failing: Vec<usize> = (0..search.state.frame.terms.len())
@@ -31,10 +32,17 @@ pub(crate) fn improve(search: &mut Search<'_>, until: f64) {
                 if search.state.does_hold(wish) {
                     break;
                 }
-                better |= grant(search, wish, attempt);
+                let before = settled.then(|| search.snapshot());
+                let granted = grant(search, wish, attempt);
+                match before.filter(|_| granted && !search.state.does_hold(wish)) {
+                    Some(before) => search.restore(&before),
+                    None => better |= granted,
+                }
             }
         }
-        better |= straighten(search, until);
+        if !settled {
+            better |= straighten(search, until);
+        }
         if !better {
             break;
         }

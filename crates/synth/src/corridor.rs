@@ -1,5 +1,6 @@
 //! From a program file to a judged layout: stages I to III.
 
+use crate::again::mended;
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish};
 use crate::hold::Hold;
@@ -184,18 +185,23 @@ pub fn solve_with(
     let how = Arranging {
         previous: start.as_ref().map(|s| &s.layout),
         locked,
-        time: request.time.map(|time| solving(time, begun.elapsed())),
+        time: request.time,
         seed: request.seed,
         judge: request.judge,
         stop: request.stop.clone(),
     };
-    let Ready { problem, options, mut warnings } = ready(program, how, observer);
+    let Ready { mut problem, mut options, mut warnings } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
 
     observer.enter(Stage::Layout);
+    let before = begun.elapsed();
+    if let Some(layout) = mended(program, &problem.start, &problem.placed, &options) {
+        problem.start = layout;
+    }
     if request.stop.is_set() {
         return Err(Failure::Interrupted);
     }
+    options.time = request.time.map(|time| solving(time, before, begun.elapsed()));
     // A model is dear: it is not asked for what cannot be.
     let options = &options;
     let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
@@ -360,10 +366,10 @@ pub fn numbered(path: &Path, n: usize) -> PathBuf {
     path.with_file_name(format!("{}.{n}{end}", &name[..name.len() - end.len()]))
 }
 
-/// Of a time that all of it may take what is left for the solver: what was done before it has to be done again for the
-/// judgement, the program being read anew.
-fn solving(time: Duration, before: Duration) -> Duration {
-    time.saturating_sub(before.mul_f64(2.2)).max(time / 2)
+/// Of a time that all of it may take, what is left for the solver when so much is gone: what was done to read the program
+/// has to be done again for the judgement.
+fn solving(time: Duration, before: Duration, gone: Duration) -> Duration {
+    time.saturating_sub(gone + before.mul_f64(1.2)).max(time / 4)
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

@@ -2,6 +2,7 @@
 //!
 //! Absent here: what the stages do. They live in the rooms below; this one joins them.
 
+mod again;
 mod corridor;
 mod doubt;
 mod furnish;

@@ -20,6 +20,7 @@ mod model;
 mod problems;
 mod repair;
 mod solving;
+mod stability;
 mod support;
 mod view;
 mod watch;

@@ -1,6 +1,7 @@
 //! What is to hold after a change, and whether it does: every layout that is offered is judged here as a whole.
 
 use super::{Damaged, MendOptions, Unjudged, Which};
+use crate::limit::Limit;
 use rustc_hash::FxHashSet;
 use scenelang_lang::Program;
 use scenelang_layout::Layout;
@@ -14,6 +15,8 @@ pub(super) struct Judge<'a> {
     pub program: &'a Program,
     pub layout: &'a Layout,
     pub options: Options,
+    /// When looking has to end.
+    pub limit: Limit,
     /// Rows that fail and are to hold.
     pub targets: Vec<RowRef>,
     /// All rows that fail.
@@ -42,6 +45,7 @@ impl<'a> Judge<'a> {
             program: damaged.program,
             layout: damaged.layout,
             options: judging,
+            limit: Limit::new(options.time, &options.stop),
             targets: failing.iter().copied().filter(wanted).collect(),
             failing: failing.into_iter().collect(),
         })

@@ -10,13 +10,17 @@ use scenelang_lang::program::ObjectId;
 
 /// So often a way is halved; where a look is dear, so often.
 const HALVINGS: [usize; 2] = [12, 5];
+/// Work for all of it, where each look is dear.
+const WORK: u64 = 30_000_000;
 /// Passes over all objects that have moved.
 const PASSES: usize = 3;
 /// Grids for lengths (metres), and for angles (degrees).
 const GRIDS: [(f64, f64); 3] = [(0.01, 1.0), (0.001, 0.1), (0.0001, 0.01)];
 
-/// Takes back what is not needed of the layout under search, in which all that is wanted holds.
+/// Takes back what is not needed of the layout under search, in which all that is wanted holds; as far as the work goes,
+/// where each look is dear.
 pub(super) fn shrink(room: &mut Room<'_, '_>) {
+    room.allow(WORK);
     for _ in 0..PASSES {
         let before = room.moved().len();
         // The farthest first: it is the most likely to have been moved for no reason.

@@ -21,6 +21,7 @@ mod tests;
 mod whole;
 mod wish;
 
+use crate::limit::Stop;
 use crate::pose::Pose;
 pub use edit::edited;
 use judge::Judge;
@@ -31,6 +32,7 @@ use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
 use scenelang_verify::explain::RowRef;
 use std::path::Path;
+use std::time::Duration;
 
 /// A layout that does not satisfy its program.
 #[derive(Clone, Copy)]
@@ -68,10 +70,14 @@ pub enum Which {
 }
 
 /// How to look.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MendOptions {
     /// At most so much work in all; a unit is about ten nanoseconds.
     pub budget: u64,
+    /// At most so long, whatever the budget. What comes of it then depends on the machine.
+    pub time: Option<Duration>,
+    /// Set from elsewhere, it ends the search.
+    pub stop: Stop,
     /// At most so many alternatives of each kind.
     pub alternatives: usize,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -80,7 +86,13 @@ pub struct MendOptions {
 
 impl Default for MendOptions {
     fn default() -> Self {
-        Self { budget: 200_000_000, alternatives: 3, judge: scenelang_verify::Options::default() }
+        Self {
+            budget: 200_000_000,
+            time: None,
+            stop: Stop::default(),
+            alternatives: 3,
+            judge: scenelang_verify::Options::default(),
+        }
     }
 }
 

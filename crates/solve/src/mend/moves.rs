@@ -113,7 +113,7 @@ fn search(room: &mut Room<'_, '_>, budget: u64) -> Vec<Snapshot> {
         if !done.is_empty() {
             return done.into_iter().map(|n| n.snapshot).collect();
         }
-        if room.search.state.work >= budget {
+        if room.search.state.work >= budget || room.search.is_late() {
             break;
         }
         // The same in another order is the same.
@@ -129,7 +129,7 @@ fn expand(room: &mut Room<'_, '_>, node: &Node, budget: u64) -> Vec<Node> {
     let mut blamed: Vec<(ObjectId, usize)> = Vec::new();
     for check in missing {
         // Who is in the way of free space or of a way is found by taking each away in turn, which is dear.
-        let spent = room.search.state.work >= budget;
+        let spent = room.search.state.work >= budget || room.search.is_late();
         let all = if spent { room.search.state.objects_of(check) } else { room.search.blamed(check) };
         for id in all.into_iter().filter(|id| room.search.state.frame.is_movable(*id)) {
             match blamed.iter_mut().find(|(o, _)| *o == id) {
@@ -149,7 +149,7 @@ fn expand(room: &mut Room<'_, '_>, node: &Node, budget: u64) -> Vec<Node> {
     for (id, _) in blamed.into_iter().take(BLAMED) {
         let work = room.search.state.work;
         let done = children.iter().any(|n: &Node| n.missing == 0);
-        if !children.is_empty() && work >= budget || done && work >= ENOUGH {
+        if room.search.is_late() || !children.is_empty() && work >= budget || done && work >= ENOUGH {
             break;
         }
         let mut chosen = node.chosen.clone();

@@ -22,6 +22,8 @@ use scenelang_verify::report::model::Kind;
 use scenelang_verify::rules::Scope;
 use scenelang_verify::{Value, World};
 
+/// What a look at one way over the floor takes, as the search counts.
+const WALK: u64 = 150_000;
 /// What is smaller than this is no move (metres, degrees).
 const STILL: f64 = 1e-7;
 /// Digits that are written (metres and degrees).
@@ -80,6 +82,10 @@ pub(super) struct Room<'r, 'a> {
     wanted: Vec<bool>,
     /// Whether ways over the floor are among what is wanted: then each look is dear.
     pub dear: bool,
+    /// The work up to which something may be tried, if it is dear.
+    most: u64,
+    /// What it takes to judge all of it.
+    judgement: u64,
 }
 
 impl<'r, 'a> Room<'r, 'a> {
@@ -91,6 +97,7 @@ impl<'r, 'a> Room<'r, 'a> {
             .filter_map(|id| fixtures.world.object(id).ok().map(|thing| Change::Object(id, Pose::of(thing))))
             .collect();
         let mut state = State::new(frame, fixtures.world.clone());
+        state.limit = judge.limit.clone();
         if state.attempt(&placed, f64::INFINITY).is_some() {
             state.keep();
         }
@@ -117,9 +124,10 @@ impl<'r, 'a> Room<'r, 'a> {
         let chance = ChaCha8Rng::seed_from_u64(judge.layout.seed.unwrap_or(0));
         let poses = frame.objects().map(|id| before(&fixtures.world, &state, id)).collect();
         let dear = frame.walks.iter().any(|&t| wanted[t]);
+        let judgement = WALK * frame.walks.len() as u64;
         let search = Search { state, polisher, chance, options, priority, best: None };
         debug_assert_eq!(n, search.state.placed().count());
-        Self { judge, start: search.snapshot(), search, poses, wanted, dear }
+        Self { judge, start: search.snapshot(), search, poses, wanted, dear, most: u64::MAX, judgement }
     }
 
     /// What is wanted and does not hold; ways over the floor only where all else holds.
@@ -142,11 +150,25 @@ impl<'r, 'a> Room<'r, 'a> {
 
     /// Whether all that is wanted holds.
     pub fn holds(&mut self) -> bool {
-        self.missing().is_empty()
+        let wanted = &self.wanted;
+        self.cheaply_missing().is_empty() && (!self.dear || self.search.state.has_ways(|term| wanted[term]))
+    }
+
+    /// Whether nothing more may be tried: ways over the floor are too dear to be looked at often, or the time is over.
+    pub fn is_spent(&self) -> bool {
+        self.search.is_late() || self.dear && self.search.state.work >= self.most
+    }
+
+    /// From here on so much work is allowed where each look is dear.
+    pub fn allow(&mut self, work: u64) {
+        self.most = self.search.state.work + work;
     }
 
     /// Makes changes; keeps them if all that is wanted holds then. Whether it does.
     pub fn hold(&mut self, changes: &[Change]) -> bool {
+        if self.is_spent() {
+            return false;
+        }
         let before = self.search.snapshot();
         if self.search.state.attempt(changes, f64::INFINITY).is_none() {
             return false;
@@ -189,9 +211,11 @@ impl<'r, 'a> Room<'r, 'a> {
         // What need not move after all, stays.
         for index in 0..layout.objects.len() {
             let old = &self.judge.layout.objects[index].1;
-            if layout.objects[index].1 == *old {
+            if layout.objects[index].1 == *old || self.is_spent() {
                 continue;
             }
+            // Judging the whole is a look, too.
+            self.search.state.work += self.judgement;
             let mut fewer = layout.clone();
             fewer.objects[index].1 = old.clone();
             if let Some(now) = self.judge.judge(&fewer).filter(|now| now.len() <= broken.len()) {

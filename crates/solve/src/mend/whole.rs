@@ -65,6 +65,8 @@ fn solved(room: &mut Room<'_, '_>, options: &MendOptions) -> Option<Snapshot> {
         judge: judge.options,
         polish: if wished { POLISH } else { 0.0 },
         diagnose: false,
+        time: judge.limit.left(),
+        stop: options.stop.clone(),
         ..Options::default()
     };
     let outcome = solve(&problem, &solver, &mut |_| ControlFlow::Continue(()));
