@@ -195,7 +195,10 @@ pub fn solve_with(
 
     observer.enter(Stage::Layout);
     let before = begun.elapsed();
-    if let Some(layout) = mended(program, &problem.start, &problem.placed, &options) {
+    // With a model the layout is the model's to change.
+    if adviser.is_none()
+        && let Some(layout) = mended(program, &problem.start, &problem.placed, &options)
+    {
         problem.start = layout;
     }
     if request.stop.is_set() {
