@@ -3,7 +3,6 @@
 use crate::{compiled, run_with};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Value, Vec3};
 use scenelang_solve::{End, Options, Placed};
-use std::fmt::Write;
 
 /// Work for a scene that cannot be solved: enough to be sure that nothing runs away.
 const BUDGET: u64 = 1_500_000;
@@ -62,7 +61,7 @@ fn program(dice: &mut Dice) -> String {
         let j = dice.below(i);
         let demand = dice.one(&["gap(A, B) >= 0.1", "distance(A, B) <= 2", "A.pos.x + 0.2 <= B.pos.x", "facing(A, B)"]);
         let demand = demand.replace('A', &format!("o[{i}]")).replace('B', &format!("o[{j}]"));
-        writeln!(text, "assert {demand};").unwrap();
+        text += &format!("assert {demand};\n");
     }
     text + "assert on(lamp, o[0]) and space > 1;\nprefer o[0].pos.x > 0;\n"
 }
@@ -193,7 +192,7 @@ fn disjunctions(dice: &mut Dice, n: usize) -> String {
                 part.replace('N', &format!("{:.2}", dice.below(800) as f64 / 100.0 - 4.0))
             })
             .collect();
-        writeln!(text, "assert {};", parts.join(" or ")).unwrap();
+        text += &format!("assert {};\n", parts.join(" or "));
     }
     text
 }
