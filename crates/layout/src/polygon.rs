@@ -242,7 +242,9 @@ impl Polygon {
             // The distance to one edge is convex along the segment, so that between two points it is at most the
             // greater one; the distance to the polygon is at most that to either of two edges.
             let bound = |e: usize| to_edge(e, x.1.at).max(to_edge(e, y.1.at));
-            if bound(x.0).min(bound(y.0)) <= -best.value + precision {
+            // Where numbers have overflowed nothing compares, and there is nothing more to find.
+            let farther = bound(x.0).min(bound(y.0)) > -best.value + precision;
+            if !farther {
                 continue;
             }
             let middle = sample((x.1.at + y.1.at) / 2.0);

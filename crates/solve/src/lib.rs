@@ -38,6 +38,7 @@ mod search;
 mod select;
 mod setup;
 mod solve;
+mod sound;
 mod state;
 mod stay;
 mod steps;

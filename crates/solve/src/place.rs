@@ -78,7 +78,7 @@ pub(crate) fn initial(search: &mut Search<'_>, steps: &mut Steps<'_>, given: &[(
         let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
         let id = waiting.remove(ready);
         if !search.state.is_placed(id) && !search.outside_place(steps, id) {
-            if search.is_late() {
+            if search.is_spent(1.0) {
                 search.put_anywhere(id);
             } else {
                 search.bring_in(id);

@@ -38,7 +38,7 @@ pub(crate) fn numeric(search: &mut Search<'_>, batch: &[usize]) -> bool {
         return clear_ways(search, &objects) || improved;
     }
     for &id in &objects {
-        if search.is_late() {
+        if search.is_spent(1.0) {
             break;
         }
         improved |= search.place(id, Breadth::Some(PLACES), &[], true);
@@ -116,7 +116,8 @@ fn clear_ways(search: &mut Search<'_>, objects: &[ObjectId]) -> bool {
                 crate::pool::candidates(&mut search.state, id, Breadth::Some(2 * PLACES), &mut search.chance);
             let mut tried = 0;
             for pose in candidates {
-                if search.is_late() {
+                // A look at the ways is dear; a round of them may be dearer than all that is left.
+                if search.is_spent(1.0) {
                     search.restore(&start);
                     return false;
                 }

@@ -14,7 +14,7 @@ pub(crate) fn relax(search: &mut Search<'_>) {
     for _ in 0..PASSES {
         let mut changed = false;
         for check in search.state.violated() {
-            if search.is_late() {
+            if search.is_spent(1.0) {
                 return;
             }
             changed |= match search.state.numbering.check(check) {

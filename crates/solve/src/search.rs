@@ -274,7 +274,7 @@ impl<'a> Search<'a> {
             let ready = waiting.iter().position(|&o| self.is_ready(o, &waiting)).unwrap_or(0);
             let id = waiting.remove(ready);
             if !self.state.is_placed(id) {
-                if self.is_late() {
+                if self.is_spent(1.0) {
                     self.put_anywhere(id);
                 } else {
                     self.bring_in(id);
@@ -361,7 +361,7 @@ impl<'a> Search<'a> {
             Check::Bounds(a) => vec![a],
             Check::Support(a) => std::iter::once(a).chain(self.state.seats[a.0 as usize]).collect(),
         };
-        if frame.terms.get(check).is_some_and(|t| t.sees_all) {
+        if frame.terms.get(check).is_some_and(|t| t.sees_all) && !self.is_spent(1.0) {
             list = self.state.in_the_way(check);
         }
         // What a pin puts somewhere moves with what the pin reads.

@@ -7,6 +7,7 @@ use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
 use crate::quick::Quick;
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
+use crate::sound::sound;
 use crate::state::{Change, State};
 use crate::steps::Steps;
 use crate::{diagnose, finish, regions, relax, stay, tidy, wishes};
@@ -47,7 +48,11 @@ pub fn solve_with(
     let whole = Limit::new(options.time, &options.stop);
     let part = if options.diagnose { SEARCHING } else { 1.0 };
     let limit = Limit::new(options.time.map(|time| time.mul_f64(part)), &options.stop);
-    let setup = setup(problem, options);
+    let cleaned = sound(problem);
+    let problem = cleaned.as_ref().map_or(problem, |(problem, _)| problem);
+    let mut setup = setup(problem, options);
+    setup.warnings.extend(cleaned.iter().flat_map(|(_, said)| said.iter().cloned()));
+    let setup = setup;
     let mut run = Run {
         limit,
         setup: &setup,

@@ -1,6 +1,7 @@
 //! What the solver promises of its outcomes: on small programs, by the public interface alone.
 
 mod diagnosis;
+mod hostile;
 
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};
@@ -37,6 +38,11 @@ fn compiled(text: &str) -> Compiled {
     let compiled = compile_text("t.scene", Path::new("t.scene"), text, Reading::default());
     assert!(compiled.program.is_some(), "{:?}", compiled.diagnostics);
     compiled
+}
+
+fn run_with(compiled: &Compiled, options: &Options, start: Layout, placed: Placed) -> Outcome {
+    let program = compiled.program.as_ref().expect("`compiled` looks at that");
+    solve(&Problem { program, start, placed }, options, &mut |_| ControlFlow::Continue(()))
 }
 
 fn run(text: &str, options: &Options, start: Option<&Layout>) -> Outcome {
