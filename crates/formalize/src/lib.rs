@@ -1,0 +1,14 @@
+//! Stage I: from a request in plain words to a program.
+//!
+//! ```text
+//! request ──read────┐                         the English reader: no model, no network
+//!                   ├──▶ Draft ──write──▶ room.scene
+//! request ──model───┘                         a language model asked step by step, as published
+//! ```
+//!
+//! Both ways end in a [`Draft`]: rooms, openings, things and statements, each with the words it came from. What was not
+//! understood is in it too. [`write`](write::write) turns a draft into the text of a program.
+
+pub mod draft;
+
+pub use draft::Draft;
