@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// How much work goes into what a layout leaves open: as much as nobody waits for, and for other programs more.
-const FREE: [u64; 2] = [2_000_000, 100_000_000];
+const FREE: [u64; 2] = [2_000_000, 20_000_000];
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {

@@ -1,6 +1,7 @@
 //! What a program leaves open: in which directions each object could go, how far, and whether it could turn, by itself,
 //! with everything that holds still holding.
 
+use crate::limit::Limit;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::Snapshot;
 use crate::setup::setup;
@@ -17,8 +18,6 @@ pub const FAR: f64 = 10.0;
 const EXACT: f64 = 0.005;
 /// Turns that show freedom to turn (degrees).
 const TURNS: [f64; 5] = [2.0, -2.0, 90.0, 180.0, 270.0];
-/// What a step may cost.
-const HARM: f64 = 1e-3;
 
 /// What is open about an object.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +64,7 @@ impl fmt::Display for Freedom {
     }
 }
 
-/// What a program leaves open of a layout, as far as can be found out with so much work.
+/// What a program leaves open of a layout, as far as can be found out with so much work, within the time of the options.
 pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: u64) -> Free {
     let problem = Problem { program: problem.program, start: layout.clone(), placed: Placed::All };
     let setup = setup(&problem, options);
@@ -75,6 +74,7 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: 
         state.keep();
     }
     state.measure_all();
+    state.limit = Limit::new(options.time, &options.stop);
     let frame = &setup.frame;
     let mut order: Vec<ObjectId> = frame.objects().filter(|id| frame.is_movable(*id)).collect();
     let demands = |id: ObjectId| frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard()).count();
@@ -82,11 +82,16 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: 
     let mut look = Look { before: violated(&state), start: Snapshot::of(&state), state };
     let mut found = Free { objects: Vec::new(), complete: true };
     for id in order {
-        if look.state.work >= work {
+        if look.state.work >= work || look.state.limit.is_over() {
             found.complete = false;
             break;
         }
         let free = look.at(id);
+        if look.state.limit.is_over() {
+            // What was seen since is no answer.
+            found.complete = false;
+            break;
+        }
         if free.turns || free.moves.as_flattened().iter().any(|far| *far > 0.0) {
             found.objects.push(free);
         }
@@ -143,7 +148,8 @@ impl Look<'_> {
 
     fn is_harmless(&mut self, id: ObjectId, pose: crate::pose::Pose) -> bool {
         let changes = self.state.with_riders(id, pose);
-        if self.state.attempt(&changes, HARM).is_none() {
+        // Good looks are no demand: only what is violated counts.
+        if self.state.attempt(&changes, f64::INFINITY).is_none() {
             return false;
         }
         let harmless = violated(&self.state) <= self.before;

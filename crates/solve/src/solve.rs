@@ -15,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_lang::program::RegionId;
 use std::ops::ControlFlow;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// How much earlier an object is placed for each time it was in trouble.
 const TROUBLE: f64 = 0.3;
@@ -23,6 +23,8 @@ const TROUBLE: f64 = 0.3;
 const GROWTH: f64 = 1.15;
 /// The part of the time that the search has, if there is to be a diagnosis.
 const SEARCHING: f64 = 0.8;
+/// How often what is found is judged before it is handed out.
+const JUDGED: u32 = 3;
 /// The part of the budget that the quick search has.
 const QUICK: f64 = 0.85;
 
@@ -88,7 +90,7 @@ pub fn solve_with(
     let judging = Instant::now();
     let (mut layout, (mut unsatisfied, mut constraints)) = finish::layout(&setup, &state, &options.judge);
     // What is found is judged again, here and by whoever asked for it: there must be time for that.
-    let whole = whole.earlier(3 * judging.elapsed());
+    let whole = whole.earlier(JUDGED * judging.elapsed());
     let converged = finish::is_soft(&setup, &unsatisfied);
     if end == End::Solved && !converged {
         end = End::Exhausted;
@@ -110,6 +112,22 @@ pub fn solve_with(
         }
     }
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
+}
+
+/// The layout of a quick search as that of the search proper.
+fn show<'a>(quick: &Quick<'a>, state: &mut State<'a>) {
+    let changes = quick.changes(state);
+    if state.attempt(&changes, f64::INFINITY).is_some() {
+        state.keep();
+    }
+}
+
+/// How long it takes to judge a layout in which ways over the floor are looked for.
+fn judging<'a>(state: &mut State<'a>, quick: &Quick<'a>) -> Duration {
+    show(quick, state);
+    let begun = Instant::now();
+    state.look_at_ways();
+    begun.elapsed()
 }
 
 /// What attempts share.
@@ -181,6 +199,9 @@ impl<'r, 'a> Run<'r, 'a> {
             }
             return ControlFlow::Continue(());
         }
+        if search.is_late() && search.best.is_some() {
+            return ControlFlow::Continue(());
+        }
         place::initial(search, steps, &self.setup.given);
         progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
         if !search.outside_relax(steps) {
@@ -229,19 +250,22 @@ impl<'r, 'a> Run<'r, 'a> {
             return false;
         };
         let budget = (self.options.budget as f64 * QUICK) as u64;
+        let mut limit = self.limit.clone();
+        if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
+            quick.search(&mut search.chance, 0, &limit, &given);
+            limit = limit.earlier(JUDGED * judging(&mut search.state, &quick));
+            given.fill(true);
+        }
         let mut holds = false;
         while !holds && quick.work < budget {
-            let solved = quick.search(&mut search.chance, budget - quick.work, &self.limit, &given);
+            let solved = quick.search(&mut search.chance, budget - quick.work, &limit, &given);
             if solved && self.setup.given.is_empty() {
-                quick.tidy(&mut search.chance);
+                quick.tidy(&mut search.chance, &limit);
             }
-            let changes = quick.changes(&search.state);
-            if search.state.attempt(&changes, f64::INFINITY).is_some() {
-                search.state.keep();
-            }
+            show(&quick, &mut search.state);
             holds = solved && search.state.hard().0 == 0;
             // What was thought a way may be none: one looks for a wider one, from here.
-            if !solved || holds || !quick.doubt(&search.state.failing()) {
+            if !solved || holds || limit.is_over() || !quick.doubt(&search.state.failing()) {
                 break;
             }
             given.fill(true);

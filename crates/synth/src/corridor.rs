@@ -204,7 +204,7 @@ pub fn solve_with(
     if request.stop.is_set() {
         return Err(Failure::Interrupted);
     }
-    options.time = request.time.map(|time| solving(time, before, begun.elapsed()));
+    options.time = request.time.map(|time| left(time, before, begun.elapsed()).max(time / 4));
     // A model is dear: it is not asked for what cannot be.
     let options = &options;
     let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
@@ -240,7 +240,9 @@ pub fn solve_with(
     let finish = |(index, outcome): (usize, Outcome)| {
         let free = match &outcome {
             outcome if outcome.converged && !request.stop.is_set() => {
-                freedom(&problem, options, &outcome.layout, request.free)
+                let time = request.time.map(|time| left(time, before, begun.elapsed()));
+                let options = scenelang_solve::Options { time, ..options.clone() };
+                freedom(&problem, &options, &outcome.layout, request.free)
             }
             _ => Free::default(),
         };
@@ -369,10 +371,10 @@ pub fn numbered(path: &Path, n: usize) -> PathBuf {
     path.with_file_name(format!("{}.{n}{end}", &name[..name.len() - end.len()]))
 }
 
-/// Of a time that all of it may take, what is left for the solver when so much is gone: what was done to read the program
-/// has to be done again for the judgement.
-fn solving(time: Duration, before: Duration, gone: Duration) -> Duration {
-    time.saturating_sub(gone + before.mul_f64(1.2)).max(time / 4)
+/// Of a time that all of it may take, what is left when so much is gone: what was done to read the program has to be done
+/// again for the judgement.
+fn left(time: Duration, before: Duration, gone: Duration) -> Duration {
+    time.saturating_sub(gone + before.mul_f64(1.2))
 }
 
 fn read_start(name: &str, text: &str) -> Result<ReadLayout, Failure> {

@@ -33,6 +33,9 @@ impl Field {
         let most = |k: usize| self.max[k].max(other.max[k]);
         Self { min: [least(0), least(1)], max: [most(0), most(1)] }
     }
+    pub fn contains(&self, other: &Self) -> bool {
+        (0..2).all(|k| self.min[k] <= other.min[k] && self.max[k] >= other.max[k])
+    }
     /// Its four sides.
     pub fn walls(&self) -> Vec<Wall> {
         let ([a, b], [c, d]) = (self.min, self.max);

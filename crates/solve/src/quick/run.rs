@@ -3,7 +3,7 @@
 
 use super::judge::carried;
 use super::moves::Inputs;
-use super::{Judge, Quick};
+use super::{Home, Judge, Quick, Room};
 use crate::checks::Check;
 use crate::limit::Limit;
 use crate::pool::Chance;
@@ -14,11 +14,14 @@ use scenelang_lang::program::ObjectId;
 const STUBBORN: f64 = 0.5;
 /// How many poses are tried for each object of a first layout.
 const FIRST: usize = 24;
-/// So many steps without a new best, and all begins anew: per object, and per root of the number of objects, whichever
-/// is less. Large scenes are better begun anew than waited for.
+/// So many steps without a new best, and all begins anew, in a room that is full: per object, and per root of the number
+/// of objects, whichever is less. Large scenes are better begun anew than waited for.
 const PATIENCE: [f64; 2] = [400.0, 2500.0];
-/// The part of it that one has where ways are asked for: a bad plan is better left.
-const HASTE: f64 = 0.3;
+/// The part of it for a room with space: a bad arrangement is better left, and a bad plan of ways not quite so soon.
+const HASTE: f64 = 0.1;
+const HASTE_ON_WAYS: f64 = 0.3;
+/// The covered share of the floor from which on a room is on the way to be full, and from which on it is.
+const FULL: [f64; 2] = [0.5, 0.9];
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
 /// How many moves of a whole array.
@@ -50,9 +53,8 @@ impl Quick<'_> {
         let late = || limit.is_over();
         let mut kept_in_place = given;
         let end = self.work + budget;
-        let n = self.movable.len().max(5) as f64;
-        let haste = if self.ways.is_empty() { 1.0 } else { HASTE };
-        let patience = (haste * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())) as usize;
+        let patience = self.patience();
+        let mut turn = 0;
         let mut best = usize::MAX;
         let mut kept: Vec<Inputs> = Vec::new();
         let mut poses = Vec::new();
@@ -61,6 +63,8 @@ impl Quick<'_> {
             self.skew = true;
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
+            turn += 1;
+            let patience = (patience * luby(turn)) as usize;
             while !self.bad.is_empty() && self.work < end && !late() && idle < patience {
                 self.step(chance, &mut poses);
                 idle = if self.bad.len() < least { 0 } else { idle + 1 };
@@ -81,6 +85,26 @@ impl Quick<'_> {
             self.put(i, inputs);
         }
         false
+    }
+
+    /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
+    /// surely, what has space is either soon right or never.
+    fn patience(&self) -> f64 {
+        let n = self.movable.len().max(5) as f64;
+        let covered: f64 = (0..self.count())
+            .filter(|&i| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_)))
+            .map(|i| self.size[i][0] * self.size[i][2])
+            .sum();
+        let least = if self.ways.is_empty() { HASTE } else { HASTE_ON_WAYS };
+        let full = (covered / self.floor_area() - FULL[0]) / (FULL[1] - FULL[0]);
+        (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
+    }
+
+    /// Of all rooms, zones within them not counted again (m²).
+    fn floor_area(&self) -> f64 {
+        let is_zone =
+            |room: &&Room| self.rooms.iter().any(|other| other.area > room.area && other.field.contains(&room.field));
+        self.rooms.iter().filter(|room| !is_zone(room)).map(|room| room.area).sum()
     }
 
     /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
@@ -126,7 +150,7 @@ impl Quick<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.plan_all();
+        self.plan_all(late);
     }
 
     /// Objects that go wherever rules put them when this one moves.
@@ -359,5 +383,23 @@ impl Quick<'_> {
             }
             Check::Bounds(a) | Check::Support(a) => Some(a).filter(movable).map(|o| o.0 as usize),
         }
+    }
+}
+
+/// The series 1, 1, 2, 1, 1, 2, 4, … by which restarts are rarely much later than the best moment for them, which nobody
+/// knows (Luby, Sinclair, Zuckerman: Optimal speedup of Las Vegas algorithms, 1993). Counted from 1.
+fn luby(turn: u32) -> f64 {
+    let length = (turn + 1).next_power_of_two();
+    if length == turn + 1 { f64::from(length / 2) } else { luby(turn + 1 - length / 2) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::luby;
+
+    #[test]
+    fn restarts_follow_the_series() {
+        let series: Vec<f64> = (1..=15).map(luby).collect();
+        assert_eq!(series, [1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8].map(f64::from));
     }
 }

@@ -4,6 +4,7 @@
 //! likes one in its face, and what has nothing to do with each other keeps apart.
 
 use super::Quick;
+use crate::limit::Limit;
 use crate::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
 use crate::tidy::round_to;
 use rand_chacha::ChaCha8Rng;
@@ -21,14 +22,19 @@ const WALLS: usize = 12;
 
 impl Quick<'_> {
     /// Improves a layout in which everything holds; it keeps holding.
-    pub fn tidy(&mut self, chance: &mut ChaCha8Rng) {
+    pub fn tidy(&mut self, chance: &mut ChaCha8Rng, limit: &Limit) {
         let mut poses = Vec::new();
-        for _ in 0..PASSES {
-            for at in 0..self.movable.len() {
-                self.straighten(self.movable[at], chance, &mut poses);
+        let count = self.movable.len();
+        for at in (0..PASSES).flat_map(|_| 0..count) {
+            if limit.is_over() {
+                return;
             }
+            self.straighten(self.movable[at], chance, &mut poses);
         }
-        for at in 0..self.movable.len() {
+        for at in 0..count {
+            if limit.is_over() {
+                return;
+            }
             self.round(self.movable[at]);
         }
     }

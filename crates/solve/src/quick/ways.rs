@@ -247,9 +247,9 @@ impl Quick<'_> {
         }
     }
 
-    /// Plans all ways anew.
-    pub(super) fn plan_all(&mut self) {
-        (0..self.ways.len()).for_each(|way| self.plan_again(way));
+    /// Plans all ways anew, until it is late.
+    pub(super) fn plan_all(&mut self, late: &dyn Fn() -> bool) {
+        (0..self.ways.len()).take_while(|_| !late()).for_each(|way| self.plan_again(way));
     }
 
     /// Plans a way anew.

@@ -13,8 +13,10 @@ pub(crate) struct Index {
     cost: Vec<usize>,
 }
 
-/// What a floor costs on which ways are looked for, in comparisons; and what each way on it does.
+/// What a floor costs on which ways are looked for, in comparisons: at least, and per object on it.
 const FLOOR: usize = 250;
+const FLOOR_PER_OBJECT: usize = 25;
+/// What each way on it costs.
 const WAY: usize = 60;
 
 impl Index {
@@ -33,7 +35,7 @@ impl Index {
             if walks + looks > 0 {
                 index.seeing.push(i);
             }
-            let walking = if walks > 0 { FLOOR + walks * WAY } else { 0 };
+            let walking = if walks > 0 { FLOOR.max(FLOOR_PER_OBJECT * program.objects.len()) + walks * WAY } else { 0 };
             let looking = looks * program.objects.len() / 8;
             index.cost.push(1 + constraint.formula.nodes.len() / 16 + walking + looking);
         }

@@ -27,6 +27,11 @@ use crate::world::World;
 use scenelang_lang::program::{ObjectId, Program};
 use stage::Stage;
 
+/// A row that costs more than this to judge is dear: it is tried less often.
+const DEAR: usize = 100;
+/// What judging dear rows may cost in all, in small comparisons, where not all must be explained however long that takes.
+const PURSE: usize = 240_000;
+
 /// How many violations are explained in full; the others say what was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Explain {
@@ -84,11 +89,15 @@ pub(crate) fn complete(program: &Program, world: &World<f64>, verdict: &mut Verd
         Explain::All => usize::MAX,
         Explain::First(n) => n,
     };
+    let purse = if how_many == Explain::All { usize::MAX } else { PURSE };
     let mut stage: Option<Stage<'_>> = None;
     for row in hard.into_iter().chain(soft).take(most) {
-        let stage = stage.get_or_insert_with(|| Stage::new(program, world));
+        let stage = stage.get_or_insert_with(|| Stage::new(program, world, purse));
         let explanation = row.explanation.get_or_insert_default();
         explanation.objects = row.objects.iter().filter_map(|id| Place::of(program, world, *id)).collect();
+        if stage.has_spent(usize::MAX) {
+            continue;
+        }
         let found = moves::mend(stage, RowRef { kind: row.kind, subject: row.subject }, &row.objects);
         explanation.searched = found.searched;
         explanation.opposing = found.opposing;

@@ -147,7 +147,7 @@ impl Mender<'_, '_> {
     /// Mends the parts of a conjunction one after the other.
     fn parts(&mut self, goal: Goal, mut steps: Vec<Step>) -> Option<Judged> {
         let mut last = None;
-        while steps.len() < STEPS && self.stage.work < self.limit {
+        while steps.len() < STEPS && !self.stage.has_spent(self.limit) {
             self.stage.set(&steps);
             let Some(&part) = self.stage.failing_parts(goal).first() else { break };
             let judged = self.one(part, &steps).or_else(|| self.parts(part, steps.clone()))?;
@@ -180,7 +180,7 @@ impl Mender<'_, '_> {
         candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut best: Option<Judged> = None;
         for (i, (cost, step)) in candidates.into_iter().take(JUDGED).enumerate() {
-            if i > 0 && self.stage.work >= self.limit {
+            if i > 0 && self.stage.has_spent(self.limit) {
                 break;
             }
             let most = best.as_ref().map(|b| b.does.harm());

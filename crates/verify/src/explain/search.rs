@@ -1,5 +1,6 @@
 //! Moves of one object after which a goal holds, the smallest first: down the margin's slope, and along straight lines.
 
+use super::DEAR;
 use super::moves::Step;
 use super::stage::{Goal, Stage};
 use scenelang_lang::program::ObjectId;
@@ -10,8 +11,6 @@ const DESCENT: usize = 24;
 const STRIDE: f64 = 1.0;
 /// No move goes farther (metres).
 const FARTHEST: f64 = 8.0;
-/// A goal that costs more than this is dear: it is tried less often.
-const DEAR: usize = 100;
 /// How far beyond the edge of what holds to aim (metres or degrees).
 const BEYOND: f64 = 1e-5;
 
@@ -120,7 +119,7 @@ impl<'s, 'a> Search<'s, 'a> {
     }
 
     fn spent(&self) -> bool {
-        self.stage.work >= self.limit
+        self.stage.has_spent(self.limit)
     }
 
     fn try_out(&mut self, m: &Move) -> Option<(bool, f64)> {

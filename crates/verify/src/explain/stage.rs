@@ -2,9 +2,9 @@
 //!
 //! Only rows that mention what was moved are judged again, with the pairs and supports around its old and its new place.
 
-use super::RowRef;
 use super::index::Index;
 use super::moves::Step;
+use super::{DEAR, RowRef};
 use crate::check::Subject;
 use crate::eval::{Scratch, Truth, Value, judge};
 use crate::natives::{self, Call};
@@ -64,10 +64,13 @@ pub(super) struct Stage<'a> {
     cones: FxHashMap<(usize, NodeId), Rc<[NodeId]>>,
     /// Work done, in small comparisons.
     pub work: usize,
+    /// What may still be spent on dear rows.
+    purse: usize,
 }
 
 impl<'a> Stage<'a> {
-    pub fn new(program: &'a Program, base: &'a World<f64>) -> Self {
+    /// Whoever tries out what is dear has so much to spend.
+    pub fn new(program: &'a Program, base: &'a World<f64>, purse: usize) -> Self {
         Self {
             program,
             base,
@@ -81,6 +84,7 @@ impl<'a> Stage<'a> {
             before: FxHashMap::default(),
             cones: FxHashMap::default(),
             work: 0,
+            purse,
         }
     }
 
@@ -114,16 +118,28 @@ impl<'a> Stage<'a> {
         steps.iter().for_each(|step| self.put(step));
     }
 
+    fn pay(&mut self, cost: usize) {
+        self.work += cost;
+        if cost > DEAR {
+            self.purse = self.purse.saturating_sub(cost);
+        }
+    }
+
+    /// Whether so much work is done, or nothing is left for dear rows.
+    pub fn has_spent(&self, limit: usize) -> bool {
+        self.work >= limit || self.purse == 0
+    }
+
     /// The verdict on a goal as things are on the stage; `None`: it cannot be judged.
     pub fn truth(&mut self, goal: Goal) -> Option<Truth<f64>> {
-        self.work += self.cost(goal);
+        self.pay(self.cost(goal));
         let cone = self.cone(goal);
         truth(self.program, &self.scope, &self.moved, &mut self.scratch, goal, cone.as_deref())
     }
 
     /// The same with the margin's derivatives by moves of an object.
     pub fn slope(&mut self, goal: Goal, object: ObjectId) -> Option<[f64; 4]> {
-        self.work += 3 * self.cost(goal);
+        self.pay(3 * self.cost(goal));
         let cone = self.cone(goal);
         let dual = self.dual.get_or_insert_with(|| self.base.constant());
         for &id in &self.off {
@@ -206,7 +222,7 @@ impl<'a> Stage<'a> {
             Goal::Row(_) => return Vec::new(),
         };
         let formula = &self.program.constraints[index].formula;
-        self.work += self.index.cost(index);
+        self.pay(self.index.cost(index));
         let Node::And(parts) = formula.node(from) else { return Vec::new() };
         if self.scratch.evaluate(formula, &self.moved).is_err() {
             return Vec::new();
@@ -263,7 +279,7 @@ impl<'a> Stage<'a> {
                 Some(known) => *known,
                 None => {
                     let goal = Goal::Row(row);
-                    self.work += self.cost(goal);
+                    self.pay(self.cost(goal));
                     let found = truth(self.program, &self.scope, self.base, &mut self.scratch, goal, None);
                     self.before.insert(row, found);
                     found

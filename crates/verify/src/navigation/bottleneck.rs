@@ -3,11 +3,12 @@
 //! The widest disc that passes is found by bisection. Where ways of greater width end, two things that block stand just
 //! that far apart; of all pairs that do, the one is meant without whose gap there is no way of that width.
 
-use super::free::{Floor, Ground, Obstacle, Places};
+use super::free::{Floor, Ground, Obstacle};
 use super::{COARSE, NEAR};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::{depth_in_convex, edges, nearest_of_segments, nearest_on_segment};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The radius of the widest disc is found to this (metres).
 const PRECISION: f64 = 2e-4;
@@ -55,25 +56,26 @@ pub(super) struct Gap {
 
 /// The narrowest place on the widest way between two footprints, which is known not to be wide enough for a disc of
 /// `radius`; with the end beside which it is, if it is an end. `None`: there is no way at all.
-pub(super) fn find(ground: &Ground, ends: [&[Vec2]; 2], radius: f64) -> Option<(Gap, Option<usize>)> {
+pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Gap, Option<usize>)> {
+    let ground = &tried.ground;
     let (mut passes, mut fails) = (FIT, radius);
-    if fails <= passes || !Try::new(ground, ends, passes, None).is_way() {
+    if fails <= passes || !Try::new(tried, ends, passes, None).is_way() {
         return None;
     }
     while fails - passes > PRECISION {
         let middle = (passes + fails) / 2.0;
-        if Try::new(ground, ends, middle, None).is_way() {
+        if Try::new(tried, ends, middle, None).is_way() {
             passes = middle;
         } else {
             fails = middle;
         }
     }
-    let last = Try::new(ground, ends, passes, None);
-    let beyond = Try::new(ground, ends, fails, None);
+    let last = Try::new(tried, ends, passes, None);
+    let beyond = Try::new(tried, ends, fails, None);
     // Where a disc that is a hair wider has no place near an end at all, that place is the bottleneck.
-    let end = (0..2).find(|&i| !beyond.places[i].iter().any(Places::any));
+    let end = (0..2).find(|&i| beyond.pieces[i].is_empty());
     if let Some(i) = end {
-        let place = last.common().and_then(|piece| last.places[i][piece].some())?;
+        let place = last.common().and_then(|piece| last.place(ends[i], piece))?;
         let gap = beside(ground, place)?;
         return Some((Gap { width: 2.0 * passes, ..gap }, end));
     }
@@ -82,25 +84,56 @@ pub(super) fn find(ground: &Ground, ends: [&[Vec2]; 2], radius: f64) -> Option<(
     let separates = |gap: &&Gap| {
         // A hair's breadth within the gap; with it closed there is no way of nearly that width.
         let [p, q] = gap.at;
-        !Try::new(ground, ends, passes - 2.0 * FIT, Some(&[p, q])).is_way()
+        !Try::new(tried, ends, passes - 2.0 * FIT, Some([p, q])).is_way()
     };
     let which = gaps.iter().position(|gap| separates(&gap)).unwrap_or(0);
     (!gaps.is_empty()).then(|| (gaps.swap_remove(which), None))
 }
 
+/// The ground, and the floors on it for discs that were tried: many ways are barred at the same places.
+#[derive(Debug)]
+pub(super) struct Tried {
+    pub ground: Ground,
+    floors: Mutex<Vec<((f64, Option<[Vec2; 2]>), Arc<Floor>)>>,
+}
+
+impl Tried {
+    pub fn new(ground: Ground) -> Self {
+        Self { ground, floors: Mutex::default() }
+    }
+    fn floor(&self, radius: f64, further: Option<[Vec2; 2]>) -> Arc<Floor> {
+        let mut floors = self.floors.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = (radius, further);
+        if let Some((_, floor)) = floors.iter().find(|(known, _)| *known == key) {
+            return Arc::clone(floor);
+        }
+        let floor = Arc::new(self.ground.free(radius, COARSE, further.as_ref().map(<[Vec2; 2]>::as_slice)));
+        floors.push((key, Arc::clone(&floor)));
+        floor
+    }
+}
+
 /// A disc of some radius set out between two ends.
 struct Try {
-    places: [Vec<Places>; 2],
+    floor: Arc<Floor>,
+    reach: f64,
+    /// On which pieces of the floor each end is.
+    pieces: [Vec<usize>; 2],
 }
 
 impl Try {
-    fn new(ground: &Ground, ends: [&[Vec2]; 2], radius: f64, further: Option<&[Vec2]>) -> Self {
-        let floor: Floor = ground.free(radius.max(0.0), COARSE, further);
-        Self { places: ends.map(|end| floor.places(end, radius.max(0.0) + NEAR, COARSE)) }
+    fn new(tried: &Tried, ends: [&[Vec2]; 2], radius: f64, further: Option<[Vec2; 2]>) -> Self {
+        let floor = tried.floor(radius.max(0.0), further);
+        let reach = radius.max(0.0) + NEAR;
+        Self { pieces: ends.map(|end| floor.pieces_near(end, reach, COARSE)), floor, reach }
     }
     /// A piece of the floor on which both ends are.
     fn common(&self) -> Option<usize> {
-        (0..self.places[0].len()).find(|&i| self.places[0][i].any() && self.places[1][i].any())
+        self.pieces[0].iter().copied().find(|piece| self.pieces[1].contains(piece))
+    }
+    /// Some place near an end, on a piece.
+    fn place(&self, end: &[Vec2], piece: usize) -> Option<Vec2> {
+        self.floor.places(end, self.reach, COARSE)[piece].some()
     }
     fn is_way(&self) -> bool {
         self.common().is_some()

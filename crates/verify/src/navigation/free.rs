@@ -3,7 +3,7 @@
 //! Growing is done here, corner by corner, so that the number of corners of an arc is ours to choose; unions and
 //! differences are geo's.
 
-use geo::{BooleanOps, Coord, LineString, MultiPolygon, Polygon, unary_union};
+use geo::{BooleanOps, BoundingRect, Coord, InteriorPoint, Intersects, LineString, MultiPolygon, Polygon, unary_union};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::convex_hull;
@@ -51,7 +51,7 @@ impl Ground {
     pub fn free(&self, radius: f64, corners: usize, further: Option<&[Vec2]>) -> Floor {
         let outlines = self.obstacles.iter().map(|o| o.outline.as_slice()).chain(further);
         let blocked: Vec<Polygon> = outlines.map(|outline| grown(outline, radius, corners)).collect();
-        Floor { pieces: self.whole.difference(&unary_union(&blocked)).0 }
+        Floor { pieces: self.whole.difference(&unary_union(&blocked)).0, whole: self.whole.clone(), blocked }
     }
 }
 
@@ -59,6 +59,9 @@ impl Ground {
 #[derive(Debug)]
 pub(super) struct Floor {
     pub pieces: Vec<Polygon>,
+    /// What they were cut from, and what was cut away.
+    whole: MultiPolygon,
+    blocked: Vec<Polygon>,
 }
 
 impl Floor {
@@ -66,6 +69,22 @@ impl Floor {
     pub fn places(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<Places> {
         let near = grown(footprint, reach, corners);
         self.pieces.iter().map(|piece| Places { area: piece.intersection(&near), near: near.clone() }).collect()
+    }
+
+    /// On which pieces, by index, there are places within `reach` of a footprint. It is enough to look at what is there:
+    /// a piece may have very many corners.
+    pub fn pieces_near(&self, footprint: &[Vec2], reach: f64, corners: usize) -> Vec<usize> {
+        let near = grown(footprint, reach, corners);
+        let around = near.bounding_rect();
+        let meets = |polygon: &&Polygon| around.zip(polygon.bounding_rect()).is_some_and(|(a, b)| a.intersects(&b));
+        let blocked = unary_union(self.blocked.iter().filter(meets));
+        let free = self.whole.intersection(&near).difference(&blocked);
+        let points = free.iter().filter_map(InteriorPoint::interior_point);
+        let mut found: Vec<usize> =
+            points.filter_map(|point| self.pieces.iter().position(|piece| piece.intersects(&point))).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
     }
 }
 

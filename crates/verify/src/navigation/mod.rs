@@ -14,7 +14,8 @@ pub(crate) use shortest::Path;
 use crate::number::Number;
 use crate::tolerances::Options;
 use crate::world::World;
-use free::{Floor, Ground, Obstacle, Places};
+use bottleneck::Tried;
+use free::{Floor, Ground, Obstacle};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::planar::{depth_in_convex, nearest_on_segment};
 use scenelang_layout::{Obb, Prism, Vec2, inside_clearance};
@@ -42,6 +43,8 @@ pub(crate) struct Walks(Mutex<Known>);
 struct Known {
     /// Floors by the disc that walks on them.
     floors: Vec<(Walk, Arc<Floor>)>,
+    /// The ground by storey and by the widest disc on it.
+    grounds: Vec<((Option<RegionId>, f64), Arc<Tried>)>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
 }
@@ -76,6 +79,15 @@ impl Walks {
         self.lock().floors.push((walk, Arc::clone(&floor)));
         floor
     }
+    fn tried<N: Number>(&self, world: &World<N>, storey: Option<RegionId>, radius: f64) -> Arc<Tried> {
+        let key = (storey, radius);
+        if let Some((_, tried)) = self.lock().grounds.iter().find(|(known, _)| *known == key) {
+            return Arc::clone(tried);
+        }
+        let tried = Arc::new(Tried::new(ground(world, storey, radius)));
+        self.lock().grounds.push((key, Arc::clone(&tried)));
+        tried
+    }
 }
 
 /// The radius of the disc that stands for a width: a hair smaller.
@@ -85,8 +97,11 @@ fn radius_of<N: Number>(world: &World<N>, width: f64) -> f64 {
 
 /// Whether a disc of the given diameter can move from one object to the other.
 pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f64) -> bool {
-    let Some((_, from, to)) = ends(world, a, b, radius_of(world, width), FINE) else { return false };
-    from.iter().zip(&to).any(|(x, y)| x.any() && y.any())
+    let radius = radius_of(world, width);
+    let Some(floor) = shared_floor(world, a, b, radius, FINE) else { return false };
+    let near = |obb: &Obb| floor.pieces_near(&obb.footprint(), radius + NEAR, FINE);
+    let from = near(a);
+    !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
 }
 
 /// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
@@ -108,8 +123,9 @@ fn find_bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius
     if storey != self::storey(world, to) {
         return None;
     }
-    let ground = ground(world, storey, radius);
-    let (gap, end) = bottleneck::find(&ground, [&from.footprint(), &to.footprint()], radius)?;
+    let tried = world.walks.tried(world, storey, radius);
+    let ground = &tried.ground;
+    let (gap, end) = bottleneck::find(&tried, [&from.footprint(), &to.footprint()], radius)?;
     let bare = gap.between.iter().all(|&i| ground.obstacles[i].object.is_none());
     let door = door_at(world, gap.at).filter(|_| bare);
     let blocker = |i: usize| match (ground.obstacles[gap.between[i]].object, door) {
@@ -144,26 +160,16 @@ fn wall_at<N: Number>(world: &World<N>, at: Vec2) -> Blocker {
 
 /// The shortest way of a person from one object to the other; `None` where there is none.
 pub(crate) fn walk<N: Number>(world: &World<N>, a: &Obb, b: &Obb) -> Option<Path> {
-    let (floor, from, to) = ends(world, a, b, radius_of(world, PERSON), COARSE)?;
-    shortest::between(&floor, &from, &to)
+    let radius = radius_of(world, PERSON);
+    let floor = shared_floor(world, a, b, radius, COARSE)?;
+    let places = |obb: &Obb| floor.places(&obb.footprint(), radius + NEAR, COARSE);
+    shortest::between(&floor, &places(a), &places(b))
 }
 
-/// The floor of both objects, and where on it the disc is near the one and the other; `None`: on different storeys.
-fn ends<N: Number>(
-    world: &World<N>,
-    a: &Obb,
-    b: &Obb,
-    radius: f64,
-    corners: usize,
-) -> Option<(Arc<Floor>, Vec<Places>, Vec<Places>)> {
+/// The floor of both objects; `None`: on different storeys.
+fn shared_floor<N: Number>(world: &World<N>, a: &Obb, b: &Obb, radius: f64, corners: usize) -> Option<Arc<Floor>> {
     let storey = storey(world, a);
-    if storey != self::storey(world, b) {
-        return None;
-    }
-    let floor = world.walks.floor(world, Walk { radius, corners, storey });
-    let places = |obb: &Obb| floor.places(&obb.footprint(), radius + NEAR, corners);
-    let (from, to) = (places(a), places(b));
-    Some((floor, from, to))
+    (storey == self::storey(world, b)).then(|| world.walks.floor(world, Walk { radius, corners, storey }))
 }
 
 fn is_door<N: Number>(world: &World<N>, id: ObjectId) -> bool {
