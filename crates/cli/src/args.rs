@@ -49,6 +49,9 @@ pub enum Command {
     /// Measure how much of a set of problems is solved, and how fast
     #[command(subcommand)]
     Bench(Bench),
+    /// Measure how much of what is asked for becomes part of a program
+    #[command(subcommand)]
+    Eval(Eval),
 }
 
 /// `scenelang check`
@@ -286,7 +289,7 @@ pub struct Export {
     pub only: Vec<String>,
 }
 
-/// `synth --format`, `diff --format`
+/// `synth --format`, `diff --format`, `eval --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -426,6 +429,30 @@ pub struct BenchSolve {
     /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
+}
+
+/// `scenelang eval`
+#[derive(Subcommand, Debug)]
+pub enum Eval {
+    /// Score the programs of requests by their ground truth: things, looks, relations, measures
+    Requests(EvalRequests),
+}
+
+/// `scenelang eval requests`
+#[derive(ClapArgs, Debug)]
+pub struct EvalRequests {
+    /// A folder of requests, NAME.txt, with their ground truth, NAME.expect.json
+    #[arg(value_name = "FOLDER")]
+    pub folder: PathBuf,
+    /// Score the programs that are there, NAME.scene
+    #[arg(long, value_name = "FOLDER")]
+    pub programs: PathBuf,
+    /// Say of so many requests what was missed, the worst first
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    pub worst: usize,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
 }
 
 /// A time limit.

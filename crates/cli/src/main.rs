@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod check;
 mod diff;
+mod eval;
 mod export;
 mod fix;
 mod fmt;
@@ -26,7 +27,7 @@ mod targets;
 mod view;
 mod watch;
 
-use args::{Args, Bench, Command};
+use args::{Args, Bench, Command, Eval};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
+        Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),
     };
     ExitCode::from(code)
 }
