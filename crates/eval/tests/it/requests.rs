@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Words that relations have beside the predicates of the library.
-const MORE: [&str; 3] = ["perpendicular", "reachable_from", "visible_from"];
+/// Words that relations have beside the predicates of the library: built-in ones, and one that is not there.
+const MORE: [&str; 4] = ["inside", "perpendicular", "reachable_from", "visible_from"];
 
 fn cases(set: &str) -> Vec<(PathBuf, String, Expectation)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests").join(set);
