@@ -1,16 +1,16 @@
-//! One-to-one pairing with the greatest sum of weights: the Hungarian method, with potentials, in O(n³).
+//! One-to-one pairing with the greatest sum of weights: the Hungarian method, with potentials, in O(rows² · columns).
 
 /// The partner of each row; pairs of weight 0 or less are none. `weights[row][column]`, all rows equally long.
 pub fn pair(weights: &[Vec<i64>]) -> Vec<Option<usize>> {
     let (rows, columns) = (weights.len(), weights.first().map_or(0, Vec::len));
     let n = rows.max(columns);
-    // Least cost on a square whose missing cells weigh nothing. Index 0 of each list stands for "none".
+    // Least cost; columns that are missing weigh nothing, so that each row gets one. Index 0 stands for "none".
     let cost = |row: usize, column: usize| -> i64 {
         weights.get(row - 1).and_then(|r| r.get(column - 1)).map_or(0, |w| -(*w).max(0))
     };
-    let (mut u, mut v) = (vec![0_i64; n + 1], vec![0_i64; n + 1]);
+    let (mut u, mut v) = (vec![0_i64; rows + 1], vec![0_i64; n + 1]);
     let (mut partner, mut way) = (vec![0_usize; n + 1], vec![0_usize; n + 1]);
-    for row in 1..=n {
+    for row in 1..=rows {
         partner[0] = row;
         let mut column = 0;
         let mut least = vec![i64::MAX; n + 1];
