@@ -13,8 +13,10 @@ pub mod arrange;
 pub mod colors;
 pub mod draft;
 pub mod names;
+pub mod read;
 pub mod text;
 pub mod write;
 
 pub use arrange::arrange_rooms;
 pub use draft::Draft;
+pub use read::{Options, Reading, read};
