@@ -266,7 +266,7 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
     }
     let listed = matches!(
         before.last().map(|c| &c.piece),
-        None | Some(Piece::Bullet | Piece::With | Piece::Rel(_) | Piece::Colon | Piece::Line | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank))
+        Some(Piece::Bullet | Piece::With | Piece::Rel(_) | Piece::Colon | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank))
     );
     let relation = lexicon.relation(rest);
     let verb = lexicon.verb(rest);

@@ -33,8 +33,6 @@ enum Join {
     Around,
     /// Over it.
     Above,
-    /// They cover it.
-    Under,
 }
 
 /// Reads the sentences of a text.
@@ -47,6 +45,8 @@ pub struct Reader<'a> {
     /// For every token, whether something came of it.
     pub used: Vec<bool>,
     room: usize,
+    /// The sentence before was about the room.
+    about_room: bool,
     /// What the sentence is about; of the one before, if this has no subject yet.
     main: Vec<usize>,
     /// What was spoken of before that.
@@ -86,7 +86,22 @@ struct Sentence {
     listed: bool,
     /// The sentence is about a room.
     of_room: bool,
+    /// A door may lead from one room to another here.
     doors: bool,
+    /// The last noun phrase was of a room.
+    room_last: bool,
+    /// Rooms named in it.
+    rooms: Vec<usize>,
+    /// The room it begins in.
+    from: usize,
+    /// "one": of several, so that nothing is multiplied.
+    one: bool,
+    /// "centre a table in the room".
+    centre: bool,
+    /// What the last relation was to.
+    object: Vec<usize>,
+    /// A group that has a relation, and the next that may share it.
+    shared: Option<(Rel, Vec<usize>)>,
 }
 
 /// What a relation at the start of a clause is to.
@@ -101,7 +116,7 @@ impl<'a> Reader<'a> {
     pub fn new(tokens: &'a [Token], chunks: &'a [Chunk], rooms: &'a Rooms) -> Self {
         let scene = Scene { rooms: rooms.rooms.clone(), ..Scene::default() };
         let s = Sentence::new(0..0);
-        Self { tokens, chunks, rooms, scene, used: vec![false; tokens.len()], room: 0, main: vec![], before: vec![], near: vec![], recent: vec![], s }
+        Self { tokens, chunks, rooms, scene, used: vec![false; tokens.len()], room: 0, about_room: true, main: vec![], before: vec![], near: vec![], recent: vec![], s }
     }
 
     /// Reads everything.
@@ -157,9 +172,7 @@ impl<'a> Reader<'a> {
     fn sentence(&mut self, from: usize, end: usize) {
         let chunks = self.chunks;
         let at = self.bytes(from..end);
-        let s = Sentence::new(at);
-        // What a sentence that goes on is about stays.
-        self.s = s;
+        self.s = Sentence { from: self.room, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
         self.s.soft = words.iter().any(|c| c.piece == Piece::Soft);
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
@@ -179,6 +192,8 @@ impl<'a> Reader<'a> {
             i = self.step(i, end).max(i + 1);
         }
         self.finish();
+        self.doors();
+        self.about_room = self.s.of_room && !self.s.subject;
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
@@ -199,6 +214,7 @@ impl<'a> Reader<'a> {
                         self.mark(first);
                         self.main.clear();
                         self.near.clear();
+                        self.about_room = true;
                         return true;
                     }
                 }
@@ -269,7 +285,7 @@ impl<'a> Reader<'a> {
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
-                let with_back = self.np(i + 1, end).is_some_and(|n| get().part(&n.head()) && n.kind == Kind::Thing);
+                let with_back = self.np(i + 1, end).is_some_and(|n| get().part(&n.head()) && n.kind == Kind::Thing && n.count.is_none());
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
                 } else if with_back {
@@ -333,6 +349,7 @@ impl<'a> Reader<'a> {
             }
             Piece::Free => self.on_free(i, end),
             Piece::Soft | Piece::Word(_) => {
+                self.s.centre |= matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
                 if self.tokens[chunks[i].at.start].is("nothing") || self.tokens[chunks[i].at.start].is("nobody") {
                     self.s.nothing = true;
                 }
@@ -445,7 +462,7 @@ impl<'a> Reader<'a> {
             return k + 1;
         }
         if place == Place::Ceiling {
-            self.s.of_room = true;
+            self.s.room_last = true;
         }
         i + 1
     }
@@ -457,10 +474,11 @@ impl<'a> Reader<'a> {
         };
         self.mark(i);
         self.room_look(room, np);
-        let leads = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Lead)) || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Verb(Verb::Lead));
-        if leads && room != self.room {
-            let from = self.room;
-            self.connect(from, room);
+        let named_before = !self.s.rooms.is_empty();
+        self.s.rooms.push(room);
+        self.s.room_last = true;
+        if self.s.doors && named_before {
+            return;
         }
         self.s.of_room = true;
         self.room = room;
@@ -474,11 +492,29 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The door last spoken of leads from one room to another; if there is none, one is made.
+    /// The door of the sentence leads from one of its rooms to the other.
+    fn doors(&mut self) {
+        let mut rooms = std::mem::take(&mut self.s.rooms);
+        rooms.dedup();
+        if !self.s.doors {
+            return;
+        }
+        match rooms.as_slice() {
+            [a, b, ..] if a != b => self.connect(*a, *b),
+            [a] if self.scene.rooms.len() > 1 && *a != self.s.from => {
+                let from = self.s.from;
+                self.connect(from, *a);
+            }
+            [] | [_] if self.scene.rooms.len() == 2 => self.connect(0, 1),
+            _ => {}
+        }
+    }
+
     fn connect(&mut self, from: usize, to: usize) {
         let start = self.s.at.start;
-        let door = self.scene.items.iter().rposition(|it| it.group == Group::Door && it.at.start >= start);
-        if let Some(door) = door {
+        let said = self.scene.items.iter().rposition(|it| it.group == Group::Door && it.at.start >= start);
+        let again = self.recent.last().copied().filter(|r| self.scene.items[*r].group == Group::Door);
+        if let Some(door) = said.or(again) {
             let item = &mut self.scene.items[door];
             if item.room == to {
                 item.room = from;
@@ -498,12 +534,24 @@ impl<'a> Reader<'a> {
                 self.mark(i);
             }
         }
+        let bare = !self.s.subject && !self.s.of_room && matches!(word, "it") && i > 0 && np.det == Det::None;
+        if bare && self.about_room {
+            self.s.of_room = true;
+            self.s.room_last = true;
+            self.s.rooms.push(self.room);
+            self.mark(i);
+            return;
+        }
+        self.s.one |= np.count == Some(1) || word == "one";
         let dir = if matches!(word, "them" | "they" | "these" | "those" | "both" | "all" | "ones") { self.them() } else { self.it() };
         if matches!(word, "each" | "both" | "all" | "these" | "those" | "ones") || np.det == Det::Each {
             self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
             if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
+                let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
                 if self.main.is_empty() {
                     self.main = dir;
+                } else if !many(&self.main) && let Some(last) = self.recent.iter().rev().find(|r| self.scene.items[**r].many) {
+                    self.main = vec![*last];
                 }
                 self.near = self.main.clone();
                 self.mark(i);
@@ -582,10 +630,17 @@ impl<'a> Reader<'a> {
     fn introduce(&mut self, i: usize, np: &Np) -> Option<usize> {
         let head = np.head();
         // "its doors", "the headboard": parts.
-        if np.det == Det::Own && get().part(&head) && !matches!(np.group, Some(Group::Door | Group::Window)) || !np.known && get().part(&head) {
+        if np.det == Det::Own && get().part(&head) && !matches!(np.group, Some(Group::Door | Group::Window)) {
             return None;
         }
         if self.scene.items.len() >= MOST_ITEMS || !nameable(&head) {
+            return None;
+        }
+        // "the draught": a word nobody knows is a thing only where things are.
+        let placed = |p: Option<&Piece>| matches!(p, Some(Piece::Rel(r)) if !matches!(r, Rel::Of | Rel::To | Rel::From | Rel::In | Rel::Than));
+        let stands = matches!(self.chunks.get(i + 1).map(|c| &c.piece), Some(Piece::Verb(Verb::Be | Verb::Hang | Verb::Carry)));
+        let around = placed(self.chunks.get(i + 1).map(|c| &c.piece)) || i > 0 && placed(self.chunks.get(i - 1).map(|c| &c.piece)) || stands;
+        if !np.known && matches!(np.det, Det::Definite | Det::Own | Det::Each) && !around {
             return None;
         }
         let at = self.bytes(i..i + 1);
@@ -644,8 +699,9 @@ impl<'a> Reader<'a> {
         if group.is_empty() {
             return k.max(i + 1);
         }
+        self.s.room_last = false;
         self.recent.extend(&group);
-        self.place_group(i, &group, new_from, each);
+        self.place_group(&group, new_from, each);
         k
     }
 
@@ -716,7 +772,7 @@ impl<'a> Reader<'a> {
                     self.scene.items[id].look.features.push(text.join(" "));
                     self.mark(k);
                 }
-                Some(Piece::With) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing && get().part(&n.head())) => {
+                Some(Piece::With) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) => {
                     let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
                     if back {
                         break;
@@ -757,7 +813,7 @@ impl<'a> Reader<'a> {
     }
 
     /// What a group of things is in its sentence.
-    fn place_group(&mut self, i: usize, group: &[usize], new_from: usize, each: bool) {
+    fn place_group(&mut self, group: &[usize], new_from: usize, each: bool) {
         let fresh: Vec<usize> = group.iter().copied().filter(|g| *g >= new_from).collect();
         match std::mem::replace(&mut self.s.expect, Expect::Nothing) {
             Expect::With(owner, join) if !owner.is_empty() => {
@@ -778,9 +834,7 @@ impl<'a> Reader<'a> {
                 if let Expect::With(..) = expect {
                     self.s.listed = true;
                 }
-                let joined = i > 0 && self.chunks[i - 1].piece == Piece::And && self.s.subject && self.s.listed;
-                let _ = joined;
-                if !self.main.is_empty() {
+                        if !self.main.is_empty() {
                     self.before = std::mem::take(&mut self.main);
                 }
                 self.main = group.to_vec();
@@ -850,7 +904,6 @@ impl<'a> Reader<'a> {
                 Join::Beside => Some((Rel::Beside, true)),
                 Join::Around => Some((Rel::Around, true)),
                 Join::Above => Some((Rel::Above, true)),
-                Join::Under => Some((Rel::Under, true)),
             };
             // A relation in words replaces the usual one: it is dropped again where one follows.
             if let Some((rel, _)) = rel {
@@ -917,11 +970,30 @@ impl<'a> Reader<'a> {
             return i + 1;
         }
         let negative = std::mem::take(&mut self.s.not) && !(self.s.pending.is_some());
-        let Some((object, next)) = self.object(i + 1, end, rel) else { return i + 1 };
+        let Some((object, next)) = self.object(i + 1, end, rel) else {
+            if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
+                // "between the rows"
+                match self.s.pending.take() {
+                    Some(m) => {
+                        self.mark(i);
+                        self.among(&m);
+                    }
+                    None => self.s.lead.push((rel, Lead::Place(Place::Row, vec![]))),
+                }
+                return i + 2;
+            }
+            return i + 1;
+        };
         if rel == Rel::Of && !matches!(object, Lead::Place(..)) && self.s.pending.is_none() {
             return next;
         }
         let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
+        // "hangs from", "faces": said of what the sentence is about.
+        let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some() && !self.main.is_empty() && self.tokens[self.chunks[i].at.start].text.ends_with('s');
+        if verbal {
+            self.near = self.main.clone();
+            self.s.expect = Expect::Nothing;
+        }
         let of = self.subject(i);
         match object {
             Lead::Items(items, each) => {
@@ -931,7 +1003,7 @@ impl<'a> Reader<'a> {
                 } else if before_subject || of.is_empty() {
                     self.s.lead.push((rel, Lead::Items(items, each)));
                 } else {
-                    if each && items.len() == 1 {
+                    if each && items.len() == 1 && !self.s.one {
                         let fresh: Vec<usize> = of.iter().copied().filter(|o| self.scene.items[*o].at.start >= self.s.at.start && !items.contains(o)).collect();
                         self.multiply(&fresh, items[0]);
                     }
@@ -951,6 +1023,7 @@ impl<'a> Reader<'a> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     match place {
+                        Place::Row => self.among(&m),
                         Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
                         _ => self.say(&of, What::Wall(flip(&m, self.s.nothing), m.values[0])),
                     }
@@ -1010,17 +1083,23 @@ impl<'a> Reader<'a> {
             }
             Kind::Room => {
                 let room = self.rooms.spoken.get(&k).copied();
+                if let Some(room) = room {
+                    self.s.rooms.push(room);
+                    self.s.room_last = true;
+                }
+                if self.s.centre && !self.near.is_empty() {
+                    let of = self.near.clone();
+                    self.at_place(&of, Rel::In, Place::Middle, &[]);
+                }
                 if rel == Rel::In || rel == Rel::At {
-                    if let Some(room) = room {
+                    if let Some(room) = room.filter(|_| !self.s.doors) {
                         self.to_room(room);
                         self.mark(k);
                     }
                 }
-                if let (Rel::To | Rel::From | Rel::Between, Some(room)) = (rel, room) && self.s.doors {
-                    let from = self.room;
-                    if from != room {
-                        self.connect(from, room);
-                    }
+                if let (Rel::To | Rel::In, Some(room)) = (rel, room) && self.s.doors && !self.s.of_room {
+                    self.room = room;
+                    self.s.of_room = true;
                     self.mark(k);
                 }
                 None
@@ -1044,7 +1123,10 @@ impl<'a> Reader<'a> {
             match self.np(next + 1, end).map(|n| (n.kind, n)) {
                 Some((Kind::Room, _)) => {
                     if let Some(room) = self.rooms.spoken.get(&(next + 1)).copied() {
-                        self.to_room(room);
+                        self.s.rooms.push(room);
+                        if !self.s.of_room {
+                            self.to_room(room);
+                        }
                     }
                     self.mark(next);
                     self.mark(next + 1);
@@ -1062,9 +1144,9 @@ impl<'a> Reader<'a> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            let side = which.iter().any(|w| w == "left" || w == "right");
-                            self.s.each |= false;
-                            let _ = side;
+                            if place == Place::Side && which.iter().any(|w| w == "each") {
+                                self.double();
+                            }
                             return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
                         }
                         next += 2;
@@ -1074,6 +1156,9 @@ impl<'a> Reader<'a> {
                     let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);
                     self.mark(next + 1);
                     if !items.is_empty() && !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) {
+                        if place == Place::Side && which.iter().any(|w| w == "each") {
+                            self.double();
+                        }
                         return (Lead::Items(items, np.det == Det::Each), next + 2);
                     }
                     next += 2;
@@ -1082,6 +1167,17 @@ impl<'a> Reader<'a> {
             }
         }
         (Lead::Place(place, which), next)
+    }
+
+    /// "a nightstand on each side": two of them.
+    fn double(&mut self) {
+        for o in self.near.clone() {
+            let item = &mut self.scene.items[o];
+            if item.count == Some(1) && item.per.is_none() {
+                item.count = Some(2);
+                item.many = true;
+            }
+        }
     }
 
     fn to_room(&mut self, room: usize) {
@@ -1131,6 +1227,16 @@ impl<'a> Reader<'a> {
         if let Expect::With(owner, _) = &self.s.expect && !owner.is_empty() {
             return owner.clone();
         }
+        let subject = self.near.clone();
+        // "a long table, eight chairs around it"
+        if self.s.subject && subject != self.main && let Some(other) = self.main.iter().rev().find(|m| !subject.contains(m)) {
+            return vec![*other];
+        }
+        // "a telephone on the desk, and a chair behind it"
+        let small = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many || matches!(self.scene.items[*i].group, Group::Top | Group::Soft | Group::Flat));
+        if self.s.subject && !self.s.object.is_empty() && small(&self.before) && !small(&self.s.object) && self.s.object != subject {
+            return self.s.object.clone();
+        }
         if self.s.subject && !self.before.is_empty() {
             return self.before.clone();
         }
@@ -1159,6 +1265,8 @@ impl<'a> Reader<'a> {
                 last.reverse();
                 last
             }
+        } else if self.s.pending.is_some() && self.s.keep && !self.main.is_empty() {
+            self.main.clone()
         } else if self.s.subject || matches!(self.s.expect, Expect::With(..)) {
             self.their(if many { "them" } else { "it" }, false)
         } else if many {
@@ -1187,13 +1295,7 @@ impl<'a> Reader<'a> {
             self.scene.say(&of, What::Rel(rel, object), soft, true, at);
         } else {
             if text.contains(&"either") || text.contains(&"both") || text.contains(&"each") {
-                for o in &of {
-                    let item = &mut self.scene.items[*o];
-                    if item.count == Some(1) && item.per.is_none() {
-                        item.count = Some(2);
-                        item.many = true;
-                    }
-                }
+                self.double();
             }
             self.drop_usual(&of);
             self.relate(&of, rel, &object);
@@ -1220,6 +1322,10 @@ impl<'a> Reader<'a> {
             return;
         }
         self.say(&of, What::Rel(rel, to.to_vec()));
+        self.s.object = to.to_vec();
+        if rel == Rel::On {
+            self.s.shared = Some((rel, to.to_vec()));
+        }
         self.s.last = Some((of, rel, to.to_vec()));
     }
 
@@ -1246,7 +1352,7 @@ impl<'a> Reader<'a> {
 
     fn on_measure(&mut self, i: usize, end: usize, m: &Measure) -> usize {
         self.mark(i);
-        let after_room = self.s.of_room && !self.s.subject;
+        let after_room = self.s.of_room && !self.s.subject || self.s.room_last;
         if m.dims.contains(&Dim::Ceiling) {
             let room = self.room;
             self.room_dim(room, Dim::Ceiling, m.values[0]);
@@ -1277,6 +1383,8 @@ impl<'a> Reader<'a> {
                 Some(Piece::Rel(Rel::Of)) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Abstract) || matches!(self.piece(k + 1, end), Some(Piece::Free | Piece::Word(_))) => k += 1,
                 Some(Piece::Np(np)) if np.kind == Kind::Abstract => k += 1,
                 Some(Piece::Word(_)) if k < i + 4 => k += 1,
+                Some(Piece::Verb(Verb::Be | Verb::Keep)) if matches!(self.piece(k + 1, end), Some(Piece::Verb(_) | Piece::Free | Piece::Word(_))) && self.s.keep => k += 1,
+                Some(Piece::Verb(Verb::Keep)) => k += 1,
                 _ => break,
             }
         }
@@ -1287,7 +1395,13 @@ impl<'a> Reader<'a> {
                 let at = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::At)) || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Rel(Rel::At));
                 self.s.pending = None;
                 let of = self.subject(i);
-                if let Some((of, rel, to)) = self.s.last.clone() {
+                let between = self.s.lead.iter().rposition(|(r, _)| matches!(r, Rel::Between | Rel::From));
+                if let Some(lead) = between {
+                    match self.s.lead.remove(lead) {
+                        (rel, Lead::Items(items, _)) => self.measured(&[], rel, &items, m, false),
+                        _ => self.among(m),
+                    }
+                } else if let Some((of, rel, to)) = self.s.last.clone() {
                     self.distance(&of, rel, &to, m);
                 } else if at && !of.is_empty() {
                     self.say(&of, What::Height(m.op, m.values[0]));
@@ -1466,13 +1580,26 @@ impl<'a> Reader<'a> {
             self.apply_lead();
         }
         self.s.pending = None;
+        // "a scale on the counter, and a basket": on the counter too.
+        if let Some((rel, to)) = self.s.shared.take() {
+            let start = self.s.at.start;
+            let bare = |i: &usize| {
+                let item = &self.scene.items[*i];
+                item.at.start >= start && !to.contains(i) && !self.scene.facts.iter().any(|f| f.of.contains(i)) && matches!(item.group, Group::Top | Group::Floor | Group::Soft) && {
+                    let [w, _, d] = super::sizes::usual(item.group, &item.words);
+                    w * d < 0.3
+                }
+            };
+            let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
+            self.relate(&of, rel, &to);
+        }
     }
 }
 
 impl Sentence {
     fn new(at: Range<usize>) -> Self {
         Self {
-            at, subject: false, lead: vec![], expect: Expect::Nothing, soft: false, not: false, keep: false, nothing: false, hang: false, path: false, verb: false, each: false, pending: None, last: None, listed: false, of_room: false, doors: false,
+            at, subject: false, lead: vec![], expect: Expect::Nothing, soft: false, not: false, keep: false, nothing: false, hang: false, path: false, verb: false, each: false, pending: None, last: None, listed: false, of_room: false, doors: false, room_last: false, rooms: vec![], from: 0, one: false, centre: false, object: vec![], shared: None,
         }
     }
 }

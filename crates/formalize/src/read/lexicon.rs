@@ -240,6 +240,7 @@ impl Lexicon {
             || self.nouns.contains_key(singular(word).as_str())
             || self.rooms.contains_key(word)
             || super::number::unit(word).is_some()
+            || super::number::small(word).is_some()
     }
 
     /// The kind of room that a phrase in the singular names.

@@ -185,6 +185,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                 np.det = Det::Number;
             }
             // "two of the chairs", "two by"
+            if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
+                np.kind = Kind::Pronoun;
+                np.words = vec!["them".to_owned()];
+                return Some((np, used + 2));
+            }
             if text(used) == "of" && determiner(text(used + 1)) {
                 used += 2;
                 np.det = Det::Definite;
@@ -293,7 +298,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             continue;
         }
-        if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) {
+        let modifies = (begun || counted) && rest.get(used + 1).is_some_and(|n| n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing"));
+        if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) && !modifies {
             if nouns.is_empty() {
                 if !(begun || counted) {
                     return None;
@@ -327,7 +333,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         // A word that no table has: part of a name where a noun phrase has begun or is expected.
         let context = begun || counted || listed || used > start || room || before_noun(&rest[used + 1..]);
-        if !context || w.chars().count() < 2 || nouns.len() > 5 {
+        let verbal = nouns.is_empty() && !begun && !counted && (w.ends_with("ing") || w.ends_with("ed"));
+        if !context || verbal || w.chars().count() < 2 || nouns.len() > 5 {
             break;
         }
         if nouns.last().is_some_and(|n| n.1) {

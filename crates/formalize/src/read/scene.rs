@@ -186,7 +186,7 @@ impl Scene {
                 3
             } else if lexicon.alike(&item.head(), &head) && np.words.len() <= np.last {
                 4
-            } else if fewer && (same_head || same_tail) && np.look.color.is_none() {
+            } else if fewer && (same_head || same_tail) && np.look.color.is_none() && (np.many || np.count.is_some_and(|c| c > 1) || !item.many) {
                 2
             } else {
                 0

@@ -97,7 +97,8 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     out
 }
 
-fn usual(group: Group, words: &[String]) -> [f64; 3] {
+/// The usual size of a thing of this name.
+pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     let name = words.join(" ");
     let size = usual_size(&name).unwrap_or(match group {
         Group::Seat => [0.5, 0.85, 0.5],

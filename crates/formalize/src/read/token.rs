@@ -89,6 +89,12 @@ fn bullet(rest: &str) -> Option<usize> {
     let len = match sign {
         Some(len) => len,
         None if (1..3).contains(&digits) && rest[digits..].starts_with(['.', ')']) => digits + 1,
+        // "2.1 The office", but not "2.1 m".
+        None if digits > 0 && rest[digits..].starts_with('.') && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) => {
+            let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+            let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
+            return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
+        }
         None if rest.as_bytes().get(1) == Some(&b')') && rest.as_bytes()[0].is_ascii_alphabetic() => 2,
         None => return None,
     };
