@@ -462,7 +462,7 @@ pub struct BenchSolve {
 /// `scenelang eval`
 #[derive(Subcommand, Debug)]
 pub enum Eval {
-    /// Score the programs of requests by their ground truth: things, looks, relations, measures
+    /// Read requests without a model, and score the programs by what was to be read: things, looks, relations, measures
     Requests(EvalRequests),
 }
 
@@ -472,9 +472,15 @@ pub struct EvalRequests {
     /// A folder of requests, NAME.txt, with their ground truth, NAME.expect.json
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// Score the programs that are there, NAME.scene
+    /// Score the programs that are there, NAME.scene, instead of reading the requests
     #[arg(long, value_name = "FOLDER")]
-    pub programs: PathBuf,
+    pub programs: Option<PathBuf>,
+    /// Let the reader add what such rooms usually have; nobody asked for that, so precision falls
+    #[arg(long, conflicts_with = "programs")]
+    pub expand: bool,
+    /// Write the programs there, NAME.scene
+    #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
+    pub output: Option<PathBuf>,
     /// Say of so many requests what was missed, the worst first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,

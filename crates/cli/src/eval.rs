@@ -1,19 +1,25 @@
-//! `scenelang eval requests`: scores programs by the ground truth of the requests they were made for.
+//! `scenelang eval requests`: reads requests without a model and scores the programs by their ground truth, or scores
+//! programs that others have made of them.
 
 use crate::args::{EvalRequests, SummaryFormat};
 use crate::progress::Progress;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD};
+use scenelang_base::fs::write_whole;
 use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
+use scenelang_formalize::Options;
 use std::fmt::Write;
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Scores each request; 0 if all programs compile and none has a proved contradiction.
 pub fn requests(args: &EvalRequests) -> u8 {
     let progress = Progress::new("reading");
     let follow = |n: usize, of: usize| progress.say(format!("request {} of {of}", n + 1));
-    let reader = |request: Request<'_>| written(&args.programs, request);
+    let reader = |request: Request<'_>| match &args.programs {
+        Some(folder) => written(folder, request),
+        None => read_now(args, request),
+    };
     let requests = read_folder(&args.folder, &reader, follow);
     drop(progress);
     let requests = match requests {
@@ -29,6 +35,20 @@ pub fn requests(args: &EvalRequests) -> u8 {
     }
     let free = requests.free();
     if free.part == free.whole { GOOD } else { FINDINGS }
+}
+
+/// What our English reader makes of a request.
+fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String> {
+    let begun = Instant::now();
+    let read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
+    let program = scenelang_formalize::write::write(&read.draft);
+    let took = Some(begun.elapsed());
+    if let Some(folder) = &args.output {
+        let path = folder.join(format!("{}.scene", request.name));
+        let written = std::fs::create_dir_all(folder).and_then(|()| write_whole(&path, program.as_bytes()));
+        written.map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(Reading { program, clauses: read.clauses, understood: read.understood, took })
 }
 
 /// The program that a folder has for a request.

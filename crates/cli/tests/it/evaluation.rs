@@ -81,3 +81,31 @@ fn what_is_missing_is_named() {
     let ended = scenelang(folder.path(), ["eval", "requests", "programs", "--programs", "."]);
     assert!(ended.code == 2 && ended.stderr.contains("NAME.expect.json"), "{}", ended.stderr);
 }
+
+#[test]
+fn requests_are_read_without_a_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    put("a.txt", "An office with a white desk and two chairs around the desk. Bananas quickly because.");
+    put("a.expect.json", TRUTH);
+    let read = |more: &[&str]| {
+        let ended = scenelang(folder.path(), ["eval", "requests", ".", "--format", "json"].iter().chain(more));
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
+        serde_json::from_str::<Value>(&ended.stdout).unwrap()
+    };
+    let found = read(&["-o", "out/programs"]);
+    let case = &found["cases"][0];
+    assert_eq!(case["score"]["objects"]["recall"], Value::from([2, 2]));
+    assert_eq!(case["score"]["relations"]["mentioned"], Value::from([1, 1]));
+    let (understood, clauses) = (case["clauses"][0].as_u64().unwrap(), case["clauses"][1].as_u64().unwrap());
+    assert!(0 < understood && understood < clauses, "{case}");
+    assert!(case["milliseconds"].as_f64().unwrap() > 0.0);
+    // What was written is what was scored.
+    let again = read(&["--programs", "out/programs"]);
+    assert_eq!(again["cases"][0]["score"], case["score"]);
+    assert_eq!((&again["cases"][0]["milliseconds"], &again["cases"][0]["clauses"][1]), (&Value::Null, &Value::from(0)));
+    // What nobody asked for is in the program only if it is wanted.
+    let more = read(&["--expand"]);
+    let things = |v: &Value| v["cases"][0]["score"]["objects"]["precision"][1].as_u64().unwrap();
+    assert!(things(&more) > things(&found), "{more}");
+}
