@@ -90,6 +90,8 @@ struct Sentence {
     doors: bool,
     /// The last noun phrase was of a room.
     room_last: bool,
+    /// It is about something that is no thing.
+    unknown: bool,
     /// Rooms named in it.
     rooms: Vec<usize>,
     /// The room it begins in.
@@ -187,6 +189,7 @@ impl<'a> Reader<'a> {
             return;
         }
         self.before = std::mem::take(&mut self.main);
+        self.near.clear();
         let mut i = from;
         while i < end {
             i = self.step(i, end).max(i + 1);
@@ -285,7 +288,7 @@ impl<'a> Reader<'a> {
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
-                let with_back = self.np(i + 1, end).is_some_and(|n| get().part(&n.head()) && n.kind == Kind::Thing && n.count.is_none());
+                let with_back = self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many));
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
                 } else if with_back {
@@ -461,6 +464,7 @@ impl<'a> Reader<'a> {
             (i..=k).for_each(|c| self.mark(c));
             return k + 1;
         }
+        self.near.clear();
         if place == Place::Ceiling {
             self.s.room_last = true;
         }
@@ -469,7 +473,8 @@ impl<'a> Reader<'a> {
 
     fn on_room(&mut self, i: usize, end: usize, np: &Np) {
         let Some(room) = self.rooms.spoken.get(&i).copied() else {
-            // "the kitchen behind it": what a room of that kind is made of, if there is no such room.
+            // "the kitchen behind it": a room that is none here is no subject either.
+            self.s.unknown |= !self.s.subject;
             return;
         };
         self.mark(i);
@@ -670,6 +675,7 @@ impl<'a> Reader<'a> {
         if denied && !limits {
             return self.deny(i, end);
         }
+        self.s.not |= np.det == Det::No;
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;
@@ -976,7 +982,7 @@ impl<'a> Reader<'a> {
                 match self.s.pending.take() {
                     Some(m) => {
                         self.mark(i);
-                        self.among(&m);
+                        self.rows(&m);
                     }
                     None => self.s.lead.push((rel, Lead::Place(Place::Row, vec![]))),
                 }
@@ -1000,7 +1006,7 @@ impl<'a> Reader<'a> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
-                } else if before_subject || of.is_empty() {
+                } else if before_subject || of.is_empty() || self.preposed(i, next, end) || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end) {
                     self.s.lead.push((rel, Lead::Items(items, each)));
                 } else {
                     if each && items.len() == 1 && !self.s.one {
@@ -1023,11 +1029,11 @@ impl<'a> Reader<'a> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     match place {
-                        Place::Row => self.among(&m),
+                        Place::Row => self.rows(&m),
                         Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
                         _ => self.say(&of, What::Wall(flip(&m, self.s.nothing), m.values[0])),
                     }
-                } else if before_subject || of.is_empty() {
+                } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
                     self.s.lead.push((rel, Lead::Place(place, which)));
                 } else if negative {
                     // Not at a wall, not in a corner: kept as a note.
@@ -1059,7 +1065,7 @@ impl<'a> Reader<'a> {
                 }
                 let mut items = vec![id];
                 let mut next = self.after_noun(k + 1, end, id);
-                let mut each = np.det == Det::Each;
+                let mut each = np.det == Det::Each && np.count.is_none();
                 // More objects: "between the sofa and the tv", "next to the fridge and the stove".
                 while let Some(n) = self.more_objects(next, end, rel, items.len()) {
                     let Some(np) = self.np(n, end) else { break };
@@ -1167,6 +1173,18 @@ impl<'a> Reader<'a> {
             }
         }
         (Lead::Place(place, which), next)
+    }
+
+    fn measure_follows(&self, from: usize, end: usize) -> bool {
+        self.chunks[from..end].iter().take_while(|c| c.piece != Piece::Comma).any(|c| matches!(c.piece, Piece::Measure(_)))
+    }
+
+    /// "…, and behind it a mirror hangs": a relation that its subject follows.
+    fn preposed(&self, i: usize, next: usize, end: usize) -> bool {
+        let joined = i > 0 && matches!(self.chunks[i - 1].piece, Piece::And | Piece::Comma);
+        let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) { next + 1 } else { next };
+        let fresh = |n: &Np| n.kind == Kind::Thing && matches!(n.det, Det::Indefinite | Det::Number | Det::None);
+        joined && self.np(after, end).is_some_and(fresh)
     }
 
     /// "a nightstand on each side": two of them.
@@ -1288,7 +1306,7 @@ impl<'a> Reader<'a> {
             return;
         }
         let not = std::mem::take(&mut self.s.not);
-        if of.is_empty() || of == object {
+        if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
             let (soft, at) = (self.s.soft, self.s.at.clone());
@@ -1399,7 +1417,7 @@ impl<'a> Reader<'a> {
                 if let Some(lead) = between {
                     match self.s.lead.remove(lead) {
                         (rel, Lead::Items(items, _)) => self.measured(&[], rel, &items, m, false),
-                        _ => self.among(m),
+                        _ => self.rows(m),
                     }
                 } else if let Some((of, rel, to)) = self.s.last.clone() {
                     self.distance(&of, rel, &to, m);
@@ -1561,6 +1579,17 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A distance between rows.
+    fn rows(&mut self, m: &Measure) {
+        let op = min_if_keep(&Measure { op: flip(m, self.s.not || self.s.nothing), ..m.clone() }, true);
+        let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
+        let many = of.iter().copied().find(|o| self.scene.items[*o].many);
+        let rows = self.scene.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
+        if let Some(item) = rows.or(many) {
+            self.say(&[item], What::Rows(op, m.values[0]));
+        }
+    }
+
     fn clear(&mut self, of: &[usize], rel: Rel, depth: f64) {
         let side = match rel {
             Rel::Behind => Side::Behind,
@@ -1575,7 +1604,7 @@ impl<'a> Reader<'a> {
 
     /// What is left when a sentence ends: relations whose subject was in the one before.
     fn finish(&mut self) {
-        if !self.s.lead.is_empty() && !self.s.subject && !self.before.is_empty() {
+        if !self.s.lead.is_empty() && !self.s.subject && !self.s.unknown && !self.before.is_empty() {
             self.main = self.before.clone();
             self.apply_lead();
         }
@@ -1599,7 +1628,7 @@ impl<'a> Reader<'a> {
 impl Sentence {
     fn new(at: Range<usize>) -> Self {
         Self {
-            at, subject: false, lead: vec![], expect: Expect::Nothing, soft: false, not: false, keep: false, nothing: false, hang: false, path: false, verb: false, each: false, pending: None, last: None, listed: false, of_room: false, doors: false, room_last: false, rooms: vec![], from: 0, one: false, centre: false, object: vec![], shared: None,
+            at, subject: false, lead: vec![], expect: Expect::Nothing, soft: false, not: false, keep: false, nothing: false, hang: false, path: false, verb: false, each: false, pending: None, last: None, listed: false, of_room: false, doors: false, room_last: false, unknown: false, rooms: vec![], from: 0, one: false, centre: false, object: vec![], shared: None,
         }
     }
 }

@@ -5,14 +5,11 @@ use crate::write::write;
 use scenelang_base::Severity;
 use scenelang_lang::program::{ConstraintKind, Program};
 use scenelang_lang::{Options, compile_text};
-use scenelang_verify::prove::{ProveOptions, prove};
+use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use std::path::Path;
 
 /// How often the program is looked at again.
 const ROUNDS: usize = 12;
-
-/// How much work a look may take: enough for rooms of some hundred things, little enough not to be waited for.
-const WORK: u64 = 400_000;
 
 /// Mends a draft until nothing contradicts; bounded.
 pub fn mend(draft: &mut Draft) {

@@ -12,6 +12,7 @@
 mod chunk;
 mod clause;
 mod defaults;
+mod grid;
 mod lexicon;
 mod measure;
 mod mend;
@@ -218,12 +219,14 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
     for fact in named.scene.facts.iter().filter(|f| !f.not) {
         let What::Rel(Rel::Under, to) = &fact.what else { continue };
         for w in to.iter().filter(|w| named.scene.items[**w].group == Group::Window) {
-            let top = fact.of.iter().map(|a| named.sizes[*a][1]).fold(0.0, f64::max);
+            // As high above it as it reaches from the wall: so `below` has it.
+            let top = fact.of.iter().map(|a| named.sizes[*a][1] + named.sizes[*a][2] / 2.0).fold(0.0, f64::max);
             let sill = ((top + 0.05) * 20.0).ceil() / 20.0;
-            if sill <= 0.9 {
+            let ceiling = named.room_sizes.get(named.scene.items[*w].room).map_or(2.7, |s| s[1]);
+            // Where the window begins if nothing is said.
+            if sill <= ((ceiling - named.sizes[*w][1]) / 2.0).min(0.9) {
                 continue;
             }
-            let ceiling = named.room_sizes.get(named.scene.items[*w].room).map_or(2.7, |s| s[1]);
             for name in &named.names[*w] {
                 if let Some(o) = draft.openings.iter_mut().find(|o| o.name == *name) {
                     o.size[1] = o.size[1].min(ceiling - sill - 0.1).max(0.3);

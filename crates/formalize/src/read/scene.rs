@@ -113,6 +113,8 @@ pub enum What {
     Gap(Op, f64, Vec<usize>),
     /// So far from each other.
     Among(Op, f64),
+    /// So far from row to row.
+    Rows(Op, f64),
     /// So far from the walls.
     Wall(Op, f64),
     /// So far from whatever else there is.

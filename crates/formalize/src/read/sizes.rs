@@ -36,7 +36,8 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     }
     // What stands on another needs its place there.
     for b in 0..scene.items.len() {
-        if scene.items[b].size[0].is_some() {
+        let carries = matches!(scene.items[b].group, Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor);
+        if scene.items[b].size[0].is_some() || !carries {
             continue;
         }
         let mut width = 0.0;
@@ -100,6 +101,9 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
 /// The usual size of a thing of this name.
 pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     let name = words.join(" ");
+    if let Some(size) = own_size(words) {
+        return size;
+    }
     let size = usual_size(&name).unwrap_or(match group {
         Group::Seat => [0.5, 0.85, 0.5],
         Group::Table => [1.4, 0.8, 0.7],
@@ -118,8 +122,26 @@ pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     });
     match group {
         Group::Screen => [size[0], size[1], size[2].min(0.26)],
+        // "espresso machine" is no machine tool.
+        Group::Top => [size[0].min(0.6), size[1].min(0.6), size[2].min(0.5)],
+        Group::Wall => [size[0], size[1].min(2.0), size[2].min(0.35)],
         _ => size,
     }
+}
+
+/// What the language has no category for.
+fn own_size(words: &[String]) -> Option<[f64; 3]> {
+    let find = |key: &str| {
+        include_str!("../../data/sizes.txt").lines().find_map(|line| {
+            let mut parts = line.split_whitespace();
+            if parts.next() != Some(key) {
+                return None;
+            }
+            let mut next = || parts.next().and_then(|n| n.parse().ok());
+            Some([next()?, next()?, next()?])
+        })
+    };
+    (0..words.len()).find_map(|skip| find(&words[skip..].join("_")).filter(|_| skip == 0 || usual_size(&words.join("_")).is_none() || skip + 1 < words.len()))
 }
 
 /// Whether a thing takes floor.
@@ -157,6 +179,12 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 along += n * (w + 0.35);
             }
         }
+        let mut grids = [0.0_f64; 2];
+        for i in (0..scene.items.len()).filter(|i| scene.items[*i].room == r) {
+            if let Some(g) = super::grid::grid(scene, sizes, i, None) {
+                grids = [grids[0].max(g.takes[0]), grids[1] + g.takes[1]];
+            }
+        }
         let apart = distances(scene, r);
         need = need * 1.7 + apart * 3.0;
         let side = (along / 4.0 * 1.5).max(widest).max(apart + 2.2);
@@ -168,6 +196,10 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
         }
         w = w.max(side);
         d = d.max(side * 0.85);
+        if grids[0] > 0.0 {
+            w = w.max(grids[0] + 2.0);
+            d = d.max(grids[1] + 3.2 + apart);
+        }
         let [sw, sh, sd] = room.size;
         match (sw, sd, room.area) {
             (Some(a), Some(b), _) => (w, d) = (a, b),

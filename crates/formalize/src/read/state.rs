@@ -185,6 +185,7 @@ impl Named<'_> {
                     }
                 }
                 What::Among(op, v) => out.extend(self.among(*of, *op, *v).map(|t| format!("{verb} {t};"))),
+                What::Rows(op, v) => out.extend(self.rows_apart(*of, *op, *v).map(|t| format!("{verb} {t};"))),
                 What::Wall(op, v) => {
                     let room = self.room(*of);
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("gap({a}, {room})"), *op, *v))));
@@ -236,6 +237,7 @@ impl Named<'_> {
             Rel::Around => self.around(a, b, verb, out),
             Rel::At if seat_at => self.around(a, b, verb, out),
             Rel::At => out.push(format!("{verb} {};", pairs(&far(if ga == Group::Seat { DRAWN_UP } else { NEAR })))),
+            Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::On => {
                 if matches!(gb, Group::Wall | Group::Door | Group::Window) {
                     // On a door, on a window: as near as it can be.
@@ -291,6 +293,12 @@ impl Named<'_> {
             }
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::Against | Rel::Along => out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 })))),
+            Rel::Facing if self.grid(a).is_some() => {
+                let (of, to) = (self.name(a), self.elements(b));
+                let to = to.first().map_or("", String::as_str);
+                out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
+                out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+            }
             Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
             Rel::Opposite => {
                 let front = !self.scene.items[b].opening();
@@ -348,7 +356,7 @@ impl Named<'_> {
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
         }
         if seat {
-            out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))));
+            out.push(format!("{} {};", if m > 1 { "prefer" } else { verb }, self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))));
         }
     }
 
@@ -448,6 +456,9 @@ impl Named<'_> {
             });
         }
         Some(match pattern {
+            Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
+                return self.rows(a);
+            }
             Pattern::Row | Pattern::LeftToRight => format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])"),
             Pattern::Rows(rows) if rows > 1 && n % rows == 0 && n > rows => {
                 let k = n / rows;
@@ -468,6 +479,72 @@ impl Named<'_> {
         })
     }
 
+    /// The rows of an array, measured from its first element.
+    pub fn rows(&self, a: usize) -> Option<String> {
+        let grid = self.grid(a)?;
+        let (of, n, k) = (self.name(a), self.counts[a], grid.columns);
+        let [x, z] = grid.steps.map(number);
+        let place = |at: String, r: &str| format!("{at}.pos.x = {of}[0].pos.x + i * {x} and {at}.pos.z = {of}[0].pos.z - {r} * {z}");
+        if grid.rows == 1 {
+            return Some(format!("forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x + i * {x} and {of}[i].pos.z = {of}[0].pos.z"));
+        }
+        if k == 1 {
+            return Some(format!("forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x and {of}[i].pos.z = {of}[0].pos.z - i * {z}"));
+        }
+        let full = n / k;
+        let mut out = format!("forall r in 0..{full}: forall i in 0..{k}: {}", place(format!("{of}[{k} * r + i]"), "r"));
+        if n % k > 0 {
+            out = format!("({out}) and forall i in 0..{}: {}", n % k, place(format!("{of}[{} + i]", k * full), &full.to_string()));
+        }
+        Some(out)
+    }
+
+    /// Seats at tables that stand in rows: each at its place, turned to its table.
+    pub fn drawn_up(&self, a: usize) -> Option<String> {
+        let (rel, b) = self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to) if f.of == [a] && to.len() == 1 => Some((*rel, to[0])),
+            _ => None,
+        })?;
+        self.grid(b)?;
+        let (n, m) = (self.counts[a], self.counts[b]);
+        if self.group(a) != Group::Seat || m < 2 || n % m != 0 {
+            return None;
+        }
+        let k = n / m;
+        let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
+        let places = super::grid::seats(k, rel != Rel::Behind);
+        if places.len() < k || two_behind {
+            return None;
+        }
+        let (of, to) = (self.name(a), self.name(b));
+        let [w, _, d] = self.sizes[b];
+        let seat = self.sizes[a][2];
+        let each: Vec<String> = (0..k)
+            .map(|j| {
+                let (at, (share, turned)) = (indexed(of, k, j), places[j]);
+                let [x, z] = [share[0] * (w / 2.0 + seat / 2.0 + 0.1), share[1] * (d / 2.0 + seat / 2.0 + 0.1)];
+                format!("{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)", number(x), number(z), number(turned)).replace("+ -", "- ")
+            })
+            .collect();
+        Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
+    }
+
+    /// How an array in rows stands, if nothing else says where.
+    pub fn grid(&self, a: usize) -> Option<super::grid::Grid> {
+        let room = self.room_sizes.get(self.scene.items[a].room)?;
+        super::grid::grid(self.scene, &self.sizes, a, Some(*room))
+    }
+
+    fn rows_apart(&self, a: usize, op: Op, v: f64) -> Option<String> {
+        let Some(grid) = self.grid(a).filter(|g| g.rows > 1) else { return self.among(a, op, v) };
+        let (of, k, v) = (self.name(a), grid.columns, number(v));
+        let test = match op {
+            Op::Most => format!("near({of}[i], {of}[i + {k}], {v})"),
+            _ => format!("far({of}[i], {of}[i + {k}], {v})"),
+        };
+        Some(format!("forall i in 0..{}: {test}", self.counts[a] - k))
+    }
+
     /// What a circle is around, if that was said.
     fn centre_of(&self, a: usize) -> Option<usize> {
         self.scene.facts.iter().find_map(|f| match &f.what {
@@ -483,6 +560,9 @@ impl Named<'_> {
         let room = self.room(a);
         let group = self.group(a);
         let opening = self.scene.items[a].opening();
+        // What things stand behind cannot have its back at a wall.
+        let behind = self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
+        let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         match place {
             Place::Wall if opening => {
@@ -513,7 +593,8 @@ impl Named<'_> {
             Place::Middle if self.counts[a] == 1 => say(format!("centeredIn({}, {room})", self.name(a))),
             Place::Middle => {
                 let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
-                let reach = number((size[0].min(size[2]) / 3.0 * 10.0).round() / 10.0);
+                let half = self.grid(a).map_or(0.0, |g| (g.steps[0] * (g.columns - 1) as f64).hypot(g.steps[1] * (g.rows - 1) as f64) / 2.0 + 0.6);
+                let reach = number(((size[0].min(size[2]) / 3.0).max(half) * 10.0).ceil() / 10.0);
                 say(self.all(a, |x| format!("length(vec3({x}.center.x - {room}.center.x, 0, {x}.center.z - {room}.center.z)) <= {reach}")));
             }
             Place::Side | Place::End | Place::Back | Place::Front | Place::Head | Place::Foot => {

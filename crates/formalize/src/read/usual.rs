@@ -27,7 +27,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
                 }
             }
             Group::Screen if !held && !on_wall => out.infer(mounted("wallMounted"), &format!("a {} that stands on nothing hangs on a wall", item.name())),
-            Group::Ceiling if !held && !placed && !(above && measured) => {
+            Group::Ceiling if !held && !placed && !(above && measured) && !named.said(a, |w| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Ceiling)))) => {
                 out.infer(mounted("ceilingMounted"), &format!("a {} hangs from the ceiling", item.name()));
             }
             Group::Ceiling if above && measured && !placed => out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord"),
@@ -49,7 +49,10 @@ pub fn usual(named: &Named, out: &mut Stated) {
             }
             _ => {}
         }
-        if above && !held && !placed && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen) && !item.opening() {
+        let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
+        if above && lamp && !held && !placed && !measured && matches!(item.group, Group::Floor | Group::Top) {
+            out.infer(mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
+        } else if above && !held && !placed && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen) && !item.opening() {
             let wall = matches!(item.group, Group::Storage | Group::Floor | Group::Table | Group::Top);
             if wall && !measured {
                 out.infer(mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
@@ -60,13 +63,25 @@ pub fn usual(named: &Named, out: &mut Stated) {
         if above && measured && matches!(item.group, Group::Floor | Group::Storage | Group::Top) && !on_wall {
             out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
         }
+        let rows = named.grid(a).is_some();
+        let said = named.said(a, |w| matches!(w, What::Pattern(_)));
+        if let Some(places) = named.rows(a).filter(|_| !said) {
+            out.infer(format!("assert {places};"), "tables with their seats stand in rows");
+        }
+        if let Some(places) = named.drawn_up(a) {
+            out.infer(format!("assert {places};"), "seats are drawn up to their tables");
+        }
+        if rows {
+            out.infer(format!("{}.rot <- rot(0, 0, 0);", named.name(a)), "rows stand straight");
+        }
         // At the height of the eyes, where nothing is said.
         let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
         if up && named.sizes[a][1] < 1.6 {
             let low = (1.5 - named.sizes[a][1] / 2.0).max(0.6);
             out.infer(format!("prefer {};", named.all(a, |x| format!("abs({x}.bottom - {}) <= 0.2", number(low)))), "at the height of the eyes");
         }
-        if item.group == Group::Flat && named.names[a].len() == 1 {
+        let cloth = item.words.last().is_some_and(|w| matches!(w.as_str(), "tablecloth" | "placemat" | "blanket" | "throw" | "duvet" | "quilt"));
+        if (item.group == Group::Flat || cloth) && named.names[a].len() == 1 {
             out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
         }
     }
