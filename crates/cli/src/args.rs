@@ -22,6 +22,8 @@ pub enum Command {
     Solve(Solve),
     /// Mend a layout by the smallest change: moves, or numbers and demands to relax
     Repair(Repair),
+    /// Write a program from a request in plain words: no model, no network, every clause accounted for
+    Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
     /// Show a layout in the browser, follow every change, and let objects be dragged
@@ -49,6 +51,9 @@ pub enum Command {
     /// Measure how much of a set of problems is solved, and how fast
     #[command(subcommand)]
     Bench(Bench),
+    /// Measure how much of what is asked for becomes part of a program
+    #[command(subcommand)]
+    Eval(Eval),
 }
 
 /// `scenelang check`
@@ -235,12 +240,38 @@ pub struct Model {
     pub record: Option<PathBuf>,
 }
 
+/// `scenelang formalize`
+#[derive(ClapArgs, Debug)]
+pub struct Formalize {
+    /// The request: "a meeting room with a long table and eight chairs around it"
+    #[arg(value_name = "REQUEST", required_unless_present = "file", conflicts_with = "file")]
+    pub request: Option<String>,
+    /// A file with the request; `-` is standard input
+    #[arg(short, long, value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// The program to write [default: standard output]
+    #[arg(short, long, value_name = "FILE.scene")]
+    pub output: Option<PathBuf>,
+    /// Add nothing that the request does not say
+    #[arg(long)]
+    pub literal: bool,
+    /// List clause by clause what became of it
+    #[arg(long)]
+    pub explain: bool,
+    /// How the outcome is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+}
+
 /// `scenelang synth`
 #[derive(ClapArgs, Debug)]
 pub struct Synth {
-    /// A program, or a request in plain words
-    #[arg(value_name = "FILE.scene | REQUEST")]
+    /// A request in plain words, or a program
+    #[arg(value_name = "REQUEST | FILE.scene")]
     pub request: String,
+    /// Of a request: add nothing that it does not say
+    #[arg(long)]
+    pub literal: bool,
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
@@ -286,7 +317,7 @@ pub struct Export {
     pub only: Vec<String>,
 }
 
-/// `synth --format`, `diff --format`
+/// `synth --format`, `diff --format`, `eval --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -426,6 +457,36 @@ pub struct BenchSolve {
     /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
+}
+
+/// `scenelang eval`
+#[derive(Subcommand, Debug)]
+pub enum Eval {
+    /// Read requests without a model, and score the programs by what was to be read: things, looks, relations, measures
+    Requests(EvalRequests),
+}
+
+/// `scenelang eval requests`
+#[derive(ClapArgs, Debug)]
+pub struct EvalRequests {
+    /// A folder of requests, NAME.txt, with their ground truth, NAME.expect.json
+    #[arg(value_name = "FOLDER")]
+    pub folder: PathBuf,
+    /// Score the programs that are there, NAME.scene, instead of reading the requests
+    #[arg(long, value_name = "FOLDER")]
+    pub programs: Option<PathBuf>,
+    /// Let the reader add what such rooms usually have; nobody asked for that, so precision falls
+    #[arg(long, conflicts_with = "programs")]
+    pub expand: bool,
+    /// Write the programs there, NAME.scene
+    #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
+    pub output: Option<PathBuf>,
+    /// Say of so many requests what was missed, the worst first
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    pub worst: usize,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
 }
 
 /// A time limit.

@@ -4,9 +4,11 @@ mod args;
 mod bench;
 mod check;
 mod diff;
+mod eval;
 mod export;
 mod fix;
 mod fmt;
+mod formalize;
 mod input;
 mod inspect;
 mod interrupt;
@@ -26,7 +28,7 @@ mod targets;
 mod view;
 mod watch;
 
-use args::{Args, Bench, Command};
+use args::{Args, Bench, Command, Eval};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Check(check) => check::run(&check),
         Command::Solve(solve) => solve::run(&solve),
         Command::Repair(repair) => repair::run(&repair),
+        Command::Formalize(args) => formalize::run(&args),
         Command::Synth(synth) => synth::run(&synth),
         Command::View(view) => view::run(&view),
         Command::Export(args) => export::run(&args),
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
+        Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),
     };
     ExitCode::from(code)
 }

@@ -16,9 +16,10 @@ const TABLE: &[(&str, &[&str])] = &[
     ("solve", &["verify", "llm"]),
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve", "formalize"]),
+    ("eval", &["synth"]),
     ("ide", &["verify"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp"]),
+    ("cli", &["lsp", "eval"]),
     ("grammars", &["lang"]),
 ];
 

@@ -1,0 +1,136 @@
+//! `scenelang eval requests`: reads requests without a model and scores the programs by their ground truth, or scores
+//! programs that others have made of them.
+
+use crate::args::{EvalRequests, SummaryFormat};
+use crate::progress::Progress;
+use crate::table::Table;
+use crate::{FAILED, FINDINGS, GOOD};
+use scenelang_base::fs::write_whole;
+use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
+use scenelang_formalize::Options;
+use std::fmt::Write;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Scores each request; 0 if all programs compile and none has a proved contradiction.
+pub fn requests(args: &EvalRequests) -> u8 {
+    let progress = Progress::new("reading");
+    let follow = |n: usize, of: usize| progress.say(format!("request {} of {of}", n + 1));
+    let reader = |request: Request<'_>| match &args.programs {
+        Some(folder) => written(folder, request),
+        None => read_now(args, request),
+    };
+    let requests = read_folder(&args.folder, &reader, follow);
+    drop(progress);
+    let requests = match requests {
+        Ok(requests) if requests.cases.is_empty() => {
+            return fail(&format!("there is no NAME.txt with a NAME.expect.json in {}", args.folder.display()));
+        }
+        Ok(requests) => requests,
+        Err(message) => return fail(&message),
+    };
+    match args.format {
+        SummaryFormat::Json => println!("{}", requests.json()),
+        SummaryFormat::Human => print!("{}", text(&requests, args.worst)),
+    }
+    let free = requests.free();
+    if free.part == free.whole { GOOD } else { FINDINGS }
+}
+
+/// What our English reader makes of a request.
+fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String> {
+    let begun = Instant::now();
+    let read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
+    let program = scenelang_formalize::write::write(&read.draft);
+    let took = Some(begun.elapsed());
+    if let Some(folder) = &args.output {
+        let path = folder.join(format!("{}.scene", request.name));
+        let written = std::fs::create_dir_all(folder).and_then(|()| write_whole(&path, program.as_bytes()));
+        written.map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(Reading { program, clauses: read.clauses, understood: read.understood, took })
+}
+
+/// The program that a folder has for a request.
+fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
+    let path = folder.join(format!("{}.scene", request.name));
+    let program = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    Ok(Reading { program, ..Reading::default() })
+}
+
+fn text(requests: &Requests, worst: usize) -> String {
+    let mut table = Table::new(&[
+        "request",
+        "words",
+        "precision",
+        "recall",
+        "counts",
+        "texts",
+        "relations",
+        "named",
+        "numbers",
+        "program",
+        "clauses",
+        "ms",
+    ]);
+    for case in &requests.cases {
+        let [precision, recall, counts, texts, mentioned, named, numbers] =
+            case.score.shares().map(|(_, share)| percent(share.value()));
+        table.row([
+            case.name.clone(),
+            case.words.to_string(),
+            precision,
+            recall,
+            counts,
+            texts,
+            mentioned,
+            named,
+            numbers,
+            state(case),
+            of(case.clauses()),
+            milliseconds(case.reading.took),
+        ]);
+    }
+    let means: Vec<String> = requests.means().into_iter().map(|(_, mean)| percent(mean)).collect();
+    let mut row: [String; 12] = std::array::from_fn(|_| String::new());
+    row[0] = "mean".to_owned();
+    row[2..9].clone_from_slice(&means);
+    row[9] = format!("{} good", of(requests.free()));
+    row[10] = of(requests.clauses());
+    row[11] = milliseconds(requests.slowest());
+    table.row(row);
+    let mut out = table.render();
+    for case in requests.worst(worst) {
+        let _ = write!(out, "\n  {}\n", case.name);
+        for miss in &case.score.misses {
+            let _ = writeln!(out, "    {miss}");
+        }
+    }
+    out
+}
+
+/// What becomes of the program.
+fn state(case: &Case) -> String {
+    match case.contradictions {
+        None => "broken".to_owned(),
+        Some(0) => "good".to_owned(),
+        Some(_) => "contradictory".to_owned(),
+    }
+}
+
+fn of(share: Share) -> String {
+    if share.whole == 0 { String::new() } else { format!("{}/{}", share.part, share.whole) }
+}
+
+fn milliseconds(time: Option<Duration>) -> String {
+    time.map_or_else(String::new, |t| format!("{:.1}", t.as_secs_f64() * 1e3))
+}
+
+fn percent(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |v| format!("{:.0} %", v * 100.0))
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
+}

@@ -1,0 +1,75 @@
+//! The requests of `tests/requests`: their ground truth speaks of what is there, in the words of the request.
+
+use scenelang_eval::Expectation;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Words that relations have beside the predicates of the library: built-in ones, and one that is not there.
+const MORE: [&str; 4] = ["inside", "perpendicular", "reachable_from", "visible_from"];
+
+fn cases(set: &str) -> Vec<(PathBuf, String, Expectation)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests").join(set);
+    let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "txt"));
+    paths.sort();
+    let read = |path: PathBuf| {
+        let truth = fs::read_to_string(path.with_extension("expect.json")).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        let expect = serde_json::from_str(&truth).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        (path, text, expect)
+    };
+    paths.into_iter().map(read).collect()
+}
+
+#[test]
+fn six_of_every_building_in_each_set() {
+    for set in ["development", "aside"] {
+        let cases = cases(set);
+        for building in ["apartment", "mall", "office", "restaurant", "school"] {
+            assert_eq!(cases.iter().filter(|(_, _, e)| e.building == building).count(), 6, "{building} in {set}");
+        }
+        let words: Vec<usize> = cases.iter().map(|(_, text, _)| text.split_whitespace().count()).collect();
+        assert!(words.iter().any(|n| *n < 40) && words.iter().filter(|n| **n > 450).count() >= 2, "{words:?}");
+    }
+}
+
+#[test]
+fn ground_truth_is_well_formed() {
+    let library = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../lang/std")).unwrap();
+    let library: String =
+        library.map(|e| fs::read_to_string(e.unwrap().path()).unwrap()).collect::<Vec<_>>().join("\n");
+    let mut wrong = Vec::new();
+    for (path, text, e) in cases("development").into_iter().chain(cases("aside")) {
+        let mut must = |is: bool, what: String| {
+            if !is {
+                wrong.push(format!("{}: {what}", path.display()));
+            }
+        };
+        let rooms: BTreeSet<&str> = e.rooms.iter().map(|r| r.name.as_str()).collect();
+        let names: BTreeSet<&str> = e.objects.iter().map(|o| o.name.as_str()).chain(rooms.iter().copied()).collect();
+        must(names.len() == e.objects.len() + e.rooms.len(), "a name is used twice".to_owned());
+        for connection in &e.connections {
+            let known = |n: &String| n == "outside" || rooms.contains(n.as_str());
+            must(connection.between.len() == 2 && connection.between.iter().all(known), connection.kind.clone());
+        }
+        for object in &e.objects {
+            must(rooms.contains(object.room.as_str()), format!("the room of {}", object.name));
+            let said = [&object.colour, &object.material].into_iter().flatten().flat_map(|t| t.split(' '));
+            let lower = text.to_lowercase();
+            said.for_each(|w| must(lower.contains(&w.to_lowercase()), format!("{w} of {}", object.name)));
+        }
+        for relation in &e.relations {
+            let both = relation.subject.all().iter().chain(relation.object.all());
+            both.for_each(|n| must(names.contains(n.as_str()), format!("{n} in {}", relation.relation)));
+            let word = relation.relation.trim_start_matches("not_");
+            let known = MORE.contains(&word) || library.contains(&format!("predicate {word}("));
+            must(known, format!("no predicate {word}"));
+        }
+        for number in &e.numeric {
+            must(text.contains(&number.quote), format!("not in the text: {}", number.quote));
+            must(number.between.iter().all(|n| names.contains(n.as_str())), format!("things of {}", number.quote));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

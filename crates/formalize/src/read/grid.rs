@@ -1,0 +1,125 @@
+//! Things in rows: how many rows and columns, and how far from one to the next.
+
+use super::chunk::Pattern;
+use super::lexicon::{Group, Rel};
+use super::scene::{Scene, Side, What};
+
+/// Rows and columns; the first stands at the left of the first row, rows follow towards -z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Rows.
+    pub rows: usize,
+    /// Things in a row.
+    pub columns: usize,
+    /// From one to the next in a row, and from row to row, in metres.
+    pub steps: [f64; 2],
+    /// What the whole takes, with the things in it (x, z).
+    pub takes: [f64; 2],
+}
+
+/// How far from the walls a grid stays, in metres.
+const MARGIN: f64 = 0.9;
+
+/// The grid of an array that stands in rows, unless something else says where its elements are: at a wall, on a table.
+pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
+    let n = scene.count(a);
+    let rows = scene.facts.iter().find_map(|f| match f.what {
+        What::Pattern(Pattern::Rows(r)) if f.of == [a] => Some(r),
+        What::Pattern(Pattern::Row) if f.of == [a] => Some(1),
+        _ => None,
+    });
+    let said = rows.is_some();
+    let seats = scene.facts.iter().any(|f| matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a]) && scene.items[f.of[0]].group == Group::Seat);
+    // Tables with their seats stand in rows where nothing else is said.
+    let rows = match rows {
+        Some(rows) => rows,
+        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => spread(n),
+        None => return None,
+    };
+    let elsewhere = scene.facts.iter().any(|f| f.of.contains(&a) && match &f.what {
+        What::Place(_, place, _) => !matches!(place, super::noun::Place::Middle),
+        What::Rel(rel, _) => !matches!(rel, Rel::Facing | Rel::InFrontOf | Rel::LeftOf | Rel::RightOf | Rel::Behind | Rel::Far | Rel::Perpendicular | Rel::Opposite),
+        _ => false,
+    });
+    let hung = matches!(scene.items[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
+    if elsewhere || hung || n < 2 || said && n % rows != 0 || scene.items[a].opening() {
+        return None;
+    }
+    let columns = n.div_ceil(rows);
+    let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
+    for f in &scene.facts {
+        let own = f.of.contains(&a);
+        match &f.what {
+            What::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
+            What::Rows(_, v) if own => behind = behind.max(*v + 0.02),
+            What::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
+            // Seats take their place: between the rows, or at the sides.
+            What::Rel(rel, to) if to.contains(&a) && scene.items[f.of[0]].group == Group::Seat => {
+                let seat = sizes[f.of[0]];
+                match rel {
+                    Rel::Around | Rel::At => (beside, behind) = (beside.max(2.0 * seat[0] + 0.8), behind.max(2.0 * seat[2] + 0.6)),
+                    Rel::InFrontOf | Rel::Behind | Rel::Near => behind = behind.max(seat[2] + 0.65),
+                    Rel::Beside => beside = beside.max(seat[0] + 0.5),
+                    _ => {}
+                }
+                for g in scene.facts.iter().filter(|g| g.of == f.of) {
+                    if let What::Clear(_, v) = g.what {
+                        behind = behind.max(seat[2] + v + 0.5);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    let [w, _, d] = sizes[a];
+    let takes = |b: f64, h: f64| [columns as f64 * (w + b) - b, rows as f64 * (d + h) - h];
+    let mut whole = takes(beside, behind);
+    if let Some([rw, _, rd]) = room {
+        // As wide as the room lets it be.
+        if columns > 1 && whole[0] > rw - MARGIN {
+            beside = ((rw - MARGIN - w * columns as f64) / (columns - 1) as f64).max(0.02);
+        }
+        if rows > 1 && whole[1] > rd - MARGIN {
+            behind = ((rd - MARGIN - d * rows as f64) / (rows - 1) as f64).max(0.02);
+        }
+        whole = takes(beside, behind);
+        let part = if said { 1.0 } else { 0.8 };
+        if whole[0] > rw * part || whole[1] > rd * part {
+            return None;
+        }
+    }
+    let round = |v: f64| (v * 100.0).ceil() / 100.0;
+    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole })
+}
+
+/// Rows for so many: about as many as columns, full ones if it can be.
+fn spread(n: usize) -> usize {
+    let most = (n as f64).sqrt().floor() as usize;
+    (2..=most).rev().find(|r| n % r == 0).unwrap_or(2)
+}
+
+/// Whether something stands in the middle of the room, or is said of where each of them is.
+fn crowded(scene: &Scene, a: usize) -> bool {
+    let room = scene.items[a].room;
+    scene.facts.iter().any(|f| match &f.what {
+        What::Place(_, super::noun::Place::Middle, _) => f.of.iter().any(|o| scene.items[*o].room == room),
+        What::Gap(..) | What::Pattern(_) => f.of.contains(&a),
+        _ => false,
+    })
+}
+
+/// Where the seats of a table or desk are: from its middle, as shares of half its width and depth, and how they are
+/// turned. The front of a table is +z.
+pub fn seats(each: usize, at_front: bool) -> &'static [([f64; 2], f64)] {
+    const FRONT: &[([f64; 2], f64)] = &[([0.0, 1.0], 180.0)];
+    const BEHIND: &[([f64; 2], f64)] = &[([0.0, -1.0], 0.0)];
+    const TWO: &[([f64; 2], f64)] = &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0)];
+    const FOUR: &[([f64; 2], f64)] = &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0), ([0.0, 1.0], 180.0), ([0.0, -1.0], 0.0)];
+    match (each, at_front) {
+        (1, true) => FRONT,
+        (1, false) => BEHIND,
+        (2, _) => TWO,
+        (3 | 4, _) => FOUR,
+        _ => &[],
+    }
+}
