@@ -26,6 +26,7 @@ mod publish;
 mod record;
 mod state;
 mod text;
+mod trace;
 mod vocabulary;
 mod wire;
 

@@ -11,8 +11,14 @@ use std::time::{Duration, Instant};
 
 /// No answer within this time is a failure; the machine may be busy.
 pub const PATIENCE: Duration = Duration::from_secs(60);
-const TOLD: [&str; 5] =
-    ["textDocument/publishDiagnostics", "scenelang/changed", "$/progress", "window/logMessage", "window/showMessage"];
+const TOLD: [&str; 6] = [
+    "textDocument/publishDiagnostics",
+    "scenelang/changed",
+    "$/progress",
+    "$/logTrace",
+    "window/logMessage",
+    "window/showMessage",
+];
 
 /// What the client can, unless a test says otherwise.
 pub fn usual() -> Value {
