@@ -1,5 +1,8 @@
 //! The `scenelang` command line: options in, exit code out. What it does lives in the other rooms.
 
+#[macro_use]
+mod out;
+
 mod args;
 mod bench;
 mod check;
@@ -59,5 +62,5 @@ fn main() -> ExitCode {
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
     };
-    ExitCode::from(code)
+    ExitCode::from(out::end(code))
 }
