@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 use tower_lsp::ls_types::Uri;
 
 /// At most so many programs of a workspace are looked at.
@@ -91,6 +92,27 @@ pub fn settings_for(path: &Path, files: &Files) -> Found {
         return Found { file: Some(file), sources, settings, diagnostics };
     }
     Found::default()
+}
+
+/// What files were when they were looked at last, for clients that do not say when they change: their time and length;
+/// `None`: there was none.
+#[derive(Default)]
+pub struct Stamps(BTreeMap<PathBuf, Option<(SystemTime, u64)>>);
+
+impl Stamps {
+    /// Looks at files; those that are other than when they were looked at before. Files that are no longer asked about are
+    /// forgotten.
+    pub fn changed(&mut self, paths: impl Iterator<Item = PathBuf>) -> Vec<PathBuf> {
+        let stamp = |path: &PathBuf| {
+            let data = std::fs::metadata(path).ok()?;
+            Some((data.modified().ok()?, data.len()))
+        };
+        let now: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
+        let before = std::mem::replace(&mut self.0, now);
+        let other =
+            |(path, stamp): &(&PathBuf, &Option<(SystemTime, u64)>)| before.get(*path).is_some_and(|b| b != *stamp);
+        self.0.iter().filter(other).map(|(path, _)| path.clone()).collect()
+    }
 }
 
 /// The programs in a folder and below, in the order of their paths. Hidden folders and what others build are passed over.

@@ -21,7 +21,7 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, mpsc as queue};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use tower_lsp::jsonrpc::{self, Error, ErrorCode, Id, Request, Response};
 use tower_lsp::ls_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
@@ -116,6 +116,8 @@ pub struct State {
     pub connect: Option<Connect>,
     /// Whether something is being proved: one thing at a time.
     proving: bool,
+    /// What files were, for a client that does not say when they change.
+    stamps: disk::Stamps,
     /// Questions about the workspace that wait for a change.
     pub waiting: Vec<(Id, Value)>,
 }
@@ -138,6 +140,7 @@ impl State {
             to_client,
             events,
             proving: false,
+            stamps: disk::Stamps::default(),
             jobs: HashMap::new(),
             drags: HashMap::new(),
             connect: setup.connect,
@@ -384,8 +387,11 @@ impl State {
     }
 
     fn watched(&mut self, params: DidChangeWatchedFilesParams) {
-        for change in params.changes {
-            let path = disk::path_of(&change.uri);
+        self.changed_on_disk(params.changes.iter().map(|change| disk::path_of(&change.uri)));
+    }
+
+    fn changed_on_disk(&mut self, paths: impl IntoIterator<Item = PathBuf>) {
+        for path in paths {
             // Of what is open, the editor's text counts.
             if self.documents.at(&path).is_none() {
                 self.documents.forget(&path);
@@ -393,6 +399,24 @@ impl State {
             }
         }
         self.wake();
+    }
+
+    /// Looks at files every now and then, for a client that cannot say when they change.
+    fn look_at_files(&self) {
+        const EVERY: Duration = Duration::from_millis(700);
+        let events = self.events.clone();
+        std::thread::spawn(move || {
+            let look = |state: &mut State| {
+                let changed = state.stamps.changed(state.documents.read());
+                if !changed.is_empty() {
+                    state.changed_on_disk(changed);
+                }
+            };
+            // Until there is no state any more.
+            while events.send(Event::Done(Box::new(look))).is_ok() {
+                std::thread::sleep(EVERY);
+            }
+        });
     }
 
     fn folders(&mut self, params: &DidChangeWorkspaceFoldersParams) {
@@ -422,7 +446,7 @@ impl State {
             parent::watch(process, move || {
                 let _ = events.send(Event::Closed);
                 // Whoever should close our input is gone, and may have left it open.
-                std::thread::sleep(std::time::Duration::from_millis(500));
+                std::thread::sleep(Duration::from_millis(500));
                 std::process::exit(1);
             });
         }
@@ -436,6 +460,8 @@ impl State {
             registrations.push(json!({
                 "id": "files", "method": "workspace/didChangeWatchedFiles", "registerOptions": { "watchers": globs },
             }));
+        } else {
+            self.look_at_files();
         }
         if self.client.watches_configuration {
             registrations.push(json!({

@@ -7,6 +7,7 @@ mod checkers;
 mod cli;
 mod diff;
 mod documents;
+mod editors;
 mod examples;
 mod faults;
 mod fixing;
