@@ -6,6 +6,7 @@
 //!
 //! Absent here: what the answers are. No protocol type leaves this crate.
 
+mod advised;
 mod capabilities;
 mod client;
 mod commands;

@@ -321,7 +321,7 @@ impl State {
             (Phase::Running, "textDocument/didClose") => self.with(params, |s, p| s.closed(&p)),
             (Phase::Running, "textDocument/didSave") => self.with(params, |s, p| s.saved(&p)),
             (Phase::Running, "workspace/didChangeConfiguration") => self.configured(&params),
-            (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, Self::watched),
+            (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, |s, p| s.watched(&p)),
             (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, |s, p| s.folders(&p)),
             _ => {}
         }
@@ -386,7 +386,7 @@ impl State {
         }
     }
 
-    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
+    fn watched(&mut self, params: &DidChangeWatchedFilesParams) {
         self.changed_on_disk(params.changes.iter().map(|change| disk::path_of(&change.uri)));
     }
 

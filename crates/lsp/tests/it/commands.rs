@@ -156,28 +156,3 @@ fn what_a_program_becomes() {
     assert_eq!(client.refused("scenelang/forms", json!({ "uri": uri, "form": "poem" })).0, -32602);
     client.stop();
 }
-
-/// The editor's own language model is asked through the client, and what it says is judged.
-#[test]
-fn the_editors_model_proposes_and_is_judged() {
-    let (folder, scene, _) = room();
-    let options = json!({ "languageModel": "client" });
-    for says in [
-        json!({ "text": "{\"moves\": [{\"object\": \"stand[1]\", \"pos\": {\"x\": 1.06, \"y\": 0, \"z\": -1.5}, \"rot\": {\"x\": 0, \"y\": 0, \"z\": 0}, \"reason\": null}]}" }),
-        json!({ "text": "I would rather not." }),
-        json!({ "text": 5 }),
-        Value::Null,
-    ] {
-        let mut client = Client::start_with(folder.path(), usual(), options.clone());
-        client.model = says.clone();
-        let uri = client.open("room.scene", &scene);
-        client.published(&uri);
-        let answer = run(&mut client, "scenelang.repairAll", json!({ "uri": uri }));
-        // Whatever it says, what is offered mends.
-        assert!(answer["message"].as_str().unwrap().contains("stand[1]"), "{says}: {answer}");
-        let question = client.asked.iter().find(|m| m["method"] == "scenelang/languageModel").expect("it is asked");
-        assert!(question["params"]["messages"].as_array().is_some_and(|m| !m.is_empty()));
-        assert!(question["params"]["schema"].is_object());
-        client.stop();
-    }
-}

@@ -9,5 +9,6 @@ mod commands;
 mod features;
 mod hazards;
 mod life;
+mod model;
 mod sync;
 mod watching;
