@@ -518,6 +518,10 @@ impl State {
             d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
         };
         let keys: Vec<String> = self.documents.iter().filter(|d| stale(d)).map(|d| d.uri.as_str().to_owned()).collect();
+        if !self.client.watches_files && !keys.is_empty() {
+            // What is read from here on is at least as new.
+            self.stamps.learn(self.documents.read());
+        }
         for key in keys {
             let judging = self.documents.get(&key).and_then(|d| d.scene.as_ref()).is_some_and(|s| s.judging);
             // One verdict at a time: the next begins when this one is there, or was found outdated.

@@ -10,7 +10,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// No answer within this time is a failure; the machine may be busy.
-pub const PATIENCE: Duration = Duration::from_secs(6);
+pub const PATIENCE: Duration = Duration::from_secs(60);
 const TOLD: [&str; 6] = [
     "textDocument/publishDiagnostics",
     "scenelang/changed",

@@ -99,6 +99,19 @@ fn the_scene_is_what_the_viewer_reads() {
     assert_eq!(found["layout"], client.uri("room.layout.json"));
     assert_eq!(found["data"]["format"], "scenelang.preview/1");
     assert!(found["data"]["glb"].as_str().unwrap().len() > 1000);
+    // Who has the geometry is told of places only, as long as things are only moved.
+    let shape = found["data"]["shape"].clone();
+    let again = client.ask("scenelang/scene", json!({ "uri": uri, "known": shape }));
+    assert_eq!((&again["data"]["glb"], &again["data"]["shape"]), (&Value::Null, &shape));
+    let data = client.open("room.layout.json", &layout.replace("[0.9, 0, -1.5]", "[1.03, 0, -1.5]"));
+    let moved = client.ask("scenelang/scene", json!({ "uri": uri, "known": shape }))["data"].clone();
+    assert_eq!((&moved["glb"], &moved["shape"]), (&Value::Null, &shape));
+    let placed = moved["objects"].as_array().unwrap().iter().find(|o| o["name"] == "stand[1]").unwrap();
+    assert_eq!(placed["pos"], json!([1.03, 0.0, -1.5]));
+    client.set(&data, &layout.replace("[1.6, 0.55, 2]", "[1.4, 0.55, 2]"));
+    let other = client.ask("scenelang/scene", json!({ "uri": uri, "known": shape }))["data"].clone();
+    assert!(other["glb"].is_string() && other["shape"] != shape);
+    client.tell("textDocument/didClose", json!({ "textDocument": { "uri": data } }));
     let names: Vec<&str> = found["objects"].as_array().unwrap().iter().map(|o| o["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["bed", "stand", "lamp"]);
     let rows = found["constraints"].as_array().unwrap();
