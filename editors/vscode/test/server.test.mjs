@@ -172,20 +172,6 @@ check("the light bulb mends it, and then all holds", async () => {
   await shoot("repaired");
 });
 
-check("a window that is loaded again has its preview again", async () => {
-  const frame = await room();
-  const drawn = await frame.evaluate(() => document.title);
-  // What is open is written down a moment later.
-  await sleep(2000);
-  await e.page.reload();
-  await e.page.waitForSelector(".editor-instance .view-line", { timeout: 60_000 });
-  const again = await room();
-  assert.notEqual(again, frame);
-  assert.equal(await again.evaluate(() => document.title), drawn);
-  await until("a count", counted);
-  assert.ok((await again.$$(".row")).length > 10);
-});
-
 check("nothing was asked of the network, and no script failed", () => {
   assert.deepEqual([...e.outside], []);
   assert.deepEqual(e.errors, []);
