@@ -78,6 +78,11 @@ export interface SceneData {
   readonly name: string;
   /** A binary glTF in base64; empty: there is only the plan. */
   readonly glb: string;
+  /**
+   * Names the geometry where the room comes again after each change: then all objects stand unturned at the origin in it, and
+   * rooms of the same shape differ in where things are only. Empty: they stand in it where they belong.
+   */
+  readonly shape: string;
   /** An SVG document; empty: there is none. */
   readonly plan: string;
   readonly report: Report;
@@ -105,6 +110,7 @@ export function readData(value: unknown): SceneData {
   return {
     name: root.member("name").string(),
     glb: root.member("glb").string(),
+    shape: root.optional("shape")?.string() ?? "",
     plan: root.member("plan").string(),
     report,
     objects: root.member("objects").list((at) => readObject(at, report.constraints.length)),

@@ -54,6 +54,11 @@ export function place(node: Object3D, object: SceneObject, pos: Triple, rot: Tri
   node.updateMatrixWorld(true);
 }
 
+/** Puts a node that stands unturned at the origin where the object is. */
+export function putDown(object: SceneObject, node: Object3D | undefined): void {
+  if (node !== undefined) place(node, { ...object, pos: [0, 0, 0], rot: [0, 0, 0] }, object.pos, object.rot);
+}
+
 export async function loadModel(base64: string): Promise<Model> {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   const { scene } = await new GLTFLoader().parseAsync(bytes.buffer, "");

@@ -11,7 +11,7 @@ import type { Gap } from "./gaps.js";
 import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
 import { Marks } from "./marks.js";
-import { boundsOf, boundsOfAll, loadModel, type Model, place, toGl } from "./model.js";
+import { boundsOf, boundsOfAll, loadModel, type Model, place, putDown, toGl } from "./model.js";
 import { Outline } from "./outline.js";
 import { Picker } from "./pick.js";
 import { Surroundings } from "./surroundings.js";
@@ -41,6 +41,12 @@ interface Palette {
 const LIGHT: Palette = { tones: { selected: "#2563eb", holds: "#0f9f6e", fails: "#e5343d", unknown: "#b7791f" }, hover: "#1e293b", grid: "#5b6472" };
 const DARK: Palette = { tones: { selected: "#6ea8ff", holds: "#3ddc97", fails: "#ff5d62", unknown: "#f5b94a" }, hover: "#ffffff", grid: "#8b97a8" };
 
+interface Room {
+  data: SceneData;
+  readonly model: Model;
+  readonly cutaway: Cutaway;
+}
+
 /** More names than this are a crowd. */
 const MOST_TAGS = 10;
 
@@ -57,7 +63,7 @@ export class SceneView {
   private readonly labels: Labels;
   private readonly picker: Picker;
   private readonly drag: Drag | null;
-  private room: { data: SceneData; model: Model; cutaway: Cutaway } | null = null;
+  private room: Room | null = null;
   /** Where the nodes stand, which while something is dragged is not where the data has them. */
   private readonly places = new Map<string, SceneObject>();
   private highlighted: readonly string[] = [];
@@ -118,8 +124,10 @@ export class SceneView {
 
   /** Takes a new room; the camera stays where it is unless this is the first. Rejects where the GLB cannot be read. */
   async load(data: SceneData): Promise<number> {
+    if (this.room !== null && data.shape !== "" && data.shape === this.room.data.shape) return this.rearrange(this.room, data);
     const model = await loadModel(data.glb);
     this.unload();
+    if (data.shape !== "") for (const object of data.objects) putDown(object, model.objects.get(object.name));
     const cutaway = new Cutaway(data, model);
     this.room = { data, model, cutaway };
     for (const object of data.objects) this.places.set(object.name, object);
@@ -137,6 +145,20 @@ export class SceneView {
     cutaway.update(this.cameras.active, this.cameras.looking(), 1, new Set());
     this.highlight([], "selected");
     return model.triangles;
+  }
+
+  /** The same things in other places: nothing has to be built anew. */
+  private rearrange(room: Room, data: SceneData): number {
+    for (const object of data.objects) {
+      const [now, node] = [this.places.get(object.name), room.model.objects.get(object.name)];
+      if (now !== undefined && node !== undefined) place(node, now, object.pos, object.rot);
+      this.places.set(object.name, object);
+    }
+    room.data = data;
+    this.surroundings.aim(boundsOfAll(data, room.model));
+    this.renderer.shadowMap.needsUpdate = true;
+    this.highlight([], "selected");
+    return room.model.triangles;
   }
 
   /** Emphasises objects and regions by name. */

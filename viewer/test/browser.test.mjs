@@ -7,7 +7,7 @@ import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import puppeteer from "puppeteer-core";
-import { bundle, fixtureData, page as pageOf } from "./fixture.mjs";
+import { bundle, fixtureData, page as pageOf, shapedData } from "./fixture.mjs";
 
 const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const missing = existsSync(chromium) ? false : `no browser at ${chromium}; set CHROMIUM to one`;
@@ -289,6 +289,26 @@ async function find(page, name) {
   }
   return assert.fail(`${name} is nowhere to be seen`);
 }
+
+checkOwn("a room that was only rearranged is not built anew", async (page) => {
+  const load = async (data) => {
+    await page.evaluate((data) => window.scenelang.load(data), data);
+    await settle(page);
+    return shoot(page);
+  };
+  await open(page, fixtureData());
+  await settle(page);
+  const baked = await shoot(page);
+  const shaped = shapedData();
+  assert.ok((await difference(baked, await load(shaped))) < 0.002, "things stand where the data has them");
+  // The geometry is not looked at again: this is none.
+  const moved = structuredClone({ ...shaped, glb: "none" });
+  const sofa = moved.objects.find(({ category }) => category === "sofa");
+  [sofa.pos, sofa.rot] = [[sofa.pos[0] - 0.5, 0, sofa.pos[2] - 0.8], [0, sofa.rot[1] + 40, 0]];
+  assert.ok((await difference(baked, await load(moved))) > 0.005, "the sofa is elsewhere");
+  assert.match(await page.title(), /READY [1-9]/);
+  assert.ok((await difference(baked, await load({ ...shaped, glb: "none" }))) < 0.002, "and back");
+});
 
 checkOwn("what fails is drawn between the objects", async (page) => {
   const data = fixtureData();

@@ -5,6 +5,7 @@ import { fixtureData } from "./fixture.mjs";
 import { load } from "./load.mjs";
 
 const { DataError, parseData, readData, rowObjects } = await load("data.ts");
+const { Shapes } = await load("source/shapes.ts");
 
 /** A copy of the fixture with one change. */
 function changed(change) {
@@ -24,6 +25,19 @@ test("a page's data is read whole", () => {
   assert.equal(data.report.constraints[7].satisfied, null);
   assert.equal(data.report.constraints[11].place, null);
   assert.equal(data.report.diagnostics[0].code, "W0301");
+});
+
+test("geometry that was sent before is put in again", () => {
+  const shapes = new Shapes();
+  const [one, other] = [{ shape: "a", glb: "AA", n: 1 }, { shape: "b", glb: "BB", n: 2 }];
+  assert.equal(shapes.known, "");
+  assert.deepEqual(shapes.whole({ glb: "CC" }), { glb: "CC" }, "a source that names no shapes");
+  assert.deepEqual(shapes.whole(one), one);
+  assert.equal(shapes.known, "a");
+  assert.deepEqual(shapes.whole({ ...one, glb: null, n: 3 }), { ...one, n: 3 });
+  assert.deepEqual(shapes.whole(other), other);
+  assert.deepEqual(shapes.whole({ ...one, glb: null }), { ...one, glb: null }, "what is not known is not made up");
+  for (const strange of [null, 5, "x", [], { shape: 5, glb: null }]) assert.deepEqual(shapes.whole(strange), strange);
 });
 
 const OPTIONAL = [

@@ -115,7 +115,12 @@ export function fixtureData() {
   });
 }
 
-function fixtureGlb() {
+/** The same room as a source sends it that sends it again: everything at the origin, and a name for what it looks like. */
+export function shapedData() {
+  return { ...fixtureData(), shape: "fixture", glb: fixtureGlb(true).toString("base64") };
+}
+
+function fixtureGlb(bare = false) {
   const glb = new Glb();
   for (const { name, vertices, floor, ceiling, floorColour, wall } of REGIONS) {
     const [[x0, z0], , [x1, z1]] = vertices;
@@ -128,7 +133,7 @@ function fixtureGlb() {
     // The other two walls are one node, as an exporter may do that joins what has one material.
     glb.add({ region: name, part: "wall" }, [0, 0, 0], 0, [x0 - ETA / 2, x1 + ETA / 2].flatMap((x) => sideWall(name, x, z0, z1, floor, ceiling).map(([size, pos]) => at(box(size), pos, wall))));
   }
-  for (const [name, category, pos, yaw, scale] of OBJECTS) glb.add({ id: name }, pos, yaw, FAMILIES[category](scale));
+  for (const [name, category, pos, yaw, scale] of OBJECTS) glb.add({ id: name }, bare ? [0, 0, 0] : pos, bare ? 0 : yaw, FAMILIES[category](scale));
   return glb.finish();
 }
 

@@ -3,13 +3,13 @@
 use crate::args::{Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
 use crate::targets::Target;
-use crate::{FAILED, GOOD, fix, parallel, settings, targets, watch};
+use crate::{FAILED, GOOD, fix, out, parallel, settings, targets, watch};
 use scenelang_base::{Diagnostic, SourceMap, codes};
 use scenelang_export::embedded;
 use scenelang_lang::sources::{Disk, Loader};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, Detail, Options, check_file_with, check_layout_text, exit_code};
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
@@ -20,13 +20,12 @@ pub fn run(args: &Check) -> u8 {
 pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     let targets = targets::find(&args.files);
     let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
-    let mut out = std::io::stdout().lock();
     let mut kept: Vec<Checked> = Vec::new();
     let mut worst = GOOD;
     let compile = scenelang_lang::Options { core: args.core };
     let people = args.format == Format::Human;
     let wanted = if args.fix { targets.as_slice() } else { &[] };
-    let fixes: Vec<_> = wanted.iter().map(|t| fix::run(t.path(), compile, people.then_some(&mut out))).collect();
+    let fixes: Vec<_> = wanted.iter().map(|t| fix::run(t.path(), compile, people)).collect();
     let mut fixed = fixes.into_iter();
     let progress = match targets.as_slice() {
         [one] => Progress::new(format!("checking {}", one.path().display())),
@@ -58,19 +57,23 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
             Format::Github => report::github(std::slice::from_ref(&checked.report)),
             Format::Sarif | Format::Junit => return kept.push(checked),
         };
-        // A closed pipe is no reason to fail: whoever reads has seen enough.
-        let _ = progress.aside(|| out.write_all(text.as_bytes()));
+        progress.aside(|| {
+            print!("{text}");
+            if out::is_closed() {
+                // Whoever reads has seen enough, and all that is left is to be read.
+                std::process::exit(out::CLOSED.into());
+            }
+        });
     });
     drop(progress);
-    let _ = match args.format {
-        Format::Sarif => writeln!(out, "{}", report::sarif(&kept)),
+    match args.format {
+        Format::Sarif => println!("{}", report::sarif(&kept)),
         Format::Junit => {
             let reports: Vec<_> = kept.into_iter().map(|checked| checked.report).collect();
-            write!(out, "{}", report::junit(&reports))
+            print!("{}", report::junit(&reports));
         }
-        Format::Human | Format::Json | Format::Github => Ok(()),
-    };
-    let _ = out.flush();
+        Format::Human | Format::Json | Format::Github => {}
+    }
     worst
 }
 

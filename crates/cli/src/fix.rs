@@ -4,15 +4,14 @@ use scenelang_lang::mend::mend;
 use scenelang_lang::sources::Disk;
 use scenelang_verify::program_of;
 use scenelang_verify::report::model::Fixed;
-use std::io::Write;
 use std::path::Path;
 
 /// Makes the safe fixes in a program, or in that of a layout, and writes the files that they change, each whole or not at
-/// all. To `out` it says how many there were.
+/// all. With `tell` it prints how many there were.
 ///
 /// # Errors
 /// What the file system says of a file that cannot be written.
-pub fn run(path: &Path, compile: scenelang_lang::Options, out: Option<&mut impl Write>) -> std::io::Result<Vec<Fixed>> {
+pub fn run(path: &Path, compile: scenelang_lang::Options, tell: bool) -> std::io::Result<Vec<Fixed>> {
     // A layout without a program is an error that the check reports.
     let Some((name, path)) = program_of(&path.display().to_string(), path) else { return Ok(Vec::new()) };
     let mended = mend(&name, &path, compile, &Disk);
@@ -27,21 +26,18 @@ pub fn run(path: &Path, compile: scenelang_lang::Options, out: Option<&mut impl 
             title: m.title.clone(),
         }));
     }
-    if let Some(out) = out {
-        // A closed pipe is no reason to fail, as for the report.
-        let _ = mended.files.iter().try_for_each(|file| {
+    if tell {
+        for file in &mended.files {
             let (made, all) = (file.made.len(), file.made.len() + file.left);
             let plural = if all == 1 { "" } else { "s" };
-            writeln!(out, "fixed {made} of {all} finding{plural} in {}", file.name)
-        });
-        let _ = match mended.refused {
-            0 => Ok(()),
-            n => writeln!(out, "{n} not fixed, since what they change overlaps"),
-        };
-        let _ = mended
-            .foreign
-            .iter()
-            .try_for_each(|name| writeln!(out, "{name} is outside the program's folder and stays as it is"));
+            println!("fixed {made} of {all} finding{plural} in {}", file.name);
+        }
+        if mended.refused > 0 {
+            println!("{} not fixed, since what they change overlaps", mended.refused);
+        }
+        for name in &mended.foreign {
+            println!("{name} is outside the program's folder and stays as it is");
+        }
     }
     Ok(fixed)
 }

@@ -8,7 +8,6 @@ use scenelang_base::{Diagnostic, TextRange};
 use scenelang_lang::fmt::{FormatOptions, format};
 use scenelang_lang::parse::parse_file;
 use scenelang_verify::report;
-use std::io::Write;
 use std::path::Path;
 
 /// Formats each file in place (or says that it would); the worst exit code.
@@ -48,10 +47,8 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         return FINDINGS;
     }
     if is_stdin(path) {
-        return match std::io::stdout().write_all(formatted.as_bytes()) {
-            Ok(()) => GOOD,
-            Err(e) => fail(&format!("cannot write: {e}")),
-        };
+        print!("{formatted}");
+        return GOOD;
     }
     if formatted != text
         && let Err(e) = scenelang_base::fs::write_whole(path, formatted.as_bytes())

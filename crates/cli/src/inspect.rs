@@ -2,6 +2,7 @@
 //! its statements become (`constraints`).
 
 use crate::args::{Inspect, Plain};
+use crate::out::Out;
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD, input};
 use scenelang_base::{Diagnostic, FileId, SourceMap, TextRange};
@@ -65,11 +66,10 @@ fn read(path: &Path) -> Option<(SourceMap, FileId)> {
     read.map_err(|message| eprintln!("error: {message}")).ok()
 }
 
-/// Prints to standard output.
+/// Prints to standard output, a large piece at a time.
 fn print(what: impl Display) {
-    let mut out = BufWriter::new(std::io::stdout().lock());
-    // A closed pipe is no reason to fail: whoever reads has seen enough.
-    let _ = write!(out, "{what}").and_then(|()| out.flush());
+    // What is printed to never fails.
+    let _ = write!(BufWriter::new(Out), "{what}");
 }
 
 /// Shows diagnostics on standard error; whether there is an error among them.

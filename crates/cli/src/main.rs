@@ -1,5 +1,8 @@
 //! The `scenelang` command line: options in, exit code out. What it does lives in the other rooms.
 
+#[macro_use]
+mod out;
+
 mod args;
 mod bench;
 mod check;
@@ -63,5 +66,5 @@ fn main() -> ExitCode {
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
         Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),
     };
-    ExitCode::from(code)
+    ExitCode::from(out::end(code))
 }

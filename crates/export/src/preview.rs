@@ -7,8 +7,10 @@
 use crate::{ExportError, Exporter, OutFile, Scene, glb, plan};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
 use serde_json::{Value, json};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// `preview.html`.
 #[derive(Clone, Copy, Debug)]
@@ -62,12 +64,27 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     Ok(out)
 }
 
-/// What the page is told, for who shows the scene on a page of its own.
+/// What a page is told that is shown the scene again after every change: in its geometry all objects stand unturned at the
+/// origin, and `shape` names it. So it stays the same when things are only moved, and is not sent (`glb` is null) to who has
+/// the one that is `known`.
 ///
 /// # Errors
 /// The geometry cannot be written.
-pub fn carried(scene: &Scene) -> Result<Value, ExportError> {
-    Ok(data(scene, &STANDARD.encode(glb::bytes(scene)?)))
+pub fn live(mut scene: Scene, known: Option<&str>) -> Result<Value, ExportError> {
+    let mut told = data(&scene, "");
+    for object in &mut scene.objects {
+        (object.place.pos, object.axes) = (Vec3::zeros(), Matrix3::identity());
+    }
+    // What it was made of is for files.
+    scene.program.clear();
+    scene.layout_text.clear();
+    let glb = glb::bytes(&scene)?;
+    let mut hasher = DefaultHasher::new();
+    glb.hash(&mut hasher);
+    let shape = format!("{:016x}", hasher.finish());
+    told["glb"] = if known == Some(shape.as_str()) { Value::Null } else { STANDARD.encode(glb).into() };
+    told["shape"] = shape.into();
+    Ok(told)
 }
 
 /// What the page is told: `scenelang.preview/1`. Places are in the layout's frame; `constraints` are rows of the report.

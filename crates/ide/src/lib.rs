@@ -3,6 +3,7 @@
 //!
 //! Absent here: the protocol, threads, files, and any search for a better layout.
 
+pub mod across;
 pub mod actions;
 pub mod calls;
 pub mod colors;

@@ -3,7 +3,7 @@
 use crate::Snapshot;
 use crate::names::{self, Symbol};
 use crate::navigate::references;
-use scenelang_base::{Edit, TextRange};
+use scenelang_base::{Edit, FileId, TextRange};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::natives;
 use scenelang_lang::token::{Kind, lex};
@@ -27,15 +27,26 @@ pub fn rename(snapshot: &Snapshot, offset: u32, new: &str) -> Result<Result<Vec<
         return Ok(Err("there is no name here that can be changed".to_owned()));
     };
     let old = snapshot.slice(name.range.in_file(snapshot.main())).to_owned();
-    if let Some(why) = refusal(snapshot, &name.symbol, &old, new)? {
+    edits(snapshot, snapshot.main(), &name.symbol, &old, new)
+}
+
+/// The same for a symbol that a file of the program knows.
+pub(crate) fn edits(
+    snapshot: &Snapshot,
+    file: FileId,
+    symbol: &Symbol,
+    old: &str,
+    new: &str,
+) -> Result<Result<Vec<Edit>, String>, Cancelled> {
+    if let Some(why) = refusal(snapshot, symbol, old, new)? {
         return Ok(Err(why));
     }
-    let mut edits: Vec<Edit> = references(snapshot, snapshot.main(), &name.symbol, true)?
+    let mut edits: Vec<Edit> = references(snapshot, file, symbol, true)?
         .into_iter()
         .map(|(place, _)| Edit { place, text: new.to_owned() })
         .collect();
-    if let Symbol::Item(..) = name.symbol {
-        edits.extend(in_layout(snapshot, &old, new));
+    if let Symbol::Item(..) = symbol {
+        edits.extend(in_layout(snapshot, old, new));
     }
     Ok(Ok(edits))
 }

@@ -9,6 +9,7 @@ use scenelang_lang::chunk::{cut, has_line_break};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::syntax;
 use scenelang_lang::token::Kind;
+use scenelang_layout::file as layout_file;
 
 /// What is folded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,7 +111,6 @@ pub enum Link {
 /// # Errors
 /// [`Cancelled`]: the text has changed.
 pub fn links(snapshot: &Snapshot) -> Result<Vec<(TextRange, Link)>, Cancelled> {
-    let inner = |range: TextRange| TextRange { start: range.start + 1, end: (range.end - 1).max(range.start + 1) };
     let mut out: Vec<(TextRange, Link)> =
         imports(snapshot)?.into_iter().map(|(range, file)| (inner(range), Link::Import(file))).collect();
     let name = snapshot.layout().and_then(|l| l.path.file_name()).map(|n| n.to_string_lossy().into_owned());
@@ -125,6 +125,18 @@ pub fn links(snapshot: &Snapshot) -> Result<Vec<(TextRange, Link)>, Cancelled> {
     }
     out.sort_by_key(|(range, _)| range.start);
     Ok(out)
+}
+
+/// The path of its program in the text of a layout, and where that stands, without quotation marks.
+pub fn program_of(layout: &str) -> Option<(TextRange, String)> {
+    let read = layout_file::read(layout, FileId(0));
+    let place = read.places.top.get("scene")?.place.value.range;
+    Some((inner(place), read.layout.scene.filter(|path| !path.is_empty())?))
+}
+
+/// A range without the quotation marks at its ends.
+fn inner(range: TextRange) -> TextRange {
+    TextRange { start: range.start + 1, end: (range.end - 1).max(range.start + 1) }
 }
 
 /// Whether a statement is a constraint.
@@ -150,6 +162,25 @@ mod tests {
                 ("// ---- Beds ----\nobject b;", Fold::Section),
             ]
         );
+    }
+
+    #[test]
+    fn a_layout_names_its_program() {
+        for (text, wanted) in [
+            (
+                "{\"format\": \"scenelang.layout/1\", \"scene\": \"../a b.scene\"}",
+                Some(("../a b.scene", "../a b.scene")),
+            ),
+            ("{\"format\": \"scenelang.layout/1\", \"scene\": \"\\u0061.scene\"}", Some(("\\u0061.scene", "a.scene"))),
+            ("{\"format\": \"scenelang.layout/1\", \"scene\": \"\"}", None),
+            ("{\"format\": \"scenelang.layout/1\", \"scene\": 5}", None),
+            ("{\"scene\": ", None),
+            ("", None),
+        ] {
+            let found = program_of(text);
+            let found = found.as_ref().map(|(range, path)| (&text[range.bytes()], path.as_str()));
+            assert_eq!(found, wanted, "{text}");
+        }
     }
 
     #[test]

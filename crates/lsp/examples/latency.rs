@@ -199,6 +199,19 @@ fn measure(server: &str, subject: &Subject) {
             times.push(begun.elapsed());
         }
         show("scenelang/move", times);
+        // What a page asks after an edit: everything, and then only what it does not have.
+        let room = json!({ "uri": client.uri });
+        let shape = client.ask("scenelang/scene", &room)["data"]["shape"].clone();
+        for (what, params) in [("all", room), ("places", json!({ "uri": client.uri, "known": shape }))] {
+            let (mut times, mut bytes) = (Vec::new(), 0);
+            for _ in 0..TIMES / 4 {
+                let begun = Instant::now();
+                let answer = client.ask("scenelang/scene", &params);
+                times.push(begun.elapsed());
+                bytes = answer.to_string().len();
+            }
+            show(&format!("scenelang/scene, {what}: {} kB", bytes / 1000), times);
+        }
     }
     println!("  {:42} {:>9.1} MB", "resident", client.resident());
     client.stop();

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 use tower_lsp::ls_types::Uri;
 
 /// At most so many programs of a workspace are looked at.
@@ -91,6 +92,35 @@ pub fn settings_for(path: &Path, files: &Files) -> Found {
         return Found { file: Some(file), sources, settings, diagnostics };
     }
     Found::default()
+}
+
+/// What tells one state of a file from another: its time and its length; `None`: there is none.
+type Stamp = Option<(SystemTime, u64)>;
+
+/// What files were when they were looked at last, for clients that do not say when they change.
+#[derive(Default)]
+pub struct Stamps(BTreeMap<PathBuf, Stamp>);
+
+impl Stamps {
+    /// Remembers what files are that were read just now; those that are remembered already stay as they are.
+    pub fn learn(&mut self, paths: impl Iterator<Item = PathBuf>) {
+        for path in paths {
+            self.0.entry(path).or_insert_with_key(|path| stamp(path));
+        }
+    }
+
+    /// Looks at files; those that are other than they are remembered. Files that are no longer asked about are forgotten.
+    pub fn changed(&mut self, paths: impl Iterator<Item = PathBuf>) -> Vec<PathBuf> {
+        let now: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
+        let before = std::mem::replace(&mut self.0, now);
+        let other = |(path, stamp): &(&PathBuf, &Stamp)| before.get(*path).is_some_and(|known| known != *stamp);
+        self.0.iter().filter(other).map(|(path, _)| path.clone()).collect()
+    }
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let data = std::fs::metadata(path).ok()?;
+    Some((data.modified().ok()?, data.len()))
 }
 
 /// The programs in a folder and below, in the order of their paths. Hidden folders and what others build are passed over.

@@ -3,7 +3,7 @@
 use crate::client::Client;
 use crate::config::Config;
 use crate::convert::Places;
-use crate::disk::Found;
+use crate::disk::{Files, Found};
 use crate::features;
 use crate::state::State;
 use crate::text::Text;
@@ -46,6 +46,10 @@ pub struct Context {
     pub open: BTreeMap<PathBuf, Uri>,
     /// Versions of open documents.
     pub versions: BTreeMap<String, i32>,
+    /// Open texts, then the disk.
+    pub files: Files,
+    /// The folders of the workspace.
+    pub roots: Arc<[PathBuf]>,
 }
 
 impl Context {
@@ -154,7 +158,7 @@ impl State {
             "textDocument/semanticTokens/range" => self.document(id, given, looks::tokens_range),
             "textDocument/foldingRange" => self.document(id, given, looks::folding),
             "textDocument/selectionRange" => self.document(id, given, looks::selection),
-            "textDocument/documentLink" => self.document(id, given, looks::links),
+            "textDocument/documentLink" => self.links(id, given),
             "textDocument/documentColor" => self.document(id, given, looks::colours),
             "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
             "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
@@ -175,12 +179,24 @@ impl State {
             }
             "workspace/symbol" => {
                 let query = given["query"].as_str().unwrap_or_default().to_owned();
-                let (roots, files, encoding) = (self.roots.clone(), self.documents.files(), self.client.encoding);
+                let (roots, files, encoding) = (Arc::clone(&self.roots), self.documents.files(), self.client.encoding);
                 self.ask_pool(id, move || Ok(navigation::workspace_symbols(&roots, &files, encoding, &query)));
                 Ok(())
             }
             _ => Err(Fault::Unknown(method.to_owned())),
         }
+    }
+
+    /// `textDocument/documentLink`, which is asked of layouts, too.
+    fn links(&mut self, id: &Id, given: Value) -> Result<(), Fault> {
+        let uri = given["textDocument"]["uri"].as_str().unwrap_or_default();
+        let data = self.documents.get(uri).filter(|document| document.scene.is_none());
+        let Some((path, text)) = data.map(|d| (d.path.clone(), Arc::clone(&d.text))) else {
+            return self.document(id, given, features::looks::links);
+        };
+        let (encoding, files) = (self.client.encoding, self.documents.files());
+        self.ask_pool(id, move || Ok(features::looks::layout_links(&path, &text, encoding, &files)));
+        Ok(())
     }
 
     /// A question that is none of the protocol.

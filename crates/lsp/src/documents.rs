@@ -126,6 +126,15 @@ impl Documents {
         }
     }
 
+    /// All files that something is known of because they were read, or would have been.
+    pub fn read(&self) -> impl Iterator<Item = PathBuf> {
+        let scenes = self.open.values().filter_map(|document| document.scene.as_ref());
+        scenes.flat_map(|scene| {
+            let imports = scene.host.files().map(normal);
+            imports.chain(scene.layout.clone()).chain(scene.settings.file.clone())
+        })
+    }
+
     /// The settings of the editor have changed.
     pub fn reconfigured(&mut self, config: &Config) {
         for document in self.open.values_mut() {

@@ -9,12 +9,11 @@ use crate::text::Text;
 use scenelang_base::{Edit, SourceMap, TextRange, fix};
 use scenelang_ide::actions::placing;
 use scenelang_ide::{Judged, LayoutFile};
-use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Vec3, file as layout_file};
-use scenelang_verify::check::{Judged as Row, Subject};
 use scenelang_verify::{Live, Options, report};
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use tower_lsp::jsonrpc::Id;
@@ -138,7 +137,7 @@ impl State {
         options.physics &= judged.compiled.complete;
         let live = Live::new(&judged.compiled.program, moved, &options);
         let name = context.snapshot.sources().get(old.file).name();
-        let answer = answer(&live, &judged.compiled.program, context.snapshot.sources(), name);
+        let answer = report::moved(&live, &judged.compiled.program, context.snapshot.sources(), name);
         let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
         let message = format!("move {object}");
         let edit = (!edits.is_empty()).then_some(edit);
@@ -162,40 +161,10 @@ fn follow(scene: &Scene, steps: &Receiver<Step>, events: &Sender<Event>) {
         }
         dragged = Some(step.object);
         live.place(step.object, step.pos, step.rot);
-        let answer = answer(&live, program, &scene.sources, &scene.name);
+        let answer = report::moved(&live, program, &scene.sources, &scene.name);
         let reply = move |state: &mut State| state.reply(&step.id, Ok(answer));
         if events.send(Event::Done(Box::new(reply))).is_err() {
             return;
         }
     }
-}
-
-/// What holds now.
-fn answer(live: &Live<'_>, program: &Program, sources: &SourceMap, name: &str) -> Value {
-    let object = |id: &ObjectId| program.objects.get(id.0 as usize).map_or("", |o| o.name.as_str());
-    let id = |row: &Row| match row.subject {
-        Subject::Statement(_) => report::statement_id(name, sources, row.place),
-        Subject::Pair(a, b) => format!("{}:{}:{}", row.kind.rule().unwrap_or_default(), object(&a), object(&b)),
-        Subject::Object(a) => format!("{}:{}", row.kind.rule().unwrap_or_default(), object(&a)),
-    };
-    let shown = |row: &Row| {
-        let state = match row.satisfied {
-            Some(true) => "holds",
-            Some(false) => "fails",
-            None => "unknown",
-        };
-        let margin = row.margin.filter(|(m, _)| m.is_finite());
-        let unit = margin.map(|(_, u)| if u == Unit::Degree { "deg" } else { "m" });
-        let objects: Vec<&str> = row.objects.iter().map(object).collect();
-        json!({
-            "id": id(row), "state": state, "margin": margin.map(|(m, _)| m + 0.0), "unit": unit, "objects": objects,
-        })
-    };
-    let (physical, stated): (Vec<&Row>, Vec<&Row>) = live.rows().partition(|row| row.kind.rule().is_some());
-    let holds = live.rows().filter(|row| row.satisfied == Some(true)).count();
-    json!({
-        "holds": holds, "total": live.rows().count(),
-        "constraints": stated.into_iter().map(shown).collect::<Vec<_>>(),
-        "physical": physical.into_iter().map(shown).collect::<Vec<_>>(),
-    })
 }

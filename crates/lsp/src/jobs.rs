@@ -208,7 +208,6 @@ impl State {
         }
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
         progress.tell(&json!({ "kind": "begin", "title": title, "cancellable": true }));
-        let files = self.documents.files();
         let advisers = self.advisers(stop.clone());
         let (id, events, generation) = (id.clone(), self.events(), context.generation);
         let uri = uri.to_owned();
@@ -216,7 +215,7 @@ impl State {
         let done = progress.clone();
         let spawned = thread.spawn(move || {
             let result = guarded(|| {
-                let job = job_of(context, files, stop, progress, advisers)?;
+                let job = job_of(context, stop, progress, advisers)?;
                 let outcome = work(&job)?;
                 if job.stop.is_set() { Err(Fault::Cancelled) } else { Ok(outcome) }
             });
@@ -287,12 +286,12 @@ impl State {
     }
 }
 
-fn job_of(context: Context, files: Files, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
+fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete {
         return Err(Fault::Failed("the program has errors; mend these first".to_owned()));
     }
-    let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, .. } = context;
+    let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, files, .. } = context;
     let llm = settings.settings.llm.clone();
     let judging = snapshot.judging().clone();
     let layout = snapshot.layout_file();

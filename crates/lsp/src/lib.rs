@@ -6,6 +6,7 @@
 //!
 //! Absent here: what the answers are. No protocol type leaves this crate.
 
+mod advised;
 mod capabilities;
 mod client;
 mod commands;
@@ -26,6 +27,7 @@ mod publish;
 mod record;
 mod state;
 mod text;
+mod trace;
 mod vocabulary;
 mod wire;
 

@@ -1,7 +1,8 @@
 //! Repair: what a change of the layout or the program would mend, verified before it is offered, with what it moves and
 //! which margins it changes.
 
-use crate::commands::{Watch, count};
+use crate::advised::advised;
+use crate::commands::count;
 use crate::dispatch::Fault;
 use crate::jobs::{Job, Outcome};
 use scenelang_base::{SourceFile, SourceMap};
@@ -11,7 +12,6 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
 use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Which, mend as look};
-use scenelang_synth::{Adviser, Arranging, arrange};
 use scenelang_verify::Verdict;
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
@@ -118,21 +118,10 @@ fn is_target(which: &Which, row: &RowRef, before: &Verdict) -> bool {
         }
 }
 
-/// What a language model and the numeric search make of the layout, if it mends what is to be mended and breaks nothing.
+/// What a language model makes of the layout, if that mends what is to be mended and breaks nothing.
 fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) -> Result<Option<Alternative>, Fault> {
-    let Ok(Some((mut model, asking))) = job.advisers.model(&job.llm) else { return Ok(None) };
-    job.progress.say("asking the language model");
-    let how = Arranging {
-        previous: Some(layout),
-        judge: job.judging.options,
-        stop: job.stop.clone(),
-        ..Arranging::default()
-    };
-    let adviser = Adviser { model: model.as_mut(), asking };
+    let Some(after) = advised(job, layout, targets)? else { return Ok(None) };
     let program = &job.compiled.program;
-    let Some(arranged) = arrange(program, how, Some(adviser), &mut Watch(job)) else { return Err(Fault::Cancelled) };
-    // Draws are those of the layout that is mended.
-    let after = Layout { draws: layout.draws.clone(), ..arranged.outcome.layout };
     let verdict = job.verdict(&after, 0);
     let holds =
         |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));

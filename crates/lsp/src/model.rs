@@ -16,6 +16,8 @@ pub type Connect = fn(&Llm) -> Result<Option<Asked>, Error>;
 
 /// The longest wait for an answer of the editor's model.
 const LONGEST: Duration = Duration::from_secs(180);
+/// Larger answers are not read (bytes): the moves of a whole scene are far smaller.
+const LARGEST: usize = 4 << 20;
 
 /// Where a model may come from.
 #[derive(Clone)]
@@ -80,6 +82,7 @@ impl Model for Editor {
         };
         let text = result.map_err(|e| unreachable(&scenelang_llm::plain(&e.message, 200)))?;
         match &text["text"] {
+            Value::String(text) if text.len() > LARGEST => Err(Error::TooLarge(LARGEST as u64)),
             Value::String(text) => Ok(Reply { text: text.clone(), usage: Usage::estimate(request, text) }),
             _ => Err(Error::Malformed("the editor's answer has no text".to_owned())),
         }

@@ -11,6 +11,7 @@ use crate::pool::Pool;
 use crate::publish::{Board, Verdict, proofs, verdict};
 use crate::record::Recorder;
 use crate::text::Encoding;
+use crate::trace::Trace;
 use crate::{capabilities, disk, parent};
 use futures::channel::{mpsc, oneshot};
 use serde::Deserialize;
@@ -20,6 +21,7 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, mpsc as queue};
+use std::time::{Duration, Instant};
 use tower_lsp::jsonrpc::{self, Error, ErrorCode, Id, Request, Response};
 use tower_lsp::ls_types::{
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
@@ -73,6 +75,8 @@ enum Phase {
 
 /// A question that is being worked on.
 struct Pending {
+    method: String,
+    began: Instant,
     reply: oneshot::Sender<jsonrpc::Result<Value>>,
     stop: Stop,
 }
@@ -87,6 +91,8 @@ pub type Work = Arc<dyn Fn(&Context) -> Result<Value, Fault> + Send + Sync>;
 /// All state.
 pub struct State {
     phase: Phase,
+    /// How much the client wants to be told of what is done.
+    trace: Trace,
     /// What the client can.
     pub client: Arc<Client>,
     /// What the user has set.
@@ -94,7 +100,7 @@ pub struct State {
     /// What is open.
     pub documents: Documents,
     /// The folders of the workspace.
-    pub roots: Vec<PathBuf>,
+    pub roots: Arc<[PathBuf]>,
     board: Board,
     pool: Pool,
     pending: HashMap<Id, Pending>,
@@ -110,6 +116,8 @@ pub struct State {
     pub connect: Option<Connect>,
     /// Whether something is being proved: one thing at a time.
     proving: bool,
+    /// What files were, for a client that does not say when they change.
+    stamps: disk::Stamps,
     /// Questions about the workspace that wait for a change.
     pub waiting: Vec<(Id, Value)>,
 }
@@ -119,10 +127,11 @@ impl State {
     pub fn new(setup: &Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
         Self {
             phase: Phase::New,
+            trace: Trace::Off,
             client: Arc::new(Client::new(&Value::Null)),
             config: Arc::default(),
             documents: Documents::default(),
-            roots: Vec::new(),
+            roots: Arc::default(),
             board: Board::default(),
             pool: Pool::new(),
             pending: HashMap::new(),
@@ -131,6 +140,7 @@ impl State {
             to_client,
             events,
             proving: false,
+            stamps: disk::Stamps::default(),
             jobs: HashMap::new(),
             drags: HashMap::new(),
             connect: setup.connect,
@@ -199,7 +209,10 @@ impl State {
                 let _ = reply.send(Ok(Value::Null));
             }
             (Phase::Running, _) => {
-                self.pending.insert(id.clone(), Pending { reply, stop: Stop::default() });
+                self.log(|| format!("received request '{method} - ({id})'"), || format!("Params: {params}"));
+                let began = Instant::now();
+                let pending = Pending { method: method.to_owned(), began, reply, stop: Stop::default() };
+                self.pending.insert(id.clone(), pending);
                 if let Err(fault) = self.dispatch(id, method, params) {
                     self.reply(id, Err(fault));
                 }
@@ -209,8 +222,21 @@ impl State {
 
     /// Answers a question, unless it was cancelled.
     pub fn reply(&mut self, id: &Id, result: Result<Value, Fault>) {
-        let Some(Pending { reply, .. }) = self.pending.remove(id) else { return };
-        let _ = reply.send(result.map_err(Fault::into_error));
+        let Some(pending) = self.pending.remove(id) else { return };
+        self.answer(id, pending, result.map_err(Fault::into_error));
+    }
+
+    fn answer(&self, id: &Id, pending: Pending, result: jsonrpc::Result<Value>) {
+        let Pending { method, began, reply, .. } = pending;
+        let say = || {
+            let failed = result.as_ref().err().map(|e| format!(": {}", e.message)).unwrap_or_default();
+            format!("sending response '{method} - ({id})' after {} ms{failed}", began.elapsed().as_millis())
+        };
+        self.log(say, || match &result {
+            Ok(value) => format!("Result: {value}"),
+            Err(error) => format!("Error: {} {}", error.code.code(), error.message),
+        });
+        let _ = reply.send(result);
     }
 
     /// Whether a question was cancelled, for whoever works on it.
@@ -274,13 +300,19 @@ impl State {
             tokens: Arc::clone(&scene.tokens),
             open,
             versions,
+            files: self.documents.files(),
+            roots: Arc::clone(&self.roots),
         })
     }
 
     // ── What the client tells ──
 
     fn notification(&mut self, method: &str, params: Value) {
+        if self.phase == Phase::Running {
+            self.log(|| format!("received notification '{method}'"), || format!("Params: {params}"));
+        }
         match (self.phase, method) {
+            (Phase::Running, "$/setTrace") => self.trace = Trace::read(&params["value"]),
             (_, "$/cancelRequest") => self.cancel(&params["id"]),
             (Phase::Running, "window/workDoneProgress/cancel") => self.cancel_progress(&params["token"]),
             (Phase::Running, "initialized") => self.initialized(),
@@ -289,7 +321,7 @@ impl State {
             (Phase::Running, "textDocument/didClose") => self.with(params, |s, p| s.closed(&p)),
             (Phase::Running, "textDocument/didSave") => self.with(params, |s, p| s.saved(&p)),
             (Phase::Running, "workspace/didChangeConfiguration") => self.configured(&params),
-            (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, Self::watched),
+            (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, |s, p| s.watched(&p)),
             (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, |s, p| s.folders(&p)),
             _ => {}
         }
@@ -304,9 +336,9 @@ impl State {
 
     fn cancel(&mut self, id: &Value) {
         let Ok(id) = Id::deserialize(id) else { return };
-        let Some(Pending { reply, stop }) = self.pending.remove(&id) else { return };
-        stop.set();
-        let _ = reply.send(Err(Error::request_cancelled()));
+        let Some(pending) = self.pending.remove(&id) else { return };
+        pending.stop.set();
+        self.answer(&id, pending, Err(Error::request_cancelled()));
     }
 
     fn opened(&mut self, params: DidOpenTextDocumentParams) {
@@ -354,9 +386,12 @@ impl State {
         }
     }
 
-    fn watched(&mut self, params: DidChangeWatchedFilesParams) {
-        for change in params.changes {
-            let path = disk::path_of(&change.uri);
+    fn watched(&mut self, params: &DidChangeWatchedFilesParams) {
+        self.changed_on_disk(params.changes.iter().map(|change| disk::path_of(&change.uri)));
+    }
+
+    fn changed_on_disk(&mut self, paths: impl IntoIterator<Item = PathBuf>) {
+        for path in paths {
             // Of what is open, the editor's text counts.
             if self.documents.at(&path).is_none() {
                 self.documents.forget(&path);
@@ -366,10 +401,28 @@ impl State {
         self.wake();
     }
 
+    /// Looks at files every now and then, for a client that cannot say when they change.
+    fn look_at_files(&self) {
+        const EVERY: Duration = Duration::from_millis(700);
+        let events = self.events.clone();
+        std::thread::spawn(move || {
+            let look = |state: &mut State| {
+                let changed = state.stamps.changed(state.documents.read());
+                if !changed.is_empty() {
+                    state.changed_on_disk(changed);
+                }
+            };
+            // Until there is no state any more.
+            while events.send(Event::Done(Box::new(look))).is_ok() {
+                std::thread::sleep(EVERY);
+            }
+        });
+    }
+
     fn folders(&mut self, params: &DidChangeWorkspaceFoldersParams) {
         let removed: Vec<PathBuf> = params.event.removed.iter().map(|f| disk::path_of(&f.uri)).collect();
-        self.roots.retain(|root| !removed.contains(root));
-        self.roots.extend(params.event.added.iter().map(|f| disk::path_of(&f.uri)));
+        let kept = self.roots.iter().filter(|root| !removed.contains(root)).cloned();
+        self.roots = kept.chain(params.event.added.iter().map(|f| disk::path_of(&f.uri))).collect();
         self.wake();
     }
 
@@ -377,6 +430,7 @@ impl State {
 
     fn initialize(&mut self, params: &Value) -> Value {
         self.phase = Phase::Running;
+        self.trace = Trace::read(&params["trace"]);
         self.client = Arc::new(Client::new(params));
         let folder = |value: &Value| Uri::deserialize(value).ok().map(|uri| disk::path_of(&uri));
         let folders = params["workspaceFolders"].as_array();
@@ -392,7 +446,7 @@ impl State {
             parent::watch(process, move || {
                 let _ = events.send(Event::Closed);
                 // Whoever should close our input is gone, and may have left it open.
-                std::thread::sleep(std::time::Duration::from_millis(500));
+                std::thread::sleep(Duration::from_millis(500));
                 std::process::exit(1);
             });
         }
@@ -406,6 +460,8 @@ impl State {
             registrations.push(json!({
                 "id": "files", "method": "workspace/didChangeWatchedFiles", "registerOptions": { "watchers": globs },
             }));
+        } else {
+            self.look_at_files();
         }
         if self.client.watches_configuration {
             registrations.push(json!({
@@ -462,6 +518,10 @@ impl State {
             d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
         };
         let keys: Vec<String> = self.documents.iter().filter(|d| stale(d)).map(|d| d.uri.as_str().to_owned()).collect();
+        if !self.client.watches_files && !keys.is_empty() {
+            // What is read from here on is at least as new.
+            self.stamps.learn(self.documents.read());
+        }
         for key in keys {
             let judging = self.documents.get(&key).and_then(|d| d.scene.as_ref()).is_some_and(|s| s.judging);
             // One verdict at a time: the next begins when this one is there, or was found outdated.
@@ -496,6 +556,7 @@ impl State {
         let layout = scene.layout.as_deref().filter(|_| count.is_some()).and_then(disk::uri_of);
         let [holds, total] = count.unwrap_or_default();
         let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });
+        self.log(|| format!("judged {key}: {holds} of {total} hold"), || format!("generation {generation}"));
         for (uri, marks) in self.board.put(key, marks) {
             self.publish(&uri, &marks);
         }
@@ -592,6 +653,13 @@ impl State {
         let token = json!(format!("scenelang/{}", self.asks + 1));
         self.ask_client("window/workDoneProgress/create", json!({ "token": token }), |_, _| {});
         Some(token)
+    }
+
+    /// Tells of what is done, as much of it as the client wants.
+    fn log(&self, message: impl FnOnce() -> String, about: impl FnOnce() -> String) {
+        if let Some(entry) = self.trace.entry(message, about) {
+            self.tell("$/logTrace", entry);
+        }
     }
 
     /// For threads that tell the client something themselves.

@@ -1,5 +1,5 @@
-// Which `scenelang` program is the server: what the user set, else the one that comes with the extension, else the one on
-// the PATH. Knows nothing of the editor.
+// Which `scenelang` program is the server: the one that comes with the extension, which is known to fit it, else the one that
+// the user has set, else the one on the PATH. Knows nothing of the editor.
 
 import { delimiter, isAbsolute, join } from "node:path";
 
@@ -21,17 +21,17 @@ export type Located = { readonly command: string; readonly from: "setting" | "ex
 
 export function locate({ setting, workspace, extension, path, windows, runs }: Places): Located {
   const name = windows ? "scenelang.exe" : "scenelang";
+  const bundled = join(extension, "server", name);
+  if (runs(bundled)) return { command: bundled, from: "extension" };
   if (setting !== "") {
     const file = isAbsolute(setting) || workspace === null ? setting : join(workspace, setting);
     if (!isAbsolute(file)) return { missing: `the setting scenelang.server.path is "${setting}", which is relative, and no folder is open` };
     // Whoever sets it does not want another.
     return runs(file) ? { command: file, from: "setting" } : { missing: `the setting scenelang.server.path names ${file}, which is no program` };
   }
-  const bundled = join(extension, "server", name);
-  if (runs(bundled)) return { command: bundled, from: "extension" };
   // A relative entry would be looked up in whatever folder is open.
   const folders = path.split(delimiter).filter((folder) => isAbsolute(folder));
   const found = folders.map((folder) => join(folder, name)).find(runs);
   if (found !== undefined) return { command: found, from: "PATH" };
-  return { missing: `there is no ${name} in the extension or on the PATH` };
+  return { missing: `there is no ${name} in the extension or on the PATH, and the setting scenelang.server.path names none` };
 }

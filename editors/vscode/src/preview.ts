@@ -80,6 +80,8 @@ class Preview {
   /** What to emphasise once there is something to emphasise. */
   private wanted: string | null = null;
   private ready = false;
+  /** The geometry that the page has. */
+  private shape = "";
   private shown = false;
 
   constructor(
@@ -120,7 +122,10 @@ class Preview {
       void this.post({ type: "stale", why: why ?? "the program has no layout yet, or does not compile" });
       return;
     }
-    void this.post({ type: "scenelang-data", data: scene.data, uri: this.uri });
+    const { shape = "" } = scene.data;
+    const known = shape !== "" && shape === this.shape;
+    this.shape = shape;
+    void this.post({ type: "scenelang-data", data: known ? { ...scene.data, glb: null } : scene.data, uri: this.uri });
     this.shown = true;
     if (why !== null) void this.post({ type: "stale", why });
     if (this.wanted !== null) void this.post({ type: "select", what: this.wanted });
@@ -131,6 +136,7 @@ class Preview {
     switch (said.type) {
       case "ready":
         this.ready = true;
+        this.shape = "";
         this.scenes.get(this.uri);
         return this.send();
       case "reveal":

@@ -28,11 +28,19 @@ export interface SceneObject {
   readonly range: Range;
 }
 
-/** `scenelang/scene` {uri}: a program as its layout has it. */
+/** What a page shows, and checks; only this is looked at on the way. */
+export interface Room {
+  /** Names the geometry. */
+  readonly shape?: string;
+  /** Left out (`null`) where whoever asked knows the shape. */
+  readonly glb: string | null;
+}
+
+/** `scenelang/scene` {uri, known}: a program as its layout has it; `known` is a shape. */
 export interface Scene {
   readonly layout: string | null;
-  /** For the page, which checks it; `null` where there is no room to show. */
-  readonly data: unknown;
+  /** `null`: there is no room to show. */
+  readonly data: Room | null;
   readonly holds: number;
   readonly total: number;
   readonly constraints: readonly Constraint[];

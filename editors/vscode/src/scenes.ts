@@ -84,7 +84,10 @@ export class Scenes implements vscode.Disposable {
     while (entry.stale) {
       entry.stale = false;
       try {
-        entry.scene = await this.server.ask<Scene>("scenelang/scene", { uri });
+        const known = entry.scene?.data ?? null;
+        const scene = await this.server.ask<Scene>("scenelang/scene", { uri, known: known?.shape });
+        // Geometry does not change when things are only moved, and is not sent again.
+        entry.scene = scene.data?.glb === null && known !== null ? { ...scene, data: { ...scene.data, glb: known.glb } } : scene;
         entry.why = null;
       } catch (error) {
         entry.why = error instanceof Error ? error.message : String(error);

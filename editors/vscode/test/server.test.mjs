@@ -94,6 +94,20 @@ check("what a layout breaks is underlined in the program, listed, counted and ex
   await e.page.keyboard.press("Escape");
 });
 
+check("a task is run, says how it went, and its findings are problems", async () => {
+  await show(0);
+  const marks = () => e.api("return vscode.languages.getDiagnostics(vscode.Uri.file(args.ws + '/' + args.name)).map((d) => [d.range.start.line, d.severity, d.message])", { name: `${ROOM}.scene` });
+  const before = await marks();
+  const run = (name) => e.api("const task = (await vscode.tasks.fetchTasks({type: 'scenelang'})).find((t) => t.name === args.name); const ended = new Promise((done) => vscode.tasks.onDidEndTaskProcess((e) => e.execution.task.name === args.name && done(e.exitCode))); await vscode.tasks.executeTask(task); return ended", { name });
+  assert.equal(await run(`check ${ROOM}.layout.json`).catch(() => "no such task"), "no such task", "tasks are for programs");
+  assert.equal(await run("check"), 1, "the whole folder: something fails in it");
+  const found = await until("its findings", async () => ((now) => now.length > before.length && now)(await marks()));
+  const line = await lineOf("inCorner(p, room)");
+  assert.ok(found.filter(([at, severity]) => at === line && severity === 0).length >= 2, `of the server and of the task: ${JSON.stringify(found)}`);
+  assert.equal(await run(`check ${ROOM}.scene`), 0, "the program by itself is sound");
+  await command("workbench.action.closePanel");
+});
+
 check("the tree lists it, and the preview draws it", async () => {
   await command("scenelang.constraints.focus");
   await until("the tree", async () => (await texts(".pane-body .monaco-list-row")).some((row) => /inCorner/.test(row)));

@@ -28,13 +28,14 @@ const manifest = JSON.parse(readFileSync(here("../package.json"), "utf8"));
 
 const PLACES = { setting: "", workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
 const LOCATED = [
-  ["the setting, before all others", { setting: "/own/scenelang" }, ["/own/scenelang", "/ext/server/scenelang"], { command: "/own/scenelang", from: "setting" }],
+  ["the one that comes with the extension, before all others", { setting: "/own/scenelang" }, ["/own/scenelang", "/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
+  ["the setting, before the PATH", { setting: "/own/scenelang" }, ["/own/scenelang", "/usr/bin/scenelang"], { command: "/own/scenelang", from: "setting" }],
   ["the setting, relative to the workspace", { setting: "bin/scenelang" }, ["/ws/bin/scenelang"], { command: "/ws/bin/scenelang", from: "setting" }],
   ["the one that comes with the extension", {}, ["/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
   ["the first on the PATH", {}, ["/opt/bin/scenelang"], { command: "/opt/bin/scenelang", from: "PATH" }],
   ["with the name of the system", { windows: true }, ["/ext/server/scenelang.exe", "/ext/server/scenelang"], { command: "/ext/server/scenelang.exe", from: "extension" }],
-  ["never a relative entry of the PATH", { path: ".:bin" }, ["bin/scenelang", "scenelang", "/ws/scenelang"], { missing: "there is no scenelang in the extension or on the PATH" }],
-  ["a setting that names nothing is not passed over", { setting: "/gone" }, ["/ext/server/scenelang"], { missing: "the setting scenelang.server.path names /gone, which is no program" }],
+  ["never a relative entry of the PATH", { path: ".:bin" }, ["bin/scenelang", "scenelang", "/ws/scenelang"], { missing: "there is no scenelang in the extension or on the PATH, and the setting scenelang.server.path names none" }],
+  ["a setting that names nothing is not passed over", { setting: "/gone" }, ["/usr/bin/scenelang"], { missing: "the setting scenelang.server.path names /gone, which is no program" }],
   ["a relative setting without a folder", { setting: "bin/x", workspace: null }, ["bin/x"], { missing: 'the setting scenelang.server.path is "bin/x", which is relative, and no folder is open' }],
 ];
 for (const [name, places, there, found] of LOCATED) test(`the server: ${name}`, () => assert.deepEqual(locate({ ...PLACES, ...places, runs: (file) => there.includes(file) }), found));

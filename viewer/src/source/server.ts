@@ -1,15 +1,19 @@
 // A page of `scenelang view`: the room over HTTP, news of it as server-sent events, moves as requests.
 //
-//   GET  scene   the room              GET events   `changed`, `stale` (data: why)
+//   GET  scene?known=SHAPE   the room, without the geometry where that is known
+//   GET  events  `changed`, `stale` (data: why)
 //   POST move    {object, pos, rot, commit} -> verdicts
 //
 // What the page may ask is secured by a token that only the page knows (`data-token`): another site that guesses the port
 // can send a request, but not this header.
 
 import { type Move, readVerdicts, type Verdicts } from "../live.js";
+import { Shapes } from "./shapes.js";
 import type { Sink, Source } from "./source.js";
 
 export class Server implements Source {
+  private readonly shapes = new Shapes();
+
   constructor(private readonly token: string) {}
 
   start(sink: Sink): void {
@@ -17,8 +21,8 @@ export class Server implements Source {
     // The first event comes at once, and again after a connection was lost.
     const events = new EventSource("events");
     const fetchRoom = async () => {
-      const answer = await fetch("scene");
-      if (answer.ok) sink.load(await answer.json());
+      const answer = await fetch(`scene?known=${encodeURIComponent(this.shapes.known)}`);
+      if (answer.ok) sink.load(this.shapes.whole(await answer.json()));
       else sink.stale((await answer.text()) || answer.statusText);
     };
     const load = () => void fetchRoom().catch((why: unknown) => sink.stale(String(why)));

@@ -1,10 +1,11 @@
 // A panel of VS Code. The extension sends rooms and answers; the page sends what is dragged and pointed at.
 //
-//   to the page:    {type: "scenelang-data", data, uri}  {type: "moved", id, verdicts | error}  {type: "select", what}
+//   to the page:    {type: "scenelang-data", data, uri} (without the geometry where it was sent before)  {type: "moved", id, verdicts | error}  {type: "select", what}
 //                   {type: "wait", why}  {type: "stale", why | null}
 //   from the page:  {type: "ready"}  {type: "move", id, object, pos, rot, commit}  {type: "reveal", object | row}
 
 import { type Move, readVerdicts, type Verdicts } from "../live.js";
+import { Shapes } from "./shapes.js";
 import type { Pointed, Sink, Source } from "./source.js";
 
 /** What the editor puts into the page. */
@@ -27,6 +28,7 @@ type Message =
 export class Webview implements Source {
   private readonly asked = new Map<number, { done(verdicts: Verdicts): void; failed(why: unknown): void }>();
   private last = 0;
+  private readonly shapes = new Shapes();
 
   constructor(private readonly editor: EditorApi) {}
 
@@ -55,7 +57,7 @@ export class Webview implements Source {
       case "scenelang-data":
         // By this the editor finds the room again after it was closed.
         this.editor.setState({ uri: message.uri });
-        return sink.load(message.data);
+        return sink.load(this.shapes.whole(message.data));
       case "select":
         return sink.select(message.what);
       case "wait":

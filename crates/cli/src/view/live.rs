@@ -2,14 +2,16 @@
 
 use crate::room::Room;
 use scenelang_export::preview;
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::{Disk, Loader};
 use scenelang_layout::{Layout, Vec3, file as layout_file};
 use scenelang_verify::check::check;
-use scenelang_verify::report;
+use scenelang_verify::{Live, report};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// What a page asks: an object elsewhere.
@@ -44,30 +46,48 @@ pub struct Shown {
 struct State {
     /// Counts what pages have to be told.
     version: u64,
-    room: Option<Room>,
-    /// The room for the page, as JSON.
-    data: Option<String>,
+    room: Option<Arc<Room>>,
+    /// The room for the page.
+    data: Option<Told>,
+    /// What is dragged at the moment.
+    drag: Option<Drag>,
     /// Why there is no room, or why it is old.
     why: Option<String>,
+}
+
+/// A room as JSON.
+#[derive(PartialEq)]
+struct Told {
+    /// Names the geometry.
+    shape: String,
+    whole: String,
+    /// Without the geometry.
+    places: String,
+}
+
+impl Told {
+    fn new(room: &Room) -> Result<Self, String> {
+        let mut told = preview::live(room.scene()?, None).map_err(|e| e.to_string())?;
+        let (shape, whole) = (told["shape"].as_str().unwrap_or_default().to_owned(), told.to_string());
+        told["glb"] = Value::Null;
+        Ok(Self { shape, whole, places: told.to_string() })
+    }
 }
 
 impl Shown {
     /// Nothing yet; `file` is a program or a layout.
     pub fn new(file: &Path) -> Self {
-        let state = State { version: 0, room: None, data: None, why: Some("it is being read".to_owned()) };
+        let state = State { version: 0, room: None, data: None, drag: None, why: Some("it is being read".to_owned()) };
         Self { file: file.to_path_buf(), state: Mutex::new(state), news: Condvar::new() }
     }
 
     /// Reads the files again, and tells all pages if anything is different.
     pub fn read(&self, loader: &dyn Loader) {
-        let read = Room::read(&self.file, loader).and_then(|room| {
-            let carried = preview::carried(&room.scene()?).map_err(|e| e.to_string())?;
-            Ok((room, carried.to_string()))
-        });
+        let read = Room::read(&self.file, loader).and_then(|room| Ok((Told::new(&room)?, room)));
         let mut state = self.lock();
         match read {
-            Ok((_, data)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
-            Ok((room, data)) => (state.room, state.data, state.why) = (Some(room), Some(data), None),
+            Ok((data, _)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
+            Ok((data, room)) => (state.room, state.data, state.why) = (Some(Arc::new(room)), Some(data), None),
             Err(why) if state.why.as_ref() == Some(&why) => return,
             // What could be shown last stays.
             Err(why) => state.why = Some(why),
@@ -76,12 +96,13 @@ impl Shown {
         self.news.notify_all();
     }
 
-    /// The room as JSON, or why there is none that is up to date.
-    pub fn data(&self) -> Result<String, String> {
+    /// The room as JSON, without the geometry if that is `known`; or why there is none that is up to date.
+    pub fn data(&self, known: &str) -> Result<String, String> {
         let state = self.lock();
         match (&state.why, &state.data) {
             (Some(why), _) => Err(why.clone()),
-            (None, Some(data)) => Ok(data.clone()),
+            (None, Some(data)) if data.shape == known => Ok(data.places.clone()),
+            (None, Some(data)) => Ok(data.whole.clone()),
             (None, None) => Err(String::new()),
         }
     }
@@ -100,31 +121,96 @@ impl Shown {
     /// It cannot be, the file has changed since it was read, or it cannot be written.
     pub fn go(&self, asked: &Move) -> Result<Value, Refused> {
         let mut state = self.lock();
-        let room = state.room.as_ref().ok_or_else(|| Refused::Wrong("there is no room yet".to_owned()))?;
+        let room = state.room.clone().ok_or_else(|| Refused::Wrong("there is no room yet".to_owned()))?;
         let moved = moved(&room.layout, asked).map_err(Refused::Wrong)?;
+        if !asked.commit {
+            let answer = state.consider(&room, asked)?;
+            drop(state);
+            // The thread of a drag that ends without an answer has made a mistake; the next move begins another.
+            return answer.recv().map_err(|_| Refused::Failed("it cannot be judged".to_owned()));
+        }
+        state.drag = None;
         let verdict = check(&room.program, &moved, &room.options);
         let name = &room.checked.report.file;
         let report = report::build(name, &verdict, Some(&room.program), &room.checked.sources, &room.options);
-        if asked.commit {
-            // What somebody else has written meanwhile is not ours to undo.
-            let same =
-                Disk.load(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
-            if !same {
-                return Err(Refused::Changed(format!("{} has changed meanwhile", room.path.display())));
-            }
-            let old = layout_file::read(room.text(), scenelang_base::FileId(0));
-            layout_file::write(&room.path, &moved, old.usable.then_some(&old.document))
-                .map_err(|e| Refused::Failed(e.to_string()))?;
-            // Another move may come before the file is looked at.
-            if let Ok(now) = Room::read(&self.file, &Disk) {
-                state.room = Some(now);
-            }
+        // What somebody else has written meanwhile is not ours to undo.
+        let same = Disk.load(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
+        if !same {
+            return Err(Refused::Changed(format!("{} has changed meanwhile", room.path.display())));
+        }
+        let old = layout_file::read(room.text(), scenelang_base::FileId(0));
+        layout_file::write(&room.path, &moved, old.usable.then_some(&old.document))
+            .map_err(|e| Refused::Failed(e.to_string()))?;
+        // Another move may come before the file is looked at.
+        if let Ok(now) = Room::read(&self.file, &Disk) {
+            state.room = Some(Arc::new(now));
         }
         Ok(answer(&report))
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl State {
+    /// Has a step of a drag judged: where the answer comes.
+    fn consider(&mut self, room: &Arc<Room>, asked: &Move) -> Result<Receiver<Value>, Refused> {
+        let found = room.program.objects.iter().position(|object| object.name == asked.object);
+        let found = found.ok_or_else(|| Refused::Wrong(format!("the program has no `{}`", asked.object)))?;
+        let (answer, answered) = channel();
+        let mut step = Step { object: ObjectId(found as u32), pos: asked.pos, rot: asked.rot, answer };
+        if let Some(drag) = self.drag.as_ref().filter(|drag| Arc::ptr_eq(&drag.room, room)) {
+            match drag.steps.send(step) {
+                Ok(()) => return Ok(answered),
+                Err(unsent) => step = unsent.0,
+            }
+        }
+        let drag = Drag::begin(room).map_err(|e| Refused::Failed(e.to_string()))?;
+        let _ = drag.steps.send(step);
+        self.drag = Some(drag);
+        Ok(answered)
+    }
+}
+
+/// A drag that goes on: the room that it began in, and where its steps go.
+struct Drag {
+    room: Arc<Room>,
+    steps: Sender<Step>,
+}
+
+/// One step of a drag.
+struct Step {
+    object: ObjectId,
+    pos: [f64; 3],
+    rot: [f64; 3],
+    answer: Sender<Value>,
+}
+
+impl Drag {
+    /// A thread that keeps the judgement of a room: each step costs what it changes. It ends when nobody holds the drag.
+    fn begin(room: &Arc<Room>) -> std::io::Result<Self> {
+        let (steps, taken) = channel::<Step>();
+        let own = Arc::clone(room);
+        std::thread::Builder::new().name("drag".to_owned()).stack_size(8 << 20).spawn(move || {
+            let Room { program, layout, options, checked, .. } = &*own;
+            let mut live = Live::new(program, layout, options);
+            let mut dragged: Option<ObjectId> = None;
+            for step in taken {
+                let home = |id: ObjectId| program.objects.get(id.0 as usize).and_then(|o| layout.object(&o.name));
+                if let Some((before, home)) =
+                    dragged.filter(|id| *id != step.object).and_then(|id| Some((id, home(id)?)))
+                {
+                    // Another object: the first one was let go without being put down.
+                    live.place(before, home.pos, home.rot);
+                }
+                dragged = Some(step.object);
+                live.place(step.object, Vec3::from(step.pos), Vec3::from(step.rot));
+                // Whoever asked may be gone.
+                let _ = step.answer.send(report::moved(&live, program, &checked.sources, &checked.report.file));
+            }
+        })?;
+        Ok(Self { room: Arc::clone(room), steps })
     }
 }
 

@@ -82,11 +82,12 @@ fn answer(site: &Arc<Site>, mut request: Request) {
         return send(request, 403, "text/plain", "not for you");
     }
     let trusted = header("x-scenelang-token").is_some_and(|token| token == site.token);
-    let path = request.url().split('?').next().unwrap_or_default().to_owned();
+    let (path, query) = request.url().split_once('?').unwrap_or((request.url(), ""));
+    let (path, known) = (path.to_owned(), query.strip_prefix("known=").unwrap_or_default().to_owned());
     match (request.method(), path.as_str()) {
         (Method::Get, "/") => send(request, 200, "text/html", &site.page),
         (Method::Get, "/viewer.js") => send(request, 200, "text/javascript", site.viewer),
-        (Method::Get, "/scene") => match site.shown.data() {
+        (Method::Get, "/scene") => match site.shown.data(&known) {
             Ok(data) => send(request, 200, "application/json", &data),
             Err(why) => send(request, 409, "text/plain", &why),
         },

@@ -212,6 +212,14 @@ fn what_is_dragged_is_judged_and_written_when_let_go() {
     }
     assert_eq!(fs::read(&view.layout).unwrap(), before, "what is refused writes nothing");
 
+    // Whoever takes up another object has let go of the first.
+    let home: Value = serde_json::from_slice(&before).unwrap();
+    let home = &home["objects"]["lamp"];
+    let still = json!({ "object": "lamp", "pos": home["pos"], "rot": home["rot"], "commit": false });
+    let judged: Value = serde_json::from_str(&view.go(&still).body).unwrap();
+    assert_eq!((fails(&judged), &judged["physical"]), (0, &json!([])), "{judged}");
+
+    let first: Value = serde_json::from_str(&view.ask("GET /scene", &[], "").body).unwrap();
     let mut events = view.follow();
     events.until("changed");
     assert_eq!(view.go(&away(true)).status, 200);
@@ -220,6 +228,16 @@ fn what_is_dragged_is_judged_and_written_when_let_go() {
     let room: Value = serde_json::from_str(&view.ask("GET /scene", &[], "").body).unwrap();
     let shown = room["objects"].as_array().unwrap().iter().find(|o| o["name"] == "sideboard").unwrap();
     assert_eq!(shown["pos"], json!([0.5, 0.0, -1.5]));
+
+    // Who has the geometry is told of places only; it is the same as before, for nothing was but moved.
+    let shape = room["shape"].as_str().unwrap();
+    assert_eq!(first["shape"], shape);
+    let places = view.ask(&format!("GET /scene?known={shape}"), &[], "").body;
+    let places: Value = serde_json::from_str(&places).unwrap();
+    assert_eq!((&places["glb"], &places["objects"]), (&Value::Null, &room["objects"]));
+    assert_eq!(first["glb"], room["glb"]);
+    let other = view.ask("GET /scene?known=other", &[], "").body;
+    assert_eq!(serde_json::from_str::<Value>(&other).unwrap(), room);
 
     // And back: only its place has changed in the file.
     let home: Value = serde_json::from_slice(&before).unwrap();

@@ -42,7 +42,7 @@ pub fn document(context: &Context, params: &Document) -> Result<Value, Fault> {
 
 /// What a question about the workspace needs.
 struct Workspace {
-    roots: Vec<PathBuf>,
+    roots: Arc<[PathBuf]>,
     files: Files,
     client: Arc<Client>,
     config: Arc<Config>,
@@ -58,7 +58,7 @@ impl State {
         let before = given["previousResultIds"].as_array().into_iter().flatten();
         let before = before.filter_map(|p| Some((p["uri"].as_str()?.to_owned(), p["value"].as_str()?.to_owned())));
         let workspace = Workspace {
-            roots: self.roots.clone(),
+            roots: Arc::clone(&self.roots),
             files: self.documents.files(),
             client: Arc::clone(&self.client),
             config: Arc::clone(&self.config),
@@ -126,6 +126,8 @@ impl Workspace {
             tokens: Tokens::default(),
             open: self.open.clone(),
             versions: BTreeMap::new(),
+            files: self.files.clone(),
+            roots: Arc::clone(&self.roots),
         };
         let own = verdict(&context).ok()?.marks.remove(uri.as_str()).unwrap_or_default();
         Some((json!({ "kind": "full", "uri": uri, "version": null, "resultId": id, "items": own }), true))

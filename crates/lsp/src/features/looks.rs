@@ -2,15 +2,18 @@
 
 use super::navigation::Positions;
 use super::{Whole, Within};
-use crate::disk;
+use crate::disk::{self, Files};
 use crate::dispatch::{Context, Fault};
+use crate::text::{Encoding, Text};
 use crate::vocabulary::Words;
 use scenelang_base::TextRange;
 use scenelang_ide::hints::{self, HintKind, Lens};
 use scenelang_ide::shape::{self, Fold, Link};
 use scenelang_ide::{colors, tokens};
+use scenelang_lang::sources::normal;
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::path::Path;
 use std::sync::PoisonError;
 use tower_lsp::ls_types::{Range, TextDocumentIdentifier};
 
@@ -126,6 +129,18 @@ pub fn links(context: &Context, _: &Whole) -> Result<Value, Fault> {
         Some(json!({ "range": context.range(range), "target": target }))
     });
     Ok(found.collect())
+}
+
+/// The link from a layout to its program, if that is there.
+pub fn layout_links(layout: &Path, text: &Text, encoding: Encoding, files: &Files) -> Value {
+    let target = |path: String| {
+        let path = normal(&layout.parent()?.join(path));
+        let there = files.0.contains_key(&path) || path.is_file();
+        disk::uri_of(&path).filter(|_| there)
+    };
+    let found = shape::program_of(text.as_str()).and_then(|(range, path)| Some((range, target(path)?)));
+    let found = found.map(|(range, target)| json!({ "range": text.range(range, encoding), "target": target }));
+    found.into_iter().collect()
 }
 
 // ── Colours ──

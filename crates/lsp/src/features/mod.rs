@@ -1,5 +1,6 @@
 //! Handlers: from parameters to what `ide` is asked, and from its answers to results. One file for what belongs together.
 
+pub mod across;
 pub mod actions;
 pub mod diagnostic;
 pub mod looks;

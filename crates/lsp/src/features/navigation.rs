@@ -1,6 +1,6 @@
 //! Hovering, and going from names to where they come from and where they are used.
 
-use super::{At, Whole};
+use super::{At, Whole, across};
 use crate::disk;
 use crate::dispatch::{Context, Fault};
 use scenelang_base::TextRange;
@@ -12,7 +12,7 @@ use scenelang_lang::library;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use tower_lsp::ls_types::{Position, Range, TextDocumentIdentifier};
+use tower_lsp::ls_types::{Location, Position, Range, TextDocumentIdentifier};
 
 /// `textDocument/hover`
 pub fn hover(context: &Context, at: &At) -> Result<Value, Fault> {
@@ -103,8 +103,11 @@ pub fn references(context: &Context, params: &References) -> Result<Value, Fault
         return Ok(Value::Null);
     };
     let places = context.places();
-    let found = navigate::references(snapshot, context.file(), &name.symbol, params.context.include_declaration)?;
-    Ok(found.into_iter().filter_map(|(span, _)| Some(json!(places.location(span)?))).collect())
+    let declaration = params.context.include_declaration;
+    let found = navigate::references(snapshot, context.file(), &name.symbol, declaration)?;
+    let mut found: Vec<Location> = found.into_iter().filter_map(|(span, _)| places.location(span)).collect();
+    across::references(context, params.at.position, declaration, &mut found)?;
+    Ok(json!(found))
 }
 
 /// `textDocument/documentHighlight`
@@ -135,8 +138,7 @@ pub struct Rename {
 /// `textDocument/rename`
 pub fn rename(context: &Context, params: &Rename) -> Result<Value, Fault> {
     let edits = renaming::rename(&context.snapshot, context.offset(params.at.position), &params.new_name)?;
-    let edits = edits.map_err(Fault::Failed)?;
-    Ok(context.places().workspace_edit(&edits, context.edit_versions()))
+    across::rename(context, params.at.position, &params.new_name, &edits.map_err(Fault::Failed)?)
 }
 
 // ── Symbols ──

@@ -11,15 +11,17 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use tower_lsp::ls_types::Uri;
 
-/// Parameters of a question about a program that is no question of the protocol.
+/// Parameters of `scenelang/scene`.
 #[derive(Deserialize)]
-pub struct Of {
+pub struct Seen {
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     uri: Uri,
+    /// The shape that the client has; it needs the geometry of another one only.
+    known: Option<String>,
 }
 
 /// `scenelang/scene`
-pub fn scene(context: &Context, _: &Of) -> Result<Value, Fault> {
+pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
     let snapshot = &context.snapshot;
     let places = context.places();
     let objects: Vec<Value> = symbols::outline(snapshot, context.file())?
@@ -63,7 +65,7 @@ pub fn scene(context: &Context, _: &Of) -> Result<Value, Fault> {
         report: &report,
     };
     // A layout that lacks something cannot be drawn; its rows can be listed.
-    let data = Scene::build(&input).ok().and_then(|scene| preview::carried(&scene).ok());
+    let data = Scene::build(&input).ok().and_then(|scene| preview::live(scene, seen.known.as_deref()).ok());
     Ok(json!({
         "layout": layout, "data": data, "holds": holds, "total": total, "constraints": rows, "objects": objects,
     }))

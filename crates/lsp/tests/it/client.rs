@@ -11,8 +11,14 @@ use std::time::{Duration, Instant};
 
 /// No answer within this time is a failure; the machine may be busy.
 pub const PATIENCE: Duration = Duration::from_secs(60);
-const TOLD: [&str; 5] =
-    ["textDocument/publishDiagnostics", "scenelang/changed", "$/progress", "window/logMessage", "window/showMessage"];
+const TOLD: [&str; 6] = [
+    "textDocument/publishDiagnostics",
+    "scenelang/changed",
+    "$/progress",
+    "$/logTrace",
+    "window/logMessage",
+    "window/showMessage",
+];
 
 /// What the client can, unless a test says otherwise.
 pub fn usual() -> Value {
@@ -46,6 +52,17 @@ pub fn pulling() -> Value {
     can
 }
 
+/// What becomes of a question to the editor's language model.
+#[derive(Clone, Debug)]
+pub enum Model {
+    /// It is answered so.
+    Says(Value),
+    /// It is refused so.
+    Fails(Value),
+    /// It stays open.
+    Thinks,
+}
+
 pub struct Client {
     to: Option<PipeWriter>,
     from: Receiver<Value>,
@@ -61,8 +78,8 @@ pub struct Client {
     pub settings: Value,
     /// Whether questions of the server stay unanswered.
     pub mute: bool,
-    /// The answer of the editor's language model.
-    pub model: Value,
+    /// The editor's language model.
+    pub model: Model,
     /// What the server says that it can.
     pub capabilities: Value,
     versions: BTreeMap<String, i32>,
@@ -96,7 +113,7 @@ impl Client {
             asked: Vec::new(),
             settings: Value::Null,
             mute: false,
-            model: Value::Null,
+            model: Model::Says(Value::Null),
             capabilities: Value::Null,
             versions: BTreeMap::new(),
             folder: folder.to_owned(),
@@ -200,9 +217,15 @@ impl Client {
         match (message.get("id"), message["method"].as_str()) {
             (Some(id), Some(method)) => {
                 self.asked.push(message.clone());
-                if !self.mute {
+                let id = id.clone();
+                if method == "scenelang/languageModel" {
+                    match &self.model {
+                        Model::Says(result) => self.send(json!({ "id": id, "result": result })),
+                        Model::Fails(error) => self.send(json!({ "id": id, "error": error })),
+                        Model::Thinks => {}
+                    }
+                } else if !self.mute {
                     let result = self.result(method, &message["params"]);
-                    let id = id.clone();
                     self.send(json!({ "id": id, "result": result }));
                 }
             }
@@ -225,7 +248,6 @@ impl Client {
         match method {
             "workspace/configuration" => json!([self.settings]),
             "workspace/applyEdit" => json!({ "applied": true }),
-            "scenelang/languageModel" => self.model.clone(),
             "client/registerCapability" | "window/workDoneProgress/create" => Value::Null,
             _ if method.ends_with("/refresh") => Value::Null,
             _ => panic!("the server asks {method} {params}"),

@@ -441,7 +441,7 @@ fn formatting() {
 
 #[test]
 fn shapes() {
-    let (_folder, mut client, uri, scene) = opened();
+    let (folder, mut client, uri, scene) = opened();
     let folds = client.ask_of("foldingRange", &uri);
     let kinds: Vec<&str> = folds.as_array().unwrap().iter().filter_map(|f| f["kind"].as_str()).collect();
     assert_eq!(kinds, ["region", "region"]);
@@ -460,6 +460,16 @@ fn shapes() {
     let links = client.ask_of("documentLink", &uri);
     assert_eq!(slices(&scene, &links), ["room.layout.json", "parts.scene"]);
     assert_eq!(links[0]["target"], client.uri("room.layout.json"));
+    // And back; a layout of a program that is not there leads nowhere.
+    let layout = std::fs::read_to_string(folder.path().join("room.layout.json")).unwrap();
+    let data = client.open("room.layout.json", &layout);
+    let back = client.ask_of("documentLink", &data);
+    assert_eq!(slices(&layout, &back), ["room.scene"]);
+    assert_eq!(back[0]["target"], uri);
+    for other in [layout.replace("\"room.scene\"", "\"other.scene\""), "{".to_owned(), "\u{fffd}".to_owned()] {
+        client.set(&data, &other);
+        assert_eq!(client.ask_of("documentLink", &data), json!([]), "{other}");
+    }
     client.stop();
 }
 

@@ -1,6 +1,6 @@
 //! Beginning and end, and messages that are none.
 
-use crate::client::{Client, room, usual};
+use crate::client::{Client, at, room, usual};
 use scenelang_lsp::{Recorder, Setup, replay};
 use serde_json::{Value, json};
 
@@ -75,6 +75,72 @@ fn a_session_can_be_recorded_and_played_again() {
     assert!(said.contains(&symbols.to_string()), "{said}");
     std::fs::write(&file, "{}\n").unwrap();
     assert!(replay(&file, Vec::new()).is_err());
+}
+
+/// The sentence of a trace; of anything else, nothing.
+fn trace(message: &Value) -> &str {
+    let own = message["method"] == "$/logTrace";
+    message["params"]["message"].as_str().filter(|_| own).unwrap_or_default()
+}
+
+/// What is told of the server's own work is what the client asked for last: when it began, or since.
+#[test]
+fn traces_are_as_the_client_wants_them() {
+    let (folder, scene, _) = room();
+    for (first, then, message, verbose) in [
+        (json!("messages"), None, true, false),
+        (json!("verbose"), None, true, true),
+        (json!("off"), None, false, false),
+        (Value::Null, None, false, false),
+        (Value::Null, Some("messages"), true, false),
+        (json!("messages"), Some("verbose"), true, true),
+        (json!("verbose"), Some("off"), false, false),
+        (json!("verbose"), Some("nonsense"), false, false),
+    ] {
+        let mut client = Client::silent(folder.path(), Setup::default());
+        client.ask("initialize", json!({ "processId": null, "capabilities": usual(), "trace": first }));
+        assert!(client.told.is_empty(), "nothing is told before the answer: {:?}", client.told);
+        client.tell("initialized", json!({}));
+        if let Some(value) = then {
+            client.tell("$/setTrace", json!({ "value": value }));
+        }
+        let uri = client.open("room.scene", &scene);
+        client.published(&uri);
+        let id = client.begin(
+            "textDocument/hover",
+            json!({ "textDocument": { "uri": uri }, "position": at(&scene, "object |bed") }),
+        );
+        assert!(client.end(id)["result"].is_object());
+        // Answers may overtake what is told.
+        let answered = format!("sending response 'textDocument/hover - ({id})'");
+        if message {
+            client.until("a trace of the answer", |c| {
+                c.told.iter().find(|m| trace(m).starts_with(&answered)).map(|_| ())
+            });
+        }
+        assert_eq!(client.ask("shutdown", Value::Null), Value::Null);
+
+        let entries: Vec<&Value> = client.told.iter().filter(|m| m["method"] == "$/logTrace").collect();
+        // What was told before the client changed its mind is as it was.
+        let since = entries.iter().position(|m| trace(m).contains("'$/setTrace'")).map_or(0, |at| at + 1);
+        let entries = &entries[since..];
+        let case = format!("{first} {then:?}: {entries:?}");
+        for entry in entries {
+            let keys: Vec<&String> = entry["params"].as_object().unwrap().keys().collect();
+            assert_eq!(keys, if verbose { vec!["message", "verbose"] } else { vec!["message"] }, "{case}");
+        }
+        let said = |words: &str, about: &str| {
+            let found = entries.iter().find(|m| trace(m).starts_with(words));
+            assert_eq!(found.is_some(), message, "{words} in {case}");
+            let text = found.map_or("", |m| m["params"]["verbose"].as_str().unwrap_or_default());
+            assert_eq!(text.contains(about), verbose, "{about} in {case}");
+        };
+        said("received notification 'textDocument/didOpen'", "A bed");
+        said(&format!("received request 'textDocument/hover - ({id})'"), "position");
+        said(&answered, "Where one sleeps");
+        said(&format!("judged {uri}: 9 of 12 hold"), "generation");
+        assert_eq!(client.exit(), 0);
+    }
 }
 
 /// What the server says that it can is what the table of `docs/editors.md` says, and no more.

@@ -2,11 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::needless_pass_by_value, reason = "a test that cannot go on fails")]
 
+mod across;
 mod actions;
 mod client;
 mod commands;
 mod features;
 mod hazards;
 mod life;
+mod model;
 mod sync;
 mod watching;

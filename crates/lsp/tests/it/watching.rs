@@ -1,6 +1,6 @@
 //! What changes outside a document reaches it: layouts, imports, settings, the editor's configuration, folders.
 
-use crate::client::{Client, pulling, room};
+use crate::client::{Client, pulling, room, usual};
 use serde_json::{Value, json};
 
 fn codes(marks: &[Value]) -> Vec<String> {
@@ -52,6 +52,28 @@ fn a_layout_that_another_program_writes_is_seen() {
     changed(&mut client, "room.layout.json");
     let verdict = client.next_verdict(&uri);
     assert_eq!((verdict["layout"].clone(), verdict["total"].clone()), (Value::Null, json!(0)));
+    assert_eq!(client.stop(), 0);
+}
+
+/// The same for a client that does not say what changes on disk.
+#[test]
+fn files_are_looked_at_where_nobody_watches_them() {
+    let (folder, scene, layout) = room();
+    let mut can = usual();
+    can["workspace"]["didChangeWatchedFiles"] = json!({});
+    let mut client = Client::start_with(folder.path(), can, Value::Null);
+    let uri = client.open("room.scene", &scene);
+    assert_eq!(client.next_verdict(&uri)["holds"], 9);
+    let until = |client: &mut Client, holds: u64| while client.next_verdict(&uri)["holds"] != holds {};
+    let wrote = |file: &str, text: &str| std::fs::write(folder.path().join(file), text).unwrap();
+    wrote("room.layout.json", &layout.replace("[0.9, 0, -1.5]", "[1.03, 0, -1.5] "));
+    until(&mut client, 10);
+    wrote("parts.scene", "predicate atHand(Object a, Object b) := gap(a, b) <= 0.001;\n");
+    until(&mut client, 9);
+    std::fs::remove_file(folder.path().join("room.layout.json")).unwrap();
+    until(&mut client, 0);
+    wrote("room.layout.json", &layout);
+    until(&mut client, 8);
     assert_eq!(client.stop(), 0);
 }
 
