@@ -9,6 +9,12 @@
 //! Both ways end in a [`Draft`]: rooms, openings, things and statements, each with the words it came from. What was not
 //! understood is in it too. [`write`](write::write) turns a draft into the text of a program.
 
+pub mod arrange;
+pub mod colors;
 pub mod draft;
+pub mod names;
+pub mod text;
+pub mod write;
 
+pub use arrange::arrange_rooms;
 pub use draft::Draft;

@@ -1,0 +1,65 @@
+//! Which colours are known by name: those of CSS, and what people say about furniture; and `#rrggbb`.
+
+/// The names that the furniture library has a value for; a test holds them against it.
+const NAMES: &str = "
+aliceblue antiquewhite aquamarine azure bisque blanchedalmond blueviolet burlywood cadetblue chartreuse
+chocolate coral cornflowerblue cornsilk darkcyan darkgoldenrod darkkhaki darkmagenta darkolivegreen darkorchid
+darksalmon darkseagreen darkslateblue darkslategray darkturquoise darkviolet deeppink dimgray dodgerblue
+floralwhite gainsboro ghostwhite goldenrod greenyellow honeydew indianred ivory khaki lavender lavenderblush
+lawngreen lemonchiffon lightblue lightcoral lightcyan lightgoldenrodyellow lightgray lightgreen lightpink
+lightsalmon lightseagreen lightskyblue lightslategray lightsteelblue lightyellow linen mediumaquamarine
+mediumblue mediumorchid mediumpurple mediumseagreen mediumslateblue mediumspringgreen mediumturquoise
+mediumvioletred midnightblue mintcream mistyrose moccasin navajowhite oldlace olivedrab orchid palegoldenrod
+palegreen paleturquoise palevioletred papayawhip peachpuff peru plum powderblue rebeccapurple rosybrown
+saddlebrown salmon sandybrown seagreen seashell sienna skyblue slateblue slategray snow springgreen steelblue
+tan thistle tomato wheat whitesmoke yellowgreen aqua beige black blue brown cyan darkblue darkgray darkgreen
+darkred fuchsia gold gray green lime magenta orange pink purple red silver violet white yellow amber
+anthracite apricot aubergine blond blonde bluegray blush bordeaux bottlegreen brickred burgundy burntorange
+camel caramel cerulean champagne charcoal cinnamon clay cobalt coffee copper cream crimson darkbrown
+darkorange deepskyblue denim ebony ecru eggplant eggshell emerald espresso fern firebrick flax forestgreen
+ginger graphite grassgreen greengray honey hotpink indigo jade lemon lightbrown lilac limegreen mahogany
+maroon mauve midnight mint mocha moss mossgreen mustard natural navy navyblue nougat ocher ochre offwhite
+olive orangered oxblood peach pearl petrol pistachio platinum prussianblue rose rosegold royalblue ruby russet
+rust sage sand sapphire scarlet stone taupe teal terracotta turquoise umber vanilla wine
+";
+
+/// A colour as the language writes it: "dark green" is "darkgreen"; `None`: no colour that it knows.
+pub fn known(words: &str) -> Option<String> {
+    let joined: String = words.trim().to_lowercase().split([' ', '-', '_']).collect();
+    let joined = joined.replace("grey", "gray");
+    let hex = joined
+        .strip_prefix('#')
+        .is_some_and(|digits| matches!(digits.len(), 3 | 6) && digits.chars().all(|c| c.is_ascii_hexdigit()));
+    (hex || !joined.is_empty() && NAMES.split_whitespace().any(|name| name == joined)).then_some(joined)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::known;
+
+    #[test]
+    fn names_and_numbers() {
+        let cases = [
+            ("red", Some("red")),
+            ("Dark Green", Some("darkgreen")),
+            ("light-grey", Some("lightgray")),
+            ("#a0B1c2", Some("#a0b1c2")),
+            ("#abc", Some("#abc")),
+            ("#abcd", None),
+            ("Off-White", Some("offwhite")),
+            ("brushed gold", None),
+            ("", None),
+            ("warm", None),
+        ];
+        for (words, expected) in cases {
+            assert_eq!(known(words).as_deref(), expected, "{words}");
+        }
+    }
+
+    #[test]
+    fn the_furniture_library_has_the_same() {
+        let table = include_str!("../../assets/src/colors.txt").lines();
+        let theirs = table.filter(|l| !l.starts_with('#')).filter_map(|line| line.split_whitespace().next());
+        assert!(theirs.eq(super::NAMES.split_whitespace()));
+    }
+}

@@ -1,0 +1,349 @@
+//! A draft as the text of a program, the way a person would write it.
+//!
+//! Rooms first, then doors and windows, then each room with its things, what is asked of a thing behind it; at the end
+//! the words of the request that became no statement. Each declaration and statement has before it, as `@req`, the
+//! sentence that it comes from, or the reason why it is there (`inferred: …`).
+//!
+//! Words without a statement stand before a predicate that nobody calls (`unmet1`): it asks for nothing, and can be
+//! given a meaning. The text is as the formatter leaves it.
+
+use crate::colors;
+use crate::draft::{Draft, Look, Opening, OpeningKind, Room, Source, Thing};
+use crate::names::words;
+use crate::text::{folded, plain, quoted, sentence, wrapped};
+use scenelang_lang::fmt::{FormatOptions, format};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// What the names of predicates begin with that stand for words without a statement.
+pub const UNMET: &str = "unmet";
+
+/// What begins a reason in the place of a sentence of the request.
+pub const INFERRED: &str = "inferred: ";
+
+/// How wide the request is written at the top, and how many lines of it.
+const HEADER: (usize, usize) = (92, 12);
+
+/// The height of a window's lower edge, where the wall is high enough (metres).
+const SILL: f64 = 0.9;
+
+/// The text of a program: compiled, it has the rooms, openings, things and statements of the draft.
+pub fn write(draft: &Draft) -> String {
+    let mut writer = Writer { draft, out: String::new(), behind: behind(draft) };
+    writer.program();
+    format(&writer.out, &FormatOptions::default())
+}
+
+/// Which statements stand behind which object: the last declared of those they name. `None`: they name none.
+fn behind(draft: &Draft) -> BTreeMap<Option<&str>, Vec<usize>> {
+    let openings = draft.openings.iter().map(|opening| opening.name.as_str());
+    let things = rooms(draft).flat_map(|room| of_room(draft, room)).map(|thing| thing.name.as_str());
+    let order: BTreeMap<&str, usize> = openings.chain(things).zip(0..).collect();
+    let mut behind: BTreeMap<Option<&str>, Vec<usize>> = BTreeMap::new();
+    for (at, statement) in draft.statements.iter().enumerate() {
+        let objects = words(&statement.text).into_iter().filter_map(|word| order.get_key_value(word));
+        let last = objects.max_by_key(|(_, order)| **order).map(|(name, _)| *name);
+        behind.entry(last).or_default().push(at);
+    }
+    behind
+}
+
+/// The rooms in order; last what is in none.
+fn rooms(draft: &Draft) -> impl Iterator<Item = Option<usize>> {
+    (0..draft.rooms.len()).map(Some).chain([None])
+}
+
+fn of_room(draft: &Draft, room: Option<usize>) -> impl Iterator<Item = &Thing> {
+    draft.things.iter().filter(move |thing| thing.room.filter(|at| *at < draft.rooms.len()) == room)
+}
+
+struct Writer<'d> {
+    draft: &'d Draft,
+    out: String,
+    behind: BTreeMap<Option<&'d str>, Vec<usize>>,
+}
+
+impl Writer<'_> {
+    fn program(&mut self) {
+        self.header();
+        for room in &self.draft.rooms {
+            self.room(room);
+        }
+        if !self.draft.openings.is_empty() {
+            self.heading("Doors and windows");
+            for opening in &self.draft.openings {
+                self.opening(opening);
+            }
+        }
+        for room in rooms(self.draft) {
+            let things: Vec<&Thing> = of_room(self.draft, room).collect();
+            if things.is_empty() {
+                continue;
+            }
+            let name = room.map(|at| &self.draft.rooms[at]).map(|room| match plain(&room.kind) {
+                kind if kind.is_empty() => room.name.clone(),
+                kind => kind,
+            });
+            self.heading(&capital(name.as_deref().unwrap_or("Elsewhere")));
+            for thing in things {
+                self.thing(thing);
+            }
+        }
+        if self.behind.contains_key(&None) {
+            self.heading("Everything");
+            self.following(None);
+        }
+        self.notes();
+    }
+
+    /// The request, as a comment.
+    fn header(&mut self) {
+        let (width, most) = HEADER;
+        let text: String = self.draft.request.chars().take(width * (most + 1)).collect();
+        let mut lines = wrapped(&plain(&text), width);
+        if lines.is_empty() {
+            return;
+        }
+        if lines.len() > most {
+            lines.truncate(most);
+            lines.push("…".into());
+        }
+        self.line("// From a request in plain words:");
+        self.line("//");
+        for line in lines {
+            self.line(&format!("// > {line}"));
+        }
+        self.line("");
+    }
+
+    fn room(&mut self, room: &Room) {
+        let Room { name, size: [w, h, d], at: [x, z], .. } = room;
+        let kind = plain(&room.kind);
+        self.line("");
+        if !kind.is_empty() && crate::names::identifier(&kind, "") != *name {
+            self.line(&format!("/// {}.", capital(kind.trim_end_matches('.'))));
+        }
+        self.requirement(&room.source);
+        self.line(&format!("region {name};"));
+        match room.outline.as_deref() {
+            Some(outline) if outline.len() >= 3 => {
+                let points: Vec<String> =
+                    outline.iter().map(|[x, z]| format!("vec3({}, 0, {})", number(*x), number(*z))).collect();
+                self.line(&format!("{name}.vertices <- polygon({});", points.join(", ")));
+            }
+            _ => self.line(&format!("{name}.pos <- vec3({}, 0, {});", number(*x), number(*z))),
+        }
+        self.line(&format!("{name}.scale <- vec3({}, {}, {});", number(*w), number(*h), number(*d)));
+        let mut features = Vec::new();
+        if self.draft.outdoor {
+            features.push("outdoor".to_owned());
+        }
+        for (part, surface) in [("floor", &room.floor), ("wall", &room.walls)] {
+            match surface.color.as_deref().map(|color| (color, colors::known(color))) {
+                Some((_, Some(known))) => self.text(name, &format!("{part}Color"), &known),
+                Some((color, None)) => features.push(format!("{} {part}", folded(color))),
+                None => {}
+            }
+            if let Some(material) = &surface.material {
+                self.text(name, &format!("{part}Material"), material);
+            }
+        }
+        self.text(name, "features", &features.join(", "));
+    }
+
+    fn opening(&mut self, opening: &Opening) {
+        let Opening { name, kind, rooms, size, look, source } = opening;
+        let rooms: Vec<&Room> = rooms.iter().filter_map(|room| self.draft.rooms.get(*room)).take(2).collect();
+        self.declaration(name, 1, source);
+        self.text(name, "category", if *kind == OpeningKind::Door { "door" } else { "window" });
+        self.size(name, *size);
+        self.look(name, look);
+        let named = |what: &[&str]| {
+            let mut statements = self.draft.statements.iter().map(|s| words(&s.text));
+            statements.any(|words| words.contains(&name.as_str()) && what.iter().any(|w| words.contains(w)))
+        };
+        let (connected, cleared, raised) = (named(&["connects"]), named(&["clear"]), named(&["pos", "bottom", "top"]));
+        if !connected && !rooms.is_empty() {
+            let ends: Vec<&str> = rooms.iter().map(|room| room.name.as_str()).collect();
+            self.line("");
+            self.requirement(source);
+            self.line(&format!("assert connects({name}, {});", ends.join(", ")));
+        }
+        let ceiling = rooms.iter().map(|room| room.size[1]).fold(f64::INFINITY, f64::min);
+        match kind {
+            OpeningKind::Door => {
+                let asked = [
+                    (!raised).then(|| format!("{name}.pos.y = 0")),
+                    (!cleared).then(|| {
+                        let depth = number(size[0].clamp(0.7, 1.2));
+                        format!("clear({name}, front, {depth}) and clear({name}, behind, {depth})")
+                    }),
+                ];
+                self.inferred("a door stands on the floor and opens freely", &asked);
+            }
+            OpeningKind::Window if !raised && ceiling.is_finite() => {
+                let sill = SILL.min((ceiling - size[1]) / 2.0).max(0.0);
+                self.inferred("a window has a sill", &[Some(format!("{name}.pos.y = {}", number(sill)))]);
+            }
+            OpeningKind::Window => {}
+        }
+        self.following(Some(name));
+    }
+
+    /// One assertion of several conditions, as far as there are any.
+    fn inferred(&mut self, reason: &str, conditions: &[Option<String>]) {
+        let conditions: Vec<&str> = conditions.iter().flatten().map(String::as_str).collect();
+        if !conditions.is_empty() {
+            self.line("");
+            self.requirement(&Source::Inferred(reason.to_owned()));
+            self.line(&format!("assert {};", conditions.join(" and ")));
+        }
+    }
+
+    fn thing(&mut self, thing: &Thing) {
+        let Thing { name, category, count, room, size, look, source } = thing;
+        self.declaration(name, *count, source);
+        self.text(name, "category", &category.replace('_', " "));
+        if let Some(size) = size {
+            self.size(name, *size);
+        }
+        self.look(name, look);
+        let room = room.and_then(|at| self.draft.rooms.get(at));
+        if let Some(room) = room.filter(|room| !self.says_where(thing, room)) {
+            self.line("");
+            self.requirement(source);
+            if *count > 1 {
+                let one = self.free_name(&["each", "one", "element", "any"]);
+                self.line(&format!("assert forall {one} in {name}: inside({one}, {});", room.name));
+            } else {
+                self.line(&format!("assert inside({name}, {});", room.name));
+            }
+        }
+        self.following(Some(name));
+    }
+
+    /// Whether some statement of the draft says already that the whole thing is in the room.
+    fn says_where(&self, thing: &Thing, room: &Room) -> bool {
+        const PLACES: [&str; 6] = ["inside", "onFloor", "againstWall", "inCorner", "wallMounted", "ceilingMounted"];
+        self.draft.statements.iter().filter(|s| s.text.trim_start().starts_with("assert")).any(|statement| {
+            let code: String = statement.text.split_whitespace().collect::<Vec<_>>().join(" ");
+            if [" or ", "not ", " implies ", "exists ", "count("].iter().any(|open| code.contains(open)) {
+                return false;
+            }
+            let subject = if thing.count > 1 {
+                let all = code.strip_prefix("assert forall ").and_then(|rest| rest.split_once(" in "));
+                match all.filter(|(_, domain)| domain.split(':').next() == Some(&thing.name)) {
+                    Some((one, _)) => one.to_owned(),
+                    None => return false,
+                }
+            } else {
+                thing.name.clone()
+            };
+            PLACES.iter().any(|place| code.contains(&format!("{place}({subject}, {})", room.name)))
+        })
+    }
+
+    /// The statements that stand behind an object, or those that name none.
+    fn following(&mut self, name: Option<&str>) {
+        for at in self.behind.get(&name).cloned().unwrap_or_default() {
+            let statement = &self.draft.statements[at];
+            let text = statement.text.trim();
+            self.line("");
+            self.requirement(&statement.source);
+            self.line(&format!("{text}{}", if text.ends_with(';') { "" } else { ";" }));
+        }
+    }
+
+    fn is_object(&self, word: &str) -> bool {
+        let things = self.draft.things.iter().map(|t| &t.name);
+        things.chain(self.draft.openings.iter().map(|o| &o.name)).any(|name| name == word)
+    }
+
+    fn notes(&mut self) {
+        if self.draft.notes.is_empty() {
+            return;
+        }
+        self.heading("Not understood: these words of the request became no statement");
+        for (at, note) in self.draft.notes.iter().enumerate() {
+            let name = self.free_name(&[&format!("{UNMET}{}", at + 1), &format!("{UNMET}_{}", at + 1)]);
+            let words = self.draft.request.get(note.at.clone()).unwrap_or("");
+            self.line("");
+            for line in wrapped(&plain(&note.reason), HEADER.0) {
+                self.line(&format!("// - {line}"));
+            }
+            let words: String = folded(words).chars().take(HEADER.0 * HEADER.1).collect();
+            self.line(&format!("@req({})", quoted(&words)));
+            self.line(&format!("predicate {name}() := true;"));
+        }
+    }
+
+    /// The first of some names that the draft does not use.
+    fn free_name(&self, names: &[&str]) -> String {
+        let used = |name: &str| self.is_object(name) || self.draft.rooms.iter().any(|room| room.name == name);
+        names.iter().find(|name| !used(name)).or(names.last()).map_or_else(String::new, |name| (*name).to_owned())
+    }
+
+    fn heading(&mut self, title: &str) {
+        self.line("");
+        self.line(&format!("// ---- {title} ----"));
+        self.line("");
+    }
+
+    fn declaration(&mut self, name: &str, count: usize, source: &Source) {
+        self.line("");
+        self.requirement(source);
+        self.line(&if count > 1 { format!("object {name}[{count}];") } else { format!("object {name};") });
+    }
+
+    fn look(&mut self, name: &str, look: &Look) {
+        let mut features: Vec<String> = Vec::new();
+        match look.color.as_deref().map(|color| (color, colors::known(color))) {
+            Some((_, Some(known))) => self.text(name, "color", &known),
+            Some((color, None)) => features.push(color.to_owned()),
+            None => {}
+        }
+        self.text(name, "material", look.material.as_deref().unwrap_or(""));
+        features.extend(look.features.iter().cloned());
+        self.text(name, "features", &features.join(", "));
+    }
+
+    fn size(&mut self, name: &str, [w, h, d]: [f64; 3]) {
+        self.line(&format!("{name}.dimensions <- vec3({}, {}, {});", number(w), number(h), number(d)));
+    }
+
+    /// A property that is a text, if there is something to say.
+    fn text(&mut self, name: &str, property: &str, text: &str) {
+        let text = folded(text);
+        if !text.is_empty() {
+            self.line(&format!("{name}.{property} <- {};", quoted(&text)));
+        }
+    }
+
+    fn requirement(&mut self, source: &Source) {
+        let words = match source {
+            Source::Stated(at) => sentence(&self.draft.request, at),
+            Source::Inferred(reason) => format!("{INFERRED}{}", folded(reason)),
+        };
+        if !words.is_empty() {
+            self.line(&format!("@req({})", quoted(&words)));
+        }
+    }
+
+    fn line(&mut self, line: &str) {
+        // A blank line at most between two others.
+        if !(line.is_empty() && (self.out.is_empty() || self.out.ends_with("\n\n"))) {
+            let _ = writeln!(self.out, "{line}");
+        }
+    }
+}
+
+/// A length in metres, to a tenth of a millimetre.
+pub fn number(metres: f64) -> String {
+    let rounded = (metres * 1e4).round() / 1e4;
+    if !rounded.is_finite() || rounded == 0.0 { "0".into() } else { format!("{rounded}") }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,5 @@
+//! What a draft is as a program.
+
+mod arrange;
+mod support;
+mod write;
