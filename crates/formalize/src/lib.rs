@@ -12,9 +12,12 @@
 pub mod arrange;
 pub mod colors;
 pub mod draft;
+pub mod formalize;
+pub mod model;
 pub mod names;
 pub mod text;
 pub mod write;
 
 pub use arrange::arrange_rooms;
 pub use draft::Draft;
+pub use formalize::{Formalized, of_draft, with_model};

@@ -23,7 +23,8 @@ fn draft(sizes: &[[f64; 2]], joins: &[(usize, usize)], windows: &[usize]) -> Dra
 
 #[test]
 fn joined_rooms_share_walls() {
-    let cases: &[(&[[f64; 2]], &[(usize, usize)])] = &[
+    type Case = (&'static [[f64; 2]], &'static [(usize, usize)]);
+    let cases: &[Case] = &[
         (&[[4.0, 4.0]], &[]),
         (&[[4.0, 4.0], [3.0, 3.0]], &[]),
         (&[[4.0, 4.0], [3.0, 3.0]], &[(0, 1), (0, 1)]),
