@@ -42,6 +42,8 @@ pub enum Command {
     Constraints(Inspect),
     /// Say what two layouts differ in, and what holds in one but not in the other
     Diff(Diff),
+    /// Say what became of each requirement: statements, objects, verdict; and the other way round
+    Trace(Trace),
     /// Serve an editor over standard input and output, by the Language Server Protocol
     Lsp(Lsp),
     /// Print the JSON Schema of a format
@@ -286,7 +288,7 @@ pub struct Export {
     pub only: Vec<String>,
 }
 
-/// `synth --format`, `diff --format`
+/// `synth --format`, `diff --format`, `trace --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -371,6 +373,35 @@ pub struct Diff {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `scenelang trace`
+#[derive(ClapArgs, Debug)]
+pub struct Trace {
+    /// The program; `-` reads standard input
+    #[arg(value_name = "FILE.scene")]
+    pub file: PathBuf,
+    /// The layout whose verdict is told [default: the one beside the program, if there is one]
+    #[arg(value_name = "FILE.layout.json")]
+    pub layout: Option<PathBuf>,
+    /// Where each line begins
+    #[arg(long, value_enum, default_value_t = By::Requirement)]
+    pub by: By,
+    /// How the trace is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
+}
+
+/// `trace --by`
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// From each requirement to its statements and their objects
+    Requirement,
+    /// From each object to its statements and their requirements
+    Object,
 }
 
 /// `scenelang lsp`

@@ -22,6 +22,7 @@ mod repair;
 mod solving;
 mod stability;
 mod support;
+mod trace;
 mod view;
 mod watch;
 mod workspace;
