@@ -22,6 +22,8 @@ pub enum Command {
     Solve(Solve),
     /// Mend a layout by the smallest change: moves, or numbers and demands to relax
     Repair(Repair),
+    /// Write a program from a request in plain words: no model, no network, every clause accounted for
+    Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
     /// Show a layout in the browser, follow every change, and let objects be dragged
@@ -237,12 +239,38 @@ pub struct Model {
     pub record: Option<PathBuf>,
 }
 
+/// `scenelang formalize`
+#[derive(ClapArgs, Debug)]
+pub struct Formalize {
+    /// The request: "a meeting room with a long table and eight chairs around it"
+    #[arg(value_name = "REQUEST", required_unless_present = "file", conflicts_with = "file")]
+    pub request: Option<String>,
+    /// A file with the request; `-` is standard input
+    #[arg(short, long, value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// The program to write [default: standard output]
+    #[arg(short, long, value_name = "FILE.scene")]
+    pub output: Option<PathBuf>,
+    /// Add nothing that the request does not say
+    #[arg(long)]
+    pub literal: bool,
+    /// List clause by clause what became of it
+    #[arg(long)]
+    pub explain: bool,
+    /// How the outcome is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+}
+
 /// `scenelang synth`
 #[derive(ClapArgs, Debug)]
 pub struct Synth {
-    /// A program, or a request in plain words
-    #[arg(value_name = "FILE.scene | REQUEST")]
+    /// A request in plain words, or a program
+    #[arg(value_name = "REQUEST | FILE.scene")]
     pub request: String,
+    /// Of a request: add nothing that it does not say
+    #[arg(long)]
+    pub literal: bool,
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,

@@ -7,6 +7,7 @@ mod diff;
 mod export;
 mod fix;
 mod fmt;
+mod formalize;
 mod input;
 mod inspect;
 mod interrupt;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Check(check) => check::run(&check),
         Command::Solve(solve) => solve::run(&solve),
         Command::Repair(repair) => repair::run(&repair),
+        Command::Formalize(args) => formalize::run(&args),
         Command::Synth(synth) => synth::run(&synth),
         Command::View(view) => view::run(&view),
         Command::Export(args) => export::run(&args),

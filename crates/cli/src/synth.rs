@@ -6,7 +6,7 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
-use crate::{FAILED, INTERRUPTED, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, formalize, interrupt, settings};
 use scenelang_export::{Exporter, exporters, unity};
 use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
@@ -21,12 +21,13 @@ const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
-    let path = PathBuf::from(&args.request);
-    if path.extension().is_none_or(|e| e != "scene") {
-        eprintln!("error: \"{}\" is no .scene file, and requests in plain words are not understood yet", args.request);
-        eprintln!("  write the request as a program; examples/meeting-room.scene is one to start from");
-        return FAILED;
-    }
+    let path = match program(args) {
+        Ok(path) => path,
+        Err(message) => {
+            eprintln!("error: {message}");
+            return FAILED;
+        }
+    };
     let stop = interrupt::listen();
     let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
         Ok(both) => both,
@@ -41,7 +42,7 @@ pub fn run(args: &Synth) -> u8 {
     };
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let request = Request {
-        name: &args.request,
+        name: &path.display().to_string(),
         path: &path,
         start: None,
         // As seen from the output folder, so that what is written does not depend on where that is.
@@ -108,6 +109,26 @@ pub fn run(args: &Synth) -> u8 {
         return INTERRUPTED;
     }
     exit_code(&solved.first.checked.report)
+}
+
+/// The program to build: the file that was named, or one written from a request beside what comes of it.
+fn program(args: &Synth) -> Result<PathBuf, String> {
+    let named = PathBuf::from(&args.request);
+    let is = |ends: &[&str]| named.extension().is_some_and(|e| ends.iter().any(|end| e == *end));
+    if is(&["scene"]) && !args.request.contains(' ') || is(&["scene"]) && named.exists() {
+        return Ok(named);
+    }
+    let request = if is(&["txt", "md"]) && named.exists() { formalize::text(&named)? } else { args.request.clone() };
+    let reading = scenelang_formalize::read(&request, &scenelang_formalize::Options { literal: args.literal });
+    eprint!("{}", formalize::notes(&reading));
+    if reading.understood == 0 {
+        return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
+    }
+    let path = args.output.join("room.scene");
+    std::fs::create_dir_all(&args.output).map_err(|e| format!("cannot make {}: {e}", args.output.display()))?;
+    let text = scenelang_formalize::write::write(&reading.draft);
+    scenelang_base::fs::write_whole(&path, text.as_bytes()).map_err(|e| e.to_string())?;
+    Ok(path)
 }
 
 /// The usual exporters, Unity's for the pipeline asked for.

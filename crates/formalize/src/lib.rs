@@ -15,9 +15,11 @@ pub mod draft;
 pub mod formalize;
 pub mod model;
 pub mod names;
+pub mod read;
 pub mod text;
 pub mod write;
 
 pub use arrange::arrange_rooms;
 pub use draft::Draft;
 pub use formalize::{Formalized, of_draft, with_model};
+pub use read::{Options, Reading, read};

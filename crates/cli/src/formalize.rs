@@ -1,0 +1,168 @@
+//! `scenelang formalize`: a request in plain words as a program, and what became of each of its clauses.
+
+use crate::args::{Formalize, SummaryFormat};
+use crate::{FAILED, FINDINGS, GOOD};
+use scenelang_base::fs::write_whole;
+use scenelang_formalize::draft::Source;
+use scenelang_formalize::write::write;
+use scenelang_formalize::{Options, Reading, read};
+use serde_json::json;
+use std::fmt::Write;
+use std::io::Read;
+use std::path::Path;
+
+/// What the outcome as JSON calls itself.
+const FORMALIZATION: &str = "scenelang.formalization/1";
+
+/// More of a file than this is no request (bytes).
+const MOST: u64 = 4 << 20;
+
+/// Writes the program; 0 if something was understood, 1 if nothing was.
+pub fn run(args: &Formalize) -> u8 {
+    let request = match (&args.request, &args.file) {
+        (Some(request), _) => request.clone(),
+        (None, Some(path)) => match text(path) {
+            Ok(text) => text,
+            Err(message) => return fail(&message),
+        },
+        (None, None) => return fail("there is no request"),
+    };
+    let reading = read(&request, &Options { literal: args.literal });
+    let program = write(&reading.draft);
+    if let Some(path) = &args.output && let Err(e) = write_whole(path, program.as_bytes()) {
+        return fail(&e.to_string());
+    }
+    match args.format {
+        SummaryFormat::Json => println!("{}", json(&reading, &program)),
+        SummaryFormat::Human => {
+            match (&args.output, args.explain) {
+                (None, _) => print!("{program}"),
+                (Some(_), true) => print!("{}", explained(&reading)),
+                (Some(path), false) => println!("{} written", path.display()),
+            }
+            if args.explain && args.output.is_none() {
+                eprint!("{}", explained(&reading));
+            }
+            eprint!("{}", notes(&reading));
+        }
+    }
+    if reading.understood == 0 { FINDINGS } else { GOOD }
+}
+
+/// The text of a file, or of standard input.
+pub fn text(path: &Path) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    let name = path.display();
+    let read = if path == Path::new("-") {
+        std::io::stdin().take(MOST + 1).read_to_end(&mut bytes)
+    } else {
+        std::fs::File::open(path).and_then(|f| f.take(MOST + 1).read_to_end(&mut bytes))
+    };
+    read.map_err(|e| format!("cannot read {name}: {e}"))?;
+    if bytes.len() as u64 > MOST {
+        return Err(format!("{name} is longer than 4 MB: that is no request"));
+    }
+    String::from_utf8(bytes).map_err(|_| format!("{name} is no text in UTF-8"))
+}
+
+/// How much was understood, and what was not.
+pub fn notes(reading: &Reading) -> String {
+    let mut out = String::new();
+    let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
+    let _ = writeln!(out, "understood {} of {} {clauses}", reading.understood, reading.clauses);
+    for note in &reading.draft.notes {
+        let _ = writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
+    }
+    for (name, at) in &reading.absent {
+        let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));
+    }
+    out
+}
+
+/// Every clause with what became of it.
+fn explained(reading: &Reading) -> String {
+    let mut out = String::new();
+    for (at, understood) in &reading.read {
+        let mark = if *understood { "+" } else { "-" };
+        let _ = writeln!(out, "{mark} {}: {}", place(reading, at.start), quoted(reading, at));
+        for line in became(reading, at) {
+            let _ = writeln!(out, "      {line}");
+        }
+    }
+    let inferred = inferred(reading);
+    if !inferred.is_empty() {
+        let _ = writeln!(out, "added:");
+        for line in inferred {
+            let _ = writeln!(out, "      {line}");
+        }
+    }
+    out
+}
+
+/// Things, openings and statements that come from some bytes of the request.
+fn became(reading: &Reading, at: &std::ops::Range<usize>) -> Vec<String> {
+    let within = |source: &Source| matches!(source, Source::Stated(s) if s.start >= at.start && s.start < at.end);
+    let draft = &reading.draft;
+    let rooms = draft.rooms.iter().filter(|r| within(&r.source)).map(|r| format!("region {}", r.name));
+    let openings = draft.openings.iter().filter(|o| within(&o.source)).map(|o| format!("object {}", o.name));
+    let things = draft.things.iter().filter(|t| within(&t.source)).map(|t| match t.count {
+        1 => format!("object {}", t.name),
+        n => format!("object {}[{n}]", t.name),
+    });
+    let statements = draft.statements.iter().filter(|s| within(&s.source)).map(|s| s.text.clone());
+    rooms.chain(openings).chain(things).chain(statements).collect()
+}
+
+/// What the request does not say, and why it is there.
+fn inferred(reading: &Reading) -> Vec<String> {
+    let draft = &reading.draft;
+    let why = |source: &Source| match source {
+        Source::Inferred(why) => Some(why.clone()),
+        Source::Stated(_) => None,
+    };
+    let things = draft.things.iter().filter_map(|t| why(&t.source).map(|w| format!("object {}: {w}", t.name)));
+    let openings = draft.openings.iter().filter_map(|o| why(&o.source).map(|w| format!("object {}: {w}", o.name)));
+    let statements = draft.statements.iter().filter_map(|s| why(&s.source).map(|w| format!("{} {w}", s.text)));
+    openings.chain(things).chain(statements).collect()
+}
+
+/// Line and column, from 1.
+fn place(reading: &Reading, at: usize) -> String {
+    let before = reading.draft.request.get(..at).unwrap_or("");
+    let line = before.matches('\n').count() + 1;
+    let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
+    format!("{line}:{column}")
+}
+
+fn quoted(reading: &Reading, at: &std::ops::Range<usize>) -> String {
+    let text = reading.draft.request.get(at.clone()).unwrap_or("");
+    let folded = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match folded.char_indices().nth(100) {
+        Some((cut, _)) => format!("{}…", &folded[..cut]),
+        None => folded,
+    }
+}
+
+fn json(reading: &Reading, program: &str) -> serde_json::Value {
+    let clauses = reading.read.iter().map(|(at, understood)| {
+        json!({ "bytes": [at.start, at.end], "text": quoted(reading, at), "understood": understood, "became": became(reading, at) })
+    });
+    let notes = reading.draft.notes.iter().map(|note| {
+        json!({ "bytes": [note.at.start, note.at.end], "text": quoted(reading, &note.at), "reason": note.reason })
+    });
+    json!({
+        "format": FORMALIZATION,
+        "understood": reading.understood,
+        "clauses": reading.clauses,
+        "read": clauses.collect::<Vec<_>>(),
+        "notes": notes.collect::<Vec<_>>(),
+        "absent": reading.absent.iter().map(|(name, _)| name).collect::<Vec<_>>(),
+        "inferred": inferred(reading),
+        "program": program,
+    })
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
+}

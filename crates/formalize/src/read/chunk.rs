@@ -1,0 +1,386 @@
+//! Tokens → chunks: noun phrases, relations, verbs, measures, and the little words between them.
+
+use super::lexicon::{Class, Look, Rel, Verb, get};
+use super::measure::{Dim, Measure, measure};
+use super::noun::{Kind as NounKind, Np, noun_phrase};
+use super::token::{Kind, Token};
+use crate::draft;
+use std::ops::Range;
+
+/// A piece of a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// A noun phrase.
+    Np(Box<Np>),
+    /// Looks without a noun: "white", "of galvanised steel".
+    Attr(draft::Look),
+    /// What stands between two things.
+    Rel(Rel),
+    /// "to its left": a relation to what was spoken of last.
+    ToIts(Rel),
+    /// A verb.
+    Verb(Verb),
+    /// A length, a size, an area.
+    Measure(Measure),
+    /// "with".
+    With,
+    /// "and", "or", "as well as".
+    And,
+    /// A comma, a dash.
+    Comma,
+    /// A colon.
+    Colon,
+    /// "(".
+    Open,
+    /// ")".
+    Close,
+    /// "not", "never".
+    Not,
+    /// "ideally", "if possible".
+    Soft,
+    /// "clear", "free": of space.
+    Free,
+    /// "apart".
+    Apart,
+    /// "side by side", "in a row", "back to back".
+    Pattern(Pattern),
+    /// "which", "that", "where".
+    Which,
+    /// "there is".
+    There,
+    /// The end of a sentence.
+    Stop,
+    /// The end of a line.
+    Line,
+    /// The start of an item of a list.
+    Bullet,
+    /// A word that is none of these; whether it carries something of its own.
+    Word(bool),
+}
+
+/// How several things stand to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pattern {
+    /// In one line.
+    Row,
+    /// In so many lines.
+    Rows(usize),
+    /// In a circle.
+    Circle,
+    /// Beside each other.
+    SideBySide,
+    /// Back to back.
+    BackToBack,
+    /// Facing each other.
+    FaceToFace,
+    /// "left to right".
+    LeftToRight,
+    /// One on the other.
+    Stacked,
+}
+
+/// A piece and the tokens it is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chunk {
+    /// What it is.
+    pub piece: Piece,
+    /// Indices of tokens.
+    pub at: Range<usize>,
+}
+
+impl Chunk {
+    /// The noun phrase, if it is one.
+    pub fn np(&self) -> Option<&Np> {
+        match &self.piece {
+            Piece::Np(np) => Some(np),
+            _ => None,
+        }
+    }
+}
+
+/// Phrases that are one piece.
+const FIXED: &[(&str, Piece)] = &[
+    ("side by side", Piece::Pattern(Pattern::SideBySide)),
+    ("next to each other", Piece::Pattern(Pattern::SideBySide)),
+    ("beside each other", Piece::Pattern(Pattern::SideBySide)),
+    ("next to one another", Piece::Pattern(Pattern::SideBySide)),
+    ("in a row", Piece::Pattern(Pattern::Row)),
+    ("in one row", Piece::Pattern(Pattern::Row)),
+    ("in a single row", Piece::Pattern(Pattern::Row)),
+    ("in a line", Piece::Pattern(Pattern::Row)),
+    ("in a straight line", Piece::Pattern(Pattern::Row)),
+    ("in line", Piece::Pattern(Pattern::Row)),
+    ("lined up", Piece::Pattern(Pattern::Row)),
+    ("in an orderly line", Piece::Pattern(Pattern::Row)),
+    ("in a circle", Piece::Pattern(Pattern::Circle)),
+    ("in a ring", Piece::Pattern(Pattern::Circle)),
+    ("in a semicircle", Piece::Pattern(Pattern::Circle)),
+    ("in a half circle", Piece::Pattern(Pattern::Circle)),
+    ("in a u shape", Piece::Pattern(Pattern::Circle)),
+    ("back to back", Piece::Pattern(Pattern::BackToBack)),
+    ("facing each other", Piece::Pattern(Pattern::FaceToFace)),
+    ("face each other", Piece::Pattern(Pattern::FaceToFace)),
+    ("facing one another", Piece::Pattern(Pattern::FaceToFace)),
+    ("opposite each other", Piece::Pattern(Pattern::FaceToFace)),
+    ("across from each other", Piece::Pattern(Pattern::FaceToFace)),
+    ("face to face", Piece::Pattern(Pattern::FaceToFace)),
+    ("left to right", Piece::Pattern(Pattern::LeftToRight)),
+    ("from left to right", Piece::Pattern(Pattern::LeftToRight)),
+    ("on top of each other", Piece::Pattern(Pattern::Stacked)),
+    ("to its left", Piece::ToIts(Rel::LeftOf)),
+    ("on its left", Piece::ToIts(Rel::LeftOf)),
+    ("to their left", Piece::ToIts(Rel::LeftOf)),
+    ("on its left side", Piece::ToIts(Rel::LeftOf)),
+    ("to the left", Piece::ToIts(Rel::LeftOf)),
+    ("to its right", Piece::ToIts(Rel::RightOf)),
+    ("on its right", Piece::ToIts(Rel::RightOf)),
+    ("to their right", Piece::ToIts(Rel::RightOf)),
+    ("on its right side", Piece::ToIts(Rel::RightOf)),
+    ("to the right", Piece::ToIts(Rel::RightOf)),
+    ("in its front", Piece::ToIts(Rel::InFrontOf)),
+    ("beside it", Piece::ToIts(Rel::Beside)),
+    ("next to it", Piece::ToIts(Rel::Beside)),
+    ("beside them", Piece::ToIts(Rel::Beside)),
+    ("next to them", Piece::ToIts(Rel::Beside)),
+    ("alongside it", Piece::ToIts(Rel::Beside)),
+    ("at its side", Piece::ToIts(Rel::Beside)),
+    ("on either side", Piece::ToIts(Rel::Beside)),
+    ("at either side", Piece::ToIts(Rel::Beside)),
+    ("on both sides", Piece::ToIts(Rel::Beside)),
+    ("on each side", Piece::ToIts(Rel::Beside)),
+    ("to either side", Piece::ToIts(Rel::Beside)),
+    ("above it", Piece::ToIts(Rel::Above)),
+    ("above them", Piece::ToIts(Rel::Above)),
+    ("over it", Piece::ToIts(Rel::Above)),
+    ("over them", Piece::ToIts(Rel::Above)),
+    ("overhead", Piece::ToIts(Rel::Above)),
+    ("under it", Piece::ToIts(Rel::Under)),
+    ("under them", Piece::ToIts(Rel::Under)),
+    ("below it", Piece::ToIts(Rel::Under)),
+    ("beneath it", Piece::ToIts(Rel::Under)),
+    ("underneath it", Piece::ToIts(Rel::Under)),
+    ("underneath", Piece::ToIts(Rel::Under)),
+    ("on it", Piece::ToIts(Rel::On)),
+    ("on them", Piece::ToIts(Rel::On)),
+    ("on top of it", Piece::ToIts(Rel::On)),
+    ("on top", Piece::ToIts(Rel::On)),
+    ("around it", Piece::ToIts(Rel::Around)),
+    ("around them", Piece::ToIts(Rel::Around)),
+    ("round it", Piece::ToIts(Rel::Around)),
+    ("in front of it", Piece::ToIts(Rel::InFrontOf)),
+    ("in front of them", Piece::ToIts(Rel::InFrontOf)),
+    ("in front", Piece::ToIts(Rel::InFrontOf)),
+    ("behind it", Piece::ToIts(Rel::Behind)),
+    ("behind them", Piece::ToIts(Rel::Behind)),
+    ("near it", Piece::ToIts(Rel::Near)),
+    ("near them", Piece::ToIts(Rel::Near)),
+    ("opposite it", Piece::ToIts(Rel::Opposite)),
+    ("facing it", Piece::ToIts(Rel::Facing)),
+    ("facing them", Piece::ToIts(Rel::Facing)),
+    ("across from it", Piece::ToIts(Rel::Opposite)),
+    ("between them", Piece::ToIts(Rel::Between)),
+    ("in between", Piece::ToIts(Rel::Between)),
+    ("inside it", Piece::ToIts(Rel::In)),
+    ("in it", Piece::ToIts(Rel::In)),
+    ("as well as", Piece::And),
+    ("along with", Piece::And),
+    ("together with", Piece::With),
+    ("complete with", Piece::With),
+    ("if you can", Piece::Soft),
+    ("there is", Piece::There),
+    ("there are", Piece::There),
+    ("there's", Piece::There),
+    ("there should be", Piece::There),
+    ("there must be", Piece::There),
+    ("there shall be", Piece::There),
+    ("there will be", Piece::There),
+    ("made of", Piece::Rel(Rel::Of)),
+    ("made from", Piece::Rel(Rel::Of)),
+    ("built of", Piece::Rel(Rel::Of)),
+    ("made out of", Piece::Rel(Rel::Of)),
+];
+
+/// The chunks of a text. Linear: no look ahead is longer than a phrase.
+pub fn chunks(tokens: &[Token]) -> Vec<Chunk> {
+    let mut out: Vec<Chunk> = Vec::new();
+    let mut at = 0;
+    while at < tokens.len() {
+        let (piece, used) = piece(tokens, at, &out);
+        let used = used.max(1);
+        out.push(Chunk { piece, at: at..at + used });
+        at += used;
+    }
+    out
+}
+
+fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
+    let rest = &tokens[at..];
+    let first = &rest[0];
+    match first.kind {
+        Kind::Line => return (Piece::Line, 1),
+        Kind::Bullet => return (Piece::Bullet, 1),
+        Kind::Sign(c) if !(c == '\'' || c == '"') => {
+            let piece = match c {
+                '.' | '!' | '?' | ';' | '…' => Piece::Stop,
+                ',' | '—' | '-' | '/' | '|' => Piece::Comma,
+                '&' | '+' => Piece::And,
+                ':' => Piece::Colon,
+                '(' | '[' => Piece::Open,
+                ')' | ']' => Piece::Close,
+                _ => Piece::Word(false),
+            };
+            return (piece, 1);
+        }
+        _ => {}
+    }
+    if let Some((m, used)) = measure(rest) {
+        // "a 2 m wide table": the size belongs to the phrase.
+        let noun = noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
+        return match noun {
+            Some((np, n)) if m.plain() => (Piece::Np(Box::new(np)), n),
+            _ => (Piece::Measure(m), used),
+        };
+    }
+    if let Some((piece, used)) = fixed(rest) {
+        return (piece, used);
+    }
+    if let Some((rows, used)) = rows(rest) {
+        return (Piece::Pattern(rows), used);
+    }
+    let lexicon = get();
+    if let Some(used) = lexicon.soft(rest).filter(|n| *n > 1 || !matches!(first.text.as_str(), "can" | "could")) {
+        return (Piece::Soft, used);
+    }
+    match first.text.as_str() {
+        "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => return (Piece::With, 1),
+        "and" | "or" | "plus" | "nor" => return (Piece::And, 1),
+        "which" | "where" | "while" | "whose" => return (Piece::Which, 1),
+        "that" if tokens.get(at + 1).is_some_and(|t| lexicon.verb(std::slice::from_ref(t)).is_some() || lexicon.relation(std::slice::from_ref(t)).is_some()) => {
+            return (Piece::Which, 1);
+        }
+        "apart" if rest.get(1).is_none_or(|t| !t.is("from")) => return (Piece::Apart, 1),
+        "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance" if rest.get(1).is_none_or(|t| !t.is("of") || first.text != "clear") => {
+            return (Piece::Free, 1);
+        }
+        _ => {}
+    }
+    let listed = matches!(
+        before.last().map(|c| &c.piece),
+        Some(Piece::Bullet | Piece::With | Piece::Rel(_) | Piece::Colon | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank))
+    );
+    let relation = lexicon.relation(rest);
+    let verb = lexicon.verb(rest);
+    // "standing desk", "hanging plant", "set of shelves", "leaning mirror": not the verb.
+    let noun = noun_phrase(rest, listed);
+    if let Some((np, used)) = noun {
+        let (words, longest) = (used, relation.map_or(0, |r| r.1).max(verb.map_or(0, |v| v.1)));
+        let begins_as_verb = longest > 0;
+        let fresh = !matches!(before.last().map(|c| &c.piece), Some(Piece::Np(_)));
+        if !begins_as_verb || (words > longest && np.known && np.det == super::noun::Det::None && fresh && lexicon.is_look(&first.text)) {
+            return (Piece::Np(Box::new(np)), used);
+        }
+    }
+    match (relation, verb) {
+        (Some((r, n)), v) if v.is_none_or(|(_, m)| n >= m) => return (Piece::Rel(r), n),
+        (_, Some((v, n))) => return (Piece::Verb(v), n),
+        _ => {}
+    }
+    if lexicon.is(&first.text, Class::Not) {
+        return (Piece::Not, 1);
+    }
+    if let Some((look, used)) = looks(rest) {
+        return (Piece::Attr(look), used);
+    }
+    (Piece::Word(first.word() && !lexicon.is(&first.text, Class::Stop) && !lexicon.is(&first.text, Class::Abstract)), 1)
+}
+
+/// The longest phrase of `FIXED` that begins here.
+fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
+    let fits = |phrase: &str| {
+        let words = phrase.split(' ');
+        let n = words.clone().count();
+        (rest.len() >= n && words.zip(rest).all(|(w, t)| t.is(w))).then_some(n)
+    };
+    let best = FIXED.iter().filter_map(|(phrase, piece)| fits(phrase).map(|n| (piece, n))).max_by_key(|(_, n)| *n)?;
+    let next = rest.get(best.1);
+    let open = matches!(best.0, Piece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
+    // "underneath the table", "in front the" are relations to what follows; "on top of", "to the left of" too.
+    let follows = |t: &&Token| get().is(&t.text, Class::Def) || get().is(&t.text, Class::Det) || get().is(&t.text, Class::Each);
+    let takes_object = matches!(rest[best.1 - 1].text.as_str(), "underneath" | "between" | "top") && next.filter(follows).is_some();
+    if open || takes_object {
+        return None;
+    }
+    Some((best.0.clone(), best.1))
+}
+
+/// "in four rows", "in two facing rows of four".
+fn rows(rest: &[Token]) -> Option<(Pattern, usize)> {
+    if !rest[0].is("in") && !rest[0].is("into") {
+        return None;
+    }
+    let (n, used) = super::number::count(&rest[1..])?;
+    let word = |i: usize| rest.get(1 + used + i).map_or("", |t| t.text.as_str());
+    let skip = usize::from(matches!(word(0), "facing" | "straight" | "neat" | "parallel" | "even" | "long" | "equal" | "tidy"));
+    if !matches!(word(skip), "rows" | "lines" | "columns" | "row" | "ranks") {
+        return None;
+    }
+    let end = 1 + used + skip + 1;
+    let of = rest.get(end).filter(|t| t.is("of")).and_then(|_| super::number::count(&rest[end + 1..]));
+    let pattern = if n as usize == 1 { Pattern::Row } else { Pattern::Rows((n as usize).min(50)) };
+    Some((pattern, end + of.map_or(0, |(_, k)| k + 1)))
+}
+
+/// A run of words for looks, with no noun after it.
+pub fn looks(rest: &[Token]) -> Option<(draft::Look, usize)> {
+    let mut out = draft::Look::default();
+    let mut used = 0;
+    while let Some((kind, n)) = look_at(&rest[used..]) {
+        add_look(&mut out, kind, &rest[used..used + n]);
+        used += n;
+    }
+    (used > 0).then_some((out, used))
+}
+
+/// The look that begins here, in as many words as belong together.
+pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
+    let lexicon = get();
+    let words = rest.iter().take(3).take_while(|t| t.word()).count();
+    let joined = |n: usize| rest[..n].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+    let (kind, n) = (1..=words).rev().find_map(|n| lexicon.look(&joined(n)).map(|l| (l, n)))?;
+    if kind == Look::Shade || lexicon.look(&rest[n - 1].text) == Some(Look::Shade) && kind != Look::Material {
+        // "dark blue"; "deep" alone is a feature.
+        return match look_at(&rest[n..]) {
+            Some((Look::Color, more)) => Some((Look::Color, n + more)),
+            _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((Look::Color, n)),
+            _ => Some((if kind == Look::Shade { Look::Feature } else { kind }, n)),
+        };
+    }
+    // "moss green", "olive green": a material or colour word before a colour belongs to it.
+    if kind == Look::Color && n == 1 && let Some((Look::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..])) && rest[0].text != "white" && rest[0].text != "black" {
+        return Some((Look::Color, n + more));
+    }
+    Some((kind, n))
+}
+
+/// Adds words to a look.
+pub fn add_look(look: &mut draft::Look, kind: Look, tokens: &[Token]) {
+    let text = tokens.iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+    let join = |old: &mut Option<String>| match old {
+        Some(old) if !old.contains(&text) => {
+            old.push(' ');
+            old.push_str(&text);
+        }
+        Some(_) => {}
+        None => *old = Some(text.clone()),
+    };
+    match kind {
+        // A second colour is of a part: kept among the features.
+        Look::Color if look.color.is_some() => look.features.push(text),
+        Look::Color => look.color = Some(text),
+        Look::Material => join(&mut look.material),
+        Look::Feature | Look::Shade => look.features.push(text),
+    }
+}
+
+/// Dimensions that a thing was given.
+pub type Dims = Vec<(Dim, f64)>;

@@ -1,0 +1,340 @@
+//! The words the reader knows, from the tables in `data/`.
+
+use super::token::Token;
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+/// How a thing usually is in a room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// To sit on.
+    Seat,
+    /// With a top that things stand on.
+    Table,
+    /// To store in.
+    Storage,
+    /// To sleep on.
+    Bed,
+    /// Other things on the floor; also what no table knows.
+    Floor,
+    /// On a wall.
+    Wall,
+    /// Under the ceiling.
+    Ceiling,
+    /// On top of something.
+    Top,
+    /// A television, a screen: hangs or stands.
+    Screen,
+    /// Flat on the floor.
+    Flat,
+    /// Lies on seats and beds.
+    Soft,
+    /// Hangs along windows.
+    Drape,
+    /// A way through a wall.
+    Door,
+    /// A view through a wall.
+    Window,
+}
+
+/// A word or words for how a thing looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A colour.
+    Color,
+    /// What may stand before a colour: "dark".
+    Shade,
+    /// What a thing is made of.
+    Material,
+    /// Anything else.
+    Feature,
+}
+
+/// What two things are to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs)]
+pub enum Rel {
+    On, Under, Above, Beside, Near, LeftOf, RightOf, InFrontOf, Behind, Between, Around, Facing, Opposite, Against, Along,
+    In, At, Mounted, Hang, Far, Parallel, Perpendicular, Aligned, Visible, Reachable, From, Of, To, Than,
+}
+
+/// What a verb does for a sentence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Verb {
+    Be, Have, Carry, Face, Hang, Flank, Surround, Keep, Lead, Light, Cover,
+}
+
+/// Classes of words of the grammar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Class {
+    Det, Def, Each, No, Pronoun, Soft, Not, Space, Abstract, Stop,
+}
+
+/// A kind of room.
+#[derive(Debug)]
+pub struct RoomKind {
+    /// "meeting room".
+    pub name: &'static str,
+    /// Said of buildings and of rooms in general.
+    pub loose: bool,
+    /// Usual width, depth, height.
+    pub size: [f64; 3],
+    /// What one has: "2 nightstand beside bed".
+    pub content: Vec<&'static str>,
+}
+
+/// All tables.
+pub struct Lexicon {
+    nouns: BTreeMap<&'static str, Group>,
+    looks: BTreeMap<&'static str, Look>,
+    relations: BTreeMap<&'static str, Rel>,
+    verbs: BTreeMap<&'static str, Verb>,
+    words: BTreeMap<&'static str, Vec<Class>>,
+    synonyms: Vec<Vec<&'static str>>,
+    rooms: BTreeMap<&'static str, usize>,
+    /// All kinds of rooms.
+    pub kinds: Vec<RoomKind>,
+    parts: BTreeMap<&'static str, ()>,
+}
+
+/// The longest phrase of the tables, in words.
+const LONGEST: usize = 6;
+
+/// The tables, read once.
+pub fn get() -> &'static Lexicon {
+    static TABLES: OnceLock<Lexicon> = OnceLock::new();
+    TABLES.get_or_init(Lexicon::new)
+}
+
+/// Lines `key: item, item`, goes on over indented lines; `#` begins a comment.
+fn table(text: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
+    let mut out: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in text.lines().filter(|l| !l.starts_with('#') && !l.trim().is_empty()) {
+        let items = match line.split_once(": ").filter(|_| !line.starts_with(' ')) {
+            Some((key, items)) => {
+                out.push((key, Vec::new()));
+                items
+            }
+            None => line,
+        };
+        if let Some((_, list)) = out.last_mut() {
+            list.extend(items.split(',').map(str::trim).filter(|i| !i.is_empty()));
+        }
+    }
+    out
+}
+
+fn keyed<T: Copy>(text: &'static str, keys: &[(&str, T)]) -> BTreeMap<&'static str, T> {
+    let mut out = BTreeMap::new();
+    for (key, items) in table(text) {
+        if let Some((_, value)) = keys.iter().find(|(k, _)| *k == key) {
+            for item in items {
+                out.entry(item).or_insert(*value);
+            }
+        }
+    }
+    out
+}
+
+impl Lexicon {
+    fn new() -> Self {
+        use Rel::*;
+        let groups = [
+            ("seat", Group::Seat), ("table", Group::Table), ("storage", Group::Storage), ("bed", Group::Bed), ("floor", Group::Floor),
+            ("wall", Group::Wall), ("ceiling", Group::Ceiling), ("top", Group::Top), ("screen", Group::Screen), ("flat", Group::Flat),
+            ("soft", Group::Soft), ("drape", Group::Drape), ("door", Group::Door), ("window", Group::Window),
+        ];
+        let looks = [
+            ("color", Look::Color), ("material", Look::Material), ("joined", Look::Material), ("feature", Look::Feature),
+            ("shade", Look::Shade),
+        ];
+        let relations = [
+            ("on", On), ("under", Under), ("above", Above), ("beside", Beside), ("near", Near), ("leftOf", LeftOf),
+            ("rightOf", RightOf), ("inFrontOf", InFrontOf), ("behind", Behind), ("between", Between), ("around", Around),
+            ("facing", Facing), ("opposite", Opposite), ("against", Against), ("along", Along), ("in", In), ("at", At),
+            ("mounted", Mounted), ("hang", Hang), ("far", Far), ("parallel", Parallel), ("perpendicular", Perpendicular),
+            ("aligned", Aligned), ("visible", Visible), ("reachable", Reachable), ("from", From), ("of", Of), ("to", To),
+            ("than", Than),
+        ];
+        let verbs = [
+            ("have", Verb::Have), ("carry", Verb::Carry), ("face", Verb::Face), ("hang", Verb::Hang), ("flank", Verb::Flank),
+            ("surround", Verb::Surround), ("keep", Verb::Keep), ("lead", Verb::Lead), ("light", Verb::Light),
+            ("cover", Verb::Cover), ("be", Verb::Be),
+        ];
+        let classes = [
+            ("det", Class::Det), ("def", Class::Def), ("each", Class::Each), ("no", Class::No), ("pronoun", Class::Pronoun),
+            ("soft", Class::Soft), ("not", Class::Not), ("space", Class::Space), ("abstract", Class::Abstract), ("stop", Class::Stop),
+        ];
+        let mut words: BTreeMap<&str, Vec<Class>> = BTreeMap::new();
+        for (key, items) in table(include_str!("../../data/words.txt")) {
+            if let Some((_, class)) = classes.iter().find(|(k, _)| *k == key) {
+                for item in items {
+                    words.entry(item).or_default().push(*class);
+                }
+            }
+        }
+        let (rooms, kinds) = rooms();
+        Self {
+            nouns: keyed(include_str!("../../data/nouns.txt"), &groups),
+            looks: keyed(include_str!("../../data/looks.txt"), &looks),
+            relations: keyed(include_str!("../../data/relations.txt"), &relations),
+            verbs: keyed(include_str!("../../data/verbs.txt"), &verbs),
+            words,
+            synonyms: lines(include_str!("../../data/synonyms.txt")),
+            rooms,
+            kinds,
+            parts: lines(include_str!("../../data/parts.txt")).into_iter().flatten().map(|p| (p, ())).collect(),
+        }
+    }
+
+    /// The group of a noun in the singular.
+    pub fn noun(&self, phrase: &str) -> Option<Group> {
+        self.nouns.get(phrase).copied()
+    }
+
+    /// The longest noun that ends a phrase of words in the singular.
+    pub fn noun_ending(&self, words: &[String]) -> Option<(usize, Group)> {
+        let most = words.len().min(LONGEST);
+        (1..=most).rev().find_map(|n| self.noun(&words[words.len() - n..].join(" ")).map(|g| (n, g)))
+    }
+
+    /// A word for the looks of a thing.
+    pub fn look(&self, phrase: &str) -> Option<Look> {
+        self.looks.get(phrase).copied()
+    }
+
+    /// Whether a word says how a thing looks.
+    pub fn is_look(&self, word: &str) -> bool {
+        self.looks.contains_key(word)
+    }
+
+    /// The longest relation that begins here, and how many tokens it takes.
+    pub fn relation(&self, tokens: &[Token]) -> Option<(Rel, usize)> {
+        longest(&self.relations, tokens)
+    }
+
+    /// The longest verb that begins here, and how many tokens it takes.
+    pub fn verb(&self, tokens: &[Token]) -> Option<(Verb, usize)> {
+        longest(&self.verbs, tokens)
+    }
+
+    /// Whether a phrase that begins here softens what is asked, and how many tokens it takes.
+    pub fn soft(&self, tokens: &[Token]) -> Option<usize> {
+        longest_key(tokens, |k| self.is(k, Class::Soft))
+    }
+
+    /// Whether a word is of a class.
+    pub fn is(&self, word: &str, class: Class) -> bool {
+        self.words.get(word).is_some_and(|c| c.contains(&class))
+    }
+
+    /// Whether a word is in any table.
+    pub fn known(&self, word: &str) -> bool {
+        self.words.contains_key(word)
+            || self.looks.contains_key(word)
+            || self.relations.contains_key(word)
+            || self.verbs.contains_key(word)
+            || self.nouns.contains_key(word)
+            || self.nouns.contains_key(singular(word).as_str())
+            || self.rooms.contains_key(word)
+            || super::number::unit(word).is_some()
+            || super::number::small(word).is_some()
+    }
+
+    /// The kind of room that a phrase in the singular names.
+    pub fn room(&self, phrase: &str) -> Option<&RoomKind> {
+        self.rooms.get(phrase).map(|i| &self.kinds[*i])
+    }
+
+    /// The longest name of a room that ends a phrase, and its words.
+    pub fn room_ending(&self, words: &[String]) -> Option<(usize, &RoomKind)> {
+        let most = words.len().min(LONGEST);
+        (1..=most).rev().find_map(|n| self.room(&words[words.len() - n..].join(" ")).map(|k| (n, k)))
+    }
+
+    /// Whether a noun names a part of a thing.
+    pub fn part(&self, noun: &str) -> bool {
+        self.parts.contains_key(noun)
+    }
+
+    /// Whether two nouns may name one thing.
+    pub fn alike(&self, a: &str, b: &str) -> bool {
+        a == b || self.synonyms.iter().any(|line| line.contains(&a) && line.contains(&b))
+    }
+}
+
+fn longest<T: Copy>(map: &BTreeMap<&str, T>, tokens: &[Token]) -> Option<(T, usize)> {
+    let used = longest_key(tokens, |k| map.contains_key(k))?;
+    map.get(key(&tokens[..used]).as_str()).map(|v| (*v, used))
+}
+
+fn longest_key(tokens: &[Token], known: impl Fn(&str) -> bool) -> Option<usize> {
+    let most = tokens.iter().take(LONGEST).take_while(|t| t.word()).count();
+    (1..=most).rev().find(|n| known(&key(&tokens[..*n])))
+}
+
+fn key(tokens: &[Token]) -> String {
+    tokens.iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ")
+}
+
+fn lines(text: &'static str) -> Vec<Vec<&'static str>> {
+    let lines = text.lines().filter(|l| !l.starts_with('#') && !l.is_empty());
+    lines.map(|l| l.split(',').map(str::trim).collect()).collect()
+}
+
+fn rooms() -> (BTreeMap<&'static str, usize>, Vec<RoomKind>) {
+    let mut names = BTreeMap::new();
+    let mut kinds = Vec::new();
+    for line in include_str!("../../data/rooms.txt").lines().filter(|l| !l.starts_with('#')) {
+        let mut columns = line.split('|').map(str::trim);
+        let (name, others) = (columns.next().unwrap_or(""), columns.next().unwrap_or(""));
+        let mut size = columns.next().unwrap_or("").split(" x ").map(|n| n.trim().parse().unwrap_or(4.0));
+        let mut next = || size.next().unwrap_or(4.0);
+        let size = [next(), next(), next()];
+        let content = columns.next().unwrap_or("").split(';').map(str::trim).filter(|c| !c.is_empty()).collect();
+        let (name, loose) = name.strip_suffix('*').map_or((name, false), |n| (n, true));
+        for name in std::iter::once(name).chain(others.split(',').map(str::trim)) {
+            names.entry(name).or_insert(kinds.len());
+        }
+        kinds.push(RoomKind { name, loose, size, content });
+    }
+    (names, kinds)
+}
+
+/// A noun in the singular, as far as its end tells.
+pub fn singular(word: &str) -> String {
+    const ODD: [(&str, &str); 12] = [
+        ("shelves", "shelf"), ("knives", "knife"), ("leaves", "leaf"), ("people", "person"), ("children", "child"),
+        ("feet", "foot"), ("mice", "mouse"), ("loaves", "loaf"), ("cacti", "cactus"), ("bookshelves", "bookshelf"),
+        ("scarves", "scarf"), ("men", "man"),
+    ];
+    const SAME: [&str; 22] = [
+        "glass", "canvas", "cactus", "ficus", "stairs", "blinds", "chess", "cutlery", "headphones", "lens", "bus", "billiards", "series",
+        "stainless", "compass", "mattress", "chaise", "tennis", "lotus", "hibiscus", "gas", "bias",
+    ];
+    if SAME.contains(&word) || word.len() < 4 && word != "tvs" && word != "pcs" {
+        return word.to_owned();
+    }
+    if let Some((_, one)) = ODD.iter().find(|(many, _)| *many == word) {
+        return (*one).to_owned();
+    }
+    if let Some(stem) = word.strip_suffix("shelves") {
+        return format!("{stem}shelf");
+    }
+    for (end, one) in [("ies", "y"), ("sses", "ss"), ("shes", "sh"), ("ches", "ch"), ("xes", "x"), ("sses", "ss")] {
+        if let Some(stem) = word.strip_suffix(end).filter(|s| s.len() > 1) {
+            return format!("{stem}{one}");
+        }
+    }
+    match word.strip_suffix('s') {
+        Some(stem) if !stem.ends_with(['s', 'u', 'i']) || stem == "menu" => stem.to_owned(),
+        _ => word.to_owned(),
+    }
+}
+
+/// Whether a word is a plural by its end.
+pub fn plural(word: &str) -> bool {
+    singular(word) != word
+}

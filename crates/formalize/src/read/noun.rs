@@ -1,0 +1,504 @@
+//! Noun phrases: "two low oak side tables", "each of the desks", "the back wall", "the meeting room", "it".
+
+use super::chunk::{Dims, add_look, look_at};
+use super::lexicon::{Class, Group, Look, get, plural, singular};
+use super::measure::{Dim, measure};
+use super::number;
+use super::token::{Kind as TokenKind, Token};
+use crate::draft;
+
+/// How a noun phrase begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Det {
+    /// By nothing: "chairs".
+    None,
+    /// "a", "some".
+    Indefinite,
+    /// "the", "these".
+    Definite,
+    /// "my", "its", "the teacher's".
+    Own,
+    /// "each", "all", "both".
+    Each,
+    /// "no".
+    No,
+    /// By a number.
+    Number,
+}
+
+/// What a noun phrase speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A thing.
+    Thing,
+    /// A room: an index into the kinds.
+    Room,
+    /// A place in a room or on a thing.
+    Place(Place),
+    /// Something that is no thing: "the atmosphere".
+    Abstract,
+    /// "it", "they", "both".
+    Pronoun,
+}
+
+/// A place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Place {
+    Wall, Corner, Ceiling, Floor, Middle, Side, End, Head, Foot, Back, Front, Row, Circle,
+}
+
+/// A noun phrase.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Np {
+    /// How it begins.
+    pub det: Det,
+    /// How many.
+    pub count: Option<usize>,
+    /// A plural with no number.
+    pub many: bool,
+    /// What it speaks of.
+    pub kind: Kind,
+    /// Words of the name in the singular, looks left out: "coffee", "table".
+    pub words: Vec<String>,
+    /// How many of the last words the tables know as one noun.
+    pub last: usize,
+    /// The group of the noun, if the tables know it.
+    pub group: Option<Group>,
+    /// Whether the tables know the noun.
+    pub known: bool,
+    /// Looks before the noun.
+    pub look: draft::Look,
+    /// Sizes before the noun.
+    pub dims: Dims,
+    /// Words before a place or a room: "left", "front", "north", "long".
+    pub which: Vec<String>,
+    /// "another", "other".
+    pub other: bool,
+}
+
+impl Np {
+    fn new(kind: Kind) -> Self {
+        Self {
+            det: Det::None, count: None, many: false, kind, words: Vec::new(), last: 1, group: None, known: false,
+            look: draft::Look::default(), dims: Vec::new(), which: Vec::new(), other: false,
+        }
+    }
+
+    /// The noun itself: the words that the tables know as one.
+    pub fn head(&self) -> String {
+        self.words[self.words.len().saturating_sub(self.last)..].join(" ")
+    }
+
+    /// The whole name.
+    pub fn name(&self) -> String {
+        self.words.join(" ")
+    }
+}
+
+/// Words before a place that tell which one.
+const WHICH: &[&str] = &[
+    "left", "right", "front", "back", "far", "near", "north", "south", "east", "west", "northern", "southern", "eastern", "western", "rear", "long",
+    "short", "opposite", "other", "same", "side", "inner", "outer", "end", "left-hand", "right-hand", "northeast", "northwest", "southeast",
+    "southwest", "north-east", "north-west", "south-east", "south-west", "exact", "very", "quiet", "free", "entrance", "window", "main", "bare", "longer", "shorter", "longest", "remaining", "third", "first", "second", "lower", "upper", "top", "bottom", "outside", "exterior", "farthest", "furthest", "farther", "further", "dark", "brick", "top-left", "opposing", "blank", "empty", "whole", "entire", "dead",
+];
+
+fn place(word: &str) -> Option<Place> {
+    Some(match word {
+        "wall" | "walls" => Place::Wall,
+        "corner" | "corners" => Place::Corner,
+        "ceiling" => Place::Ceiling,
+        "floor" | "ground" => Place::Floor,
+        "middle" | "centre" | "center" => Place::Middle,
+        "side" | "sides" | "edge" => Place::Side,
+        "end" | "ends" => Place::End,
+        "head" => Place::Head,
+        "foot" => Place::Foot,
+        "back" | "rear" => Place::Back,
+        "front" => Place::Front,
+        "row" | "rows" => Place::Row,
+        "circle" | "ring" => Place::Circle,
+        _ => return None,
+    })
+}
+
+/// The noun phrase that begins here and how many tokens it takes. `listed`: where a thing is expected, so that a word
+/// nobody knows may be one.
+pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
+    let lexicon = get();
+    let text = |i: usize| rest.get(i).map_or("", |t| t.text.as_str());
+    let mut used = 0;
+    let mut np = Np::new(Kind::Thing);
+    // How it begins.
+    let pronoun = matches!(text(0), "it" | "they" | "them" | "both" | "each" | "these" | "those" | "itself" | "either" | "all" | "one");
+    let determiner = |w: &str| lexicon.is(w, Class::Def) || lexicon.is(w, Class::Det) || lexicon.is(w, Class::Each) || lexicon.is(w, Class::No);
+    let mut last_det = Det::None;
+    let mut article = false;
+    while let Some(t) = rest.get(used).filter(|t| t.word()) {
+        let w = t.text.as_str();
+        if matches!(w, "each" | "every" | "all" | "both" | "any" | "either" | "neighbouring" | "neighboring" | "adjacent" | "per") && (w != "adjacent" || text(used + 1) != "to") {
+            last_det = Det::Each;
+        } else if lexicon.is(w, Class::No) && used == 0 && w != "without" {
+            last_det = Det::No;
+        } else if lexicon.is(w, Class::Def) {
+            let own = matches!(w, "my" | "your" | "our" | "its" | "their" | "his" | "her");
+            last_det = if last_det == Det::Each { Det::Each } else if own { Det::Own } else { Det::Definite };
+        } else if lexicon.is(w, Class::Det) && w != "one" {
+            np.other |= w == "another";
+            np.many |= matches!(w, "some" | "several" | "few" | "many" | "various" | "multiple" | "numerous");
+            if last_det == Det::None {
+                last_det = Det::Indefinite;
+            }
+            article = matches!(w, "a" | "an" | "another");
+        } else if w == "other" && used > 0 {
+            np.other = true;
+        } else if w == "of" && used > 0 && matches!(text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none") && determiner(text(used + 1)) {
+            // "each of the desks"
+        } else if w == "one" && used > 0 && text(used + 1) == "of" {
+            // "every one of them"
+        } else {
+            break;
+        }
+        used += 1;
+    }
+    np.det = last_det;
+    let begun = used > 0;
+    let owner_end = used;
+    // "each of them", "it", "all three"
+    if begun && matches!(text(used), "it" | "them") {
+        np.kind = Kind::Pronoun;
+        np.words = vec![text(used).to_owned()];
+        return Some((np, used + 1));
+    }
+    if !begun && pronoun && !matches!(text(0), "all" | "these" | "those" | "each" | "one") {
+        np.kind = Kind::Pronoun;
+        np.words = vec![text(0).to_owned()];
+        return Some((np, 1));
+    }
+    // How many. "a dozen", "a pair of" begin with their article.
+    let from = if article && number::count(&rest[used - 1..]).is_some_and(|(_, n)| n > 1 && matches!(text(used), "dozen" | "pair" | "couple" | "trio")) { used - 1 } else { used };
+    if measure(&rest[used..]).is_none() && let Some((n, k)) = number::count(&rest[from..]) {
+        if n.fract() == 0.0 && (0.0..=100_000.0).contains(&n) {
+            np.count = Some(n as usize);
+            used = from + k;
+            if last_det == Det::None || last_det == Det::Indefinite {
+                np.det = Det::Number;
+            }
+            // "two of the chairs", "two by"
+            if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
+                np.kind = Kind::Pronoun;
+                np.words = vec!["them".to_owned()];
+                return Some((np, used + 2));
+            }
+            if text(used) == "of" && determiner(text(used + 1)) {
+                used += 2;
+                np.det = Det::Definite;
+            }
+            while lexicon.is(text(used), Class::Def) {
+                used += 1;
+            }
+        }
+    }
+    let counted = np.count.is_some();
+    // What stands before the noun.
+    let start = used;
+    let mut nouns: Vec<(String, bool)> = Vec::new(); // in the singular, whether as written it is a plural
+    let mut noun_end = 0; // tokens up to the last noun
+    let mut looks_end = used;
+    let mut owner: Option<String> = None;
+    while let Some(t) = rest.get(used) {
+        let w = t.text.as_str();
+        if !t.word() {
+            let adjectives = nouns.is_empty() && used > start && look_at(&rest[used + 1..]).is_some() && looks_end == used;
+            // "a large, round table", as long as a noun comes
+            if t.is(",") && adjectives && leads_to_noun(&rest[used + 1..]) {
+                used += 1;
+                continue;
+            }
+            if matches!(t.kind, TokenKind::Number(_)) && nouns.is_empty() && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain()) {
+                add_dims(&mut np.dims, &m.values, &m.dims);
+                used += n;
+                looks_end = used;
+                continue;
+            }
+            break;
+        }
+        if nouns.is_empty() && w == "and" && used > start && looks_end == used && look_at(&rest[used + 1..]).is_some() && leads_to_noun(&rest[used + 1..]) && lexicon.noun(text(used - 1)).is_none() {
+            used += 1;
+            continue;
+        }
+        if matches!(w, "very" | "really" | "quite" | "slightly" | "rather" | "fairly" | "super" | "extra") && nouns.is_empty() {
+            used += 1;
+            continue;
+        }
+        if nouns.is_empty() && used > owner_end.min(start) && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain()) {
+            add_dims(&mut np.dims, &m.values, &m.dims);
+            used += n;
+            looks_end = used;
+            continue;
+        }
+        if t.owner {
+            // "a teacher's desk": part of the name; "the desk's left side": of a thing.
+            owner = Some(singular(w));
+            nouns.push((singular(w), false));
+            used += 1;
+            continue;
+        }
+        // The longest noun of the tables that begins here.
+        let table = longest_noun(&rest[used..]);
+        let look = look_at(&rest[used..]);
+        if let Some((phrase, n)) = table.clone().filter(|(_, n)| look.is_none_or(|(_, m)| *n > m || (*n == m && !before_noun(&rest[used + n..])))) {
+            let many = plural(text(used + n - 1));
+            if n == 1 && nouns.is_empty() && stops_here(&rest[used..], begun || counted || used > start || listed) {
+                break;
+            }
+            nouns.extend(phrase.split(' ').map(|p| (p.to_owned(), false)));
+            if let Some(last) = nouns.last_mut() {
+                last.1 = many;
+            }
+            used += n;
+            noun_end = used;
+            if many && longest_noun(&rest[used..]).is_none() {
+                break;
+            }
+            continue;
+        }
+        if let Some((kind, n)) = look {
+            let noun_after = nouns.is_empty() || before_noun(&rest[used + n..]);
+            if !noun_after {
+                break;
+            }
+            // "standing there", "double": only before something
+            add_look(&mut np.look, kind, &rest[used..used + n]);
+            used += n;
+            looks_end = used;
+            continue;
+        }
+        let room = lexicon.room(w).is_some() || lexicon.room(&singular(w)).is_some();
+        let place_here = place(w).filter(|_| nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str())) && (begun || counted || used > start || !np.which.is_empty() || matches!(w, "walls" | "corners")));
+        if WHICH.contains(&w) && leads_to_place(&rest[used..]) {
+            np.which.push(w.to_owned());
+            used += 1;
+            continue;
+        }
+        if let Some(p) = place_here.filter(|_| !before_noun(&rest[used + 1..]) || matches!(p_of(w), Some(Place::Middle | Place::Row))) {
+            np.kind = Kind::Place(p);
+            np.many = w.ends_with('s');
+            np.words = vec![singular(w)];
+            return Some((np, used + 1));
+        }
+        // Room names of several words: "living room".
+        if let Some(n) = room_here(&rest[used..]) {
+            let after = longest_noun(&rest[used + n..]);
+            nouns.extend(rest[used..used + n].iter().map(|t| (singular(&t.text), false)));
+            used += n;
+            noun_end = used;
+            if after.is_none() && !before_noun(&rest[used..]) {
+                break;
+            }
+            continue;
+        }
+        let modifies = (begun || counted) && rest.get(used + 1).is_some_and(|n| n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing"));
+        if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) && !modifies {
+            if nouns.is_empty() {
+                if !(begun || counted) {
+                    return None;
+                }
+                np.kind = Kind::Abstract;
+                np.words = vec![singular(w)];
+                return Some((np, used + 1));
+            }
+            if begun || counted {
+                // "the conversation area"
+                let known = noun_end > 0 && nouns.len() > 1;
+                if !known {
+                    np.kind = Kind::Abstract;
+                    np.words = vec![singular(w)];
+                    return Some((np, used + 1));
+                }
+            }
+            break;
+        }
+        let grammar = lexicon.relation(&rest[used..]).is_some() || lexicon.verb(&rest[used..]).is_some() || lexicon.is(w, Class::Stop) || determiner(w) || lexicon.is(w, Class::Pronoun) || lexicon.is(w, Class::Not) || number::small(w).is_some() || number::unit(w).is_some() || w == "with" || w == "and" || w == "or" || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
+        if grammar && !(lexicon.is(w, Class::Space) && before_noun(&rest[used + 1..])) {
+            break;
+        }
+        let adverb = w.ends_with("ly") && w.len() > 4;
+        if adverb {
+            if nouns.is_empty() {
+                used += 1;
+                continue;
+            }
+            break;
+        }
+        // A word that no table has: part of a name where a noun phrase has begun or is expected.
+        let context = begun || counted || listed || used > start || room || before_noun(&rest[used + 1..]);
+        let verbal = nouns.is_empty() && !begun && !counted && (w.ends_with("ing") || w.ends_with("ed"));
+        if !context || verbal || w.chars().count() < 2 || nouns.len() > 5 {
+            break;
+        }
+        if nouns.last().is_some_and(|n| n.1) {
+            break;
+        }
+        if nouns.is_empty() && adjective(w) && (before_noun(&rest[used + 1..]) || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text))) {
+            add_look(&mut np.look, Look::Feature, &rest[used..=used]);
+            used += 1;
+            looks_end = used;
+            continue;
+        }
+        // After a known noun in the singular an unknown word may go on only if more of the name follows.
+        if noun_end > 0 && !plural(w) && !before_noun(&rest[used + 1..]) && !(begun || counted) {
+            break;
+        }
+        nouns.push((singular(w), plural(w)));
+        used += 1;
+        noun_end = used;
+    }
+    let _ = owner;
+    // "the teacher's": an owner alone is no thing.
+    if noun_end == 0 {
+        // "white glass", "a cane": the last look may be the noun.
+        if pronoun && !begun && matches!(text(0), "these" | "those" | "each" | "all") || begun && np.det == Det::Each && used == owner_end {
+            np.kind = Kind::Pronoun;
+            np.words = vec![text(0).to_owned()];
+            return Some((np, owner_end.max(1)));
+        }
+        if begun && matches!(text(owner_end), "one" | "ones" | "other" | "others") || np.other && used == owner_end && owner_end > 0 {
+            np.kind = Kind::Pronoun;
+            np.words = vec!["other".to_owned()];
+            return Some((np, if matches!(text(owner_end), "one" | "ones" | "other" | "others") { owner_end + 1 } else { owner_end }));
+        }
+        if counted && used == start && (last_det == Det::Definite || last_det == Det::Each || np.count == Some(1)) {
+            np.kind = Kind::Pronoun;
+            np.words = vec!["ones".to_owned()];
+            return Some((np, used));
+        }
+        return None;
+    }
+    np.words = nouns.iter().map(|n| n.0.clone()).collect();
+    np.many |= nouns.last().is_some_and(|n| n.1) && np.count.is_none();
+    let room = lexicon.room_ending(&np.words);
+    let thing = lexicon.noun_ending(&np.words);
+    match (room, thing) {
+        (Some((n, kind)), t) if t.is_none_or(|(m, _)| n >= m) => {
+            np.kind = Kind::Room;
+            np.last = n;
+            np.known = true;
+            let _ = kind;
+        }
+        (_, Some((m, group))) => {
+            np.last = m;
+            np.group = Some(group);
+            np.known = true;
+        }
+        _ => {
+            let head = np.words.last().cloned().unwrap_or_default();
+            if lexicon.is(&head, Class::Abstract) {
+                np.kind = Kind::Abstract;
+            }
+        }
+    }
+    Some((np, noun_end))
+}
+
+fn p_of(word: &str) -> Option<Place> {
+    place(word)
+}
+
+/// Adds sizes given as "2 m wide" or "2 by 1 m".
+pub fn add_dims(dims: &mut Dims, values: &[f64], named: &[Dim]) {
+    match (values, named) {
+        ([one], [dim]) => dims.push((*dim, *one)),
+        ([one], []) => dims.push((Dim::Length, *one)),
+        (many, _) => {
+            for (value, dim) in many.iter().zip([Dim::Width, Dim::Depth, Dim::Height]) {
+                dims.push((dim, *value));
+            }
+        }
+    }
+}
+
+/// The longest noun of the tables that begins here: in the singular, and its tokens.
+fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
+    let lexicon = get();
+    let words = rest.iter().take(4).take_while(|t| t.word()).count();
+    (1..=words).rev().find_map(|n| {
+        if rest[..n - 1].iter().any(|t| t.owner) {
+            return None;
+        }
+        let mut phrase: Vec<String> = rest[..n].iter().map(|t| t.text.clone()).collect();
+        let plain = phrase.join(" ");
+        if let Some(last) = phrase.last_mut() {
+            *last = singular(last);
+        }
+        let phrase = phrase.join(" ");
+        // "chest of drawers" is written in the plural.
+        let found = [phrase, plain].into_iter().find(|p| lexicon.noun(p).is_some());
+        found.map(|p| (p, n))
+    })
+}
+
+/// Whether a room's name begins here, and its tokens.
+fn room_here(rest: &[Token]) -> Option<usize> {
+    let lexicon = get();
+    let words = rest.iter().take(3).take_while(|t| t.word()).count();
+    (1..=words).rev().find(|n| {
+        let mut phrase: Vec<String> = rest[..*n].iter().map(|t| t.text.clone()).collect();
+        if lexicon.room(&phrase.join(" ")).is_some() {
+            return true;
+        }
+        if let Some(last) = phrase.last_mut() {
+            *last = singular(last);
+        }
+        lexicon.room(&phrase.join(" ")).is_some()
+    })
+}
+
+/// Whether a noun of the tables comes right here, or after looks or one more word.
+fn before_noun(rest: &[Token]) -> bool {
+    let Some(first) = rest.first().filter(|t| t.word()) else { return false };
+    let lexicon = get();
+    // "stands", "lights" after a noun are verbs more often than not.
+    if lexicon.verb(rest).is_some() || lexicon.relation(rest).is_some_and(|(_, n)| n > 0) || lexicon.is(&first.text, Class::Stop) {
+        return false;
+    }
+    longest_noun(rest).is_some()
+        || look_at(rest).is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word) && longest_noun(&rest[n..]).is_some())
+        || !lexicon.known(&first.text) && rest.get(1).is_some_and(Token::word) && longest_noun(&rest[1..]).is_some() && lexicon.verb(&rest[1..]).is_none()
+}
+
+/// Whether looks that begin here end in a noun.
+fn leads_to_noun(rest: &[Token]) -> bool {
+    let mut used = 0;
+    while let Some((_, n)) = look_at(&rest[used..]) {
+        used += n;
+        let after = &rest[used..];
+        if after.first().is_some_and(|t| t.is(",") || t.is("and")) && look_at(&after[1..]).is_some() {
+            used += 1;
+        }
+        if used > 12 {
+            return false;
+        }
+    }
+    let rest = &rest[used..];
+    longest_noun(rest).is_some() || before_noun(rest) || rest.first().is_some_and(|t| t.word() && !get().known(&t.text))
+}
+
+/// Whether words that tell which place end in a place: "left front corner".
+fn leads_to_place(rest: &[Token]) -> bool {
+    let words = rest.iter().take(4).take_while(|t| t.word() && WHICH.contains(&t.text.as_str())).count();
+    (1..=words).any(|n| rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words)))
+        && rest.get(words).is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
+}
+
+/// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
+fn stops_here(rest: &[Token], expected: bool) -> bool {
+    let word = rest[0].text.as_str();
+    !expected && (get().verb(rest).is_some() || get().relation(rest).is_some()) || matches!(word, "bar" | "pass") && !expected && false
+}
+
+/// Whether a word that no table has is an adjective by its end.
+fn adjective(word: &str) -> bool {
+    word.contains('-')
+        || ["ed", "able", "ible", "less", "ful", "ous", "ish", "ern", "ian", "ese", "esque", "ic", "ive", "y", "al"].iter().any(|e| word.len() > e.len() + 2 && word.ends_with(e))
+}

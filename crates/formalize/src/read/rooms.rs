@@ -1,0 +1,105 @@
+//! Which rooms a request speaks of, before its things are read: a room is one only if it is a heading, has a size, is led
+//! to, or is what a sentence is about. "The door to the garden" makes no garden.
+
+use super::chunk::{Chunk, Piece};
+use super::lexicon::{Rel, Verb, get};
+use super::noun::{Det, Kind};
+use super::scene::Room;
+use super::token::Token;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Rooms, and which of them a chunk speaks of.
+#[derive(Debug, Default)]
+pub struct Rooms {
+    /// In the order of the text; at least one.
+    pub rooms: Vec<Room>,
+    /// By the index of the chunk.
+    pub spoken: BTreeMap<usize, usize>,
+}
+
+/// More rooms than this are not told apart.
+const MOST: usize = 12;
+
+/// Finds them.
+pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
+    let mut out = Rooms::default();
+    let lexicon = get();
+    let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
+    let mut loose: Vec<(usize, String)> = Vec::new();
+    let mut weak: Vec<(usize, String)> = Vec::new();
+    for (i, chunk) in chunks.iter().enumerate() {
+        let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
+        let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
+        let base = np.words[np.words.len() - n..].join(" ");
+        let named = out.rooms.iter().position(|r| r.name == base || r.name == np.name() || r.name.ends_with(&format!(" {base}")));
+        if let Some(room) = named {
+            out.spoken.insert(i, room);
+            continue;
+        }
+        if kind.loose || base == "office building" {
+            loose.push((i, np.name()));
+            continue;
+        }
+        let same_kind = kind.name != "stock room" && np.det == Det::Definite;
+        if same_kind && let Some(room) = out.rooms.iter().position(|r| lexicon.room(&r.name).is_some_and(|k| k.name == kind.name)) {
+            out.spoken.insert(i, room);
+            continue;
+        }
+        if out.rooms.len() < MOST && strong(chunks, i, out.rooms.is_empty()) {
+            out.spoken.insert(i, out.rooms.len());
+            out.rooms.push(Room { name: np.name(), at: bytes(chunk), ..Room::default() });
+        } else {
+            weak.push((i, np.name()));
+        }
+    }
+    if out.rooms.is_empty() {
+        // The most telling of what was said loosely.
+        let pick = loose.iter().find(|(_, n)| n != "room" && n != "space" && n != "place").or(loose.first()).or(weak.first());
+        let room = match pick {
+            Some((i, name)) => Room { name: name.clone(), at: bytes(&chunks[*i]), ..Room::default() },
+            None => Room { name: "room".into(), ..Room::default() },
+        };
+        out.rooms.push(room);
+        for (i, name) in &weak {
+            if out.rooms[0].name == *name {
+                out.spoken.insert(*i, 0);
+            }
+        }
+    }
+    // "the room", "the flat": the room last spoken of.
+    for (i, _) in loose {
+        let last = out.spoken.range(..i).next_back().map_or(0, |(_, r)| *r);
+        out.spoken.insert(i, last);
+    }
+    out
+}
+
+/// Whether a mention makes a room.
+fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    let before = i.checked_sub(1).and_then(piece);
+    let before2 = i.checked_sub(2).and_then(piece);
+    let after = piece(i + 1);
+    let start = matches!(before, None | Some(Piece::Stop | Piece::Line | Piece::Bullet | Piece::Colon));
+    let beside = matches!(before, Some(Piece::Rel(r)) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::Between));
+    let to = matches!(before, Some(Piece::Rel(Rel::To | Rel::In | Rel::From)));
+    let led = to && matches!(before2, Some(Piece::Verb(Verb::Lead))) || matches!(before, Some(Piece::Verb(Verb::Lead)));
+    let sized = match after {
+        Some(Piece::Measure(m)) => m.values.len() > 1 || m.area,
+        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty()),
+        _ => false,
+    };
+    let heading = start && matches!(after, Some(Piece::Colon | Piece::Stop | Piece::Line | Piece::Open | Piece::Measure(_) | Piece::Comma | Piece::Attr(_)) | None);
+    let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));
+    let opens = start_of_clause(chunks, i) && matches!(before, Some(Piece::Rel(Rel::In)));
+    let joined = matches!(before, Some(Piece::And | Piece::Comma)) && before2.is_some_and(|p| matches!(p, Piece::Np(np) if np.kind == Kind::Room))
+        || matches!(before, Some(Piece::And)) && chunks[..i].iter().rev().take(8).any(|c| c.np().is_some_and(|n| n.kind == Kind::Room)) && matches!(after, Some(Piece::Stop | Piece::Line | Piece::Comma | Piece::Colon) | None)
+            && chunks[..i].iter().rev().take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line)).all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
+    sized || led || heading || subject || opens || joined || first && !beside && !to
+}
+
+/// "In the kitchen, …": the relation before it begins a clause.
+fn start_of_clause(chunks: &[Chunk], i: usize) -> bool {
+    i < 2 || matches!(chunks[i - 2].piece, Piece::Stop | Piece::Line | Piece::Bullet | Piece::Comma | Piece::Colon)
+}

@@ -1,0 +1,233 @@
+//! Sizes that the request leaves out: of things, so that what stands on them finds room; of rooms, so that all does.
+
+use super::lexicon::{Group, Rel, get};
+use super::measure::{Dim, Op};
+use super::noun::Place;
+use super::scene::{Scene, Side, What};
+use scenelang_lang::library::usual_size;
+
+/// What nothing is known of.
+const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
+
+/// Width, height and depth of every thing.
+pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
+    let mut out: Vec<[f64; 3]> = scene.items.iter().map(|item| usual(item.group, &item.words)).collect();
+    for (size, item) in out.iter_mut().zip(&scene.items) {
+        let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
+        let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) { 0.75 } else if feature(&["large", "big", "huge", "giant", "massive", "oversized"]) { 1.3 } else { 1.0 };
+        size[0] *= scale;
+        size[2] *= scale;
+        if feature(&["long"]) {
+            size[0] *= 1.4;
+        }
+        if feature(&["low"]) && size[1] > 0.45 {
+            size[1] = (size[1] * 0.6).max(0.35);
+        }
+        if feature(&["tall", "high"]) && item.group != Group::Seat {
+            size[1] = (size[1] * 1.2).min(2.2);
+        }
+        if feature(&["round", "circular"]) && matches!(item.group, Group::Table | Group::Flat) {
+            size[2] = size[0].min(size[2].max(0.7 * size[0]));
+            size[0] = size[2];
+        }
+        for (have, said) in size.iter_mut().zip(item.size) {
+            *have = said.unwrap_or(*have);
+        }
+    }
+    // What stands on another needs its place there.
+    for b in 0..scene.items.len() {
+        if scene.items[b].size[0].is_some() {
+            continue;
+        }
+        let mut width = 0.0;
+        let mut area = 0.0;
+        for fact in scene.facts.iter().filter(|f| !f.not) {
+            let What::Rel(rel, to) = &fact.what else { continue };
+            if !to.contains(&b) {
+                continue;
+            }
+            for a in &fact.of {
+                let each = (scene.count(*a) as f64 / scene.count(b) as f64).ceil();
+                match rel {
+                    Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
+                    Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => width = each * (out[*a][0] + 0.12),
+                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 => {
+                        // Half of them at either long side, the ends left free.
+                        width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
+                    }
+                    Rel::Under if scene.items[*a].group != Group::Flat => width = each * (out[*a][0] + 0.1),
+                    _ => {}
+                }
+            }
+        }
+        let flat = scene.items[b].group == Group::Flat;
+        let top = out[b][0] * out[b][2];
+        let wanted = area * if flat { 2.2 } else { 1.8 };
+        if wanted > top {
+            let grow = (wanted / top).sqrt();
+            out[b][0] *= grow * grow.sqrt();
+            out[b][2] *= grow.sqrt();
+        }
+        out[b][0] = out[b][0].max(width);
+        if scene.items[b].look.features.iter().any(|f| f == "round") && width > 0.0 {
+            out[b][2] = out[b][0];
+        }
+    }
+    // A size that the request limits.
+    for fact in &scene.facts {
+        let What::Size(dim, op, v) = &fact.what else { continue };
+        let axis = match dim {
+            Dim::Height | Dim::Ceiling => 1,
+            Dim::Depth => 2,
+            _ => 0,
+        };
+        for a in &fact.of {
+            match op {
+                Op::Most => out[*a][axis] = out[*a][axis].min(*v),
+                Op::Least => out[*a][axis] = out[*a][axis].max(*v),
+                Op::Equal => out[*a][axis] = *v,
+            }
+        }
+    }
+    for size in &mut out {
+        for v in size {
+            *v = (*v * 100.0).round().max(1.0) / 100.0;
+        }
+    }
+    out
+}
+
+/// The usual size of a thing of this name.
+pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
+    let name = words.join(" ");
+    let size = usual_size(&name).unwrap_or(match group {
+        Group::Seat => [0.5, 0.85, 0.5],
+        Group::Table => [1.4, 0.8, 0.7],
+        Group::Storage => [0.9, 1.6, 0.42],
+        Group::Bed => [1.2, 0.6, 2.05],
+        Group::Wall => [0.6, 0.5, 0.06],
+        Group::Ceiling => [0.4, 0.4, 0.4],
+        Group::Top => [0.25, 0.25, 0.25],
+        Group::Screen => [1.2, 0.75, 0.12],
+        Group::Flat => [1.6, 0.012, 1.1],
+        Group::Soft => [0.45, 0.15, 0.4],
+        Group::Drape => [1.4, 1.8, 0.1],
+        Group::Door => [0.95, 2.08, 0.12],
+        Group::Window => [1.2, 1.3, 0.12],
+        Group::Floor => UNKNOWN,
+    });
+    match group {
+        Group::Screen => [size[0], size[1], size[2].min(0.26)],
+        _ => size,
+    }
+}
+
+/// Whether a thing takes floor.
+fn stands(scene: &Scene, item: usize) -> bool {
+    let group = scene.items[item].group;
+    let floor = !matches!(group, Group::Wall | Group::Ceiling | Group::Top | Group::Flat | Group::Soft | Group::Drape | Group::Door | Group::Window | Group::Screen);
+    floor && !scene.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, What::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| scene.items[*t].group != Group::Flat)))
+}
+
+/// Width, height and depth of every room, and an outline where it is no rectangle.
+pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let mut out = Vec::new();
+    for (r, room) in scene.rooms.iter().enumerate() {
+        let words: Vec<String> = room.name.split(' ').map(str::to_owned).collect();
+        let kind = get().room_ending(&words).map_or([5.0, 4.0, 2.7], |(_, k)| k.size);
+        // Room for everything, and to walk between.
+        let mut need = 4.0;
+        let mut along = 0.0;
+        let mut widest = 2.0_f64;
+        let mut tallest = 2.2_f64;
+        for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| item.room == r || item.beyond == Some(r)) {
+            let n = scene.count(i) as f64;
+            let [w, h, d] = sizes[i];
+            widest = widest.max(w + 1.0).max(d + 1.0);
+            tallest = tallest.max(h + 0.2);
+            let spread = spread(scene, i);
+            if stands(scene, i) {
+                need += n * (w + 0.35 + spread) * (d + 0.55 + spread);
+            }
+            if item.group == Group::Flat {
+                need += n * w * d * 0.5;
+            }
+            let at_wall = scene.facts.iter().any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
+            if at_wall || item.opening() {
+                along += n * (w + 0.35);
+            }
+        }
+        let apart = distances(scene, r);
+        need = need * 1.7 + apart * 3.0;
+        let side = (along / 4.0 * 1.5).max(widest).max(apart + 2.2);
+        let [mut w, mut d] = [kind[0], kind[1]];
+        if need > w * d {
+            let grow = (need / (w * d)).sqrt();
+            w *= grow;
+            d *= grow;
+        }
+        w = w.max(side);
+        d = d.max(side * 0.85);
+        let [sw, sh, sd] = room.size;
+        match (sw, sd, room.area) {
+            (Some(a), Some(b), _) => (w, d) = (a, b),
+            (Some(a), None, Some(area)) => (w, d) = (a, area / a),
+            (None, Some(b), Some(area)) => (w, d) = (area / b, b),
+            (Some(a), None, None) => (w, d) = (a, (need / a).max(kind[1])),
+            (None, Some(b), None) => (w, d) = ((need / b).max(kind[0]), b),
+            (None, None, Some(area)) => {
+                let ratio = (kind[0] / kind[1]).clamp(1.0, 1.5);
+                w = (area * ratio).sqrt();
+                d = area / w;
+            }
+            (None, None, None) => {
+                w = (w * 5.0).ceil() / 5.0;
+                d = (d * 5.0).ceil() / 5.0;
+            }
+        }
+        let h = sh.unwrap_or(kind[2].max(tallest).max(above(scene, r, sizes)));
+        out.push([w, h, d].map(|v| ((v * 1000.0).round() / 1000.0).clamp(0.5, 500.0)));
+    }
+    out
+}
+
+/// How far apart the things of an array are to be.
+fn spread(scene: &Scene, item: usize) -> f64 {
+    let mut out = 0.0_f64;
+    for f in scene.facts.iter().filter(|f| f.of.contains(&item)) {
+        match &f.what {
+            What::Among(_, v) => out = out.max(*v),
+            What::Clear(Side::Front | Side::Behind | Side::Around, v) => out = out.max(v * 0.7),
+            What::Path(v, _) => out = out.max(v * 0.5),
+            What::Gap(Op::Least, v, to) if to.iter().any(|t| scene.count(*t) > 1) => out = out.max(v * 0.5),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// The longest distance that is asked for in a room.
+fn distances(scene: &Scene, room: usize) -> f64 {
+    let mut out = 0.0_f64;
+    for f in scene.facts.iter().filter(|f| f.of.iter().any(|i| scene.items[*i].room == room)) {
+        match &f.what {
+            What::Gap(Op::Least | Op::Equal, v, _) | What::Wall(Op::Least | Op::Equal, v) | What::Alone(v) | What::Clear(_, v) => out = out.max(*v),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// How high a room must be for what hangs above other things.
+fn above(scene: &Scene, room: usize, sizes: &[[f64; 3]]) -> f64 {
+    let mut out = 0.0_f64;
+    for f in &scene.facts {
+        let What::Rel(Rel::Above, to) = &f.what else { continue };
+        for a in f.of.iter().filter(|a| scene.items[**a].room == room) {
+            for b in to {
+                out = out.max(sizes[*a][1] + sizes[*b][1] + if scene.items[*b].group == Group::Window { 1.1 } else { 0.3 });
+            }
+        }
+    }
+    out
+}

