@@ -22,7 +22,7 @@ pub enum Command {
     Solve(Solve),
     /// Mend a layout by the smallest change: moves, or numbers and demands to relax
     Repair(Repair),
-    /// Write a program from a request in plain words: no model, no network, every clause accounted for
+    /// Write a program from a request in plain words, with a model or without: every clause is accounted for
     Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
@@ -260,6 +260,9 @@ pub struct Formalize {
     /// How the outcome is written
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
+    /// Which model reads
+    #[command(flatten)]
+    pub model: Model,
 }
 
 /// `scenelang synth`

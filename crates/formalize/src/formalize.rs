@@ -1,7 +1,10 @@
-//! Stage I in one call: a request, perhaps a model, perhaps a draft of the reader's; out comes a program that compiles.
+//! Stage I in one call: a request, and perhaps a model; out comes a program. Without a model, or where it fails, the
+//! English reader reads.
 
-use crate::draft::{Draft, Note};
+use crate::draft::{Draft, Note, Source};
 use crate::model::{self, Asking, Usage};
+use crate::read::{Options, Reading, read};
+use crate::text::sentence_ranges;
 use crate::write::write;
 use scenelang_llm::{Error, Model};
 
@@ -18,6 +21,21 @@ pub struct Formalized {
     pub diagnostics: Vec<String>,
     /// What the model took; `None`: nobody was asked.
     pub usage: Option<Usage>,
+}
+
+/// A request as a program: by the model, else by the reader.
+///
+/// # Errors
+/// The model failed, and the reader understood nothing.
+pub fn formalize(
+    request: &str,
+    options: &Options,
+    model: Option<(&mut dyn Model, &Asking)>,
+) -> Result<Formalized, Error> {
+    let Some((model, asking)) = model else { return Ok(of_draft(read(request, options).draft)) };
+    let asking = Asking { literal: options.literal, ..*asking };
+    let Reading { draft, understood, .. } = read(request, options);
+    with_model(request, &asking, (understood > 0).then_some(draft), model)
 }
 
 /// Asks a model what a request says, and writes the program. Where the model fails, the program is written from
@@ -50,4 +68,29 @@ pub fn with_model(
 pub fn of_draft(draft: Draft) -> Formalized {
     let program = write(&draft);
     Formalized { program, notes: draft.notes.clone(), draft, diagnostics: Vec::new(), usage: None }
+}
+
+impl Formalized {
+    /// Of each sentence of the request whether something came of it, as the reader says it of clauses.
+    pub fn reading(&self) -> Reading {
+        let draft = &self.draft;
+        let rooms = draft.rooms.iter().map(|room| &room.source);
+        let openings = draft.openings.iter().map(|opening| &opening.source);
+        let things = draft.things.iter().map(|thing| &thing.source);
+        let statements = draft.statements.iter().map(|statement| &statement.source);
+        let sources: Vec<&Source> = rooms.chain(openings).chain(things).chain(statements).collect();
+        let came = |at: &std::ops::Range<usize>| {
+            sources
+                .iter()
+                .any(|source| matches!(source, Source::Stated(own) if own.start < at.end && at.start < own.end))
+        };
+        let read: Vec<_> = sentence_ranges(&draft.request).into_iter().map(|at| (at.clone(), came(&at))).collect();
+        Reading {
+            draft: draft.clone(),
+            understood: read.iter().filter(|(_, came)| *came).count(),
+            clauses: read.len(),
+            read,
+            absent: Vec::new(),
+        }
+    }
 }

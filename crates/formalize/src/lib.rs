@@ -21,5 +21,5 @@ pub mod write;
 
 pub use arrange::arrange_rooms;
 pub use draft::Draft;
-pub use formalize::{Formalized, of_draft, with_model};
+pub use formalize::{Formalized, formalize, of_draft, with_model};
 pub use read::{Options, Reading, read};

@@ -21,6 +21,7 @@ mod problems;
 mod repair;
 mod solving;
 mod stability;
+mod stage_one;
 mod support;
 mod trace;
 mod view;
