@@ -155,6 +155,12 @@ pub(super) fn settle(draft: &mut Draft, told: &mut Vec<String>) {
             texts.join("; ")
         ));
     }
+    told.push("there are more contradictions than are looked for".into());
+}
+
+/// Whether the program of a draft compiles.
+pub(super) fn compiles(draft: &Draft) -> bool {
+    !compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default()).has_errors()
 }
 
 /// Of contradictory statements the one to give up: one that nobody stated, else the last.

@@ -12,6 +12,8 @@ use serde_json::json;
 /// More of one thing, and more things of one region, are not made.
 const MOST_ALIKE: usize = 200;
 const MOST: usize = 150;
+/// More objects of a whole scene are not made, each of an array counted.
+const MOST_IN_ALL: usize = 3000;
 /// How small and how large a thing can be (metres).
 const LENGTHS: [f64; 2] = [0.005, 60.0];
 
@@ -104,6 +106,10 @@ pub(super) fn furnish(
             asker.diagnostics.push(format!("{} of `{name}` cannot be: 1 to {MOST_ALIKE} can", object.count));
         }
         let count = usize::try_from(object.count.clamp(1, most)).unwrap_or(1);
+        if draft.things.iter().map(|thing| thing.count).sum::<usize>() + count > MOST_IN_ALL {
+            asker.diagnostics.push(format!("a scene has {MOST_IN_ALL} objects at most: the others are left out"));
+            break;
+        }
         // Of a size that cannot be nothing is taken: then it is the usual one of its category.
         let size = object.dimensions.map(|Dimensions { width, height, depth }| [width, height, depth]);
         let size = size.map(|size| size.map(|metres| length(metres, LENGTHS, 0.0)));

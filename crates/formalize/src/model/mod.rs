@@ -161,7 +161,11 @@ fn steps(request: &str, asker: &mut Asker<'_>) -> Result<Draft, Error> {
     }
     compile::settle(&mut draft, &mut asker.diagnostics);
     unread(&mut draft);
-    Ok(draft)
+    if compile::compiles(&draft) {
+        Ok(draft)
+    } else {
+        Err(Error::Malformed("no program came of it that compiles".into()))
+    }
 }
 
 /// A note for each sentence of the request that nothing came of.
