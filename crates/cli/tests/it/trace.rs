@@ -151,5 +151,5 @@ fn the_book_shows_a_trace_as_it_is() {
     let section = page.split("\n## trace\n").nth(1).unwrap().split("\n## ").next().unwrap();
     let block = |tag: &str| section.split(&format!("```{tag}\n")).nth(1).unwrap().split("```").next().unwrap();
     let ended = trace(&[("room.scene", block("scene"))], &[]);
-    assert_eq!(ended.stdout, block("text"));
+    assert_eq!(ended.stdout, block("text trace"));
 }
