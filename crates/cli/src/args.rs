@@ -22,7 +22,7 @@ pub enum Command {
     Solve(Solve),
     /// Mend a layout by the smallest change: moves, or numbers and demands to relax
     Repair(Repair),
-    /// Write a program from a request in plain words: no model, no network, every clause accounted for
+    /// Write a program from a request in plain words, with a model or without: every clause is accounted for
     Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
@@ -44,6 +44,8 @@ pub enum Command {
     Constraints(Inspect),
     /// Say what two layouts differ in, and what holds in one but not in the other
     Diff(Diff),
+    /// Say what became of each requirement: statements, objects, verdict; and the other way round
+    Trace(Trace),
     /// Serve an editor over standard input and output, by the Language Server Protocol
     Lsp(Lsp),
     /// Print the JSON Schema of a format
@@ -261,6 +263,9 @@ pub struct Formalize {
     /// How the outcome is written
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
+    /// Which model reads
+    #[command(flatten)]
+    pub model: Model,
 }
 
 /// `scenelang synth`
@@ -317,7 +322,7 @@ pub struct Export {
     pub only: Vec<String>,
 }
 
-/// `synth --format`, `diff --format`, `eval --format`
+/// `synth --format`, `diff --format`, `eval --format`, `trace --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -402,6 +407,35 @@ pub struct Diff {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// `scenelang trace`
+#[derive(ClapArgs, Debug)]
+pub struct Trace {
+    /// The program; `-` reads standard input
+    #[arg(value_name = "FILE.scene")]
+    pub file: PathBuf,
+    /// The layout whose verdict is told [default: the one beside the program, if there is one]
+    #[arg(value_name = "FILE.layout.json")]
+    pub layout: Option<PathBuf>,
+    /// Where each line begins
+    #[arg(long, value_enum, default_value_t = By::Requirement)]
+    pub by: By,
+    /// How the trace is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
+}
+
+/// `trace --by`
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// From each requirement to its statements and their objects
+    Requirement,
+    /// From each object to its statements and their requirements
+    Object,
 }
 
 /// `scenelang lsp`

@@ -1,11 +1,15 @@
 //! `scenelang formalize`: a request in plain words as a program, and what became of each of its clauses.
 
-use crate::args::{Formalize, SummaryFormat};
-use crate::{FAILED, FINDINGS, GOOD};
+use crate::args::{Formalize, Judging, SummaryFormat};
+use crate::model::Asked;
+use crate::solve::explain;
+use crate::{FAILED, FINDINGS, GOOD, interrupt, settings};
 use scenelang_base::fs::write_whole;
 use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
+use scenelang_lang::sources::Disk;
+use scenelang_synth::Failure;
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
@@ -27,13 +31,44 @@ pub fn run(args: &Formalize) -> u8 {
         },
         (None, None) => return fail("there is no request"),
     };
-    let reading = read(&request, &Options { literal: args.literal });
-    let program = write(&reading.draft);
-    if let Some(path) = &args.output && let Err(e) = write_whole(path, program.as_bytes()) {
+    let beside = args.output.as_deref().unwrap_or(Path::new("room.scene"));
+    let settings = match settings::all(&Judging::default(), beside, &Disk) {
+        Ok((_, settings)) => settings,
+        Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
+    let mut model = match Asked::new(&args.model, &settings.llm, 0) {
+        Ok(model) => model,
+        Err(error) => return fail(&error.to_string()),
+    };
+    if model.is_some() {
+        interrupt::listen();
+    }
+    let Understood { reading, program, diagnostics } = match understand(&request, args.literal, model.as_mut()) {
+        Ok(understood) => understood,
+        Err(message) => return fail(&message),
+    };
+    if let Some(path) = &args.output
+        && let Err(e) = write_whole(path, program.as_bytes())
+    {
         return fail(&e.to_string());
     }
     match args.format {
-        SummaryFormat::Json => println!("{}", json(&reading, &program)),
+        SummaryFormat::Json => {
+            let mut outcome = json(&reading, &program);
+            outcome["diagnostics"] = json!(diagnostics);
+            if let Some(asked) = &model {
+                let spent = asked.spent();
+                outcome["model"] = json!({
+                    "name": spent.model,
+                    "calls": spent.calls,
+                    "cached": spent.cached,
+                    "input_tokens": spent.usage.input,
+                    "output_tokens": spent.usage.output,
+                    "cost": spent.money(),
+                });
+            }
+            println!("{outcome}");
+        }
         SummaryFormat::Human => {
             match (&args.output, args.explain) {
                 (None, _) => print!("{program}"),
@@ -44,9 +79,44 @@ pub fn run(args: &Formalize) -> u8 {
                 eprint!("{}", explained(&reading));
             }
             eprint!("{}", notes(&reading));
+            tell(&diagnostics, model.as_ref());
         }
     }
     if reading.understood == 0 { FINDINGS } else { GOOD }
+}
+
+/// What a request says, and the program of it.
+pub struct Understood {
+    /// What became of its clauses, or its sentences where a model was asked.
+    pub reading: Reading,
+    /// The program.
+    pub program: String,
+    /// What went wrong with the model.
+    pub diagnostics: Vec<String>,
+}
+
+/// Asks the model, if there is one, else the reader.
+///
+/// # Errors
+/// The model failed, and the reader understood nothing.
+pub fn understand(request: &str, literal: bool, model: Option<&mut Asked>) -> Result<Understood, String> {
+    let options = Options { literal };
+    let Some(model) = model else {
+        let reading = read(request, &options);
+        return Ok(Understood { program: write(&reading.draft), reading, diagnostics: Vec::new() });
+    };
+    let formalized = model.formalize(request, &options).map_err(|error| error.to_string())?;
+    Ok(Understood { reading: formalized.reading(), program: formalized.program, diagnostics: formalized.diagnostics })
+}
+
+/// What went wrong with the model, and what it took, for people.
+pub fn tell(diagnostics: &[String], model: Option<&Asked>) {
+    for diagnostic in diagnostics {
+        eprintln!("warning: {diagnostic}");
+    }
+    if let Some(model) = model {
+        eprintln!("model {}", model.spent());
+    }
 }
 
 /// The text of a file, or of standard input.
@@ -71,7 +141,8 @@ pub fn notes(reading: &Reading) -> String {
     let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
     let _ = writeln!(out, "understood {} of {} {clauses}", reading.understood, reading.clauses);
     for note in &reading.draft.notes {
-        let _ = writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
+        let _ =
+            writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
     }
     for (name, at) in &reading.absent {
         let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));

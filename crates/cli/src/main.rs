@@ -28,6 +28,7 @@ mod solve;
 mod synth;
 mod table;
 mod targets;
+mod trace;
 mod view;
 mod watch;
 
@@ -61,6 +62,7 @@ fn main() -> ExitCode {
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),
         Command::Diff(diff) => diff::run(&diff),
+        Command::Trace(args) => trace::run(&args),
         Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),

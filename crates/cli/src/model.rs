@@ -1,8 +1,10 @@
-//! The language model that `solve` and `synth` may ask: from options and settings to a session, and what it came to.
+//! The language model that `formalize`, `solve` and `synth` may ask: from options and settings to a session, and what it came to.
 
 use crate::args::Model as Chosen;
 use crate::interrupt;
-use scenelang_llm::{Budget, Error, Limits, Price, Reach, Retry, Session, connect};
+use scenelang_formalize::Formalized;
+use scenelang_formalize::model::Asking as Formalizing;
+use scenelang_llm::{Budget, Error, Limits, Price, Reach, Retry, Session, Spent, connect};
 use scenelang_solve::Asking;
 use scenelang_synth::{Advice, Adviser};
 use scenelang_verify::settings::Llm;
@@ -32,6 +34,8 @@ impl Asked {
     pub fn new(chosen: &Chosen, settings: &Llm, seed: u64) -> Result<Option<Self>, Error> {
         let model = chosen.model.as_deref().or(settings.model.as_deref());
         let Some(model) = model.filter(|m| *m != "none") else { return Ok(None) };
+        // `provider/name` is what others write; with a colon, a slash belongs to the name.
+        let model = &if model.contains(':') { model.to_owned() } else { model.replacen('/', ":", 1) };
         let reach = Reach {
             model,
             base: chosen.base_url.as_deref(),
@@ -56,6 +60,21 @@ impl Asked {
     /// The session, and how it is asked.
     pub fn into_parts(self) -> (Session, Asking) {
         (self.session, self.asking)
+    }
+
+    /// Asks what a request says; where the model fails, the reader reads.
+    ///
+    /// # Errors
+    /// The model failed, and the reader understood nothing.
+    pub fn formalize(&mut self, request: &str, options: &scenelang_formalize::Options) -> Result<Formalized, Error> {
+        let Asking { temperature, max_output, seed, .. } = self.asking;
+        let asking = Formalizing { temperature, max_output, seed, ..Formalizing::default() };
+        scenelang_formalize::formalize(request, options, Some((&mut self.session, &asking)))
+    }
+
+    /// What was spent so far.
+    pub fn spent(&self) -> &Spent {
+        self.session.spent()
     }
 
     /// For the corridor.

@@ -21,12 +21,9 @@ const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
-    let path = match program(args) {
-        Ok(path) => path,
-        Err(message) => {
-            eprintln!("error: {message}");
-            return FAILED;
-        }
+    let (path, request) = match asked_for(args) {
+        Ok(both) => both,
+        Err(message) => return fail(&message),
     };
     let stop = interrupt::listen();
     let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
@@ -35,11 +32,13 @@ pub fn run(args: &Synth) -> u8 {
     };
     let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
         Ok(model) => model,
-        Err(error) => {
-            eprintln!("error: {error}");
-            return FAILED;
-        }
+        Err(error) => return fail(&error.to_string()),
     };
+    if let Some(request) = &request
+        && let Err(message) = write(args, &path, request, model.as_mut())
+    {
+        return fail(&message);
+    }
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let request = Request {
         name: &path.display().to_string(),
@@ -111,24 +110,32 @@ pub fn run(args: &Synth) -> u8 {
     exit_code(&solved.first.checked.report)
 }
 
-/// The program to build: the file that was named, or one written from a request beside what comes of it.
-fn program(args: &Synth) -> Result<PathBuf, String> {
+/// The program to build, and the request that it is to be written from, beside what comes of it.
+fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     let named = PathBuf::from(&args.request);
     let is = |ends: &[&str]| named.extension().is_some_and(|e| ends.iter().any(|end| e == *end));
     if is(&["scene"]) && !args.request.contains(' ') || is(&["scene"]) && named.exists() {
-        return Ok(named);
+        return Ok((named, None));
     }
     let request = if is(&["txt", "md"]) && named.exists() { formalize::text(&named)? } else { args.request.clone() };
-    let reading = scenelang_formalize::read(&request, &scenelang_formalize::Options { literal: args.literal });
-    eprint!("{}", formalize::notes(&reading));
-    if reading.understood == 0 {
+    Ok((args.output.join("room.scene"), Some(request)))
+}
+
+/// Writes the program of a request.
+fn write(args: &Synth, path: &Path, request: &str, mut model: Option<&mut Asked>) -> Result<(), String> {
+    let understood = formalize::understand(request, args.literal, model.as_deref_mut())?;
+    eprint!("{}", formalize::notes(&understood.reading));
+    formalize::tell(&understood.diagnostics, None);
+    if understood.reading.understood == 0 {
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
-    let path = args.output.join("room.scene");
     std::fs::create_dir_all(&args.output).map_err(|e| format!("cannot make {}: {e}", args.output.display()))?;
-    let text = scenelang_formalize::write::write(&reading.draft);
-    scenelang_base::fs::write_whole(&path, text.as_bytes()).map_err(|e| e.to_string())?;
-    Ok(path)
+    scenelang_base::fs::write_whole(path, understood.program.as_bytes()).map_err(|e| e.to_string())
+}
+
+fn fail(message: &str) -> u8 {
+    eprintln!("error: {message}");
+    FAILED
 }
 
 /// The usual exporters, Unity's for the pipeline asked for.

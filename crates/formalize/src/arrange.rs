@@ -126,18 +126,28 @@ fn doors(draft: &Draft, room: usize) -> usize {
     draft.openings.iter().filter(|o| o.rooms.len() == 2 && o.rooms.contains(&room)).count()
 }
 
-/// How much wall the openings between two rooms need; 0: there is none.
-fn needed(draft: &Draft, a: usize, b: usize) -> f64 {
-    let between = draft.openings.iter().filter(|o| o.rooms.len() == 2 && o.rooms.contains(&a) && o.rooms.contains(&b));
-    between.map(|opening| opening.size[0] + JAMBS).sum()
+/// How much wall the openings between each two rooms need; 0: there is none.
+fn needs(draft: &Draft) -> Vec<Vec<f64>> {
+    let count = draft.rooms.len();
+    let mut needs = vec![vec![0.0; count]; count];
+    for opening in &draft.openings {
+        if let [a, b] = *opening.rooms.as_slice()
+            && a != b
+        {
+            needs[a][b] += opening.size[0] + JAMBS;
+            needs[b][a] = needs[a][b];
+        }
+    }
+    needs
 }
 
 /// The openings between rooms that do not share enough wall.
 fn unmet(draft: &Draft, places: &[Plot]) -> Vec<usize> {
+    let needs = needs(draft);
     let joins = draft.openings.iter().enumerate().filter(|(_, o)| o.rooms.len() == 2 && o.rooms[0] != o.rooms[1]);
     let short = joins.filter(|(_, o)| {
         let (a, b) = (o.rooms[0], o.rooms[1]);
-        places[a].shared(&places[b]) < needed(draft, a, b) - 1e-6
+        places[a].shared(&places[b]) < needs[a][b] - 1e-6
     });
     short.map(|(at, _)| at).collect()
 }
@@ -147,12 +157,13 @@ const LINES: [f64; 3] = [0.0, -1.0, 1.0];
 
 /// Places all rooms: lined up in the way that meets the most openings.
 fn place(draft: &Draft) -> Vec<Plot> {
-    let tried = LINES.map(|line| place_along(draft, line));
+    let needs = needs(draft);
+    let tried = LINES.map(|line| place_along(draft, &needs, line));
     let best = tried.into_iter().min_by_key(|places| unmet(draft, places).len());
     best.unwrap_or_default()
 }
 
-fn place_along(draft: &Draft, line: f64) -> Vec<Plot> {
+fn place_along(draft: &Draft, needs: &[Vec<f64>], line: f64) -> Vec<Plot> {
     let count = draft.rooms.len();
     let mut places: Vec<Plot> = (0..count).map(|room| plot(draft, room)).collect();
     if count > MOST {
@@ -165,28 +176,35 @@ fn place_along(draft: &Draft, line: f64) -> Vec<Plot> {
     }
     let mut standing: Vec<usize> = Vec::new();
     while standing.len() < count {
-        let joined = |room: usize| standing.iter().filter(|other| needed(draft, room, **other) > 0.0).count();
+        let joined = |room: usize| standing.iter().filter(|other| needs[room][**other] > 0.0).count();
         let left = (0..count).filter(|room| !standing.contains(room));
         let Some(next) = left.max_by_key(|room| (joined(*room), doors(draft, *room), std::cmp::Reverse(*room))) else {
             break;
         };
-        places[next].at = if standing.is_empty() { [0.0; 2] } else { best(draft, &places, &standing, (next, line)) };
+        places[next].at =
+            if standing.is_empty() { [0.0; 2] } else { best(draft, needs, &places, &standing, (next, line)) };
         standing.push(next);
     }
     places
 }
 
 /// The best place for a room beside those that stand.
-fn best(draft: &Draft, places: &[Plot], standing: &[usize], (room, line): (usize, f64)) -> [f64; 2] {
+fn best(
+    draft: &Draft,
+    needs: &[Vec<f64>],
+    places: &[Plot],
+    standing: &[usize],
+    (room, line): (usize, f64),
+) -> [f64; 2] {
     let half = places[room].half;
     let mut found: Vec<([f64; 3], [f64; 2])> = Vec::new();
-    for at in candidates(draft, places, standing, room) {
+    for at in candidates(&needs[room], places, standing, half) {
         let here = Plot { at, half };
         if !standing.iter().all(|other| here.apart(&places[*other])) {
             continue;
         }
         let met = standing.iter().filter(|other| {
-            let needed = needed(draft, room, **other);
+            let needed = needs[room][**other];
             needed > 0.0 && here.shared(&places[**other]) >= needed - 1e-6
         });
         let met = met.count() as f64;
@@ -218,17 +236,22 @@ fn best(draft: &Draft, places: &[Plot], standing: &[usize], (room, line): (usize
     chosen.map_or([beyond + WALL + half[0], 0.0], |(_, (_, at))| *at)
 }
 
-/// Places that touch a standing room, in line with an edge or the middle of some, or just far enough along it.
-fn candidates(draft: &Draft, places: &[Plot], standing: &[usize], room: usize) -> Vec<[f64; 2]> {
-    let half = places[room].half;
+/// Places that touch a standing room: in line with it, next to what touches it too, or just far enough along what a
+/// door joins with the new room.
+fn candidates(needs: &[f64], places: &[Plot], standing: &[usize], half: [f64; 2]) -> Vec<[f64; 2]> {
     let mut out = Vec::new();
     for other in standing.iter().map(|other| places[*other]) {
+        let near = |third: &usize| {
+            let third = &places[*third];
+            other.gap(third, 0).max(other.gap(third, 1)) <= 2.0 * WALL
+        };
+        let thirds: Vec<usize> = standing.iter().copied().filter(|third| needs[*third] > 0.0 || near(third)).collect();
         for (across, side) in [(0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)] {
             let along = 1 - across;
             let fixed = other.at[across] + side * (other.half[across] + WALL + half[across]);
             let mut offsets = vec![other.at[along], other.low(along) + half[along], other.high(along) - half[along]];
-            for third in standing {
-                let (plot, needed) = (places[*third], needed(draft, room, *third));
+            for third in &thirds {
+                let (plot, needed) = (places[*third], needs[*third]);
                 offsets.push(plot.low(along) - WALL - half[along]);
                 offsets.push(plot.high(along) + WALL + half[along]);
                 if needed > 0.0 {

@@ -12,6 +12,8 @@
 pub mod arrange;
 pub mod colors;
 pub mod draft;
+pub mod formalize;
+pub mod model;
 pub mod names;
 pub mod read;
 pub mod text;
@@ -19,4 +21,5 @@ pub mod write;
 
 pub use arrange::arrange_rooms;
 pub use draft::Draft;
+pub use formalize::{Formalized, formalize, of_draft, with_model};
 pub use read::{Options, Reading, read};

@@ -41,6 +41,20 @@ pub fn sentence_range(request: &str, at: &Range<usize>) -> Range<usize> {
     from..(from + cut.trim().len()).max(from)
 }
 
+/// All sentences of a request, in order.
+pub fn sentence_ranges(request: &str) -> Vec<Range<usize>> {
+    let mut out = Vec::new();
+    let mut at = 0;
+    while let Some(blank) = request.get(at..).and_then(|rest| rest.find(|c: char| !c.is_whitespace())) {
+        let start = at + blank;
+        let whole = sentence_range(request, &(start..start));
+        // Of a text without sentences a piece is as long as can be seen from its start.
+        at = whole.end.max(start + request[start..].chars().next().map_or(1, char::len_utf8));
+        out.push(start..at);
+    }
+    out
+}
+
 /// Whether a sentence ends with the character at a place.
 fn ends_at(text: &str, at: usize) -> bool {
     let rest = &text[at..];
@@ -146,6 +160,13 @@ mod tests {
             assert_eq!(sentence(request, &(at..at + word.len())), expected);
         }
         assert_eq!(sentence("", &(0..0)), "");
+        let all: Vec<String> = sentence_ranges(request).iter().map(|at| folded(&request[at.clone()])).collect();
+        assert_eq!(all, cases.map(|(_, sentence)| sentence));
+        let long = "word ".repeat(9000);
+        assert_eq!(
+            sentence_ranges(&long).iter().map(|at| long[at.clone()].split(' ').count()).sum::<usize>() / 9000,
+            1
+        );
         assert_eq!(sentence("é", &(1..9)), "é", "places inside a character or behind the end");
         assert!(sentence(&"word ".repeat(9000), &(20_000..20_004)).len() <= 3 * LONGEST);
     }

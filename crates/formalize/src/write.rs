@@ -263,7 +263,7 @@ impl Writer<'_> {
         if self.draft.notes.is_empty() {
             return;
         }
-        self.heading("Not understood: these words of the request became no statement");
+        self.heading("Without a statement: these words of the request ask for nothing yet");
         for (at, note) in self.draft.notes.iter().enumerate() {
             let name = self.free_name(&[&format!("{UNMET}{}", at + 1), &format!("{UNMET}_{}", at + 1)]);
             let words = self.draft.request.get(note.at.clone()).unwrap_or("");

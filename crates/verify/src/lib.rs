@@ -19,6 +19,7 @@ pub mod rules;
 pub mod schemas;
 pub mod settings;
 mod tolerances;
+pub mod trace;
 pub mod vector;
 mod world;
 

@@ -1,14 +1,15 @@
-//! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, what
-//! `repair` and `solve` print, the settings.
+//! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, the trace,
+//! what `repair` and `solve` print, the settings.
 
 /// The schemas by name: name and text.
-pub const ALL: [(&str, &str); 6] = [
+pub const ALL: [(&str, &str); 7] = [
     ("config", include_str!("../schemas/config.json")),
     ("diff", include_str!("../schemas/diff.json")),
     ("layout", include_str!("../schemas/layout.json")),
     ("repair", include_str!("../schemas/repair.json")),
     ("report", include_str!("../schemas/report.json")),
     ("solution", include_str!("../schemas/solution.json")),
+    ("trace", include_str!("../schemas/trace.json")),
 ];
 
 /// The schema of a name.

@@ -1,7 +1,7 @@
 //! `solve` and `synth` with a language model, which a scripted server on loopback plays.
 
 #[path = "../../../llm/tests/it/server.rs"]
-mod server;
+pub mod server;
 
 use crate::support::{Ended, root, run};
 use serde_json::{Value, json};

@@ -90,7 +90,10 @@ fn bullet(rest: &str) -> Option<usize> {
         Some(len) => len,
         None if (1..3).contains(&digits) && rest[digits..].starts_with(['.', ')']) => digits + 1,
         // "2.1 The office", but not "2.1 m".
-        None if digits > 0 && rest[digits..].starts_with('.') && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) => {
+        None if digits > 0
+            && rest[digits..].starts_with('.')
+            && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) =>
+        {
             let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
             let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
             return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
@@ -150,7 +153,10 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut tokens = tokens.into_iter().peekable();
     while let Some(t) = tokens.next() {
         let number_before = out.last().is_some_and(|b| matches!(b.kind, Kind::Number(_)) && b.at.end == t.at.start);
-        if t.kind == Kind::Sign('-') && number_before && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end) {
+        if t.kind == Kind::Sign('-')
+            && number_before
+            && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end)
+        {
             continue;
         }
         // "5x4", "6x4m": the sign between two sizes, not a letter of a word.
@@ -160,7 +166,9 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
         }
         let halves = t.text.split_once('-').filter(|(n, _)| t.word() && super::number::small(n).is_some());
         match halves {
-            Some((first, second)) if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) => {
+            Some((first, second))
+                if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) =>
+            {
                 let cut = t.at.start + first.len();
                 // Lower case may be longer than what was written; then the word stays whole.
                 if cut + 1 + second.len() == t.at.end && !t.owner {

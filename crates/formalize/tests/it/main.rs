@@ -1,5 +1,9 @@
-//! What a draft is as a program.
+//! What a draft is as a program, and what a model makes of a request.
 
 mod arrange;
+mod model;
+#[path = "../../../llm/tests/it/server.rs"]
+#[allow(dead_code, clippy::unwrap_used, reason = "it is the server of another crate's tests")]
+mod server;
 mod support;
 mod write;

@@ -99,7 +99,7 @@ pub fn office() -> Draft {
         statement("assert againstWall(bench, hall);", Source::Inferred("a bench stands at a wall".into())),
         statement("assert forall o in objects: o.rot.x = 0;", Source::Inferred("nothing lies on its side".into())),
     ];
-    let cosy = request.find("It should").unwrap();
+    let cosy = request.find("It should").expect("it is there");
     draft.notes = vec![scenelang_formalize::draft::Note {
         at: cosy..request.len(),
         reason: "nothing that can be measured is said".into(),

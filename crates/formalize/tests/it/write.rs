@@ -27,6 +27,30 @@ fn an_outline_and_no_walls() {
 }
 
 /// Whatever a request holds stays text: nothing of it becomes a statement, or silences a suspicion.
+fn stays_text(words: &str) {
+    let all = 0..words.len();
+    let mut chair = thing("chair", "chair", Some(0));
+    chair.look.color = Some(words.into());
+    chair.look.material = Some(words.into());
+    chair.look.features = vec![words.into(), words.into()];
+    chair.source = Source::Stated(all.clone());
+    let mut cell = room("cell", [4.0, 4.0]);
+    cell.kind = words.into();
+    cell.walls.color = Some(words.into());
+    cell.source = Source::Inferred(words.into());
+    let draft = Draft {
+        request: words.into(),
+        rooms: vec![cell],
+        things: vec![chair],
+        notes: vec![Note { at: all, reason: words.into() }],
+        ..Draft::default()
+    };
+    let program = write(&draft);
+    assert_eq!(complaints(&program), [] as [&str; 0], "{words:?}:\n{program}");
+    assert_eq!(format(&program, &FormatOptions::default()), program, "{words:?}");
+    assert!(!program.lines().any(|line| line.trim_start().starts_with("object evil")), "{program}");
+}
+
 #[test]
 fn words_stay_words() {
     let hostile = [
@@ -40,27 +64,12 @@ fn words_stay_words() {
         "\\u0022); object evil;",
         "\u{feff}object evil;\r\nobject evil;",
     ];
-    for words in hostile {
-        let all = 0..words.len();
-        let mut chair = thing("chair", "chair", Some(0));
-        chair.look.color = Some(words.into());
-        chair.look.material = Some(words.into());
-        chair.look.features = vec![words.into(), words.into()];
-        chair.source = Source::Stated(all.clone());
-        let mut cell = room("cell", [4.0, 4.0]);
-        cell.kind = words.into();
-        cell.walls.color = Some(words.into());
-        cell.source = Source::Inferred(words.into());
-        let draft = Draft {
-            request: words.into(),
-            rooms: vec![cell],
-            things: vec![chair],
-            notes: vec![Note { at: all, reason: words.into() }],
-            ..Draft::default()
-        };
-        let program = write(&draft);
-        assert_eq!(complaints(&program), [] as [&str; 0], "{words:?}:\n{program}");
-        assert_eq!(format(&program, &FormatOptions::default()), program, "{words:?}");
-        assert!(!program.lines().any(|line| line.trim_start().starts_with("object evil")), "{program}");
+    hostile.iter().for_each(|words| stays_text(words));
+}
+
+proptest::proptest! {
+    #[test]
+    fn any_words_stay_words(words in r#"(\PC|[\\"/*(){};@\n\r\t\x00-\x1f]|allow\(W0201\)|object evil;|//|\*/){0,40}"#) {
+        stays_text(&words);
     }
 }

@@ -160,6 +160,7 @@ fn every_block_is_executed() {
                     page.path == Path::new("command-line.md") && after(|b| b.info.starts_with("json layout"))
                 }
                 ["json", "solve"] => page.path == Path::new("command-line.md") && after(Block::is_scene),
+                ["text", "trace"] => page.path == Path::new("command-line.md") && after(Block::is_scene),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
