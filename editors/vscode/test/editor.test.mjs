@@ -274,11 +274,9 @@ check("a folder that is not trusted chooses neither server nor model", async () 
   execFileSync("mkdir", [join(untrusted, ".vscode")]);
   writeFileSync(join(untrusted, "evil"), `#!/bin/sh\ntouch ${join(untrusted, "ran")}\n`, { mode: 0o755 });
   writeFileSync(join(untrusted, ".vscode/settings.json"), JSON.stringify({ "scenelang.server.path": join(untrusted, "evil"), "scenelang.languageModel": "editor" }));
-  // Without a server of its own the extension would hear the setting before the PATH.
-  const env = { ...environment("untrusted"), PATH: `${here("fake")}:${process.env.PATH}` };
-  const other = await open({ vsix: vsix.bare, workspace: untrusted, file: "meeting.scene", env, trusted: false });
+  const other = await open({ vsix: vsix.bundled, workspace: untrusted, file: "meeting.scene", env: environment("untrusted"), trusted: false });
   try {
-    await until("the server on the PATH", () => logged("untrusted").length > 0);
+    await until("the bundled server", () => logged("untrusted").length > 0);
     assert.equal(await other.api("return vscode.workspace.isTrusted"), false);
     assert.deepEqual(logged("untrusted")[0].model, "none");
     assert.ok(!existsSync(join(untrusted, "ran")), "the folder's program was not started");

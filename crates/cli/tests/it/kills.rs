@@ -100,7 +100,7 @@ struct Server {
 
 impl Server {
     /// A server for an editor that cannot make changes, so that the server writes layouts itself.
-    fn start(folder: &Path, parent: Value) -> Self {
+    fn start(folder: &Path, parent: &Value) -> Self {
         let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
         command.arg("lsp").current_dir(folder).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
         let mut child = command.spawn().unwrap();
@@ -177,7 +177,7 @@ fn the_server_leaves_the_layout_whole() {
         } else {
             fs::remove_file(&layout).unwrap();
         }
-        let mut server = Server::start(folder.path(), Value::Null);
+        let mut server = Server::start(folder.path(), &Value::Null);
         let uri = server.open(&scene);
         server.solve(&uri);
         server.until(|m| m["method"] == "$/progress" && m["params"]["token"] == "ours");
@@ -195,7 +195,7 @@ fn the_server_leaves_the_layout_whole() {
         }
 
         // Another server does the work.
-        let mut server = Server::start(folder.path(), Value::Null);
+        let mut server = Server::start(folder.path(), &Value::Null);
         let uri = server.open(&scene);
         server.solve(&uri);
         let answer = server.until(|m| m["id"] == 2 && m["method"].is_null());
@@ -211,7 +211,7 @@ fn the_server_leaves_the_layout_whole() {
 fn the_server_ends_with_its_editor() {
     let (folder, scene) = folder_with("bedroom");
     let mut editor = Command::new("sleep").arg("600").spawn().unwrap();
-    let mut server = Server::start(folder.path(), editor.id().into());
+    let mut server = Server::start(folder.path(), &editor.id().into());
     server.open(&scene);
     assert!(server.child.try_wait().unwrap().is_none());
     kill(&mut editor);
