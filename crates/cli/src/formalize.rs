@@ -29,7 +29,9 @@ pub fn run(args: &Formalize) -> u8 {
     };
     let reading = read(&request, &Options { literal: args.literal });
     let program = write(&reading.draft);
-    if let Some(path) = &args.output && let Err(e) = write_whole(path, program.as_bytes()) {
+    if let Some(path) = &args.output
+        && let Err(e) = write_whole(path, program.as_bytes())
+    {
         return fail(&e.to_string());
     }
     match args.format {
@@ -71,7 +73,8 @@ pub fn notes(reading: &Reading) -> String {
     let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
     let _ = writeln!(out, "understood {} of {} {clauses}", reading.understood, reading.clauses);
     for note in &reading.draft.notes {
-        let _ = writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
+        let _ =
+            writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
     }
     for (name, at) in &reading.absent {
         let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));

@@ -235,7 +235,8 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
     }
     if let Some((m, used)) = measure(rest) {
         // "a 2 m wide table": the size belongs to the phrase.
-        let noun = noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
+        let noun =
+            noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
         return match noun {
             Some((np, n)) if m.plain() => (Piece::Np(Box::new(np)), n),
             _ => (Piece::Measure(m), used),
@@ -255,18 +256,30 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
         "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => return (Piece::With, 1),
         "and" | "or" | "plus" | "nor" => return (Piece::And, 1),
         "which" | "where" | "while" | "whose" => return (Piece::Which, 1),
-        "that" if tokens.get(at + 1).is_some_and(|t| lexicon.verb(std::slice::from_ref(t)).is_some() || lexicon.relation(std::slice::from_ref(t)).is_some()) => {
+        "that"
+            if tokens.get(at + 1).is_some_and(|t| {
+                lexicon.verb(std::slice::from_ref(t)).is_some() || lexicon.relation(std::slice::from_ref(t)).is_some()
+            }) =>
+        {
             return (Piece::Which, 1);
         }
         "apart" if rest.get(1).is_none_or(|t| !t.is("from")) => return (Piece::Apart, 1),
-        "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance" if rest.get(1).is_none_or(|t| !t.is("of") || first.text != "clear") => {
+        "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance"
+            if rest.get(1).is_none_or(|t| !t.is("of") || first.text != "clear") =>
+        {
             return (Piece::Free, 1);
         }
         _ => {}
     }
     let listed = matches!(
         before.last().map(|c| &c.piece),
-        Some(Piece::Bullet | Piece::With | Piece::Rel(_) | Piece::Colon | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank))
+        Some(
+            Piece::Bullet
+                | Piece::With
+                | Piece::Rel(_)
+                | Piece::Colon
+                | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
+        )
     );
     let relation = lexicon.relation(rest);
     let verb = lexicon.verb(rest);
@@ -276,7 +289,13 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
         let (words, longest) = (used, relation.map_or(0, |r| r.1).max(verb.map_or(0, |v| v.1)));
         let begins_as_verb = longest > 0;
         let fresh = !matches!(before.last().map(|c| &c.piece), Some(Piece::Np(_)));
-        if !begins_as_verb || (words > longest && np.known && np.det == super::noun::Det::None && fresh && lexicon.is_look(&first.text)) {
+        if !begins_as_verb
+            || (words > longest
+                && np.known
+                && np.det == super::noun::Det::None
+                && fresh
+                && lexicon.is_look(&first.text))
+        {
             return (Piece::Np(Box::new(np)), used);
         }
     }
@@ -305,8 +324,10 @@ fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
     let next = rest.get(best.1);
     let open = matches!(best.0, Piece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
     // "underneath the table", "in front the" are relations to what follows; "on top of", "to the left of" too.
-    let follows = |t: &&Token| get().is(&t.text, Class::Def) || get().is(&t.text, Class::Det) || get().is(&t.text, Class::Each);
-    let takes_object = matches!(rest[best.1 - 1].text.as_str(), "underneath" | "between" | "top") && next.filter(follows).is_some();
+    let follows =
+        |t: &&Token| get().is(&t.text, Class::Def) || get().is(&t.text, Class::Det) || get().is(&t.text, Class::Each);
+    let takes_object =
+        matches!(rest[best.1 - 1].text.as_str(), "underneath" | "between" | "top") && next.filter(follows).is_some();
     if open || takes_object {
         return None;
     }
@@ -320,7 +341,10 @@ fn rows(rest: &[Token]) -> Option<(Pattern, usize)> {
     }
     let (n, used) = super::number::count(&rest[1..])?;
     let word = |i: usize| rest.get(1 + used + i).map_or("", |t| t.text.as_str());
-    let skip = usize::from(matches!(word(0), "facing" | "straight" | "neat" | "parallel" | "even" | "long" | "equal" | "tidy"));
+    let skip = usize::from(matches!(
+        word(0),
+        "facing" | "straight" | "neat" | "parallel" | "even" | "long" | "equal" | "tidy"
+    ));
     if !matches!(word(skip), "rows" | "lines" | "columns" | "row" | "ranks") {
         return None;
     }
@@ -356,7 +380,14 @@ pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
         };
     }
     // "moss green", "olive green": a material or colour word before a colour belongs to it.
-    if kind == Look::Color && n == 1 && let Some((Look::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..])) && rest[0].text != "white" && rest[0].text != "black" {
+    let noun_next = rest.get(n).is_some_and(|t| lexicon.noun(&t.text).is_some());
+    if kind == Look::Color
+        && n == 1
+        && !noun_next
+        && let Some((Look::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..]))
+        && rest[0].text != "white"
+        && rest[0].text != "black"
+    {
         return Some((Look::Color, n + more));
     }
     Some((kind, n))

@@ -118,7 +118,20 @@ impl<'a> Reader<'a> {
     pub fn new(tokens: &'a [Token], chunks: &'a [Chunk], rooms: &'a Rooms) -> Self {
         let scene = Scene { rooms: rooms.rooms.clone(), ..Scene::default() };
         let s = Sentence::new(0..0);
-        Self { tokens, chunks, rooms, scene, used: vec![false; tokens.len()], room: 0, about_room: true, main: vec![], before: vec![], near: vec![], recent: vec![], s }
+        Self {
+            tokens,
+            chunks,
+            rooms,
+            scene,
+            used: vec![false; tokens.len()],
+            room: 0,
+            about_room: true,
+            main: vec![],
+            before: vec![],
+            near: vec![],
+            recent: vec![],
+            s,
+        }
     }
 
     /// Reads everything.
@@ -139,7 +152,11 @@ impl<'a> Reader<'a> {
                 Piece::Stop => return i,
                 Piece::Line => {
                     let next = self.chunks.get(i + 1);
-                    let fresh = next.is_none_or(|c| c.piece == Piece::Bullet || self.tokens[c.at.start].capital || i > 0 && self.chunks[i - 1].piece == Piece::Colon);
+                    let fresh = next.is_none_or(|c| {
+                        c.piece == Piece::Bullet
+                            || self.tokens[c.at.start].capital
+                            || i > 0 && self.chunks[i - 1].piece == Piece::Colon
+                    });
                     if fresh || matches!(self.chunks[from].piece, Piece::Bullet) {
                         return i;
                     }
@@ -153,7 +170,11 @@ impl<'a> Reader<'a> {
 
     fn bytes(&self, chunks: Range<usize>) -> Range<usize> {
         let first = self.chunks.get(chunks.start).map_or(0, |c| self.tokens[c.at.start].at.start);
-        let last = chunks.end.checked_sub(1).and_then(|i| self.chunks.get(i)).map_or(first, |c| self.tokens[c.at.end - 1].at.end);
+        let last = chunks
+            .end
+            .checked_sub(1)
+            .and_then(|i| self.chunks.get(i))
+            .map_or(first, |c| self.tokens[c.at.end - 1].at.end);
         first..last.max(first)
     }
 
@@ -178,7 +199,25 @@ impl<'a> Reader<'a> {
         let words = &chunks[from..end.min(chunks.len())];
         self.s.soft = words.iter().any(|c| c.piece == Piece::Soft);
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
-        self.s.path = words.iter().any(|c| c.at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "aisle" | "aisles" | "path" | "paths" | "route" | "routes" | "walkway" | "passage" | "passageway" | "way" | "corridor" | "circulation")));
+        self.s.path = words.iter().any(|c| {
+            c.at.clone().any(|t| {
+                matches!(
+                    self.tokens[t].text.as_str(),
+                    "aisle"
+                        | "aisles"
+                        | "path"
+                        | "paths"
+                        | "route"
+                        | "routes"
+                        | "walkway"
+                        | "passage"
+                        | "passageway"
+                        | "way"
+                        | "corridor"
+                        | "circulation"
+                )
+            })
+        });
         self.s.doors = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Lead)));
         for c in words {
             if c.piece == Piece::Soft {
@@ -223,7 +262,12 @@ impl<'a> Reader<'a> {
                 }
                 false
             }
-            _ if closed && first > from && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
+            _ if closed
+                && first > from
+                && np.det == Det::None
+                && np.count.is_none()
+                && np.look == crate::draft::Look::default() =>
+            {
                 let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
                 // "2. Desks. Eight desks …", but "- armchair" is a thing.
                 let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
@@ -283,12 +327,16 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Verb(verb) => {
-                self.on_verb(i, end, *verb);
+                self.on_verb(i, *verb);
                 i + 1
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
-                let with_back = self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many));
+                let with_back = self.np(i + 1, end).is_some_and(|n| {
+                    n.kind == Kind::Thing
+                        && n.count.is_none()
+                        && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many)
+                });
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
                 } else if with_back {
@@ -297,7 +345,7 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Attr(look) => {
-                let target = if self.near.is_empty() { self.recent.last().copied().into_iter().collect() } else { self.near.clone() };
+                let target = self.near.clone();
                 if target.is_empty() && self.s.of_room {
                     self.mark(i);
                 } else if !target.is_empty() {
@@ -314,7 +362,8 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Comma | Piece::Which => {
-                if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_))) {
+                if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
+                {
                     self.near = self.main.clone();
                 }
                 if chunks[i].piece == Piece::Comma {
@@ -352,7 +401,10 @@ impl<'a> Reader<'a> {
             }
             Piece::Free => self.on_free(i, end),
             Piece::Soft | Piece::Word(_) => {
-                self.s.centre |= matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
+                self.s.centre |= matches!(
+                    self.tokens[chunks[i].at.start].text.as_str(),
+                    "center" | "centre" | "centred" | "centered"
+                );
                 if self.tokens[chunks[i].at.start].is("nothing") || self.tokens[chunks[i].at.start].is("nobody") {
                     self.s.nothing = true;
                 }
@@ -366,7 +418,9 @@ impl<'a> Reader<'a> {
             return None;
         }
         let c = &self.chunks[i];
-        super::number::count(&self.tokens[c.at.clone()]).filter(|(n, k)| *k == c.at.len() && n.fract() == 0.0 && *n < 1000.0).map(|(n, _)| n as usize)
+        super::number::count(&self.tokens[c.at.clone()])
+            .filter(|(n, k)| *k == c.at.len() && n.fract() == 0.0 && *n < 1000.0)
+            .map(|(n, _)| n as usize)
     }
 
     fn add_look(&mut self, items: &[usize], look: &crate::draft::Look) {
@@ -391,8 +445,10 @@ impl<'a> Reader<'a> {
 
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
-        let after_comma = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
-        if self.s.each || after_comma && !self.main.is_empty() || self.near.is_empty() {
+        let after_comma =
+            i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
+        let owned = matches!(self.s.expect, Expect::With(..));
+        if self.s.each && !owned || after_comma && !self.main.is_empty() || self.near.is_empty() {
             if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
         } else {
             self.near.clone()
@@ -403,14 +459,19 @@ impl<'a> Reader<'a> {
     fn with_part(&mut self, i: usize, end: usize) -> usize {
         let from = i + 1;
         let mut to = from;
-        while to < end && (to == from || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_)) || self.np(to, end).is_some_and(|n| get().part(&n.head()))) {
+        while to < end
+            && (to == from
+                || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_))
+                || self.np(to, end).is_some_and(|n| get().part(&n.head())))
+        {
             to += 1;
         }
         while to > from + 1 && self.chunks[to - 1].piece == Piece::And {
             to -= 1;
         }
         // "with its back to a wall" is a relation.
-        let text: Vec<&str> = (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
+        let text: Vec<&str> =
+            (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
         if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
             let feature = format!("with {}", text.join(" "));
             self.scene.items[*item].look.features.push(feature);
@@ -437,7 +498,9 @@ impl<'a> Reader<'a> {
                     self.s.nothing = true;
                     self.s.keep = true;
                 }
-                if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor") && let Some(m) = self.s.pending.take() {
+                if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor")
+                    && let Some(m) = self.s.pending.take()
+                {
                     self.among(&m);
                     self.mark(i);
                 }
@@ -530,7 +593,12 @@ impl<'a> Reader<'a> {
 
     fn on_pronoun(&mut self, i: usize, end: usize, np: &Np) {
         let word = np.words.first().map_or("", String::as_str);
-        let followed = matches!(self.piece(i + 1, end), Some(Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)));
+        let followed = matches!(
+            self.piece(i + 1, end),
+            Some(
+                Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
+            )
+        );
         if let (Some(n), [item]) = (np.count, self.main.as_slice()) {
             // "four of them"
             let it = &mut self.scene.items[*item];
@@ -548,14 +616,20 @@ impl<'a> Reader<'a> {
             return;
         }
         self.s.one |= np.count == Some(1) || word == "one";
-        let dir = if matches!(word, "them" | "they" | "these" | "those" | "both" | "all" | "ones") { self.them() } else { self.it() };
+        let dir = if matches!(word, "them" | "they" | "these" | "those" | "both" | "all" | "ones") {
+            self.them()
+        } else {
+            self.it()
+        };
         if matches!(word, "each" | "both" | "all" | "these" | "those" | "ones") || np.det == Det::Each {
             self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
             if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
                 let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
                 if self.main.is_empty() {
                     self.main = dir;
-                } else if !many(&self.main) && let Some(last) = self.recent.iter().rev().find(|r| self.scene.items[**r].many) {
+                } else if !many(&self.main)
+                    && let Some(last) = self.recent.iter().rev().find(|r| self.scene.items[**r].many)
+                {
                     self.main = vec![*last];
                 }
                 self.near = self.main.clone();
@@ -591,7 +665,12 @@ impl<'a> Reader<'a> {
             Lead::Items(items, _) => Some(items.clone()),
             Lead::Place(..) => None,
         });
-        owner.or_else(|| of(&self.main)).or(lead).or_else(|| of(&self.before)).or_else(|| self.recent.last().map(|i| vec![*i])).unwrap_or_default()
+        owner
+            .or_else(|| of(&self.main))
+            .or(lead)
+            .or_else(|| of(&self.before))
+            .or_else(|| self.recent.last().map(|i| vec![*i]))
+            .unwrap_or_default()
     }
 
     /// The things that "them" stands for.
@@ -643,8 +722,11 @@ impl<'a> Reader<'a> {
         }
         // "the draught": a word nobody knows is a thing only where things are.
         let placed = |p: Option<&Piece>| matches!(p, Some(Piece::Rel(r)) if !matches!(r, Rel::Of | Rel::To | Rel::From | Rel::In | Rel::Than));
-        let stands = matches!(self.chunks.get(i + 1).map(|c| &c.piece), Some(Piece::Verb(Verb::Be | Verb::Hang | Verb::Carry)));
-        let around = placed(self.chunks.get(i + 1).map(|c| &c.piece)) || i > 0 && placed(self.chunks.get(i - 1).map(|c| &c.piece)) || stands;
+        let stands =
+            matches!(self.chunks.get(i + 1).map(|c| &c.piece), Some(Piece::Verb(Verb::Be | Verb::Hang | Verb::Carry)));
+        let around = placed(self.chunks.get(i + 1).map(|c| &c.piece))
+            || i > 0 && placed(self.chunks.get(i - 1).map(|c| &c.piece))
+            || stands;
         if !np.known && matches!(np.det, Det::Definite | Det::Own | Det::Each) && !around {
             return None;
         }
@@ -669,7 +751,10 @@ impl<'a> Reader<'a> {
         let denied = np.det == Det::No || self.s.not && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
         let limits = (i..end).any(|k| match &chunks[k].piece {
             Piece::Measure(_) => true,
-            Piece::Verb(Verb::Be) => chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed")) && self.scene.find(np, self.room).is_some(),
+            Piece::Verb(Verb::Be) => {
+                chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
+                    && self.scene.find(np, self.room).is_some()
+            }
             _ => false,
         });
         if denied && !limits {
@@ -720,7 +805,10 @@ impl<'a> Reader<'a> {
         }
         item.take_dims(&np.dims);
         if np.det != Det::None {
-            let fresh = crate::draft::Look { features: look.features.into_iter().filter(|f| !item.look.features.contains(f)).collect(), ..look };
+            let fresh = crate::draft::Look {
+                features: look.features.into_iter().filter(|f| !item.look.features.contains(f)).collect(),
+                ..look
+            };
             self.add_look(&[id], &fresh);
         }
     }
@@ -734,9 +822,8 @@ impl<'a> Reader<'a> {
         if n == k {
             return None;
         }
-        let np = self.np(n, end).filter(|np| np.kind == Kind::Thing)?;
+        self.np(n, end).filter(|np| np.kind == Kind::Thing && np.det != Det::No)?;
         // "…, the table in the middle": a clause of its own is read on its own all the same; the list ends before a verb.
-        let _ = np;
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be);
         (!verb_before).then_some(n)
     }
@@ -753,8 +840,14 @@ impl<'a> Reader<'a> {
                     self.mark(k);
                     self.add_look(&[id], look);
                 }
-                Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => self.mark(k),
-                Some(Piece::Rel(Rel::Of)) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing && n.det == Det::None || n.kind == Kind::Abstract && n.det == Det::None) => {
+                Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
+                    self.mark(k)
+                }
+                Some(Piece::Rel(Rel::Of))
+                    if self.np(k + 1, end).is_some_and(|n| {
+                        n.kind == Kind::Thing && n.det == Det::None || n.kind == Kind::Abstract && n.det == Det::None
+                    }) =>
+                {
                     // "a bowl of mints", "a stack of books"
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
                     self.scene.items[id].look.features.push(format!("of {}", text.join(" ")));
@@ -762,23 +855,38 @@ impl<'a> Reader<'a> {
                     self.mark(k + 1);
                     k += 1;
                 }
-                Some(Piece::Measure(m)) if !m.said && !m.area && (m.values.len() > 1 || !m.dims.is_empty()) && !m.dims.contains(&Dim::Ceiling) => {
+                Some(Piece::Measure(m))
+                    if !m.said
+                        && !m.area
+                        && (m.values.len() > 1 || !m.dims.is_empty())
+                        && !m.dims.contains(&Dim::Ceiling) =>
+                {
                     let mut dims = Vec::new();
                     super::noun::add_dims(&mut dims, &m.values, &m.dims);
                     self.scene.items[id].take_dims(&dims);
                     self.mark(k);
                 }
-                Some(Piece::Comma) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.contains(&Dim::Ceiling)) => {}
+                Some(Piece::Comma)
+                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
+                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.contains(&Dim::Ceiling)) =>
+                    {}
                 Some(Piece::Comma | Piece::And) if depth > 0 => {}
                 Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}
-                Some(Piece::Np(np)) if depth > 0 && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) => {
+                Some(Piece::Np(np))
+                    if depth > 0
+                        && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) =>
+                {
                     // "(white tops, grey steel frames)"
                     self.add_look(&[id], &np.look.clone());
                     let text: Vec<&str> = self.chunks[k].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
                     self.scene.items[id].look.features.push(text.join(" "));
                     self.mark(k);
                 }
-                Some(Piece::With) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) => {
+                Some(Piece::With)
+                    if self
+                        .np(k + 1, end)
+                        .is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) =>
+                {
                     let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
                     if back {
                         break;
@@ -829,7 +937,7 @@ impl<'a> Reader<'a> {
                 }
                 self.join(&owner, &fresh, join);
                 self.s.expect = Expect::With(owner, join);
-                self.near = group.to_vec();
+                self.near = group[group.len() - 1..].to_vec();
             }
             Expect::Object(rel) if !self.main.is_empty() => {
                 let of = self.main.clone();
@@ -840,7 +948,7 @@ impl<'a> Reader<'a> {
                 if let Expect::With(..) = expect {
                     self.s.listed = true;
                 }
-                        if !self.main.is_empty() {
+                if !self.main.is_empty() {
                     self.before = std::mem::take(&mut self.main);
                 }
                 self.main = group.to_vec();
@@ -896,7 +1004,11 @@ impl<'a> Reader<'a> {
                 Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
                 Group::Soft => Some(Rel::On),
                 Group::Seat if matches!(owner_group, Group::Table) => {
-                    if self.scene.items[owner[0]].head().contains("desk") { Some(Rel::InFrontOf) } else { Some(Rel::Around) }
+                    if self.scene.items[owner[0]].head().contains("desk") {
+                        Some(Rel::InFrontOf)
+                    } else {
+                        Some(Rel::Around)
+                    }
                 }
                 Group::Seat => Some(Rel::Near),
                 Group::Flat => Some(Rel::Under),
@@ -920,7 +1032,7 @@ impl<'a> Reader<'a> {
 
     // ---- Verbs ----
 
-    fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {
+    fn on_verb(&mut self, i: usize, verb: Verb) {
         let after = self.main.clone();
         match verb {
             Verb::Be | Verb::Keep => {
@@ -934,7 +1046,11 @@ impl<'a> Reader<'a> {
             }
             Verb::Have | Verb::Carry => {
                 let owner = if self.s.each || self.s.subject || self.s.verb { after } else { vec![] };
-                let owner = if owner.is_empty() && !self.s.of_room && i > 0 && !self.near.is_empty() { self.near.clone() } else { owner };
+                let owner = if owner.is_empty() && !self.s.of_room && i > 0 && !self.near.is_empty() {
+                    self.near.clone()
+                } else {
+                    owner
+                };
                 // "the room has", "we have": nothing that owns.
                 let of_room = self.s.of_room && !self.s.subject || owner.is_empty();
                 let join = if verb == Verb::Carry { Join::On } else { Join::Usual };
@@ -944,7 +1060,8 @@ impl<'a> Reader<'a> {
             Verb::Face => self.s.expect = Expect::Object(Rel::Facing),
             Verb::Light => {
                 let passive = self.tokens[self.chunks[i].at.start].is("lit") || self.chunks[i].at.len() > 1;
-                self.s.expect = if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(Rel::Above) };
+                self.s.expect =
+                    if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(Rel::Above) };
             }
             Verb::Cover => self.s.expect = Expect::Object(Rel::On),
             Verb::Hang => {
@@ -956,7 +1073,8 @@ impl<'a> Reader<'a> {
             }
             Verb::Flank | Verb::Surround => {
                 let passive = self.chunks[i].at.len() > 1;
-                let (join, rel) = if verb == Verb::Flank { (Join::Beside, Rel::Beside) } else { (Join::Around, Rel::Around) };
+                let (join, rel) =
+                    if verb == Verb::Flank { (Join::Beside, Rel::Beside) } else { (Join::Around, Rel::Around) };
                 self.s.expect = if passive { Expect::With(self.near.clone(), join) } else { Expect::Object(rel) };
                 self.s.each = self.s.each || passive && self.near.first().is_some_and(|n| self.scene.items[*n].many);
             }
@@ -965,7 +1083,6 @@ impl<'a> Reader<'a> {
         if verb != Verb::Be {
             self.mark(i);
         }
-        let _ = end;
     }
 
     // ---- Relations ----
@@ -995,7 +1112,9 @@ impl<'a> Reader<'a> {
         }
         let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
         // "hangs from", "faces": said of what the sentence is about.
-        let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some() && !self.main.is_empty() && self.tokens[self.chunks[i].at.start].text.ends_with('s');
+        let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
+            && !self.main.is_empty()
+            && self.tokens[self.chunks[i].at.start].text.ends_with('s');
         if verbal {
             self.near = self.main.clone();
             self.s.expect = Expect::Nothing;
@@ -1006,17 +1125,32 @@ impl<'a> Reader<'a> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
-                } else if before_subject || of.is_empty() || self.preposed(i, next, end) || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end) {
+                } else if before_subject
+                    || of.is_empty()
+                    || self.preposed(i, next, end)
+                    || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
+                {
                     self.s.lead.push((rel, Lead::Items(items, each)));
                 } else {
                     if each && items.len() == 1 && !self.s.one {
-                        let fresh: Vec<usize> = of.iter().copied().filter(|o| self.scene.items[*o].at.start >= self.s.at.start && !items.contains(o)).collect();
+                        let fresh: Vec<usize> = of
+                            .iter()
+                            .copied()
+                            .filter(|o| self.scene.items[*o].at.start >= self.s.at.start && !items.contains(o))
+                            .collect();
                         self.multiply(&fresh, items[0]);
                     }
                     if negative {
                         let (soft, at) = (self.s.soft, self.s.at.clone());
                         self.scene.say(&of, What::Rel(rel, items), soft, true, at);
                     } else {
+                        let sides = self.chunks[i]
+                            .at
+                            .clone()
+                            .any(|t| matches!(self.tokens[t].text.as_str(), "each" | "either" | "both"));
+                        if sides && rel == Rel::Beside {
+                            self.double();
+                        }
                         let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
                         self.drop_usual(&of);
                         self.relate(&of, rel, &items);
@@ -1051,7 +1185,9 @@ impl<'a> Reader<'a> {
     fn object(&mut self, from: usize, end: usize, rel: Rel) -> Option<(Lead, usize)> {
         let chunks = self.chunks;
         let mut k = from;
-        while matches!(self.piece(k, end), Some(Piece::Word(false) | Piece::Soft)) && !self.tokens[chunks[k].at.start].is("so") {
+        while matches!(self.piece(k, end), Some(Piece::Word(false) | Piece::Soft))
+            && !self.tokens[chunks[k].at.start].is("so")
+        {
             k += 1;
         }
         let np = self.np(k, end)?;
@@ -1060,9 +1196,6 @@ impl<'a> Reader<'a> {
                 let id = self.resolve(k, np, true)?;
                 self.mark(k);
                 self.recent.push(id);
-                if self.scene.items[id].at.start >= self.s.at.start {
-                    // Looks of what was just named.
-                }
                 let mut items = vec![id];
                 let mut next = self.after_noun(k + 1, end, id);
                 let mut each = np.det == Det::Each && np.count.is_none();
@@ -1103,7 +1236,10 @@ impl<'a> Reader<'a> {
                         self.mark(k);
                     }
                 }
-                if let (Rel::To | Rel::In, Some(room)) = (rel, room) && self.s.doors && !self.s.of_room {
+                if let (Rel::To | Rel::In, Some(room)) = (rel, room)
+                    && self.s.doors
+                    && !self.s.of_room
+                {
                     self.room = room;
                     self.s.of_room = true;
                     self.mark(k);
@@ -1138,7 +1274,9 @@ impl<'a> Reader<'a> {
                     self.mark(next + 1);
                     next += 2;
                 }
-                Some((Kind::Thing, np)) if !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) => {
+                Some((Kind::Thing, np))
+                    if !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) =>
+                {
                     if let Some(id) = self.resolve(next + 1, np, true) {
                         self.mark(next);
                         self.mark(next + 1);
@@ -1161,7 +1299,9 @@ impl<'a> Reader<'a> {
                 Some((Kind::Pronoun, np)) => {
                     let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);
                     self.mark(next + 1);
-                    if !items.is_empty() && !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) {
+                    if !items.is_empty()
+                        && !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor)
+                    {
                         if place == Place::Side && which.iter().any(|w| w == "each") {
                             self.double();
                         }
@@ -1176,13 +1316,20 @@ impl<'a> Reader<'a> {
     }
 
     fn measure_follows(&self, from: usize, end: usize) -> bool {
-        self.chunks[from..end].iter().take_while(|c| c.piece != Piece::Comma).any(|c| matches!(c.piece, Piece::Measure(_)))
+        self.chunks[from..end]
+            .iter()
+            .take_while(|c| c.piece != Piece::Comma)
+            .any(|c| matches!(c.piece, Piece::Measure(_)))
     }
 
     /// "…, and behind it a mirror hangs": a relation that its subject follows.
     fn preposed(&self, i: usize, next: usize, end: usize) -> bool {
         let joined = i > 0 && matches!(self.chunks[i - 1].piece, Piece::And | Piece::Comma);
-        let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) { next + 1 } else { next };
+        let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) {
+            next + 1
+        } else {
+            next
+        };
         let fresh = |n: &Np| n.kind == Kind::Thing && matches!(n.det, Det::Indefinite | Det::Number | Det::None);
         joined && self.np(after, end).is_some_and(fresh)
     }
@@ -1216,8 +1363,10 @@ impl<'a> Reader<'a> {
         if rel == Rel::Between {
             return (so_far < 2).then_some(k + 1);
         }
-        let alone = matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
-        let known = np.det == Det::Definite || np.det == Det::None && np.count.is_none() && self.scene.find(np, self.room).is_some();
+        let alone =
+            matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
+        let known = np.det == Det::Definite
+            || np.det == Det::None && np.count.is_none() && self.scene.find(np, self.room).is_some();
         (alone && known).then_some(k + 1)
     }
 
@@ -1242,17 +1391,33 @@ impl<'a> Reader<'a> {
                 return vec![*i];
             }
         }
-        if let Expect::With(owner, _) = &self.s.expect && !owner.is_empty() {
+        if let Expect::With(owner, _) = &self.s.expect
+            && !owner.is_empty()
+        {
             return owner.clone();
         }
         let subject = self.near.clone();
         // "a long table, eight chairs around it"
-        if self.s.subject && subject != self.main && let Some(other) = self.main.iter().rev().find(|m| !subject.contains(m)) {
+        if self.s.subject
+            && subject != self.main
+            && let Some(other) = self.main.iter().rev().find(|m| !subject.contains(m))
+        {
             return vec![*other];
         }
         // "a telephone on the desk, and a chair behind it"
-        let small = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many || matches!(self.scene.items[*i].group, Group::Top | Group::Soft | Group::Flat));
-        if self.s.subject && !self.s.object.is_empty() && small(&self.before) && !small(&self.s.object) && self.s.object != subject {
+        let small = |l: &[usize]| {
+            l.len() > 1
+                || l.iter().any(|i| {
+                    self.scene.items[*i].many
+                        || matches!(self.scene.items[*i].group, Group::Top | Group::Soft | Group::Flat)
+                })
+        };
+        if self.s.subject
+            && !self.s.object.is_empty()
+            && small(&self.before)
+            && !small(&self.s.object)
+            && self.s.object != subject
+        {
             return self.s.object.clone();
         }
         if self.s.subject && !self.before.is_empty() {
@@ -1264,7 +1429,6 @@ impl<'a> Reader<'a> {
 
     /// "to its left", "on top", "between them".
     fn on_its(&mut self, i: usize, end: usize, rel: Rel) {
-        let _ = end;
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
         let many = text.contains(&"them");
         let object = if rel == Rel::Between {
@@ -1283,6 +1447,9 @@ impl<'a> Reader<'a> {
                 last.reverse();
                 last
             }
+        } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
+            // "a table, and on it a bowl"
+            self.main.clone()
         } else if self.s.pending.is_some() && self.s.keep && !self.main.is_empty() {
             self.main.clone()
         } else if self.s.subject || matches!(self.s.expect, Expect::With(..)) {
@@ -1290,7 +1457,11 @@ impl<'a> Reader<'a> {
         } else if many {
             self.them()
         } else {
-            let front = if self.before.is_empty() { self.recent.last().map(|r| vec![*r]).unwrap_or_default() } else { self.before.clone() };
+            let front = if self.before.is_empty() {
+                self.recent.last().map(|r| vec![*r]).unwrap_or_default()
+            } else {
+                self.before.clone()
+            };
             front
         };
         if object.is_empty() {
@@ -1325,7 +1496,11 @@ impl<'a> Reader<'a> {
         if let Expect::With(owner, Join::Usual) = &self.s.expect {
             let at = &self.s.at;
             self.scene.facts.retain(|f| {
-                !(f.of.len() == 1 && of.contains(&f.of[0]) && f.at == *at && matches!(&f.what, What::Rel(_, o) if o == owner) && !f.not)
+                !(f.of.len() == 1
+                    && of.contains(&f.of[0])
+                    && f.at == *at
+                    && matches!(&f.what, What::Rel(_, o) if o == owner)
+                    && !f.not)
             });
         }
     }
@@ -1336,7 +1511,12 @@ impl<'a> Reader<'a> {
         if of.is_empty() {
             return;
         }
-        if of == to {
+        // Nothing lies on what lies on it.
+        let back = |f: &super::scene::Fact| matches!(&f.what, What::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
+        if of == to
+            || matches!(rel, Rel::On | Rel::Under | Rel::In | Rel::Above)
+                && self.scene.facts.iter().rev().take(8).any(back)
+        {
             return;
         }
         self.say(&of, What::Rel(rel, to.to_vec()));
@@ -1385,7 +1565,13 @@ impl<'a> Reader<'a> {
         if self.s.path && m.dims == [Dim::Width] || self.s.path && m.dims.is_empty() && self.path_follows(i) {
             return self.on_path(i, end, m);
         }
-        if sized && self.s.keep && matches!(self.piece(i + 1, end), Some(Piece::Verb(Verb::Keep) | Piece::ToIts(_) | Piece::Rel(Rel::InFrontOf))) {
+        if sized
+            && self.s.keep
+            && matches!(
+                self.piece(i + 1, end),
+                Some(Piece::Verb(Verb::Keep) | Piece::ToIts(_) | Piece::Rel(Rel::InFrontOf))
+            )
+        {
             // "a free area of 1 m by 1 m in front of it"
             self.s.pending = Some(m.clone());
             return i + 1;
@@ -1398,10 +1584,20 @@ impl<'a> Reader<'a> {
         let mut k = i + 1;
         loop {
             match self.piece(k, end) {
-                Some(Piece::Rel(Rel::Of)) if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Abstract) || matches!(self.piece(k + 1, end), Some(Piece::Free | Piece::Word(_))) => k += 1,
+                Some(Piece::Rel(Rel::Of))
+                    if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Abstract)
+                        || matches!(self.piece(k + 1, end), Some(Piece::Free | Piece::Word(_))) =>
+                {
+                    k += 1
+                }
                 Some(Piece::Np(np)) if np.kind == Kind::Abstract => k += 1,
                 Some(Piece::Word(_)) if k < i + 4 => k += 1,
-                Some(Piece::Verb(Verb::Be | Verb::Keep)) if matches!(self.piece(k + 1, end), Some(Piece::Verb(_) | Piece::Free | Piece::Word(_))) && self.s.keep => k += 1,
+                Some(Piece::Verb(Verb::Be | Verb::Keep))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(_) | Piece::Free | Piece::Word(_)))
+                        && self.s.keep =>
+                {
+                    k += 1
+                }
                 Some(Piece::Verb(Verb::Keep)) => k += 1,
                 _ => break,
             }
@@ -1410,7 +1606,8 @@ impl<'a> Reader<'a> {
         match self.piece(k, end) {
             Some(Piece::Rel(_) | Piece::Apart | Piece::Free | Piece::ToIts(_)) => {}
             _ => {
-                let at = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::At)) || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Rel(Rel::At));
+                let at = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::At))
+                    || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Rel(Rel::At));
                 self.s.pending = None;
                 let of = self.subject(i);
                 let between = self.s.lead.iter().rposition(|(r, _)| matches!(r, Rel::Between | Rel::From));
@@ -1436,13 +1633,22 @@ impl<'a> Reader<'a> {
     }
 
     fn path_follows(&self, i: usize) -> bool {
-        self.chunks[i].at.clone().chain(self.chunks[i].at.end..(self.chunks[i].at.end + 3).min(self.tokens.len())).any(|t| matches!(self.tokens[t].text.as_str(), "aisle" | "path" | "walkway" | "passage"))
+        self.chunks[i]
+            .at
+            .clone()
+            .chain(self.chunks[i].at.end..(self.chunks[i].at.end + 3).min(self.tokens.len()))
+            .any(|t| matches!(self.tokens[t].text.as_str(), "aisle" | "path" | "walkway" | "passage"))
     }
 
     /// A way so wide: to what the sentence speaks of, from its door.
     fn on_path(&mut self, i: usize, end: usize, m: &Measure) -> usize {
         let mut items: Vec<usize> = Vec::new();
-        let mut lead: Vec<usize> = self.s.lead.iter().flat_map(|(_, l)| if let Lead::Items(items, _) = l { items.clone() } else { vec![] }).collect();
+        let mut lead: Vec<usize> = self
+            .s
+            .lead
+            .iter()
+            .flat_map(|(_, l)| if let Lead::Items(items, _) = l { items.clone() } else { vec![] })
+            .collect();
         items.append(&mut lead);
         items.extend(self.main.iter().copied().filter(|_| self.s.subject));
         if let Some((of, _, to)) = &self.s.last {
@@ -1450,7 +1656,10 @@ impl<'a> Reader<'a> {
         }
         let mut k = i + 1;
         while k < end {
-            if let Some(np) = self.np(k, end) && np.kind == Kind::Thing && let Some(id) = self.scene.find(np, self.room) {
+            if let Some(np) = self.np(k, end)
+                && np.kind == Kind::Thing
+                && let Some(id) = self.scene.find(np, self.room)
+            {
                 items.push(id);
                 self.mark(k);
             }
@@ -1469,7 +1678,11 @@ impl<'a> Reader<'a> {
             }
             [a, rest @ ..] => {
                 let between = self.chunks[i + 1..end].iter().any(|c| c.piece == Piece::Rel(Rel::Between));
-                let what = if between { What::Gap(Op::Least, m.values[0], rest.to_vec()) } else { What::Path(m.values[0], rest.to_vec()) };
+                let what = if between {
+                    What::Gap(Op::Least, m.values[0], rest.to_vec())
+                } else {
+                    What::Path(m.values[0], rest.to_vec())
+                };
                 self.say(&[*a], what);
             }
         }
@@ -1483,12 +1696,19 @@ impl<'a> Reader<'a> {
         let limit = m.said;
         if of_room || self.near.is_empty() && self.main.is_empty() && !self.s.subject && self.before.is_empty() {
             let room = self.room;
-            for (dim, value) in dims {
+            // What was said first stands: "1 m by 1 m" later on is of something else.
+            let size = self.scene.rooms[room].size;
+            let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
+            for (dim, value) in dims.into_iter().filter(|_| !whole && !limit) {
                 self.room_dim(room, dim, value);
             }
             return;
         }
-        let of = if self.near.is_empty() { if self.main.is_empty() { self.before.clone() } else { self.main.clone() } } else { self.near.clone() };
+        let of = if self.near.is_empty() {
+            if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
+        } else {
+            self.near.clone()
+        };
         if limit {
             let (dim, mut op) = (dims[0].0, m.op);
             // "no gondola may be higher than 1.4 m", "a cupboard taller than 1.8 m shall not stand …"
@@ -1510,8 +1730,12 @@ impl<'a> Reader<'a> {
     /// "90 cm clear in front of it", "a metre free on either side".
     fn on_free(&mut self, i: usize, end: usize) -> usize {
         let mut k = i + 1;
-        while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of))) || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract) {
-            if let Some(Piece::Rel(Rel::Of)) = self.piece(k, end) && matches!(self.piece(k + 1, end), Some(Piece::Measure(_))) {
+        while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of)))
+            || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
+        {
+            if let Some(Piece::Rel(Rel::Of)) = self.piece(k, end)
+                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
+            {
                 k += 1;
                 break;
             }
@@ -1521,7 +1745,9 @@ impl<'a> Reader<'a> {
             self.s.pending = Some(m.clone());
             self.mark(k);
             k += 1;
-            while self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract) || matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Verb(Verb::Be | Verb::Keep))) {
+            while self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
+                || matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Verb(Verb::Be | Verb::Keep)))
+            {
                 k += 1;
             }
         }
@@ -1536,7 +1762,9 @@ impl<'a> Reader<'a> {
             Rel::Between => {
                 let m = Measure { op: flip(m, not || self.s.nothing), ..m.clone() };
                 match to {
-                    [a, rest @ ..] if !rest.is_empty() => self.say(&[*a], What::Gap(min_if_keep(&m, self.s.keep), m.values[0], rest.to_vec())),
+                    [a, rest @ ..] if !rest.is_empty() => {
+                        self.say(&[*a], What::Gap(min_if_keep(&m, self.s.keep), m.values[0], rest.to_vec()))
+                    }
                     [one, ..] => {
                         let what = What::Among(min_if_keep(&m, self.s.keep), m.values[0]);
                         self.say(&[*one], what);
@@ -1544,8 +1772,14 @@ impl<'a> Reader<'a> {
                     [] => {}
                 }
             }
-            Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around | Rel::Beside if keep => self.clear(to, rel, m.values[0]),
-            Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than if self.s.nothing && of.is_empty() || self.s.nothing && of == to => {
+            Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around | Rel::Beside
+                if keep =>
+            {
+                self.clear(to, rel, m.values[0])
+            }
+            Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than
+                if self.s.nothing && of.is_empty() || self.s.nothing && of == to =>
+            {
                 self.say(to, What::Alone(m.values[0]));
             }
             _ => {
@@ -1584,7 +1818,8 @@ impl<'a> Reader<'a> {
         let op = min_if_keep(&Measure { op: flip(m, self.s.not || self.s.nothing), ..m.clone() }, true);
         let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
         let many = of.iter().copied().find(|o| self.scene.items[*o].many);
-        let rows = self.scene.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
+        let rows =
+            self.scene.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
         if let Some(item) = rows.or(many) {
             self.say(&[item], What::Rows(op, m.values[0]));
         }
@@ -1614,10 +1849,14 @@ impl<'a> Reader<'a> {
             let start = self.s.at.start;
             let bare = |i: &usize| {
                 let item = &self.scene.items[*i];
-                item.at.start >= start && !to.contains(i) && !self.scene.facts.iter().any(|f| f.of.contains(i)) && matches!(item.group, Group::Top | Group::Floor | Group::Soft) && {
-                    let [w, _, d] = super::sizes::usual(item.group, &item.words);
-                    w * d < 0.3
-                }
+                item.at.start >= start
+                    && !to.contains(i)
+                    && !self.scene.facts.iter().any(|f| f.of.contains(i))
+                    && matches!(item.group, Group::Top | Group::Floor | Group::Soft)
+                    && {
+                        let [w, _, d] = super::sizes::usual(item.group, &item.words);
+                        w * d < 0.3
+                    }
             };
             let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
             self.relate(&of, rel, &to);
@@ -1628,7 +1867,31 @@ impl<'a> Reader<'a> {
 impl Sentence {
     fn new(at: Range<usize>) -> Self {
         Self {
-            at, subject: false, lead: vec![], expect: Expect::Nothing, soft: false, not: false, keep: false, nothing: false, hang: false, path: false, verb: false, each: false, pending: None, last: None, listed: false, of_room: false, doors: false, room_last: false, unknown: false, rooms: vec![], from: 0, one: false, centre: false, object: vec![], shared: None,
+            at,
+            subject: false,
+            lead: vec![],
+            expect: Expect::Nothing,
+            soft: false,
+            not: false,
+            keep: false,
+            nothing: false,
+            hang: false,
+            path: false,
+            verb: false,
+            each: false,
+            pending: None,
+            last: None,
+            listed: false,
+            of_room: false,
+            doors: false,
+            room_last: false,
+            unknown: false,
+            rooms: vec![],
+            from: 0,
+            one: false,
+            centre: false,
+            object: vec![],
+            shared: None,
         }
     }
 }
@@ -1649,5 +1912,7 @@ fn min_if_keep(m: &Measure, keep: bool) -> Op {
 
 /// Whether a noun can be a name: letters of a language that is written with these.
 fn nameable(noun: &str) -> bool {
-    noun.chars().all(|c| c.is_alphanumeric() || " -'".contains(c)) && noun.chars().filter(|c| c.is_alphabetic()).count() > 1 && noun.len() < 40
+    noun.chars().all(|c| c.is_alphanumeric() || " -'".contains(c))
+        && noun.chars().filter(|c| c.is_alphabetic()).count() > 1
+        && noun.len() < 40
 }

@@ -36,7 +36,10 @@ pub fn add(scene: &mut Scene) {
 /// Rooms that no door joins to the others get one.
 pub fn joined(scene: &mut Scene) {
     for room in 1..scene.rooms.len() {
-        let linked = scene.items.iter().any(|i| i.group == Group::Door && i.beyond.is_some() && (i.room == room || i.beyond == Some(room)));
+        let linked = scene
+            .items
+            .iter()
+            .any(|i| i.group == Group::Door && i.beyond.is_some() && (i.room == room || i.beyond == Some(room)));
         if !linked {
             let id = push(scene, room - 1, "door", 1, "one has to get from room to room");
             scene.items[id].beyond = Some(room);
@@ -47,8 +50,15 @@ pub fn joined(scene: &mut Scene) {
 /// `2 nightstand beside bed`, `1 sofa against wall`, `1 table middle`.
 fn add_one(scene: &mut Scene, room: usize, kind: &str, line: &str) {
     const RELATIONS: [(&str, Rel); 9] = [
-        ("against", Rel::Against), ("in", Rel::In), ("beside", Rel::Beside), ("under", Rel::Under), ("around", Rel::Around),
-        ("inFrontOf", Rel::InFrontOf), ("facing", Rel::Facing), ("near", Rel::Near), ("mounted", Rel::Mounted),
+        ("against", Rel::Against),
+        ("in", Rel::In),
+        ("beside", Rel::Beside),
+        ("under", Rel::Under),
+        ("around", Rel::Around),
+        ("inFrontOf", Rel::InFrontOf),
+        ("facing", Rel::Facing),
+        ("near", Rel::Near),
+        ("mounted", Rel::Mounted),
     ];
     let words: Vec<&str> = line.split(' ').collect();
     let count = words.first().and_then(|n| n.parse().ok()).unwrap_or(1);
@@ -57,7 +67,9 @@ fn add_one(scene: &mut Scene, room: usize, kind: &str, line: &str) {
     let lexicon = get();
     let find = |scene: &Scene, name: &str| {
         let head = name.split(' ').next_back().unwrap_or(name).to_owned();
-        scene.items.iter().rposition(|i| i.room == room && (i.name() == name || i.words.last() == Some(&head) || lexicon.alike(&i.head(), name)))
+        scene.items.iter().rposition(|i| {
+            i.room == room && (i.name() == name || i.words.last() == Some(&head) || lexicon.alike(&i.head(), name))
+        })
     };
     let ruled_out = scene.absent.iter().any(|(a, _)| name.contains(a.as_str()) || a.contains(&name));
     if find(scene, &name).is_some() || ruled_out {
@@ -67,7 +79,9 @@ fn add_one(scene: &mut Scene, room: usize, kind: &str, line: &str) {
     let Some(at) = at else { return };
     let what = match (words[at], words.get(at + 1..).unwrap_or(&[]).join(" ")) {
         ("middle", _) => What::Place(Rel::In, Place::Middle, vec![]),
-        (_, object) if object == "wall" => What::Place(if words[at] == "mounted" { Rel::Mounted } else { Rel::Against }, Place::Wall, vec![]),
+        (_, object) if object == "wall" => {
+            What::Place(if words[at] == "mounted" { Rel::Mounted } else { Rel::Against }, Place::Wall, vec![])
+        }
         (_, object) if object == "corner" => What::Place(Rel::In, Place::Corner, vec![]),
         (relation, object) => {
             let rel = RELATIONS.iter().find(|(k, _)| *k == relation).map(|r| r.1);
@@ -84,7 +98,17 @@ fn push(scene: &mut Scene, room: usize, name: &str, count: usize, why: &str) -> 
     let words: Vec<String> = name.split(' ').map(|w| if plural(w) { singular(w) } else { w.to_owned() }).collect();
     let (last, group) = get().noun_ending(&words).unwrap_or((1, Group::Floor));
     scene.items.push(Item {
-        words, last, group, count: Some(count), per: None, many: count > 1, room, beyond: None, look: Look::default(), size: [None; 3], at: 0..0,
+        words,
+        last,
+        group,
+        count: Some(count),
+        per: None,
+        many: count > 1,
+        room,
+        beyond: None,
+        look: Look::default(),
+        size: [None; 3],
+        at: 0..0,
         inferred: Some(why.to_owned()),
     });
     scene.items.len() - 1

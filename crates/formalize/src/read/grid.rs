@@ -29,17 +29,40 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         _ => None,
     });
     let said = rows.is_some();
-    let seats = scene.facts.iter().any(|f| matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a]) && scene.items[f.of[0]].group == Group::Seat);
+    let middle = middle(scene, sizes, a);
+    let seats = scene.facts.iter().any(|f| {
+        matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
+            && scene.items[f.of[0]].group == Group::Seat
+    });
     // Tables with their seats stand in rows where nothing else is said.
     let rows = match rows {
         Some(rows) => rows,
-        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => spread(n),
+        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => {
+            if middle > 0.0 {
+                2
+            } else {
+                spread(n)
+            }
+        }
         None => return None,
     };
-    let elsewhere = scene.facts.iter().any(|f| f.of.contains(&a) && match &f.what {
-        What::Place(_, place, _) => !matches!(place, super::noun::Place::Middle),
-        What::Rel(rel, _) => !matches!(rel, Rel::Facing | Rel::InFrontOf | Rel::LeftOf | Rel::RightOf | Rel::Behind | Rel::Far | Rel::Perpendicular | Rel::Opposite),
-        _ => false,
+    let elsewhere = scene.facts.iter().any(|f| {
+        f.of.contains(&a)
+            && match &f.what {
+                What::Place(_, place, _) => !matches!(place, super::noun::Place::Middle),
+                What::Rel(rel, _) => !matches!(
+                    rel,
+                    Rel::Facing
+                        | Rel::InFrontOf
+                        | Rel::LeftOf
+                        | Rel::RightOf
+                        | Rel::Behind
+                        | Rel::Far
+                        | Rel::Perpendicular
+                        | Rel::Opposite
+                ),
+                _ => false,
+            }
     });
     let hung = matches!(scene.items[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
     if elsewhere || hung || n < 2 || said && n % rows != 0 || scene.items[a].opening() {
@@ -57,7 +80,9 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             What::Rel(rel, to) if to.contains(&a) && scene.items[f.of[0]].group == Group::Seat => {
                 let seat = sizes[f.of[0]];
                 match rel {
-                    Rel::Around | Rel::At => (beside, behind) = (beside.max(2.0 * seat[0] + 0.8), behind.max(2.0 * seat[2] + 0.6)),
+                    Rel::Around | Rel::At => {
+                        (beside, behind) = (beside.max(2.0 * seat[0] + 0.8), behind.max(2.0 * seat[2] + 0.6))
+                    }
                     Rel::InFrontOf | Rel::Behind | Rel::Near => behind = behind.max(seat[2] + 0.65),
                     Rel::Beside => beside = beside.max(seat[0] + 0.5),
                     _ => {}
@@ -70,6 +95,10 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             }
             _ => {}
         }
+    }
+    if !said && middle > 0.0 {
+        // What stands in the middle of the room stands between the rows.
+        behind = behind.max(middle + 2.2);
     }
     let [w, _, d] = sizes[a];
     let takes = |b: f64, h: f64| [columns as f64 * (w + b) - b, rows as f64 * (d + h) - h];
@@ -98,11 +127,17 @@ fn spread(n: usize) -> usize {
     (2..=most).rev().find(|r| n % r == 0).unwrap_or(2)
 }
 
-/// Whether something stands in the middle of the room, or is said of where each of them is.
-fn crowded(scene: &Scene, a: usize) -> bool {
+/// How deep the largest thing is that stands in the middle of the room; 0: nothing does.
+fn middle(scene: &Scene, sizes: &[[f64; 3]], a: usize) -> f64 {
     let room = scene.items[a].room;
+    let there = scene.facts.iter().filter(|f| matches!(f.what, What::Place(_, super::noun::Place::Middle, _)));
+    let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && scene.items[**o].room == room);
+    items.map(|o| sizes[*o][0].max(sizes[*o][2])).fold(0.0, f64::max)
+}
+
+/// Whether something is said of where each of them is.
+fn crowded(scene: &Scene, a: usize) -> bool {
     scene.facts.iter().any(|f| match &f.what {
-        What::Place(_, super::noun::Place::Middle, _) => f.of.iter().any(|o| scene.items[*o].room == room),
         What::Gap(..) | What::Pattern(_) => f.of.contains(&a),
         _ => false,
     })
@@ -114,7 +149,8 @@ pub fn seats(each: usize, at_front: bool) -> &'static [([f64; 2], f64)] {
     const FRONT: &[([f64; 2], f64)] = &[([0.0, 1.0], 180.0)];
     const BEHIND: &[([f64; 2], f64)] = &[([0.0, -1.0], 0.0)];
     const TWO: &[([f64; 2], f64)] = &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0)];
-    const FOUR: &[([f64; 2], f64)] = &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0), ([0.0, 1.0], 180.0), ([0.0, -1.0], 0.0)];
+    const FOUR: &[([f64; 2], f64)] =
+        &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0), ([0.0, 1.0], 180.0), ([0.0, -1.0], 0.0)];
     match (each, at_front) {
         (1, true) => FRONT,
         (1, false) => BEHIND,

@@ -54,22 +54,68 @@ pub enum Look {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs)]
 pub enum Rel {
-    On, Under, Above, Beside, Near, LeftOf, RightOf, InFrontOf, Behind, Between, Around, Facing, Opposite, Against, Along,
-    In, At, Mounted, Hang, Far, Parallel, Perpendicular, Aligned, Visible, Reachable, From, Of, To, Than,
+    On,
+    Under,
+    Above,
+    Beside,
+    Near,
+    LeftOf,
+    RightOf,
+    InFrontOf,
+    Behind,
+    Between,
+    Around,
+    Facing,
+    Opposite,
+    Against,
+    Along,
+    In,
+    At,
+    Mounted,
+    Hang,
+    Far,
+    Parallel,
+    Perpendicular,
+    Aligned,
+    Visible,
+    Reachable,
+    From,
+    Of,
+    To,
+    Than,
 }
 
 /// What a verb does for a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Verb {
-    Be, Have, Carry, Face, Hang, Flank, Surround, Keep, Lead, Light, Cover,
+    Be,
+    Have,
+    Carry,
+    Face,
+    Hang,
+    Flank,
+    Surround,
+    Keep,
+    Lead,
+    Light,
+    Cover,
 }
 
 /// Classes of words of the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Class {
-    Det, Def, Each, No, Pronoun, Soft, Not, Space, Abstract, Stop,
+    Det,
+    Def,
+    Each,
+    No,
+    Pronoun,
+    Soft,
+    Not,
+    Space,
+    Abstract,
+    Stop,
 }
 
 /// A kind of room.
@@ -142,30 +188,83 @@ impl Lexicon {
     fn new() -> Self {
         use Rel::*;
         let groups = [
-            ("seat", Group::Seat), ("table", Group::Table), ("storage", Group::Storage), ("bed", Group::Bed), ("floor", Group::Floor),
-            ("wall", Group::Wall), ("ceiling", Group::Ceiling), ("top", Group::Top), ("screen", Group::Screen), ("flat", Group::Flat),
-            ("soft", Group::Soft), ("drape", Group::Drape), ("door", Group::Door), ("window", Group::Window),
+            ("seat", Group::Seat),
+            ("table", Group::Table),
+            ("storage", Group::Storage),
+            ("bed", Group::Bed),
+            ("floor", Group::Floor),
+            ("wall", Group::Wall),
+            ("ceiling", Group::Ceiling),
+            ("top", Group::Top),
+            ("screen", Group::Screen),
+            ("flat", Group::Flat),
+            ("soft", Group::Soft),
+            ("drape", Group::Drape),
+            ("door", Group::Door),
+            ("window", Group::Window),
         ];
         let looks = [
-            ("color", Look::Color), ("material", Look::Material), ("joined", Look::Material), ("feature", Look::Feature),
+            ("color", Look::Color),
+            ("material", Look::Material),
+            ("joined", Look::Material),
+            ("feature", Look::Feature),
             ("shade", Look::Shade),
         ];
         let relations = [
-            ("on", On), ("under", Under), ("above", Above), ("beside", Beside), ("near", Near), ("leftOf", LeftOf),
-            ("rightOf", RightOf), ("inFrontOf", InFrontOf), ("behind", Behind), ("between", Between), ("around", Around),
-            ("facing", Facing), ("opposite", Opposite), ("against", Against), ("along", Along), ("in", In), ("at", At),
-            ("mounted", Mounted), ("hang", Hang), ("far", Far), ("parallel", Parallel), ("perpendicular", Perpendicular),
-            ("aligned", Aligned), ("visible", Visible), ("reachable", Reachable), ("from", From), ("of", Of), ("to", To),
+            ("on", On),
+            ("under", Under),
+            ("above", Above),
+            ("beside", Beside),
+            ("near", Near),
+            ("leftOf", LeftOf),
+            ("rightOf", RightOf),
+            ("inFrontOf", InFrontOf),
+            ("behind", Behind),
+            ("between", Between),
+            ("around", Around),
+            ("facing", Facing),
+            ("opposite", Opposite),
+            ("against", Against),
+            ("along", Along),
+            ("in", In),
+            ("at", At),
+            ("mounted", Mounted),
+            ("hang", Hang),
+            ("far", Far),
+            ("parallel", Parallel),
+            ("perpendicular", Perpendicular),
+            ("aligned", Aligned),
+            ("visible", Visible),
+            ("reachable", Reachable),
+            ("from", From),
+            ("of", Of),
+            ("to", To),
             ("than", Than),
         ];
         let verbs = [
-            ("have", Verb::Have), ("carry", Verb::Carry), ("face", Verb::Face), ("hang", Verb::Hang), ("flank", Verb::Flank),
-            ("surround", Verb::Surround), ("keep", Verb::Keep), ("lead", Verb::Lead), ("light", Verb::Light),
-            ("cover", Verb::Cover), ("be", Verb::Be),
+            ("have", Verb::Have),
+            ("carry", Verb::Carry),
+            ("face", Verb::Face),
+            ("hang", Verb::Hang),
+            ("flank", Verb::Flank),
+            ("surround", Verb::Surround),
+            ("keep", Verb::Keep),
+            ("lead", Verb::Lead),
+            ("light", Verb::Light),
+            ("cover", Verb::Cover),
+            ("be", Verb::Be),
         ];
         let classes = [
-            ("det", Class::Det), ("def", Class::Def), ("each", Class::Each), ("no", Class::No), ("pronoun", Class::Pronoun),
-            ("soft", Class::Soft), ("not", Class::Not), ("space", Class::Space), ("abstract", Class::Abstract), ("stop", Class::Stop),
+            ("det", Class::Det),
+            ("def", Class::Def),
+            ("each", Class::Each),
+            ("no", Class::No),
+            ("pronoun", Class::Pronoun),
+            ("soft", Class::Soft),
+            ("not", Class::Not),
+            ("space", Class::Space),
+            ("abstract", Class::Abstract),
+            ("stop", Class::Stop),
         ];
         let mut words: BTreeMap<&str, Vec<Class>> = BTreeMap::new();
         for (key, items) in table(include_str!("../../data/words.txt")) {
@@ -306,13 +405,42 @@ fn rooms() -> (BTreeMap<&'static str, usize>, Vec<RoomKind>) {
 /// A noun in the singular, as far as its end tells.
 pub fn singular(word: &str) -> String {
     const ODD: [(&str, &str); 12] = [
-        ("shelves", "shelf"), ("knives", "knife"), ("leaves", "leaf"), ("people", "person"), ("children", "child"),
-        ("feet", "foot"), ("mice", "mouse"), ("loaves", "loaf"), ("cacti", "cactus"), ("bookshelves", "bookshelf"),
-        ("scarves", "scarf"), ("men", "man"),
+        ("shelves", "shelf"),
+        ("knives", "knife"),
+        ("leaves", "leaf"),
+        ("people", "person"),
+        ("children", "child"),
+        ("feet", "foot"),
+        ("mice", "mouse"),
+        ("loaves", "loaf"),
+        ("cacti", "cactus"),
+        ("bookshelves", "bookshelf"),
+        ("scarves", "scarf"),
+        ("men", "man"),
     ];
     const SAME: [&str; 22] = [
-        "glass", "canvas", "cactus", "ficus", "stairs", "blinds", "chess", "cutlery", "headphones", "lens", "bus", "billiards", "series",
-        "stainless", "compass", "mattress", "chaise", "tennis", "lotus", "hibiscus", "gas", "bias",
+        "glass",
+        "canvas",
+        "cactus",
+        "ficus",
+        "stairs",
+        "blinds",
+        "chess",
+        "cutlery",
+        "headphones",
+        "lens",
+        "bus",
+        "billiards",
+        "series",
+        "stainless",
+        "compass",
+        "mattress",
+        "chaise",
+        "tennis",
+        "lotus",
+        "hibiscus",
+        "gas",
+        "bias",
     ];
     if SAME.contains(&word) || word.len() < 4 && word != "tvs" && word != "pcs" {
         return word.to_owned();

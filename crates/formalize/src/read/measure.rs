@@ -18,7 +18,12 @@ pub enum Op {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Dim {
-    Width, Height, Depth, Length, Across, Ceiling,
+    Width,
+    Height,
+    Depth,
+    Length,
+    Across,
+    Ceiling,
 }
 
 /// A measure.
@@ -45,39 +50,151 @@ impl Measure {
 
 /// What stands before a measure and says how it binds. A `-` before the operator turns on a negation before it.
 const BEFORE: &[(&str, Op, Option<Dim>)] = &[
-    ("at least", Op::Least, None), ("no less than", Op::Least, None), ("not less than", Op::Least, None),
-    ("not be less than", Op::Least, None), ("no fewer than", Op::Least, None), ("a minimum of", Op::Least, None),
-    ("minimum of", Op::Least, None), ("minimum", Op::Least, None), ("min", Op::Least, None), ("min.", Op::Least, None),
-    ("a minimum distance of", Op::Least, None), ("minimum distance of", Op::Least, None), ("more than", Op::Least, None), ("not under", Op::Least, None),
-    ("no closer than", Op::Least, None), ("not closer than", Op::Least, None), ("not nearer than", Op::Least, None), ("no nearer than", Op::Least, None),
-    ("never closer than", Op::Least, None), ("never less than", Op::Least, None), ("not below", Op::Least, None), ("no narrower than", Op::Least, None),
-    ("not narrower than", Op::Least, None), ("closer than", Op::Most, None), ("nearer than", Op::Most, None),
-    ("at most", Op::Most, None), ("no more than", Op::Most, None), ("not more than", Op::Most, None), ("within", Op::Most, None),
-    ("less than", Op::Most, None), ("up to", Op::Most, None), ("a maximum of", Op::Most, None), ("maximum of", Op::Most, None), ("maximum", Op::Most, None),
-    ("max", Op::Most, None), ("max.", Op::Most, None), ("no further than", Op::Most, None), ("not further than", Op::Most, None), ("barely", Op::Most, None),
-    ("no farther than", Op::Most, None), ("not farther than", Op::Most, None), ("further than", Op::Least, None), ("farther than", Op::Least, None),
-    ("not beyond", Op::Most, None), ("never further than", Op::Most, None), ("never more than", Op::Most, None), ("not over", Op::Most, None),
-    ("not exceeding", Op::Most, None), ("hardly", Op::Most, None), ("no wider than", Op::Most, Some(Dim::Width)), ("not wider than", Op::Most, Some(Dim::Width)),
-    ("no higher than", Op::Most, Some(Dim::Height)), ("not higher than", Op::Most, Some(Dim::Height)), ("higher than", Op::Least, Some(Dim::Height)),
-    ("no taller than", Op::Most, Some(Dim::Height)), ("not taller than", Op::Most, Some(Dim::Height)), ("taller than", Op::Least, Some(Dim::Height)),
-    ("not exceed", Op::Most, None), ("exceed", Op::Least, None), ("not lower than", Op::Least, Some(Dim::Height)), ("no lower than", Op::Least, Some(Dim::Height)),
-    ("lower than", Op::Most, Some(Dim::Height)), ("wider than", Op::Least, Some(Dim::Width)), ("not be higher than", Op::Most, Some(Dim::Height)),
-    ("no deeper than", Op::Most, Some(Dim::Depth)), ("no longer than", Op::Most, Some(Dim::Length)), ("longer than", Op::Least, Some(Dim::Length)),
-    ("exactly", Op::Equal, None), ("precisely", Op::Equal, None), ("about", Op::Equal, None), ("around", Op::Equal, None), ("roughly", Op::Equal, None),
-    ("approximately", Op::Equal, None), ("approx", Op::Equal, None), ("some", Op::Equal, None), ("ca", Op::Equal, None), ("circa", Op::Equal, None), ("say", Op::Equal, None), ("a good", Op::Least, None), ("good", Op::Least, None),
-    ("almost", Op::Equal, None), ("a full", Op::Equal, None), ("under", Op::Most, None),
-    ("ceiling height of", Op::Equal, Some(Dim::Ceiling)), ("ceiling height is", Op::Equal, Some(Dim::Ceiling)), ("ceiling height", Op::Equal, Some(Dim::Ceiling)), ("ceiling at", Op::Equal, Some(Dim::Ceiling)), ("ceilings at", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling", Op::Equal, Some(Dim::Ceiling)), ("ceiling is", Op::Equal, Some(Dim::Ceiling)), ("ceiling of", Op::Equal, Some(Dim::Ceiling)), ("ceilings of", Op::Equal, Some(Dim::Ceiling)), ("beams at", Op::Equal, Some(Dim::Ceiling)), ("clear height", Op::Equal, Some(Dim::Ceiling)), ("clear height of", Op::Equal, Some(Dim::Ceiling)), ("room height", Op::Equal, Some(Dim::Ceiling)), ("room height of", Op::Equal, Some(Dim::Ceiling)), ("the ceiling is", Op::Equal, Some(Dim::Ceiling)), ("ceilings", Op::Equal, Some(Dim::Ceiling)),
-    ("a ceiling at", Op::Equal, Some(Dim::Ceiling)), ("a ceiling of", Op::Equal, Some(Dim::Ceiling)), ("the ceiling height is", Op::Equal, Some(Dim::Ceiling)), ("a clear height of", Op::Equal, Some(Dim::Ceiling)), ("the clear height is", Op::Equal, Some(Dim::Ceiling)), ("clear height is", Op::Equal, Some(Dim::Ceiling)), ("a ceiling height of", Op::Equal, Some(Dim::Ceiling)),
-    ("a width of", Op::Equal, Some(Dim::Width)), ("a length of", Op::Equal, Some(Dim::Length)), ("a depth of", Op::Equal, Some(Dim::Depth)), ("a diameter of", Op::Equal, Some(Dim::Across)), ("a distance of", Op::Equal, None), ("a gap of", Op::Equal, None), ("a free depth of", Op::Least, None), ("a depth of at least", Op::Least, None), ("a clear strip of", Op::Least, None), ("an area of", Op::Equal, None), ("like", Op::Equal, None), ("less", Op::Most, None),
-    ("width of", Op::Equal, Some(Dim::Width)), ("width", Op::Equal, Some(Dim::Width)), ("length of", Op::Equal, Some(Dim::Length)), ("length", Op::Equal, Some(Dim::Length)),
-    ("depth of", Op::Equal, Some(Dim::Depth)), ("depth", Op::Equal, Some(Dim::Depth)), ("height", Op::Equal, Some(Dim::Height)), ("diameter of", Op::Equal, Some(Dim::Across)), ("diameter", Op::Equal, Some(Dim::Across)),
+    ("at least", Op::Least, None),
+    ("no less than", Op::Least, None),
+    ("not less than", Op::Least, None),
+    ("not be less than", Op::Least, None),
+    ("no fewer than", Op::Least, None),
+    ("a minimum of", Op::Least, None),
+    ("minimum of", Op::Least, None),
+    ("minimum", Op::Least, None),
+    ("min", Op::Least, None),
+    ("min.", Op::Least, None),
+    ("a minimum distance of", Op::Least, None),
+    ("minimum distance of", Op::Least, None),
+    ("more than", Op::Least, None),
+    ("not under", Op::Least, None),
+    ("no closer than", Op::Least, None),
+    ("not closer than", Op::Least, None),
+    ("not nearer than", Op::Least, None),
+    ("no nearer than", Op::Least, None),
+    ("never closer than", Op::Least, None),
+    ("never less than", Op::Least, None),
+    ("not below", Op::Least, None),
+    ("no narrower than", Op::Least, None),
+    ("not narrower than", Op::Least, None),
+    ("closer than", Op::Most, None),
+    ("nearer than", Op::Most, None),
+    ("at most", Op::Most, None),
+    ("no more than", Op::Most, None),
+    ("not more than", Op::Most, None),
+    ("within", Op::Most, None),
+    ("less than", Op::Most, None),
+    ("up to", Op::Most, None),
+    ("a maximum of", Op::Most, None),
+    ("maximum of", Op::Most, None),
+    ("maximum", Op::Most, None),
+    ("max", Op::Most, None),
+    ("max.", Op::Most, None),
+    ("no further than", Op::Most, None),
+    ("not further than", Op::Most, None),
+    ("barely", Op::Most, None),
+    ("no farther than", Op::Most, None),
+    ("not farther than", Op::Most, None),
+    ("further than", Op::Least, None),
+    ("farther than", Op::Least, None),
+    ("not beyond", Op::Most, None),
+    ("never further than", Op::Most, None),
+    ("never more than", Op::Most, None),
+    ("not over", Op::Most, None),
+    ("not exceeding", Op::Most, None),
+    ("hardly", Op::Most, None),
+    ("no wider than", Op::Most, Some(Dim::Width)),
+    ("not wider than", Op::Most, Some(Dim::Width)),
+    ("no higher than", Op::Most, Some(Dim::Height)),
+    ("not higher than", Op::Most, Some(Dim::Height)),
+    ("higher than", Op::Least, Some(Dim::Height)),
+    ("no taller than", Op::Most, Some(Dim::Height)),
+    ("not taller than", Op::Most, Some(Dim::Height)),
+    ("taller than", Op::Least, Some(Dim::Height)),
+    ("not exceed", Op::Most, None),
+    ("exceed", Op::Least, None),
+    ("not lower than", Op::Least, Some(Dim::Height)),
+    ("no lower than", Op::Least, Some(Dim::Height)),
+    ("lower than", Op::Most, Some(Dim::Height)),
+    ("wider than", Op::Least, Some(Dim::Width)),
+    ("not be higher than", Op::Most, Some(Dim::Height)),
+    ("no deeper than", Op::Most, Some(Dim::Depth)),
+    ("no longer than", Op::Most, Some(Dim::Length)),
+    ("longer than", Op::Least, Some(Dim::Length)),
+    ("exactly", Op::Equal, None),
+    ("precisely", Op::Equal, None),
+    ("about", Op::Equal, None),
+    ("around", Op::Equal, None),
+    ("roughly", Op::Equal, None),
+    ("approximately", Op::Equal, None),
+    ("approx", Op::Equal, None),
+    ("some", Op::Equal, None),
+    ("ca", Op::Equal, None),
+    ("circa", Op::Equal, None),
+    ("say", Op::Equal, None),
+    ("a good", Op::Least, None),
+    ("good", Op::Least, None),
+    ("almost", Op::Equal, None),
+    ("a full", Op::Equal, None),
+    ("under", Op::Most, None),
+    ("ceiling height of", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling height is", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling height", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling at", Op::Equal, Some(Dim::Ceiling)),
+    ("ceilings at", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling is", Op::Equal, Some(Dim::Ceiling)),
+    ("ceiling of", Op::Equal, Some(Dim::Ceiling)),
+    ("ceilings of", Op::Equal, Some(Dim::Ceiling)),
+    ("beams at", Op::Equal, Some(Dim::Ceiling)),
+    ("clear height", Op::Equal, Some(Dim::Ceiling)),
+    ("clear height of", Op::Equal, Some(Dim::Ceiling)),
+    ("room height", Op::Equal, Some(Dim::Ceiling)),
+    ("room height of", Op::Equal, Some(Dim::Ceiling)),
+    ("the ceiling is", Op::Equal, Some(Dim::Ceiling)),
+    ("ceilings", Op::Equal, Some(Dim::Ceiling)),
+    ("a ceiling at", Op::Equal, Some(Dim::Ceiling)),
+    ("a ceiling of", Op::Equal, Some(Dim::Ceiling)),
+    ("the ceiling height is", Op::Equal, Some(Dim::Ceiling)),
+    ("a clear height of", Op::Equal, Some(Dim::Ceiling)),
+    ("the clear height is", Op::Equal, Some(Dim::Ceiling)),
+    ("clear height is", Op::Equal, Some(Dim::Ceiling)),
+    ("a ceiling height of", Op::Equal, Some(Dim::Ceiling)),
+    ("a width of", Op::Equal, Some(Dim::Width)),
+    ("a length of", Op::Equal, Some(Dim::Length)),
+    ("a depth of", Op::Equal, Some(Dim::Depth)),
+    ("a diameter of", Op::Equal, Some(Dim::Across)),
+    ("a distance of", Op::Equal, None),
+    ("a gap of", Op::Equal, None),
+    ("a free depth of", Op::Least, None),
+    ("a depth of at least", Op::Least, None),
+    ("a clear strip of", Op::Least, None),
+    ("an area of", Op::Equal, None),
+    ("like", Op::Equal, None),
+    ("less", Op::Most, None),
+    ("width of", Op::Equal, Some(Dim::Width)),
+    ("width", Op::Equal, Some(Dim::Width)),
+    ("length of", Op::Equal, Some(Dim::Length)),
+    ("length", Op::Equal, Some(Dim::Length)),
+    ("depth of", Op::Equal, Some(Dim::Depth)),
+    ("depth", Op::Equal, Some(Dim::Depth)),
+    ("height", Op::Equal, Some(Dim::Height)),
+    ("diameter of", Op::Equal, Some(Dim::Across)),
+    ("diameter", Op::Equal, Some(Dim::Across)),
 ];
 
 /// What stands after it.
 const AFTER: &[(&str, Op)] = &[
-    ("or more", Op::Least), ("or further", Op::Least), ("minimum", Op::Least), ("min", Op::Least), ("at least", Op::Least), ("at minimum", Op::Least), ("or less", Op::Most),
-    ("maximum", Op::Most), ("max", Op::Most), ("at most", Op::Most), ("or closer", Op::Most), ("at the most", Op::Most), ("or wider", Op::Least), ("or farther", Op::Least),
+    ("or more", Op::Least),
+    ("or further", Op::Least),
+    ("minimum", Op::Least),
+    ("min", Op::Least),
+    ("at least", Op::Least),
+    ("at minimum", Op::Least),
+    ("or less", Op::Most),
+    ("maximum", Op::Most),
+    ("max", Op::Most),
+    ("at most", Op::Most),
+    ("or closer", Op::Most),
+    ("at the most", Op::Most),
+    ("or wider", Op::Least),
+    ("or farther", Op::Least),
 ];
 
 fn starts(rest: &[Token], phrase: &str) -> Option<usize> {
@@ -93,7 +210,12 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
     let mut used = before.map_or(0, |b| b.2);
     let mut op = before.map_or(Op::Equal, |b| b.0);
     let mut dims: Vec<Dim> = before.and_then(|b| b.1).into_iter().collect();
-    if used > 0 && let Some((second, dim, n)) = BEFORE.iter().filter_map(|(p, op, dim)| starts(&rest[used..], p).map(|n| (*op, *dim, n))).max_by_key(|b| b.2) {
+    if used > 0
+        && let Some((second, dim, n)) = BEFORE
+            .iter()
+            .filter_map(|(p, op, dim)| starts(&rest[used..], p).map(|n| (*op, *dim, n)))
+            .max_by_key(|b| b.2)
+    {
         used += n;
         if op == Op::Equal {
             op = second;
@@ -113,12 +235,17 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
             used += n;
         }
     }
-    if let Some((after, n)) = AFTER.iter().filter_map(|(p, op)| starts(&rest[used..], p).map(|n| (*op, n))).max_by_key(|a| a.1) {
+    if let Some((after, n)) =
+        AFTER.iter().filter_map(|(p, op)| starts(&rest[used..], p).map(|n| (*op, n))).max_by_key(|a| a.1)
+    {
         op = after;
         said = true;
         used += n;
     }
-    if values.len() == 1 && dims.is_empty() && let Some((dim, n)) = dim_after(&rest[used..]) {
+    if values.len() == 1
+        && dims.is_empty()
+        && let Some((dim, n)) = dim_after(&rest[used..])
+    {
         dims.push(dim);
         used += n;
     }
@@ -127,7 +254,12 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
 
 /// "wide", "in height", "foot ceiling".
 fn dim_after(rest: &[Token]) -> Option<(Dim, usize)> {
-    let skip = usize::from(rest.first().is_some_and(|t| t.is("in")) && rest.get(1).is_some_and(|t| matches!(t.text.as_str(), "width" | "height" | "length" | "depth" | "diameter")));
+    let skip = usize::from(
+        rest.first().is_some_and(|t| t.is("in"))
+            && rest
+                .get(1)
+                .is_some_and(|t| matches!(t.text.as_str(), "width" | "height" | "length" | "depth" | "diameter")),
+    );
     let dim = match rest.get(skip)?.text.as_str() {
         "wide" | "width" => Dim::Width,
         "high" | "tall" | "height" => Dim::Height,
@@ -167,7 +299,12 @@ fn size(rest: &[Token], bare: bool) -> Option<(Vec<f64>, usize)> {
         } else {
             break;
         }
-        if numbers.len() == 3 || !rest.get(used).is_some_and(cross) || rest.get(used + 1).is_none_or(|t| count(std::slice::from_ref(t)).is_none() && length(&rest[used + 1..]).is_none()) {
+        if numbers.len() == 3
+            || !rest.get(used).is_some_and(cross)
+            || rest
+                .get(used + 1)
+                .is_none_or(|t| count(std::slice::from_ref(t)).is_none() && length(&rest[used + 1..]).is_none())
+        {
             break;
         }
         used += 1;
@@ -214,7 +351,11 @@ mod tests {
         ] {
             let (m, _) = measure(&tokens(text, 100).0).expect(text);
             assert_eq!((m.op, m.dims), (op, dims), "{text}");
-            assert!(m.values.len() == values.len() && m.values.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-9), "{text}: {:?}", m.values);
+            assert!(
+                m.values.len() == values.len() && m.values.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-9),
+                "{text}: {:?}",
+                m.values
+            );
         }
     }
 }

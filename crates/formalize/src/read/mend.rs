@@ -70,7 +70,8 @@ fn relax(draft: &mut Draft, program: &Program) -> bool {
             Source::Inferred(_) => (1, *i),
             Source::Stated(_) => (0, *i),
         };
-        let asserted = |text: &str| text.strip_prefix("assert").is_some_and(|t| members.contains(&code(t.trim_end_matches(';'))));
+        let asserted =
+            |text: &str| text.strip_prefix("assert").is_some_and(|t| members.contains(&code(t.trim_end_matches(';'))));
         let weakest = (0..draft.statements.len()).filter(|i| asserted(&draft.statements[*i].text)).max_by_key(order);
         let Some(i) = weakest else { continue };
         let statement = &mut draft.statements[i];

@@ -62,7 +62,8 @@ const MOST_WORDS: usize = 12_000;
 pub fn read(request: &str, options: &Options) -> Reading {
     let (tokens, end) = token::tokens(request, MOST_WORDS);
     let clauses = clauses(&tokens);
-    let mut scene = Scene { rooms: vec![scene::Room { name: "room".into(), ..Default::default() }], ..Default::default() };
+    let mut scene =
+        Scene { rooms: vec![scene::Room { name: "room".into(), ..Default::default() }], ..Default::default() };
     let mut used = vec![false; tokens.len()];
     if english(&tokens) {
         let chunks = chunk::chunks(&tokens);
@@ -102,7 +103,14 @@ fn clauses(tokens: &[Token]) -> Vec<Range<usize>> {
     let mut out = Vec::new();
     let mut from = 0;
     for i in 0..=tokens.len() {
-        let ends = tokens.get(i).is_none_or(|t| matches!(t.kind, Kind::Line | Kind::Bullet | Kind::Sign('.' | ',' | ';' | ':' | '!' | '?' | '(' | ')' | '—' | '。' | '，')));
+        let ends = tokens.get(i).is_none_or(|t| {
+            matches!(
+                t.kind,
+                Kind::Line
+                    | Kind::Bullet
+                    | Kind::Sign('.' | ',' | ';' | ':' | '!' | '?' | '(' | ')' | '—' | '。' | '，')
+            )
+        });
         if ends {
             if tokens[from..i].iter().any(carries) {
                 out.push(from..i);
@@ -124,7 +132,12 @@ fn carries(token: &Token) -> bool {
 }
 
 /// Which clauses something came of; the others, and longer stretches of words nothing came of, become notes.
-fn judge(tokens: &[Token], used: &[bool], clauses: &[Range<usize>], notes: &mut Vec<Note>) -> Vec<(Range<usize>, bool)> {
+fn judge(
+    tokens: &[Token],
+    used: &[bool],
+    clauses: &[Range<usize>],
+    notes: &mut Vec<Note>,
+) -> Vec<(Range<usize>, bool)> {
     let bytes = |r: &Range<usize>| tokens[r.start].at.start..tokens[r.end - 1].at.end;
     let mut out = Vec::new();
     for clause in clauses {
@@ -145,7 +158,10 @@ fn judge(tokens: &[Token], used: &[bool], clauses: &[Range<usize>], notes: &mut 
                 }
             } else {
                 if let (true, [first, .., last]) = (run.len() >= 3, run.as_slice()) {
-                    notes.push(Note { at: tokens[*first].at.start..tokens[*last].at.end, reason: "these words became nothing".into() });
+                    notes.push(Note {
+                        at: tokens[*first].at.start..tokens[*last].at.end,
+                        reason: "these words became nothing".into(),
+                    });
                 }
                 run.clear();
             }
@@ -161,8 +177,26 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
     let mut room_sizes = sizes::rooms(scene, &sizes);
     let mut draft = Draft { request: request.to_owned(), ..Draft::default() };
     let room_names: Vec<String> = scene.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
-    draft.outdoor = scene.rooms.len() == 1 && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"].iter().any(|o| scene.rooms[0].name.ends_with(o));
-    let counts: Vec<usize> = (0..scene.items.len()).map(|i| if scene.items[i].opening() { scene.count(i).min(8) } else { scene.count(i) }).collect();
+    let mut sizes = sizes;
+    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| !item.opening()) {
+        let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
+        let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];
+        if (0..3).any(|k| sizes[i][k] > most[k]) {
+            (0..3).for_each(|k| sizes[i][k] = sizes[i][k].min(most[k].max(0.05)));
+            if item.size.iter().any(Option::is_some) {
+                draft
+                    .notes
+                    .push(Note { at: item.at.clone(), reason: "larger than its room: made as large as fits".into() });
+            }
+        }
+    }
+    draft.outdoor = scene.rooms.len() == 1
+        && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
+            .iter()
+            .any(|o| scene.rooms[0].name.ends_with(o));
+    let counts: Vec<usize> = (0..scene.items.len())
+        .map(|i| if scene.items[i].opening() { scene.count(i).min(8) } else { scene.count(i) })
+        .collect();
     let mut given: Vec<Vec<String>> = Vec::new();
     for (i, item) in scene.items.iter().enumerate() {
         let name = identifier(&item.name(), "thing");
@@ -177,24 +211,50 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
             let kind = if item.group == Group::Door { OpeningKind::Door } else { OpeningKind::Window };
             for name in &given[i] {
                 let mut size = sizes[i];
-                let ceiling = rooms.iter().filter_map(|r| room_sizes.get(*r)).map(|r| r[1]).fold(f64::INFINITY, f64::min);
+                let ceiling =
+                    rooms.iter().filter_map(|r| room_sizes.get(*r)).map(|r| r[1]).fold(f64::INFINITY, f64::min);
                 size[1] = size[1].min(ceiling - 0.1).max(0.3);
                 size[2] = size[2].min(0.12);
-                draft.openings.push(Opening { name: name.clone(), kind, rooms: rooms.clone(), size, look: item.look.clone(), source: source.clone() });
+                draft.openings.push(Opening {
+                    name: name.clone(),
+                    kind,
+                    rooms: rooms.clone(),
+                    size,
+                    look: item.look.clone(),
+                    source: source.clone(),
+                });
             }
         } else {
             draft.things.push(Thing {
-                name: given[i][0].clone(), category: item.words.join("_"), count: counts[i], room: Some(item.room), size: Some(sizes[i]), look: item.look.clone(), source,
+                name: given[i][0].clone(),
+                category: item.words.join("_"),
+                count: counts[i],
+                room: Some(item.room),
+                size: Some(sizes[i]),
+                look: item.look.clone(),
+                source,
             });
         }
     }
     for (i, room) in scene.rooms.iter().enumerate() {
-        let source = if room.at.is_empty() { Source::Inferred("the things stand in a room".into()) } else { Source::Stated(room.at.clone()) };
+        let source = if room.at.is_empty() {
+            Source::Inferred("the things stand in a room".into())
+        } else {
+            Source::Stated(room.at.clone())
+        };
         let sized = room.size[0].is_some() && room.size[2].is_some();
         let [w, _, d] = room_sizes[i];
         let outline = room.corners.map(|n| polygon(n, w, d));
         draft.rooms.push(Room {
-            name: room_names[i].clone(), kind: room.name.clone(), at: [0.0; 2], size: room_sizes[i], sized, outline, floor: surface(&room.floor), walls: surface(&room.walls), source,
+            name: room_names[i].clone(),
+            kind: room.name.clone(),
+            at: [0.0; 2],
+            size: room_sizes[i],
+            sized,
+            outline,
+            floor: surface(&room.floor),
+            walls: surface(&room.walls),
+            source,
         });
     }
     arrange_rooms(&mut draft);
@@ -231,7 +291,10 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
                 if let Some(o) = draft.openings.iter_mut().find(|o| o.name == *name) {
                     o.size[1] = o.size[1].min(ceiling - sill - 0.1).max(0.3);
                 }
-                out.infer(format!("assert {name}.bottom = {};", crate::write::number(sill)), "the window begins above what stands under it");
+                out.infer(
+                    format!("assert {name}.bottom = {};", crate::write::number(sill)),
+                    "the window begins above what stands under it",
+                );
             }
         }
     }

@@ -45,7 +45,19 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Place {
-    Wall, Corner, Ceiling, Floor, Middle, Side, End, Head, Foot, Back, Front, Row, Circle,
+    Wall,
+    Corner,
+    Ceiling,
+    Floor,
+    Middle,
+    Side,
+    End,
+    Head,
+    Foot,
+    Back,
+    Front,
+    Row,
+    Circle,
 }
 
 /// A noun phrase.
@@ -80,8 +92,18 @@ pub struct Np {
 impl Np {
     fn new(kind: Kind) -> Self {
         Self {
-            det: Det::None, count: None, many: false, kind, words: Vec::new(), last: 1, group: None, known: false,
-            look: draft::Look::default(), dims: Vec::new(), which: Vec::new(), other: false,
+            det: Det::None,
+            count: None,
+            many: false,
+            kind,
+            words: Vec::new(),
+            last: 1,
+            group: None,
+            known: false,
+            look: draft::Look::default(),
+            dims: Vec::new(),
+            which: Vec::new(),
+            other: false,
         }
     }
 
@@ -98,9 +120,74 @@ impl Np {
 
 /// Words before a place that tell which one.
 const WHICH: &[&str] = &[
-    "left", "right", "front", "back", "far", "near", "north", "south", "east", "west", "northern", "southern", "eastern", "western", "rear", "long",
-    "short", "opposite", "other", "same", "side", "inner", "outer", "end", "left-hand", "right-hand", "northeast", "northwest", "southeast",
-    "southwest", "north-east", "north-west", "south-east", "south-west", "exact", "very", "quiet", "free", "entrance", "window", "main", "bare", "longer", "shorter", "longest", "remaining", "third", "first", "second", "lower", "upper", "top", "bottom", "outside", "exterior", "farthest", "furthest", "farther", "further", "dark", "brick", "top-left", "opposing", "blank", "empty", "whole", "entire", "dead",
+    "left",
+    "right",
+    "front",
+    "back",
+    "far",
+    "near",
+    "north",
+    "south",
+    "east",
+    "west",
+    "northern",
+    "southern",
+    "eastern",
+    "western",
+    "rear",
+    "long",
+    "short",
+    "opposite",
+    "other",
+    "same",
+    "side",
+    "inner",
+    "outer",
+    "end",
+    "left-hand",
+    "right-hand",
+    "northeast",
+    "northwest",
+    "southeast",
+    "southwest",
+    "north-east",
+    "north-west",
+    "south-east",
+    "south-west",
+    "exact",
+    "very",
+    "quiet",
+    "free",
+    "entrance",
+    "window",
+    "main",
+    "bare",
+    "longer",
+    "shorter",
+    "longest",
+    "remaining",
+    "third",
+    "first",
+    "second",
+    "lower",
+    "upper",
+    "top",
+    "bottom",
+    "outside",
+    "exterior",
+    "farthest",
+    "furthest",
+    "farther",
+    "further",
+    "dark",
+    "brick",
+    "top-left",
+    "opposing",
+    "blank",
+    "empty",
+    "whole",
+    "entire",
+    "dead",
 ];
 
 fn place(word: &str) -> Option<Place> {
@@ -130,19 +217,34 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let mut used = 0;
     let mut np = Np::new(Kind::Thing);
     // How it begins.
-    let pronoun = matches!(text(0), "it" | "they" | "them" | "both" | "each" | "these" | "those" | "itself" | "either" | "all" | "one");
-    let determiner = |w: &str| lexicon.is(w, Class::Def) || lexicon.is(w, Class::Det) || lexicon.is(w, Class::Each) || lexicon.is(w, Class::No);
+    let pronoun = matches!(
+        text(0),
+        "it" | "they" | "them" | "both" | "each" | "these" | "those" | "itself" | "either" | "all" | "one"
+    );
+    let determiner = |w: &str| {
+        lexicon.is(w, Class::Def) || lexicon.is(w, Class::Det) || lexicon.is(w, Class::Each) || lexicon.is(w, Class::No)
+    };
     let mut last_det = Det::None;
     let mut article = false;
     while let Some(t) = rest.get(used).filter(|t| t.word()) {
         let w = t.text.as_str();
-        if matches!(w, "each" | "every" | "all" | "both" | "any" | "either" | "neighbouring" | "neighboring" | "adjacent" | "per") && (w != "adjacent" || text(used + 1) != "to") {
+        if matches!(
+            w,
+            "each" | "every" | "all" | "both" | "any" | "either" | "neighbouring" | "neighboring" | "adjacent" | "per"
+        ) && (w != "adjacent" || text(used + 1) != "to")
+        {
             last_det = Det::Each;
         } else if lexicon.is(w, Class::No) && used == 0 && w != "without" {
             last_det = Det::No;
         } else if lexicon.is(w, Class::Def) {
             let own = matches!(w, "my" | "your" | "our" | "its" | "their" | "his" | "her");
-            last_det = if last_det == Det::Each { Det::Each } else if own { Det::Own } else { Det::Definite };
+            last_det = if last_det == Det::Each {
+                Det::Each
+            } else if own {
+                Det::Own
+            } else {
+                Det::Definite
+            };
         } else if lexicon.is(w, Class::Det) && w != "one" {
             np.other |= w == "another";
             np.many |= matches!(w, "some" | "several" | "few" | "many" | "various" | "multiple" | "numerous");
@@ -152,7 +254,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             article = matches!(w, "a" | "an" | "another");
         } else if w == "other" && used > 0 {
             np.other = true;
-        } else if w == "of" && used > 0 && matches!(text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none") && determiner(text(used + 1)) {
+        } else if w == "of"
+            && used > 0
+            && matches!(text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none")
+            && determiner(text(used + 1))
+        {
             // "each of the desks"
         } else if w == "one" && used > 0 && text(used + 1) == "of" {
             // "every one of them"
@@ -176,8 +282,17 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         return Some((np, 1));
     }
     // How many. "a dozen", "a pair of" begin with their article.
-    let from = if article && number::count(&rest[used - 1..]).is_some_and(|(_, n)| n > 1 && matches!(text(used), "dozen" | "pair" | "couple" | "trio")) { used - 1 } else { used };
-    if measure(&rest[used..]).is_none() && let Some((n, k)) = number::count(&rest[from..]) {
+    let from = if article
+        && number::count(&rest[used - 1..])
+            .is_some_and(|(_, n)| n > 1 && matches!(text(used), "dozen" | "pair" | "couple" | "trio"))
+    {
+        used - 1
+    } else {
+        used
+    };
+    if measure(&rest[used..]).is_none()
+        && let Some((n, k)) = number::count(&rest[from..])
+    {
         if n.fract() == 0.0 && (0.0..=100_000.0).contains(&n) {
             np.count = Some(n as usize);
             used = from + k;
@@ -205,17 +320,20 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let mut nouns: Vec<(String, bool)> = Vec::new(); // in the singular, whether as written it is a plural
     let mut noun_end = 0; // tokens up to the last noun
     let mut looks_end = used;
-    let mut owner: Option<String> = None;
     while let Some(t) = rest.get(used) {
         let w = t.text.as_str();
         if !t.word() {
-            let adjectives = nouns.is_empty() && used > start && look_at(&rest[used + 1..]).is_some() && looks_end == used;
+            let adjectives =
+                nouns.is_empty() && used > start && look_at(&rest[used + 1..]).is_some() && looks_end == used;
             // "a large, round table", as long as a noun comes
             if t.is(",") && adjectives && leads_to_noun(&rest[used + 1..]) {
                 used += 1;
                 continue;
             }
-            if matches!(t.kind, TokenKind::Number(_)) && nouns.is_empty() && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain()) {
+            if matches!(t.kind, TokenKind::Number(_))
+                && nouns.is_empty()
+                && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain())
+            {
                 add_dims(&mut np.dims, &m.values, &m.dims);
                 used += n;
                 looks_end = used;
@@ -223,15 +341,27 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             break;
         }
-        if nouns.is_empty() && w == "and" && used > start && looks_end == used && look_at(&rest[used + 1..]).is_some() && leads_to_noun(&rest[used + 1..]) && lexicon.noun(text(used - 1)).is_none() {
+        if nouns.is_empty()
+            && w == "and"
+            && used > start
+            && looks_end == used
+            && look_at(&rest[used + 1..]).is_some()
+            && leads_to_noun(&rest[used + 1..])
+            && lexicon.noun(text(used - 1)).is_none()
+        {
             used += 1;
             continue;
         }
-        if matches!(w, "very" | "really" | "quite" | "slightly" | "rather" | "fairly" | "super" | "extra") && nouns.is_empty() {
+        if matches!(w, "very" | "really" | "quite" | "slightly" | "rather" | "fairly" | "super" | "extra")
+            && nouns.is_empty()
+        {
             used += 1;
             continue;
         }
-        if nouns.is_empty() && used > owner_end.min(start) && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain()) {
+        if nouns.is_empty()
+            && used > owner_end.min(start)
+            && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain())
+        {
             add_dims(&mut np.dims, &m.values, &m.dims);
             used += n;
             looks_end = used;
@@ -239,7 +369,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if t.owner {
             // "a teacher's desk": part of the name; "the desk's left side": of a thing.
-            owner = Some(singular(w));
             nouns.push((singular(w), false));
             used += 1;
             continue;
@@ -247,7 +376,10 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         // The longest noun of the tables that begins here.
         let table = longest_noun(&rest[used..]);
         let look = look_at(&rest[used..]);
-        if let Some((phrase, n)) = table.clone().filter(|(_, n)| look.is_none_or(|(_, m)| *n > m || (*n == m && !before_noun(&rest[used + n..])))) {
+        if let Some((phrase, n)) = table
+            .clone()
+            .filter(|(_, n)| look.is_none_or(|(_, m)| *n > m || (*n == m && !before_noun(&rest[used + n..]))))
+        {
             let many = plural(text(used + n - 1));
             if n == 1 && nouns.is_empty() && stops_here(&rest[used..], begun || counted || used > start || listed) {
                 break;
@@ -275,13 +407,18 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             continue;
         }
         let room = lexicon.room(w).is_some() || lexicon.room(&singular(w)).is_some();
-        let place_here = place(w).filter(|_| nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str())) && (begun || counted || used > start || !np.which.is_empty() || matches!(w, "walls" | "corners")));
+        let place_here = place(w).filter(|_| {
+            nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
+                && (begun || counted || used > start || !np.which.is_empty() || matches!(w, "walls" | "corners"))
+        });
         if WHICH.contains(&w) && leads_to_place(&rest[used..]) {
             np.which.push(w.to_owned());
             used += 1;
             continue;
         }
-        if let Some(p) = place_here.filter(|_| !before_noun(&rest[used + 1..]) || matches!(p_of(w), Some(Place::Middle | Place::Row))) {
+        if let Some(p) = place_here
+            .filter(|_| !before_noun(&rest[used + 1..]) || matches!(place(w), Some(Place::Middle | Place::Row)))
+        {
             np.kind = Kind::Place(p);
             np.many = w.ends_with('s');
             np.words = vec![singular(w)];
@@ -298,7 +435,10 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             continue;
         }
-        let modifies = (begun || counted) && rest.get(used + 1).is_some_and(|n| n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing"));
+        let modifies = (begun || counted)
+            && rest.get(used + 1).is_some_and(|n| {
+                n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing")
+            });
         if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) && !modifies {
             if nouns.is_empty() {
                 if !(begun || counted) {
@@ -319,13 +459,24 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             break;
         }
-        let grammar = lexicon.relation(&rest[used..]).is_some() || lexicon.verb(&rest[used..]).is_some() || lexicon.is(w, Class::Stop) || determiner(w) || lexicon.is(w, Class::Pronoun) || lexicon.is(w, Class::Not) || number::small(w).is_some() || number::unit(w).is_some() || w == "with" || w == "and" || w == "or" || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
+        let grammar = lexicon.relation(&rest[used..]).is_some()
+            || lexicon.verb(&rest[used..]).is_some()
+            || lexicon.is(w, Class::Stop)
+            || determiner(w)
+            || lexicon.is(w, Class::Pronoun)
+            || lexicon.is(w, Class::Not)
+            || number::small(w).is_some()
+            || number::unit(w).is_some()
+            || w == "with"
+            || w == "and"
+            || w == "or"
+            || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
         if grammar && !(lexicon.is(w, Class::Space) && before_noun(&rest[used + 1..])) {
             break;
         }
         let adverb = w.ends_with("ly") && w.len() > 4;
         if adverb {
-            if nouns.is_empty() {
+            if nouns.is_empty() && (begun || counted || used > start) {
                 used += 1;
                 continue;
             }
@@ -340,7 +491,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if nouns.last().is_some_and(|n| n.1) {
             break;
         }
-        if nouns.is_empty() && adjective(w) && (before_noun(&rest[used + 1..]) || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text))) {
+        if nouns.is_empty()
+            && adjective(w)
+            && (before_noun(&rest[used + 1..])
+                || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text)))
+        {
             add_look(&mut np.look, Look::Feature, &rest[used..=used]);
             used += 1;
             looks_end = used;
@@ -354,19 +509,24 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         used += 1;
         noun_end = used;
     }
-    let _ = owner;
-    // "the teacher's": an owner alone is no thing.
     if noun_end == 0 {
         // "white glass", "a cane": the last look may be the noun.
-        if pronoun && !begun && matches!(text(0), "these" | "those" | "each" | "all") || begun && np.det == Det::Each && used == owner_end {
+        if pronoun && !begun && matches!(text(0), "these" | "those" | "each" | "all")
+            || begun && np.det == Det::Each && used == owner_end
+        {
             np.kind = Kind::Pronoun;
             np.words = vec![text(0).to_owned()];
             return Some((np, owner_end.max(1)));
         }
-        if begun && matches!(text(owner_end), "one" | "ones" | "other" | "others") || np.other && used == owner_end && owner_end > 0 {
+        if begun && matches!(text(owner_end), "one" | "ones" | "other" | "others")
+            || np.other && used == owner_end && owner_end > 0
+        {
             np.kind = Kind::Pronoun;
             np.words = vec!["other".to_owned()];
-            return Some((np, if matches!(text(owner_end), "one" | "ones" | "other" | "others") { owner_end + 1 } else { owner_end }));
+            return Some((
+                np,
+                if matches!(text(owner_end), "one" | "ones" | "other" | "others") { owner_end + 1 } else { owner_end },
+            ));
         }
         if counted && used == start && (last_det == Det::Definite || last_det == Det::Each || np.count == Some(1)) {
             np.kind = Kind::Pronoun;
@@ -380,11 +540,10 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let room = lexicon.room_ending(&np.words);
     let thing = lexicon.noun_ending(&np.words);
     match (room, thing) {
-        (Some((n, kind)), t) if t.is_none_or(|(m, _)| n >= m) => {
+        (Some((n, _)), t) if t.is_none_or(|(m, _)| n >= m) => {
             np.kind = Kind::Room;
             np.last = n;
             np.known = true;
-            let _ = kind;
         }
         (_, Some((m, group))) => {
             np.last = m;
@@ -399,10 +558,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
     }
     Some((np, noun_end))
-}
-
-fn p_of(word: &str) -> Option<Place> {
-    place(word)
 }
 
 /// Adds sizes given as "2 m wide" or "2 by 1 m".
@@ -459,12 +614,19 @@ fn before_noun(rest: &[Token]) -> bool {
     let Some(first) = rest.first().filter(|t| t.word()) else { return false };
     let lexicon = get();
     // "stands", "lights" after a noun are verbs more often than not.
-    if lexicon.verb(rest).is_some() || lexicon.relation(rest).is_some_and(|(_, n)| n > 0) || lexicon.is(&first.text, Class::Stop) {
+    if lexicon.verb(rest).is_some()
+        || lexicon.relation(rest).is_some_and(|(_, n)| n > 0)
+        || lexicon.is(&first.text, Class::Stop)
+    {
         return false;
     }
     longest_noun(rest).is_some()
-        || look_at(rest).is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word) && longest_noun(&rest[n..]).is_some())
-        || !lexicon.known(&first.text) && rest.get(1).is_some_and(Token::word) && longest_noun(&rest[1..]).is_some() && lexicon.verb(&rest[1..]).is_none()
+        || look_at(rest)
+            .is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word) && longest_noun(&rest[n..]).is_some())
+        || !lexicon.known(&first.text)
+            && rest.get(1).is_some_and(Token::word)
+            && longest_noun(&rest[1..]).is_some()
+            && lexicon.verb(&rest[1..]).is_none()
 }
 
 /// Whether looks that begin here end in a noun.
@@ -487,18 +649,22 @@ fn leads_to_noun(rest: &[Token]) -> bool {
 /// Whether words that tell which place end in a place: "left front corner".
 fn leads_to_place(rest: &[Token]) -> bool {
     let words = rest.iter().take(4).take_while(|t| t.word() && WHICH.contains(&t.text.as_str())).count();
-    (1..=words).any(|n| rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words)))
-        && rest.get(words).is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
+    (1..=words).any(|n| {
+        rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words))
+    }) && rest
+        .get(words)
+        .is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
 }
 
 /// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
 fn stops_here(rest: &[Token], expected: bool) -> bool {
-    let word = rest[0].text.as_str();
-    !expected && (get().verb(rest).is_some() || get().relation(rest).is_some()) || matches!(word, "bar" | "pass") && !expected && false
+    !expected && (get().verb(rest).is_some() || get().relation(rest).is_some())
 }
 
 /// Whether a word that no table has is an adjective by its end.
 fn adjective(word: &str) -> bool {
     word.contains('-')
-        || ["ed", "able", "ible", "less", "ful", "ous", "ish", "ern", "ian", "ese", "esque", "ic", "ive", "y", "al"].iter().any(|e| word.len() > e.len() + 2 && word.ends_with(e))
+        || ["ed", "able", "ible", "less", "ful", "ous", "ish", "ern", "ian", "ese", "esque", "ic", "ive", "y", "al"]
+            .iter()
+            .any(|e| word.len() > e.len() + 2 && word.ends_with(e))
 }

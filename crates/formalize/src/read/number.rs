@@ -5,8 +5,27 @@ use super::token::{Kind, Token};
 /// A number in one word: "seven", "twenty-four".
 pub fn small(word: &str) -> Option<f64> {
     const WORDS: [&str; 21] = [
-        "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
-        "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
+        "zero",
+        "one",
+        "two",
+        "three",
+        "four",
+        "five",
+        "six",
+        "seven",
+        "eight",
+        "nine",
+        "ten",
+        "eleven",
+        "twelve",
+        "thirteen",
+        "fourteen",
+        "fifteen",
+        "sixteen",
+        "seventeen",
+        "eighteen",
+        "nineteen",
+        "twenty",
     ];
     const TENS: [&str; 10] = ["", "", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
     if let Some(n) = WORDS.iter().position(|w| *w == word) {
@@ -69,11 +88,14 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         return Some((value + 0.5, used + 3));
     }
     // "one point two"
-    if text(used) == "point" && let Some(tenths) = tokens.get(used + 1).and_then(single).filter(|n| *n < 10.0) {
+    if text(used) == "point"
+        && let Some(tenths) = tokens.get(used + 1).and_then(single).filter(|n| *n < 10.0)
+    {
         return Some((value + tenths / 10.0, used + 2));
     }
     // "two or three", "2-3", "2 to 3": what is sure is the lower.
-    if matches!(text(used), "or" | "to" | "-" | "—") && tokens.get(used + 1).and_then(single).is_some_and(|n| n > value) {
+    if matches!(text(used), "or" | "to" | "-" | "—") && tokens.get(used + 1).and_then(single).is_some_and(|n| n > value)
+    {
         let unit_after = tokens.get(used + 2).is_some_and(|t| unit(&t.text).is_some());
         if !unit_after {
             return Some((value, used + 2));
@@ -111,7 +133,10 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
     let (value, mut used) = count(tokens)?;
     let metres = match text(used) {
         // A bare "in" is hardly ever the unit: "two lamps, 3 in each corner".
-        "in" if !tokens.get(used + 1).is_some_and(|t| matches!(t.text.as_str(), "wide" | "high" | "tall" | "deep" | "x" | "by")) => {
+        "in" if !tokens
+            .get(used + 1)
+            .is_some_and(|t| matches!(t.text.as_str(), "wide" | "high" | "tall" | "deep" | "x" | "by")) =>
+        {
             return None;
         }
         u => unit(u)?,
@@ -120,7 +145,9 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
     let mut total = value * metres;
     // 5'6", 6 ft 2 in, "one metre ten", "two metres and a half", 1 m 20
     let inches = count(&tokens[used..]).filter(|_| metres == 0.3048);
-    if let Some((n, k)) = inches && matches!(text(used + k), "in" | "inch" | "inches" | "\"") {
+    if let Some((n, k)) = inches
+        && matches!(text(used + k), "in" | "inch" | "inches" | "\"")
+    {
         return Some((total + n * 0.0254, used + k + 1));
     }
     if metres == 1.0 {
@@ -128,8 +155,11 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
             return Some((total + 0.5, used + 3));
         }
         // Ten and more after whole metres are centimetres, if nothing is counted by them.
-        let more = count(&tokens[used..]).filter(|(n, k)| (10.0..100.0).contains(n) && n.fract() == 0.0 && counts_nothing(tokens.get(used + k)));
-        if let Some((n, k)) = more && value.fract() == 0.0 {
+        let more = count(&tokens[used..])
+            .filter(|(n, k)| (10.0..100.0).contains(n) && n.fract() == 0.0 && counts_nothing(tokens.get(used + k)));
+        if let Some((n, k)) = more
+            && value.fract() == 0.0
+        {
             total += n / 100.0;
             used += k;
             if tokens.get(used).is_some_and(|t| unit(&t.text) == Some(0.01)) {
@@ -141,7 +171,9 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
 }
 
 fn counts_nothing(next: Option<&Token>) -> bool {
-    next.is_none_or(|t| !t.word() || unit(&t.text) == Some(0.01) || super::lexicon::get().relation(std::slice::from_ref(t)).is_some())
+    next.is_none_or(|t| {
+        !t.word() || unit(&t.text) == Some(0.01) || super::lexicon::get().relation(std::slice::from_ref(t)).is_some()
+    })
 }
 
 /// Square metres and how many tokens they take: "30 square metres", "30 m²", "320 sq ft", "30 sqm".
@@ -184,7 +216,14 @@ mod tests {
 
     #[test]
     fn counts() {
-        for (text, want) in [("a dozen chairs", 12.0), ("a pair of lamps", 2.0), ("two or three plants", 2.0), ("thirty two", 32.0), ("twenty-four desks", 24.0), ("half a dozen", 6.0)] {
+        for (text, want) in [
+            ("a dozen chairs", 12.0),
+            ("a pair of lamps", 2.0),
+            ("two or three plants", 2.0),
+            ("thirty two", 32.0),
+            ("twenty-four desks", 24.0),
+            ("half a dozen", 6.0),
+        ] {
             assert_eq!(count(&tokens(text, 100).0).map(|c| c.0), Some(want), "{text}");
         }
     }

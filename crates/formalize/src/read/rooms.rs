@@ -32,7 +32,10 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
         let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
         let base = np.words[np.words.len() - n..].join(" ");
-        let named = out.rooms.iter().position(|r| r.name == base || r.name == np.name() || r.name.ends_with(&format!(" {base}")));
+        let named = out
+            .rooms
+            .iter()
+            .position(|r| r.name == base || r.name == np.name() || r.name.ends_with(&format!(" {base}")));
         if let Some(room) = named {
             out.spoken.insert(i, room);
             continue;
@@ -42,7 +45,10 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         let same_kind = kind.name != "stock room" && np.det == Det::Definite;
-        if same_kind && let Some(room) = out.rooms.iter().position(|r| lexicon.room(&r.name).is_some_and(|k| k.name == kind.name)) {
+        if same_kind
+            && let Some(room) =
+                out.rooms.iter().position(|r| lexicon.room(&r.name).is_some_and(|k| k.name == kind.name))
+        {
             out.spoken.insert(i, room);
             continue;
         }
@@ -55,7 +61,8 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     }
     if out.rooms.is_empty() {
         // The most telling of what was said loosely.
-        let pick = loose.iter().find(|(_, n)| n != "room" && n != "space" && n != "place").or(loose.first()).or(weak.first());
+        let pick =
+            loose.iter().find(|(_, n)| n != "room" && n != "space" && n != "place").or(loose.first()).or(weak.first());
         let room = match pick {
             Some((i, name)) => Room { name: name.clone(), at: bytes(&chunks[*i]), ..Room::default() },
             None => Room { name: "room".into(), ..Room::default() },
@@ -87,15 +94,36 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
     let led = to && matches!(before2, Some(Piece::Verb(Verb::Lead))) || matches!(before, Some(Piece::Verb(Verb::Lead)));
     let sized = match after {
         Some(Piece::Measure(m)) => m.values.len() > 1 || m.area,
-        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty()),
+        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => {
+            matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty())
+        }
         _ => false,
     };
-    let heading = start && matches!(after, Some(Piece::Colon | Piece::Stop | Piece::Line | Piece::Open | Piece::Measure(_) | Piece::Comma | Piece::Attr(_)) | None);
+    let heading = start
+        && matches!(
+            after,
+            Some(
+                Piece::Colon
+                    | Piece::Stop
+                    | Piece::Line
+                    | Piece::Open
+                    | Piece::Measure(_)
+                    | Piece::Comma
+                    | Piece::Attr(_)
+            ) | None
+        );
     let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));
     let opens = start_of_clause(chunks, i) && matches!(before, Some(Piece::Rel(Rel::In)));
-    let joined = matches!(before, Some(Piece::And | Piece::Comma)) && before2.is_some_and(|p| matches!(p, Piece::Np(np) if np.kind == Kind::Room))
-        || matches!(before, Some(Piece::And)) && chunks[..i].iter().rev().take(8).any(|c| c.np().is_some_and(|n| n.kind == Kind::Room)) && matches!(after, Some(Piece::Stop | Piece::Line | Piece::Comma | Piece::Colon) | None)
-            && chunks[..i].iter().rev().take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line)).all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
+    let joined = matches!(before, Some(Piece::And | Piece::Comma))
+        && before2.is_some_and(|p| matches!(p, Piece::Np(np) if np.kind == Kind::Room))
+        || matches!(before, Some(Piece::And))
+            && chunks[..i].iter().rev().take(8).any(|c| c.np().is_some_and(|n| n.kind == Kind::Room))
+            && matches!(after, Some(Piece::Stop | Piece::Line | Piece::Comma | Piece::Colon) | None)
+            && chunks[..i]
+                .iter()
+                .rev()
+                .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
+                .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
 }
 

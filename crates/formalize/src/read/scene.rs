@@ -70,7 +70,11 @@ impl Item {
                 }
             };
             // "90 x 60 cm" of what hangs on a wall is as it is seen.
-            let axis = if axis == 2 && matches!(self.group, Group::Wall | Group::Screen) && dims.len() == 2 { 1 } else { axis };
+            let axis = if axis == 2 && matches!(self.group, Group::Wall | Group::Screen) && dims.len() == 2 {
+                1
+            } else {
+                axis
+            };
             self.size[axis] = Some(*value);
         }
     }
@@ -99,7 +103,12 @@ pub struct Room {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Side {
-    Front, Behind, Left, Right, Above, Around,
+    Front,
+    Behind,
+    Left,
+    Right,
+    Above,
+    Around,
 }
 
 /// What is said.
@@ -174,7 +183,11 @@ impl Scene {
             let same_head = item.head() == head;
             let same_tail = item.words.last() == Some(&tail);
             let all = np.words.iter().all(|w| item.words.contains(w));
-            let own = np.words.iter().all(|w| item.words.contains(w) || item.look.features.iter().any(|f| f == w) || item.look.material.as_deref() == Some(w));
+            let own = np.words.iter().all(|w| {
+                item.words.contains(w)
+                    || item.look.features.iter().any(|f| f == w)
+                    || item.look.material.as_deref() == Some(w)
+            });
             let fewer = item.words.iter().all(|w| np.words.contains(w));
             let color = np.look.color.is_none() || np.look.color == item.look.color;
             if item.words == np.words && color {
@@ -188,13 +201,21 @@ impl Scene {
                 3
             } else if lexicon.alike(&item.head(), &head) && np.words.len() <= np.last {
                 4
-            } else if fewer && (same_head || same_tail) && np.look.color.is_none() && (np.many || np.count.is_some_and(|c| c > 1) || !item.many) {
+            } else if fewer
+                && (same_head || same_tail)
+                && np.look.color.is_none()
+                && (np.many || np.count.is_some_and(|c| c > 1) || !item.many)
+            {
                 2
             } else {
                 0
             }
         };
-        let best = self.items.iter().enumerate().map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
+        let best = self
+            .items
+            .iter()
+            .enumerate()
+            .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         best.filter(|b| b.1 > 0).max().map(|b| b.2)
     }
 
@@ -204,7 +225,13 @@ impl Scene {
         let said = match (it.per, it.count) {
             (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => self.count(owner) * each,
             (_, Some(n)) => n,
-            (_, None) if it.many => if matches!(it.group, Group::Ceiling | Group::Seat) { 3 } else { 2 },
+            (_, None) if it.many => {
+                if matches!(it.group, Group::Ceiling | Group::Seat) {
+                    3
+                } else {
+                    2
+                }
+            }
             (_, None) => 1,
         };
         said.clamp(1, MOST_COUNT)
@@ -219,8 +246,18 @@ impl Scene {
         };
         let group = np.group.unwrap_or(Group::Floor);
         let mut item = Item {
-            words: np.words.clone(), last: np.last, group, count: count.map(|c| c.clamp(1, MOST_COUNT)), per: None, many: np.many || count.is_some_and(|c| c > 1), room, beyond: None,
-            look: np.look.clone(), size: [None; 3], at, inferred: None,
+            words: np.words.clone(),
+            last: np.last,
+            group,
+            count: count.map(|c| c.clamp(1, MOST_COUNT)),
+            per: None,
+            many: np.many || count.is_some_and(|c| c > 1),
+            room,
+            beyond: None,
+            look: np.look.clone(),
+            size: [None; 3],
+            at,
+            inferred: None,
         };
         item.take_dims(&np.dims);
         self.items.push(item);

@@ -14,7 +14,13 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     let mut out: Vec<[f64; 3]> = scene.items.iter().map(|item| usual(item.group, &item.words)).collect();
     for (size, item) in out.iter_mut().zip(&scene.items) {
         let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
-        let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) { 0.75 } else if feature(&["large", "big", "huge", "giant", "massive", "oversized"]) { 1.3 } else { 1.0 };
+        let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) {
+            0.75
+        } else if feature(&["large", "big", "huge", "giant", "massive", "oversized"]) {
+            1.3
+        } else {
+            1.0
+        };
         size[0] *= scale;
         size[2] *= scale;
         if feature(&["long"]) {
@@ -36,7 +42,10 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     }
     // What stands on another needs its place there.
     for b in 0..scene.items.len() {
-        let carries = matches!(scene.items[b].group, Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor);
+        let carries = matches!(
+            scene.items[b].group,
+            Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor
+        );
         if scene.items[b].size[0].is_some() || !carries {
             continue;
         }
@@ -51,7 +60,9 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                 let each = (scene.count(*a) as f64 / scene.count(b) as f64).ceil();
                 match rel {
                     Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
-                    Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => width = each * (out[*a][0] + 0.12),
+                    Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => {
+                        width = each * (out[*a][0] + 0.12)
+                    }
                     Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 => {
                         // Half of them at either long side, the ends left free.
                         width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
@@ -141,13 +152,27 @@ fn own_size(words: &[String]) -> Option<[f64; 3]> {
             Some([next()?, next()?, next()?])
         })
     };
-    (0..words.len()).find_map(|skip| find(&words[skip..].join("_")).filter(|_| skip == 0 || usual_size(&words.join("_")).is_none() || skip + 1 < words.len()))
+    (0..words.len()).find_map(|skip| {
+        find(&words[skip..].join("_"))
+            .filter(|_| skip == 0 || usual_size(&words.join("_")).is_none() || skip + 1 < words.len())
+    })
 }
 
 /// Whether a thing takes floor.
 fn stands(scene: &Scene, item: usize) -> bool {
     let group = scene.items[item].group;
-    let floor = !matches!(group, Group::Wall | Group::Ceiling | Group::Top | Group::Flat | Group::Soft | Group::Drape | Group::Door | Group::Window | Group::Screen);
+    let floor = !matches!(
+        group,
+        Group::Wall
+            | Group::Ceiling
+            | Group::Top
+            | Group::Flat
+            | Group::Soft
+            | Group::Drape
+            | Group::Door
+            | Group::Window
+            | Group::Screen
+    );
     floor && !scene.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, What::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| scene.items[*t].group != Group::Flat)))
 }
 
@@ -174,7 +199,10 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
             if item.group == Group::Flat {
                 need += n * w * d * 0.5;
             }
-            let at_wall = scene.facts.iter().any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
+            let at_wall = scene
+                .facts
+                .iter()
+                .any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
             if at_wall || item.opening() {
                 along += n * (w + 0.35);
             }
@@ -243,7 +271,10 @@ fn distances(scene: &Scene, room: usize) -> f64 {
     let mut out = 0.0_f64;
     for f in scene.facts.iter().filter(|f| f.of.iter().any(|i| scene.items[*i].room == room)) {
         match &f.what {
-            What::Gap(Op::Least | Op::Equal, v, _) | What::Wall(Op::Least | Op::Equal, v) | What::Alone(v) | What::Clear(_, v) => out = out.max(*v),
+            What::Gap(Op::Least | Op::Equal, v, _)
+            | What::Wall(Op::Least | Op::Equal, v)
+            | What::Alone(v)
+            | What::Clear(_, v) => out = out.max(*v),
             _ => {}
         }
     }
@@ -257,7 +288,8 @@ fn above(scene: &Scene, room: usize, sizes: &[[f64; 3]]) -> f64 {
         let What::Rel(Rel::Above, to) = &f.what else { continue };
         for a in f.of.iter().filter(|a| scene.items[**a].room == room) {
             for b in to {
-                out = out.max(sizes[*a][1] + sizes[*b][1] + if scene.items[*b].group == Group::Window { 1.1 } else { 0.3 });
+                out = out
+                    .max(sizes[*a][1] + sizes[*b][1] + if scene.items[*b].group == Group::Window { 1.1 } else { 0.3 });
             }
         }
     }

@@ -113,15 +113,31 @@ impl Named<'_> {
         let (of, to) = (self.name(a), self.name(b));
         if !self.array(a) && !self.array(b) {
             let (of, to) = (self.elements(a), self.elements(b));
-            return of.iter().enumerate().map(|(i, x)| f(x, &to[i * to.len() / of.len().max(1) % to.len()])).collect::<Vec<_>>().join(" and ");
+            return of
+                .iter()
+                .enumerate()
+                .map(|(i, x)| f(x, &to[i * to.len() / of.len().max(1) % to.len()]))
+                .collect::<Vec<_>>()
+                .join(" and ");
         }
         if self.array(a) && !self.array(b) {
             let to = self.elements(b);
-            let one = |x: &str| if to.len() == 1 { f(x, &to[0]) } else { format!("({})", to.iter().map(|t| f(x, t)).collect::<Vec<_>>().join(" or ")) };
+            let one = |x: &str| {
+                if to.len() == 1 {
+                    f(x, &to[0])
+                } else {
+                    format!("({})", to.iter().map(|t| f(x, t)).collect::<Vec<_>>().join(" or "))
+                }
+            };
             return format!("forall a in {of}: {}", one("a"));
         }
         if !self.array(a) {
-            return self.elements(a).iter().map(|x| format!("(exists b in {to}: {})", f(x, "b"))).collect::<Vec<_>>().join(" and ");
+            return self
+                .elements(a)
+                .iter()
+                .map(|x| format!("(exists b in {to}: {})", f(x, "b")))
+                .collect::<Vec<_>>()
+                .join(" and ");
         }
         if a == b {
             return format!("forall a in {of}: exists b in {of}: a != b and {}", f("a", "b"));
@@ -134,7 +150,10 @@ impl Named<'_> {
                     let each: Vec<String> = (0..k).map(|j| f(&indexed(of, k, j), &format!("{to}[i]"))).collect();
                     format!("forall i in 0..{m}: {}", each.join(" and "))
                 }
-                _ => format!("forall i in 0..{m}: forall j in 0..{k}: {}", f(&format!("{of}[{k} * i + j]"), &format!("{to}[i]"))),
+                _ => format!(
+                    "forall i in 0..{m}: forall j in 0..{k}: {}",
+                    f(&format!("{of}[{k} * i + j]"), &format!("{to}[i]"))
+                ),
             };
         }
         if n < m {
@@ -172,7 +191,9 @@ impl Named<'_> {
         let verb = if fact.soft { "prefer" } else { "assert" };
         for of in &fact.of {
             match &fact.what {
-                What::Rel(rel, to) if *rel == Rel::Between => out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not))),
+                What::Rel(rel, to) if *rel == Rel::Between => {
+                    out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not)))
+                }
                 What::Rel(rel, to) => {
                     for to in to {
                         self.rel(*of, *rel, *to, verb, fact.not, &mut out);
@@ -200,13 +221,20 @@ impl Named<'_> {
                     };
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.size.{axis}"), *op, *v))));
                 }
-                What::Height(op, v) => out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.bottom"), *op, *v)))),
+                What::Height(op, v) => {
+                    out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.bottom"), *op, *v))))
+                }
                 What::Path(v, to) => {
                     for to in to {
-                        out.push(format!("{verb} {};", self.every(*of, *to, &|a, b| format!("reachable({a}, {b}, {})", number(*v)))));
+                        out.push(format!(
+                            "{verb} {};",
+                            self.every(*of, *to, &|a, b| format!("reachable({a}, {b}, {})", number(*v)))
+                        ));
                     }
                 }
-                What::Pattern(pattern) => out.extend(self.pattern(*of, &fact.of, *pattern).map(|t| format!("{verb} {t};"))),
+                What::Pattern(pattern) => {
+                    out.extend(self.pattern(*of, &fact.of, *pattern).map(|t| format!("{verb} {t};")))
+                }
             }
         }
         out.dedup();
@@ -247,7 +275,8 @@ impl Named<'_> {
                 }
             }
             Rel::In => {
-                let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01) && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
+                let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01)
+                    && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
                 if fits {
                     out.push(format!("{verb} {};", pairs(&call("inside"))));
                     out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
@@ -256,7 +285,9 @@ impl Named<'_> {
                     out.push(format!("{verb} {};", pairs(&call("on"))));
                 }
             }
-            Rel::Under if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) => {
+            Rel::Under
+                if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
+            {
                 out.push(format!("{verb} {};", pairs(&call("below"))));
             }
             Rel::Under => {
@@ -266,12 +297,20 @@ impl Named<'_> {
             Rel::Beside => {
                 let both = self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {
-                    let side = |x: &str, i: usize, y: &str| format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" });
+                    let side = |x: &str, i: usize, y: &str| {
+                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" })
+                    };
                     let text = if m == 1 {
-                        (0..2).map(|i| side(&format!("{}[{i}]", self.name(a)), i, self.name(b))).collect::<Vec<_>>().join(" and ")
+                        (0..2)
+                            .map(|i| side(&format!("{}[{i}]", self.name(a)), i, self.name(b)))
+                            .collect::<Vec<_>>()
+                            .join(" and ")
                     } else {
                         let (of, to) = (self.name(a), format!("{}[i]", self.name(b)));
-                        format!("forall i in 0..{m}: {}", (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect::<Vec<_>>().join(" and "))
+                        format!(
+                            "forall i in 0..{m}: {}",
+                            (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect::<Vec<_>>().join(" and ")
+                        )
                     };
                     out.push(format!("{verb} {text};"));
                 } else if self.counts[a] > 2 && m == 1 {
@@ -292,7 +331,9 @@ impl Named<'_> {
                 }
             }
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
-            Rel::Against | Rel::Along => out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 })))),
+            Rel::Against | Rel::Along => {
+                out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
+            }
             Rel::Facing if self.grid(a).is_some() => {
                 let (of, to) = (self.name(a), self.elements(b));
                 let to = to.first().map_or("", String::as_str);
@@ -302,30 +343,49 @@ impl Named<'_> {
             Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
             Rel::Opposite => {
                 let front = !self.scene.items[b].opening();
-                let f = |x: &str, y: &str| if front { format!("facing({x}, {y}) and inFrontOf({x}, {y})") } else { format!("facing({x}, {y})") };
+                let f = |x: &str, y: &str| {
+                    if front {
+                        format!("facing({x}, {y}) and inFrontOf({x}, {y})")
+                    } else {
+                        format!("facing({x}, {y})")
+                    }
+                };
                 out.push(format!("{verb} {};", pairs(&f)));
             }
             Rel::Far => {
                 let room = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
                 let d = (room[0].min(room[2]) / 3.0).clamp(0.5, 2.0);
-                out.push(format!("{verb} {};", self.every(a, b, &|x, y| format!("far({x}, {y}, {})", number((d * 10.0).floor() / 10.0)))));
+                out.push(format!(
+                    "{verb} {};",
+                    self.every(a, b, &|x, y| format!("far({x}, {y}, {})", number((d * 10.0).floor() / 10.0)))
+                ));
             }
-            Rel::Perpendicular => out.push(format!("{verb} {};", pairs(&|x, y| format!("abs(dot({x}.front, {y}.front)) <= 0.1")))),
+            Rel::Perpendicular => {
+                out.push(format!("{verb} {};", pairs(&|x, y| format!("abs(dot({x}.front, {y}.front)) <= 0.1"))))
+            }
             Rel::Visible => out.push(format!("{verb} {};", self.every(a, b, &call("visible")))),
-            Rel::Reachable => out.push(format!("{verb} {};", self.every(a, b, &|x, y| format!("reachable({x}, {y}, 0.8)")))),
+            Rel::Reachable => {
+                out.push(format!("{verb} {};", self.every(a, b, &|x, y| format!("reachable({x}, {y}, 0.8)"))))
+            }
             Rel::Mounted | Rel::Hang => {
                 out.push(format!("{verb} {};", pairs(&far(0.1))));
                 out.push(format!("allowFloat({});", self.name(a)));
             }
-            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => out.push(format!("{verb} {};", pairs(&call(predicate(rel))))),
+            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))))
+            }
             Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
         }
     }
 
     /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
     fn hangs(&self, item: usize) -> bool {
-        self.said(item, |w| matches!(w, What::Place(_, Place::Wall, _)) && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat))
-            && self.scene.facts.iter().any(|f| f.of.contains(&item) && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _)))
+        self.said(item, |w| {
+            matches!(w, What::Place(_, Place::Wall, _))
+                && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
+        }) && self.scene.facts.iter().any(|f| {
+            f.of.contains(&item) && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
+        })
     }
 
     /// Things around one, or around each of several.
@@ -356,7 +416,11 @@ impl Named<'_> {
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
         }
         if seat {
-            out.push(format!("{} {};", if m > 1 { "prefer" } else { verb }, self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))));
+            out.push(format!(
+                "{} {};",
+                if m > 1 { "prefer" } else { verb },
+                self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))
+            ));
         }
     }
 
@@ -418,7 +482,11 @@ impl Named<'_> {
     fn kin(&self, a: usize, b: usize) -> bool {
         let flat = matches!(self.group(b), Group::Flat | Group::Ceiling | Group::Wall | Group::Door | Group::Window);
         flat || self.scene.facts.iter().any(|f| match &f.what {
-            What::Rel(rel, to) => !f.not && *rel != Rel::Far && (f.of.contains(&a) && to.contains(&b) || f.of.contains(&b) && to.contains(&a)),
+            What::Rel(rel, to) => {
+                !f.not
+                    && *rel != Rel::Far
+                    && (f.of.contains(&a) && to.contains(&b) || f.of.contains(&b) && to.contains(&a))
+            }
             _ => false,
         })
     }
@@ -459,10 +527,14 @@ impl Named<'_> {
             Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
                 return self.rows(a);
             }
-            Pattern::Row | Pattern::LeftToRight => format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])"),
+            Pattern::Row | Pattern::LeftToRight => {
+                format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
+            }
             Pattern::Rows(rows) if rows > 1 && n % rows == 0 && n > rows => {
                 let k = n / rows;
-                format!("forall r in 0..{rows}: forall i in 1..{k}: aligned({of}[{k} * r + i], {of}[{k} * r]) and parallel({of}[{k} * r + i], {of}[{k} * r])")
+                format!(
+                    "forall r in 0..{rows}: forall i in 1..{k}: aligned({of}[{k} * r + i], {of}[{k} * r]) and parallel({of}[{k} * r + i], {of}[{k} * r])"
+                )
             }
             Pattern::Rows(_) => format!("forall i in 1..{n}: parallel({of}[i], {of}[0])"),
             Pattern::Circle => {
@@ -473,8 +545,14 @@ impl Named<'_> {
                 }
             }
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
-            Pattern::BackToBack => format!("forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175", n / 2),
-            Pattern::FaceToFace => format!("forall i in 0..{}: facing({of}[2 * i], {of}[2 * i + 1]) and facing({of}[2 * i + 1], {of}[2 * i])", n / 2),
+            Pattern::BackToBack => format!(
+                "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
+                n / 2
+            ),
+            Pattern::FaceToFace => format!(
+                "forall i in 0..{}: facing({of}[2 * i], {of}[2 * i + 1]) and facing({of}[2 * i + 1], {of}[2 * i])",
+                n / 2
+            ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
         })
     }
@@ -484,17 +562,28 @@ impl Named<'_> {
         let grid = self.grid(a)?;
         let (of, n, k) = (self.name(a), self.counts[a], grid.columns);
         let [x, z] = grid.steps.map(number);
-        let place = |at: String, r: &str| format!("{at}.pos.x = {of}[0].pos.x + i * {x} and {at}.pos.z = {of}[0].pos.z - {r} * {z}");
+        let place = |at: String, r: &str| {
+            format!("{at}.pos.x = {of}[0].pos.x + i * {x} and {at}.pos.z = {of}[0].pos.z - {r} * {z}")
+        };
         if grid.rows == 1 {
-            return Some(format!("forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x + i * {x} and {of}[i].pos.z = {of}[0].pos.z"));
+            return Some(format!(
+                "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x + i * {x} and {of}[i].pos.z = {of}[0].pos.z"
+            ));
         }
         if k == 1 {
-            return Some(format!("forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x and {of}[i].pos.z = {of}[0].pos.z - i * {z}"));
+            return Some(format!(
+                "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x and {of}[i].pos.z = {of}[0].pos.z - i * {z}"
+            ));
         }
         let full = n / k;
-        let mut out = format!("forall r in 0..{full}: forall i in 0..{k}: {}", place(format!("{of}[{k} * r + i]"), "r"));
+        let mut out =
+            format!("forall r in 0..{full}: forall i in 0..{k}: {}", place(format!("{of}[{k} * r + i]"), "r"));
         if n % k > 0 {
-            out = format!("({out}) and forall i in 0..{}: {}", n % k, place(format!("{of}[{} + i]", k * full), &full.to_string()));
+            out = format!(
+                "({out}) and forall i in 0..{}: {}",
+                n % k,
+                place(format!("{of}[{} + i]", k * full), &full.to_string())
+            );
         }
         Some(out)
     }
@@ -502,7 +591,11 @@ impl Named<'_> {
     /// Seats at tables that stand in rows: each at its place, turned to its table.
     pub fn drawn_up(&self, a: usize) -> Option<String> {
         let (rel, b) = self.scene.facts.iter().find_map(|f| match &f.what {
-            What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to) if f.of == [a] && to.len() == 1 => Some((*rel, to[0])),
+            What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
+                if f.of == [a] && to.len() == 1 =>
+            {
+                Some((*rel, to[0]))
+            }
             _ => None,
         })?;
         self.grid(b)?;
@@ -523,7 +616,14 @@ impl Named<'_> {
             .map(|j| {
                 let (at, (share, turned)) = (indexed(of, k, j), places[j]);
                 let [x, z] = [share[0] * (w / 2.0 + seat / 2.0 + 0.1), share[1] * (d / 2.0 + seat / 2.0 + 0.1)];
-                format!("{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)", number(x), number(z), number(turned)).replace("+ -", "- ")
+                format!(
+                    "{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)",
+                    number(x),
+                    number(z),
+                    number(turned)
+                )
+                .replace("+ -", "- ")
+                .replace(" + 0 ", " ")
             })
             .collect();
         Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
@@ -561,7 +661,8 @@ impl Named<'_> {
         let group = self.group(a);
         let opening = self.scene.items[a].opening();
         // What things stand behind cannot have its back at a wall.
-        let behind = self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
+        let behind =
+            self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         match place {
@@ -575,7 +676,9 @@ impl Named<'_> {
                     || matches!(rel, Rel::Mounted | Rel::Hang)
                     || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed)
                     || group == Group::Ceiling;
-                say(self.all(a, |x| if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }));
+                say(self.all(a, |x| {
+                    if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }
+                }));
                 if let Some(text) = self.wall(k, a, which) {
                     say(text);
                 }
@@ -593,9 +696,15 @@ impl Named<'_> {
             Place::Middle if self.counts[a] == 1 => say(format!("centeredIn({}, {room})", self.name(a))),
             Place::Middle => {
                 let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
-                let half = self.grid(a).map_or(0.0, |g| (g.steps[0] * (g.columns - 1) as f64).hypot(g.steps[1] * (g.rows - 1) as f64) / 2.0 + 0.6);
+                let half = self.grid(a).map_or(0.0, |g| {
+                    (g.steps[0] * (g.columns - 1) as f64).hypot(g.steps[1] * (g.rows - 1) as f64) / 2.0 + 0.6
+                });
                 let reach = number(((size[0].min(size[2]) / 3.0).max(half) * 10.0).ceil() / 10.0);
-                say(self.all(a, |x| format!("length(vec3({x}.center.x - {room}.center.x, 0, {x}.center.z - {room}.center.z)) <= {reach}")));
+                say(self.all(a, |x| {
+                    format!(
+                        "length(vec3({x}.center.x - {room}.center.x, 0, {x}.center.z - {room}.center.z)) <= {reach}"
+                    )
+                }));
             }
             Place::Side | Place::End | Place::Back | Place::Front | Place::Head | Place::Foot => {
                 let mut which = which.to_vec();
@@ -628,7 +737,11 @@ impl Named<'_> {
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
-                    let other = self.scene.facts[..k].iter().rev().find(|f| !f.of.contains(&a) && matches!(f.what, What::Place(_, Place::Wall, _)) && self.scene.items[f.of[0]].room == self.scene.items[a].room)?;
+                    let other = self.scene.facts[..k].iter().rev().find(|f| {
+                        !f.of.contains(&a)
+                            && matches!(f.what, What::Place(_, Place::Wall, _))
+                            && self.scene.items[f.of[0]].room == self.scene.items[a].room
+                    })?;
                     let b = self.elements(other.of[0]).first()?.clone();
                     let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
                     return Some(self.all(a, |x| format!("dot({x}.front, {b}.front) {test}")));
@@ -651,8 +764,16 @@ impl Named<'_> {
             let each: Vec<String> = tests
                 .iter()
                 .map(|(axis, sign)| {
-                    let reach = if self.scene.items[a].opening() { if *axis == 'x' { size[0] / 2.0 - 0.3 } else { size[2] / 2.0 - 0.3 } } else { 0.0 };
-                    if *sign > 0.0 { format!("{x}.center.{axis} >= {room}.center.{axis} + {}", number(reach)) } else { format!("{x}.center.{axis} <= {room}.center.{axis} - {}", number(reach)) }
+                    let reach = if self.scene.items[a].opening() {
+                        if *axis == 'x' { size[0] / 2.0 - 0.3 } else { size[2] / 2.0 - 0.3 }
+                    } else {
+                        0.0
+                    };
+                    if *sign > 0.0 {
+                        format!("{x}.center.{axis} >= {room}.center.{axis} + {}", number(reach))
+                    } else {
+                        format!("{x}.center.{axis} <= {room}.center.{axis} - {}", number(reach))
+                    }
                 })
                 .collect();
             each.join(" and ").replace(" + 0 ", " ").replace(" - 0 ", " ")
@@ -663,6 +784,7 @@ impl Named<'_> {
 /// An element of an array by the index of its partner.
 fn indexed(of: &str, k: usize, j: usize) -> String {
     match j {
+        0 if k == 1 => format!("{of}[i]"),
         0 => format!("{of}[{k} * i]"),
         j => format!("{of}[{k} * i + {j}]"),
     }

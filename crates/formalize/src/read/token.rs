@@ -51,6 +51,14 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
     while at < text.len() && out.len() < most {
         let rest = &text[at..];
         let c = rest.chars().next().unwrap_or(' ');
+        // "w/" is "with" where messages are short.
+        if rest.starts_with("w/") && !out.last().is_some_and(|t| t.at.end == at) {
+            let len = if rest.starts_with("w/o") { 3 } else { 2 };
+            let text = if len == 3 { "without" } else { "with" };
+            out.push(Token { kind: Kind::Word, text: text.into(), at: at..at + len, owner: false, capital: false });
+            at += len;
+            continue;
+        }
         let fresh = out.last().is_none_or(|t| t.kind == Kind::Line);
         let (len, found) = if c == '\n' || c == '\r' {
             (1, if fresh { None } else { Some((Kind::Line, "\n".to_owned(), false)) })
@@ -90,7 +98,10 @@ fn bullet(rest: &str) -> Option<usize> {
         Some(len) => len,
         None if (1..3).contains(&digits) && rest[digits..].starts_with(['.', ')']) => digits + 1,
         // "2.1 The office", but not "2.1 m".
-        None if digits > 0 && rest[digits..].starts_with('.') && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) => {
+        None if digits > 0
+            && rest[digits..].starts_with('.')
+            && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) =>
+        {
             let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
             let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
             return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
@@ -150,7 +161,10 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut tokens = tokens.into_iter().peekable();
     while let Some(t) = tokens.next() {
         let number_before = out.last().is_some_and(|b| matches!(b.kind, Kind::Number(_)) && b.at.end == t.at.start);
-        if t.kind == Kind::Sign('-') && number_before && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end) {
+        if t.kind == Kind::Sign('-')
+            && number_before
+            && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end)
+        {
             continue;
         }
         // "5x4", "6x4m": the sign between two sizes, not a letter of a word.
@@ -160,7 +174,9 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
         }
         let halves = t.text.split_once('-').filter(|(n, _)| t.word() && super::number::small(n).is_some());
         match halves {
-            Some((first, second)) if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) => {
+            Some((first, second))
+                if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) =>
+            {
                 let cut = t.at.start + first.len();
                 // Lower case may be longer than what was written; then the word stays whole.
                 if cut + 1 + second.len() == t.at.end && !t.owner {
@@ -194,6 +210,7 @@ mod tests {
             ("twenty-four height-adjustable desks", "twenty-four|height-adjustable|desks"),
             ("- a sofa\n- a lamp", "|a|sofa|\n||a|lamp"),
             ("90-cm-wide", "90|cm-wide"),
+            ("a nook w/ a chair", "a|nook|with|a|chair"),
         ] {
             let got = texts(text);
             assert_eq!(got.replace("1,5", "1.5"), want, "{text}");

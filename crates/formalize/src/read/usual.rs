@@ -13,8 +13,10 @@ pub fn usual(named: &Named, out: &mut Stated) {
     for a in 0..scene.items.len() {
         let item = &scene.items[a];
         let room = named.room(a).to_owned();
-        let held = named.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _)));
-        let placed = named.said(a, |w| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _)));
+        let held =
+            named.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _)));
+        let placed = named
+            .said(a, |w| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _)));
         let high = named.said(a, |w| matches!(w, What::Height(..)));
         let on_wall = named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _)));
         let above = named.said(a, |w| matches!(w, What::Rel(Rel::Above, _)));
@@ -41,6 +43,9 @@ pub fn usual(named: &Named, out: &mut Stated) {
                     out.infer(format!("assert {};", named.pairs(a, top, &|x, y| format!("on({x}, {y})"))), &format!("a {} stands on something", item.name()));
                 }
             }
+            Group::Bed | Group::Storage if !scene.facts.iter().any(|f| f.of.contains(&a)) && named.counts[a] <= 4 => {
+                out.infer(format!("prefer {};", named.all(a, |x| format!("againstWall({x}, {room})"))), "such things stand at a wall");
+            }
             Group::Soft if !held && !placed => {
                 let under = (0..scene.items.len()).find(|i| scene.items[*i].room == item.room && matches!(scene.items[*i].group, Group::Bed | Group::Seat) && named.sizes[*i][0] > 0.7);
                 if let Some(under) = under {
@@ -52,7 +57,12 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
         if above && lamp && !held && !placed && !measured && matches!(item.group, Group::Floor | Group::Top) {
             out.infer(mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
-        } else if above && !held && !placed && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen) && !item.opening() {
+        } else if above
+            && !held
+            && !placed
+            && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen)
+            && !item.opening()
+        {
             let wall = matches!(item.group, Group::Storage | Group::Floor | Group::Table | Group::Top);
             if wall && !measured {
                 out.infer(mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
@@ -78,9 +88,15 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
         if up && named.sizes[a][1] < 1.6 {
             let low = (1.5 - named.sizes[a][1] / 2.0).max(0.6);
-            out.infer(format!("prefer {};", named.all(a, |x| format!("abs({x}.bottom - {}) <= 0.2", number(low)))), "at the height of the eyes");
+            out.infer(
+                format!("prefer {};", named.all(a, |x| format!("abs({x}.bottom - {}) <= 0.2", number(low)))),
+                "at the height of the eyes",
+            );
         }
-        let cloth = item.words.last().is_some_and(|w| matches!(w.as_str(), "tablecloth" | "placemat" | "blanket" | "throw" | "duvet" | "quilt"));
+        let cloth = item
+            .words
+            .last()
+            .is_some_and(|w| matches!(w.as_str(), "tablecloth" | "placemat" | "blanket" | "throw" | "duvet" | "quilt"));
         if (item.group == Group::Flat || cloth) && named.names[a].len() == 1 {
             out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
         }
