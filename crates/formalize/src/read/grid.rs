@@ -65,7 +65,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             }
     });
     let hung = matches!(scene.items[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
-    if elsewhere || hung || n < 2 || said && n % rows != 0 || scene.items[a].opening() {
+    if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || scene.items[a].opening() {
         return None;
     }
     let columns = n.div_ceil(rows);
@@ -124,7 +124,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
 /// Rows for so many: about as many as columns, full ones if it can be.
 fn spread(n: usize) -> usize {
     let most = (n as f64).sqrt().floor() as usize;
-    (2..=most).rev().find(|r| n % r == 0).unwrap_or(2)
+    (2..=most).rev().find(|r| n.is_multiple_of(*r)).unwrap_or(2)
 }
 
 /// How deep the largest thing is that stands in the middle of the room; 0: nothing does.

@@ -292,26 +292,26 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     };
     if measure(&rest[used..]).is_none()
         && let Some((n, k)) = number::count(&rest[from..])
+        && n.fract() == 0.0
+        && (0.0..=100_000.0).contains(&n)
     {
-        if n.fract() == 0.0 && (0.0..=100_000.0).contains(&n) {
-            np.count = Some(n as usize);
-            used = from + k;
-            if last_det == Det::None || last_det == Det::Indefinite {
-                np.det = Det::Number;
-            }
-            // "two of the chairs", "two by"
-            if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
-                np.kind = Kind::Pronoun;
-                np.words = vec!["them".to_owned()];
-                return Some((np, used + 2));
-            }
-            if text(used) == "of" && determiner(text(used + 1)) {
-                used += 2;
-                np.det = Det::Definite;
-            }
-            while lexicon.is(text(used), Class::Def) {
-                used += 1;
-            }
+        np.count = Some(n as usize);
+        used = from + k;
+        if last_det == Det::None || last_det == Det::Indefinite {
+            np.det = Det::Number;
+        }
+        // "two of the chairs", "two by"
+        if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
+            np.kind = Kind::Pronoun;
+            np.words = vec!["them".to_owned()];
+            return Some((np, used + 2));
+        }
+        if text(used) == "of" && determiner(text(used + 1)) {
+            used += 2;
+            np.det = Det::Definite;
+        }
+        while lexicon.is(text(used), Class::Def) {
+            used += 1;
         }
     }
     let counted = np.count.is_some();
@@ -502,7 +502,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             continue;
         }
         // After a known noun in the singular an unknown word may go on only if more of the name follows.
-        if noun_end > 0 && !plural(w) && !before_noun(&rest[used + 1..]) && !(begun || counted) {
+        let going_on = begun || counted || plural(w) || before_noun(&rest[used + 1..]);
+        if noun_end > 0 && !going_on {
             break;
         }
         nouns.push((singular(w), plural(w)));

@@ -52,7 +52,7 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         let rest = &text[at..];
         let c = rest.chars().next().unwrap_or(' ');
         // "w/" is "with" where messages are short.
-        if rest.starts_with("w/") && !out.last().is_some_and(|t| t.at.end == at) {
+        if rest.starts_with("w/") && out.last().is_none_or(|t| t.at.end != at) {
             let len = if rest.starts_with("w/o") { 3 } else { 2 };
             let text = if len == 3 { "without" } else { "with" };
             out.push(Token { kind: Kind::Word, text: text.into(), at: at..at + len, owner: false, capital: false });
