@@ -380,8 +380,10 @@ pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
         };
     }
     // "moss green", "olive green": a material or colour word before a colour belongs to it.
+    let noun_next = rest.get(n).is_some_and(|t| lexicon.noun(&t.text).is_some());
     if kind == Look::Color
         && n == 1
+        && !noun_next
         && let Some((Look::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..]))
         && rest[0].text != "white"
         && rest[0].text != "black"

@@ -29,6 +29,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         _ => None,
     });
     let said = rows.is_some();
+    let middle = middle(scene, sizes, a);
     let seats = scene.facts.iter().any(|f| {
         matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
             && scene.items[f.of[0]].group == Group::Seat
@@ -36,7 +37,13 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     // Tables with their seats stand in rows where nothing else is said.
     let rows = match rows {
         Some(rows) => rows,
-        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => spread(n),
+        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => {
+            if middle > 0.0 {
+                2
+            } else {
+                spread(n)
+            }
+        }
         None => return None,
     };
     let elsewhere = scene.facts.iter().any(|f| {
@@ -58,7 +65,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             }
     });
     let hung = matches!(scene.items[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
-    if elsewhere || hung || n < 2 || said && n % rows != 0 || scene.items[a].opening() {
+    if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || scene.items[a].opening() {
         return None;
     }
     let columns = n.div_ceil(rows);
@@ -89,6 +96,10 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             _ => {}
         }
     }
+    if !said && middle > 0.0 {
+        // What stands in the middle of the room stands between the rows.
+        behind = behind.max(middle + 2.2);
+    }
     let [w, _, d] = sizes[a];
     let takes = |b: f64, h: f64| [columns as f64 * (w + b) - b, rows as f64 * (d + h) - h];
     let mut whole = takes(beside, behind);
@@ -113,14 +124,20 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
 /// Rows for so many: about as many as columns, full ones if it can be.
 fn spread(n: usize) -> usize {
     let most = (n as f64).sqrt().floor() as usize;
-    (2..=most).rev().find(|r| n % r == 0).unwrap_or(2)
+    (2..=most).rev().find(|r| n.is_multiple_of(*r)).unwrap_or(2)
 }
 
-/// Whether something stands in the middle of the room, or is said of where each of them is.
-fn crowded(scene: &Scene, a: usize) -> bool {
+/// How deep the largest thing is that stands in the middle of the room; 0: nothing does.
+fn middle(scene: &Scene, sizes: &[[f64; 3]], a: usize) -> f64 {
     let room = scene.items[a].room;
+    let there = scene.facts.iter().filter(|f| matches!(f.what, What::Place(_, super::noun::Place::Middle, _)));
+    let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && scene.items[**o].room == room);
+    items.map(|o| sizes[*o][0].max(sizes[*o][2])).fold(0.0, f64::max)
+}
+
+/// Whether something is said of where each of them is.
+fn crowded(scene: &Scene, a: usize) -> bool {
     scene.facts.iter().any(|f| match &f.what {
-        What::Place(_, super::noun::Place::Middle, _) => f.of.iter().any(|o| scene.items[*o].room == room),
         What::Gap(..) | What::Pattern(_) => f.of.contains(&a),
         _ => false,
     })

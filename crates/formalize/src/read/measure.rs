@@ -229,11 +229,11 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
     let (values, n) = size(&rest[used..], !dims.is_empty() && dims.iter().all(|d| *d == Dim::Ceiling))?;
     used += n;
     let mut said = said;
-    if values.len() == 1 {
-        if let Some((dim, n)) = dim_after(&rest[used..]) {
-            dims.push(dim);
-            used += n;
-        }
+    if values.len() == 1
+        && let Some((dim, n)) = dim_after(&rest[used..])
+    {
+        dims.push(dim);
+        used += n;
     }
     if let Some((after, n)) =
         AFTER.iter().filter_map(|(p, op)| starts(&rest[used..], p).map(|n| (*op, n))).max_by_key(|a| a.1)

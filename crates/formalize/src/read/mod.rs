@@ -177,6 +177,19 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
     let mut room_sizes = sizes::rooms(scene, &sizes);
     let mut draft = Draft { request: request.to_owned(), ..Draft::default() };
     let room_names: Vec<String> = scene.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
+    let mut sizes = sizes;
+    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| !item.opening()) {
+        let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
+        let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];
+        if (0..3).any(|k| sizes[i][k] > most[k]) {
+            (0..3).for_each(|k| sizes[i][k] = sizes[i][k].min(most[k].max(0.05)));
+            if item.size.iter().any(Option::is_some) {
+                draft
+                    .notes
+                    .push(Note { at: item.at.clone(), reason: "larger than its room: made as large as fits".into() });
+            }
+        }
+    }
     draft.outdoor = scene.rooms.len() == 1
         && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
             .iter()

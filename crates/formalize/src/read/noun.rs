@@ -292,26 +292,26 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     };
     if measure(&rest[used..]).is_none()
         && let Some((n, k)) = number::count(&rest[from..])
+        && n.fract() == 0.0
+        && (0.0..=100_000.0).contains(&n)
     {
-        if n.fract() == 0.0 && (0.0..=100_000.0).contains(&n) {
-            np.count = Some(n as usize);
-            used = from + k;
-            if last_det == Det::None || last_det == Det::Indefinite {
-                np.det = Det::Number;
-            }
-            // "two of the chairs", "two by"
-            if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
-                np.kind = Kind::Pronoun;
-                np.words = vec!["them".to_owned()];
-                return Some((np, used + 2));
-            }
-            if text(used) == "of" && determiner(text(used + 1)) {
-                used += 2;
-                np.det = Det::Definite;
-            }
-            while lexicon.is(text(used), Class::Def) {
-                used += 1;
-            }
+        np.count = Some(n as usize);
+        used = from + k;
+        if last_det == Det::None || last_det == Det::Indefinite {
+            np.det = Det::Number;
+        }
+        // "two of the chairs", "two by"
+        if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
+            np.kind = Kind::Pronoun;
+            np.words = vec!["them".to_owned()];
+            return Some((np, used + 2));
+        }
+        if text(used) == "of" && determiner(text(used + 1)) {
+            used += 2;
+            np.det = Det::Definite;
+        }
+        while lexicon.is(text(used), Class::Def) {
+            used += 1;
         }
     }
     let counted = np.count.is_some();
@@ -320,7 +320,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let mut nouns: Vec<(String, bool)> = Vec::new(); // in the singular, whether as written it is a plural
     let mut noun_end = 0; // tokens up to the last noun
     let mut looks_end = used;
-    let mut owner: Option<String> = None;
     while let Some(t) = rest.get(used) {
         let w = t.text.as_str();
         if !t.word() {
@@ -370,7 +369,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if t.owner {
             // "a teacher's desk": part of the name; "the desk's left side": of a thing.
-            owner = Some(singular(w));
             nouns.push((singular(w), false));
             used += 1;
             continue;
@@ -419,7 +417,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             continue;
         }
         if let Some(p) = place_here
-            .filter(|_| !before_noun(&rest[used + 1..]) || matches!(p_of(w), Some(Place::Middle | Place::Row)))
+            .filter(|_| !before_noun(&rest[used + 1..]) || matches!(place(w), Some(Place::Middle | Place::Row)))
         {
             np.kind = Kind::Place(p);
             np.many = w.ends_with('s');
@@ -478,7 +476,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         let adverb = w.ends_with("ly") && w.len() > 4;
         if adverb {
-            if nouns.is_empty() {
+            if nouns.is_empty() && (begun || counted || used > start) {
                 used += 1;
                 continue;
             }
@@ -504,15 +502,14 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             continue;
         }
         // After a known noun in the singular an unknown word may go on only if more of the name follows.
-        if noun_end > 0 && !plural(w) && !before_noun(&rest[used + 1..]) && !(begun || counted) {
+        let going_on = begun || counted || plural(w) || before_noun(&rest[used + 1..]);
+        if noun_end > 0 && !going_on {
             break;
         }
         nouns.push((singular(w), plural(w)));
         used += 1;
         noun_end = used;
     }
-    let _ = owner;
-    // "the teacher's": an owner alone is no thing.
     if noun_end == 0 {
         // "white glass", "a cane": the last look may be the noun.
         if pronoun && !begun && matches!(text(0), "these" | "those" | "each" | "all")
@@ -544,11 +541,10 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let room = lexicon.room_ending(&np.words);
     let thing = lexicon.noun_ending(&np.words);
     match (room, thing) {
-        (Some((n, kind)), t) if t.is_none_or(|(m, _)| n >= m) => {
+        (Some((n, _)), t) if t.is_none_or(|(m, _)| n >= m) => {
             np.kind = Kind::Room;
             np.last = n;
             np.known = true;
-            let _ = kind;
         }
         (_, Some((m, group))) => {
             np.last = m;
@@ -563,10 +559,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
     }
     Some((np, noun_end))
-}
-
-fn p_of(word: &str) -> Option<Place> {
-    place(word)
 }
 
 /// Adds sizes given as "2 m wide" or "2 by 1 m".
@@ -667,9 +659,7 @@ fn leads_to_place(rest: &[Token]) -> bool {
 
 /// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
 fn stops_here(rest: &[Token], expected: bool) -> bool {
-    let word = rest[0].text.as_str();
     !expected && (get().verb(rest).is_some() || get().relation(rest).is_some())
-        || matches!(word, "bar" | "pass") && !expected && false
 }
 
 /// Whether a word that no table has is an adjective by its end.

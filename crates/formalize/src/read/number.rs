@@ -63,11 +63,13 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
     let mut value = single(tokens.first()?)?;
     let mut used = 1;
     // "twenty four", "one hundred and twenty"
-    if tokens[0].word() && (20.0..100.0).contains(&value) && value % 10.0 == 0.0 {
-        if let Some(ones) = tokens.get(1).filter(|t| t.word()).and_then(single).filter(|n| (1.0..10.0).contains(n)) {
-            value += ones;
-            used = 2;
-        }
+    if tokens[0].word()
+        && (20.0..100.0).contains(&value)
+        && value % 10.0 == 0.0
+        && let Some(ones) = tokens.get(1).filter(|t| t.word()).and_then(single).filter(|n| (1.0..10.0).contains(n))
+    {
+        value += ones;
+        used = 2;
     }
     if text(used) == "hundred" {
         value *= 100.0;

@@ -530,7 +530,7 @@ impl Named<'_> {
             Pattern::Row | Pattern::LeftToRight => {
                 format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
             }
-            Pattern::Rows(rows) if rows > 1 && n % rows == 0 && n > rows => {
+            Pattern::Rows(rows) if rows > 1 && n.is_multiple_of(rows) && n > rows => {
                 let k = n / rows;
                 format!(
                     "forall r in 0..{rows}: forall i in 1..{k}: aligned({of}[{k} * r + i], {of}[{k} * r]) and parallel({of}[{k} * r + i], {of}[{k} * r])"
@@ -623,6 +623,7 @@ impl Named<'_> {
                     number(turned)
                 )
                 .replace("+ -", "- ")
+                .replace(" + 0 ", " ")
             })
             .collect();
         Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
@@ -783,6 +784,7 @@ impl Named<'_> {
 /// An element of an array by the index of its partner.
 fn indexed(of: &str, k: usize, j: usize) -> String {
     match j {
+        0 if k == 1 => format!("{of}[i]"),
         0 => format!("{of}[{k} * i]"),
         j => format!("{of}[{k} * i + {j}]"),
     }

@@ -51,6 +51,14 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
     while at < text.len() && out.len() < most {
         let rest = &text[at..];
         let c = rest.chars().next().unwrap_or(' ');
+        // "w/" is "with" where messages are short.
+        if rest.starts_with("w/") && out.last().is_none_or(|t| t.at.end != at) {
+            let len = if rest.starts_with("w/o") { 3 } else { 2 };
+            let text = if len == 3 { "without" } else { "with" };
+            out.push(Token { kind: Kind::Word, text: text.into(), at: at..at + len, owner: false, capital: false });
+            at += len;
+            continue;
+        }
         let fresh = out.last().is_none_or(|t| t.kind == Kind::Line);
         let (len, found) = if c == '\n' || c == '\r' {
             (1, if fresh { None } else { Some((Kind::Line, "\n".to_owned(), false)) })
@@ -202,6 +210,7 @@ mod tests {
             ("twenty-four height-adjustable desks", "twenty-four|height-adjustable|desks"),
             ("- a sofa\n- a lamp", "|a|sofa|\n||a|lamp"),
             ("90-cm-wide", "90|cm-wide"),
+            ("a nook w/ a chair", "a|nook|with|a|chair"),
         ] {
             let got = texts(text);
             assert_eq!(got.replace("1,5", "1.5"), want, "{text}");

@@ -22,31 +22,57 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let above = named.said(a, |w| matches!(w, What::Rel(Rel::Above, _)));
         let measured = named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..)));
         let mounted = |p: &str| format!("assert {};", named.all(a, |x| format!("{p}({x}, {room})")));
+        let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| scene.items[*t].group != Group::Ceiling));
+        let elsewhere = held || placed || above && measured || named.said(a, beside);
+        let hangs = item.group == Group::Ceiling && !elsewhere;
         match item.group {
-            Group::Wall | Group::Drape if !held && !on_wall => {
-                if !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) {
-                    out.infer(mounted("wallMounted"), &format!("a {} hangs on a wall", item.name()));
-                }
+            Group::Wall | Group::Drape
+                if !held && !on_wall && !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
+            {
+                out.infer(mounted("wallMounted"), &format!("a {} hangs on a wall", item.name()));
             }
-            Group::Screen if !held && !on_wall => out.infer(mounted("wallMounted"), &format!("a {} that stands on nothing hangs on a wall", item.name())),
-            Group::Ceiling if !held && !placed && !(above && measured) && !named.said(a, |w| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Ceiling)))) => {
+            Group::Screen if !held && !on_wall => {
+                out.infer(mounted("wallMounted"), &format!("a {} that stands on nothing hangs on a wall", item.name()))
+            }
+            Group::Ceiling if hangs => {
                 out.infer(mounted("ceilingMounted"), &format!("a {} hangs from the ceiling", item.name()));
             }
-            Group::Ceiling if above && measured && !placed => out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord"),
+            Group::Ceiling if above && measured && !placed => {
+                out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord")
+            }
             Group::Top if !held && !placed && !above => {
                 let near = named.scene.facts.iter().find_map(|f| match &f.what {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
                     _ => None,
                 });
-                let top = near.or_else(|| (0..scene.items.len()).find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1));
+                let top = near.or_else(|| {
+                    (0..scene.items.len())
+                        .find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
+                });
                 if let Some(top) = top {
-                    out.infer(format!("assert {};", named.pairs(a, top, &|x, y| format!("on({x}, {y})"))), &format!("a {} stands on something", item.name()));
+                    out.infer(
+                        format!("assert {};", named.pairs(a, top, &|x, y| format!("on({x}, {y})"))),
+                        &format!("a {} stands on something", item.name()),
+                    );
                 }
             }
+            Group::Bed | Group::Storage if !scene.facts.iter().any(|f| f.of.contains(&a)) && named.counts[a] <= 4 => {
+                out.infer(
+                    format!("prefer {};", named.all(a, |x| format!("againstWall({x}, {room})"))),
+                    "such things stand at a wall",
+                );
+            }
             Group::Soft if !held && !placed => {
-                let under = (0..scene.items.len()).find(|i| scene.items[*i].room == item.room && matches!(scene.items[*i].group, Group::Bed | Group::Seat) && named.sizes[*i][0] > 0.7);
+                let under = (0..scene.items.len()).find(|i| {
+                    scene.items[*i].room == item.room
+                        && matches!(scene.items[*i].group, Group::Bed | Group::Seat)
+                        && named.sizes[*i][0] > 0.7
+                });
                 if let Some(under) = under {
-                    out.infer(format!("assert {};", named.pairs(a, under, &|x, y| format!("on({x}, {y})"))), &format!("a {} lies on something", item.name()));
+                    out.infer(
+                        format!("assert {};", named.pairs(a, under, &|x, y| format!("on({x}, {y})"))),
+                        &format!("a {} lies on something", item.name()),
+                    );
                 }
             }
             _ => {}

@@ -2,6 +2,7 @@
 
 mod arrange;
 mod model;
+mod read;
 #[path = "../../../llm/tests/it/server.rs"]
 #[allow(dead_code, clippy::unwrap_used, reason = "it is the server of another crate's tests")]
 mod server;

@@ -1,0 +1,320 @@
+//! Measures: sizes, distances, free space, ways.
+
+use super::*;
+
+impl Reader<'_> {
+    pub(super) fn on_measure(&mut self, i: usize, end: usize, m: &Measure) -> usize {
+        self.mark(i);
+        let after_room = self.s.of_room && !self.s.subject || self.s.room_last;
+        if m.dims.contains(&Dim::Ceiling) {
+            let room = self.room;
+            self.room_dim(room, Dim::Ceiling, m.values[0]);
+            return i + 1;
+        }
+        if m.area {
+            let room = self.room;
+            self.scene.rooms[room].area = Some(m.values[0]);
+            return i + 1;
+        }
+        let sized = m.values.len() > 1 || !m.dims.is_empty();
+        if self.s.path && m.dims == [Dim::Width] || self.s.path && m.dims.is_empty() && self.path_follows(i) {
+            return self.on_path(i, end, m);
+        }
+        if sized
+            && self.s.keep
+            && matches!(
+                self.piece(i + 1, end),
+                Some(Piece::Verb(Verb::Keep) | Piece::ToIts(_) | Piece::Rel(Rel::InFrontOf))
+            )
+        {
+            // "a free area of 1 m by 1 m in front of it"
+            self.s.pending = Some(m.clone());
+            return i + 1;
+        }
+        if sized {
+            self.on_size(m, after_room);
+            return i + 1;
+        }
+        // A single length: what comes next says of what.
+        let mut k = i + 1;
+        loop {
+            match self.piece(k, end) {
+                Some(Piece::Rel(Rel::Of))
+                    if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Abstract)
+                        || matches!(self.piece(k + 1, end), Some(Piece::Free | Piece::Word(_))) =>
+                {
+                    k += 1
+                }
+                Some(Piece::Np(np)) if np.kind == Kind::Abstract => k += 1,
+                Some(Piece::Word(_)) if k < i + 4 => k += 1,
+                Some(Piece::Verb(Verb::Be | Verb::Keep))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(_) | Piece::Free | Piece::Word(_)))
+                        && self.s.keep =>
+                {
+                    k += 1
+                }
+                Some(Piece::Verb(Verb::Keep)) => k += 1,
+                _ => break,
+            }
+        }
+        self.s.pending = Some(m.clone());
+        match self.piece(k, end) {
+            Some(Piece::Rel(_) | Piece::Apart | Piece::Free | Piece::ToIts(_)) => {}
+            _ => {
+                let at = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::At))
+                    || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Rel(Rel::At));
+                self.s.pending = None;
+                let of = self.subject(i);
+                let between = self.s.lead.iter().rposition(|(r, _)| matches!(r, Rel::Between | Rel::From));
+                if let Some(lead) = between {
+                    match self.s.lead.remove(lead) {
+                        (rel, Lead::Items(items, _)) => self.measured(&[], rel, &items, m, false),
+                        _ => self.rows(m),
+                    }
+                } else if let Some((of, rel, to)) = self.s.last.clone() {
+                    self.distance(&of, rel, &to, m);
+                } else if at && !of.is_empty() {
+                    self.say(&of, What::Height(m.op, m.values[0]));
+                } else if !of.is_empty() && !m.said {
+                    for o in of {
+                        self.scene.items[o].take_dims(&[(Dim::Length, m.values[0])]);
+                    }
+                } else {
+                    self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
+                }
+            }
+        }
+        k
+    }
+
+    pub(super) fn path_follows(&self, i: usize) -> bool {
+        self.chunks[i]
+            .at
+            .clone()
+            .chain(self.chunks[i].at.end..(self.chunks[i].at.end + 3).min(self.tokens.len()))
+            .any(|t| matches!(self.tokens[t].text.as_str(), "aisle" | "path" | "walkway" | "passage"))
+    }
+
+    /// A way so wide: to what the sentence speaks of, from its door.
+    pub(super) fn on_path(&mut self, i: usize, end: usize, m: &Measure) -> usize {
+        let mut items: Vec<usize> = Vec::new();
+        let mut lead: Vec<usize> = self
+            .s
+            .lead
+            .iter()
+            .flat_map(|(_, l)| if let Lead::Items(items, _) = l { items.clone() } else { vec![] })
+            .collect();
+        items.append(&mut lead);
+        items.extend(self.main.iter().copied().filter(|_| self.s.subject));
+        if let Some((of, _, to)) = &self.s.last {
+            items.extend(of.iter().chain(to));
+        }
+        let mut k = i + 1;
+        while k < end {
+            if let Some(np) = self.np(k, end)
+                && np.kind == Kind::Thing
+                && let Some(id) = self.scene.find(np, self.room)
+            {
+                items.push(id);
+                self.mark(k);
+            }
+            k += 1;
+        }
+        items.dedup();
+        self.s.lead.clear();
+        match items.as_slice() {
+            [] => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
+            [one] => {
+                let door = self.scene.items.iter().position(|it| it.group == Group::Door);
+                match door {
+                    Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
+                    _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
+                }
+            }
+            [a, rest @ ..] => {
+                let between = self.chunks[i + 1..end].iter().any(|c| c.piece == Piece::Rel(Rel::Between));
+                let what = if between {
+                    What::Gap(Op::Least, m.values[0], rest.to_vec())
+                } else {
+                    What::Path(m.values[0], rest.to_vec())
+                };
+                self.say(&[*a], what);
+            }
+        }
+        end
+    }
+
+    /// Sizes of what was spoken of, or of the room.
+    pub(super) fn on_size(&mut self, m: &Measure, of_room: bool) {
+        let mut dims = Vec::new();
+        crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
+        let limit = m.said;
+        if of_room || self.near.is_empty() && self.main.is_empty() && !self.s.subject && self.before.is_empty() {
+            let room = self.room;
+            // What was said first stands: "1 m by 1 m" later on is of something else.
+            let size = self.scene.rooms[room].size;
+            let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
+            for (dim, value) in dims.into_iter().filter(|_| !whole && !limit) {
+                self.room_dim(room, dim, value);
+            }
+            return;
+        }
+        let of = if self.near.is_empty() {
+            if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
+        } else {
+            self.near.clone()
+        };
+        if limit {
+            let (dim, mut op) = (dims[0].0, m.op);
+            // "no gondola may be higher than 1.4 m", "a cupboard taller than 1.8 m shall not stand …"
+            if self.s.not || self.s.nothing {
+                op = match op {
+                    Op::Least => Op::Most,
+                    Op::Most => Op::Least,
+                    Op::Equal => Op::Equal,
+                };
+            }
+            self.say(&of, What::Size(dim, op, dims[0].1));
+        } else {
+            for o in of {
+                self.scene.items[o].take_dims(&dims);
+            }
+        }
+    }
+
+    /// "90 cm clear in front of it", "a metre free on either side".
+    pub(super) fn on_free(&mut self, i: usize, end: usize) -> usize {
+        let mut k = i + 1;
+        while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of)))
+            || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
+        {
+            if let Some(Piece::Rel(Rel::Of)) = self.piece(k, end)
+                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
+            {
+                k += 1;
+                break;
+            }
+            k += 1;
+        }
+        if let Some(Piece::Measure(m)) = self.piece(k, end) {
+            self.s.pending = Some(m.clone());
+            self.mark(k);
+            k += 1;
+            while self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
+                || matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Verb(Verb::Be | Verb::Keep)))
+            {
+                k += 1;
+            }
+        }
+        self.mark(i);
+        k
+    }
+
+    /// A relation with a measure.
+    pub(super) fn measured(&mut self, of: &[usize], rel: Rel, to: &[usize], m: &Measure, not: bool) {
+        let keep = self.s.keep || self.s.nothing;
+        match rel {
+            Rel::Between => {
+                let m = Measure { op: flip(m, not || self.s.nothing), ..m.clone() };
+                match to {
+                    [a, rest @ ..] if !rest.is_empty() => {
+                        self.say(&[*a], What::Gap(min_if_keep(&m, self.s.keep), m.values[0], rest.to_vec()))
+                    }
+                    [one, ..] => {
+                        let what = What::Among(min_if_keep(&m, self.s.keep), m.values[0]);
+                        self.say(&[*one], what);
+                    }
+                    [] => {}
+                }
+            }
+            Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around | Rel::Beside
+                if keep =>
+            {
+                self.clear(to, rel, m.values[0])
+            }
+            Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than
+                if self.s.nothing && (of.is_empty() || of == to) =>
+            {
+                self.say(to, What::Alone(m.values[0]));
+            }
+            _ => {
+                if of.is_empty() {
+                    return;
+                }
+                let negative = not || self.s.nothing || self.s.not;
+                self.distance(of, rel, to, &Measure { op: flip(m, negative), ..m.clone() });
+            }
+        }
+    }
+
+    pub(super) fn distance(&mut self, of: &[usize], rel: Rel, to: &[usize], m: &Measure) {
+        let of: Vec<usize> = of.iter().copied().filter(|o| !to.contains(o)).collect();
+        if of.is_empty() {
+            return;
+        }
+        if !matches!(rel, Rel::From | Rel::Of | Rel::To | Rel::Far | Rel::Near | Rel::At | Rel::Than) {
+            self.relate(&of, rel, to);
+        }
+        self.say(&of, What::Gap(m.op, m.values[0], to.to_vec()));
+    }
+
+    pub(super) fn among(&mut self, m: &Measure) {
+        let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
+        let op = flip(m, self.s.not || self.s.nothing);
+        match of.as_slice() {
+            [a, rest @ ..] if !rest.is_empty() => self.say(&[*a], What::Gap(op, m.values[0], rest.to_vec())),
+            [_, ..] => self.say(&of, What::Among(op, m.values[0])),
+            [] => {}
+        }
+    }
+
+    /// A distance between rows.
+    pub(super) fn rows(&mut self, m: &Measure) {
+        let op = min_if_keep(&Measure { op: flip(m, self.s.not || self.s.nothing), ..m.clone() }, true);
+        let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
+        let many = of.iter().copied().find(|o| self.scene.items[*o].many);
+        let rows =
+            self.scene.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
+        if let Some(item) = rows.or(many) {
+            self.say(&[item], What::Rows(op, m.values[0]));
+        }
+    }
+
+    pub(super) fn clear(&mut self, of: &[usize], rel: Rel, depth: f64) {
+        let side = match rel {
+            Rel::Behind => Side::Behind,
+            Rel::LeftOf => Side::Left,
+            Rel::RightOf => Side::Right,
+            Rel::Above => Side::Above,
+            Rel::Around | Rel::Beside => Side::Around,
+            _ => Side::Front,
+        };
+        self.say(of, What::Clear(side, depth));
+    }
+
+    /// What is left when a sentence ends: relations whose subject was in the one before.
+    pub(super) fn finish(&mut self) {
+        if !self.s.lead.is_empty() && !self.s.subject && !self.s.unknown && !self.before.is_empty() {
+            self.main = self.before.clone();
+            self.apply_lead();
+        }
+        self.s.pending = None;
+        // "a scale on the counter, and a basket": on the counter too.
+        if let Some((rel, to)) = self.s.shared.take() {
+            let start = self.s.at.start;
+            let bare = |i: &usize| {
+                let item = &self.scene.items[*i];
+                item.at.start >= start
+                    && !to.contains(i)
+                    && !self.scene.facts.iter().any(|f| f.of.contains(i))
+                    && matches!(item.group, Group::Top | Group::Floor | Group::Soft)
+                    && {
+                        let [w, _, d] = crate::read::sizes::usual(item.group, &item.words);
+                        w * d < 0.3
+                    }
+            };
+            let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
+            self.relate(&of, rel, &to);
+        }
+    }
+}

@@ -1,0 +1,540 @@
+//! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
+
+use crate::read::chunk::{Chunk, Pattern, Piece};
+use crate::read::lexicon::{Group, Rel, Verb, get};
+use crate::read::measure::{Dim, Measure, Op};
+use crate::read::noun::{Det, Kind, Np, Place};
+use crate::read::rooms::Rooms;
+use crate::read::scene::{MOST_ITEMS, Scene, Side, What};
+use crate::read::token::Token;
+use std::ops::Range;
+
+mod measures;
+mod relations;
+mod things;
+mod verbs;
+
+/// What a noun phrase that comes next is to what came before.
+#[derive(Clone, Debug, PartialEq)]
+enum Expect {
+    /// A subject.
+    Nothing,
+    /// "a table with …", "each desk has …": things that belong to these.
+    With(Vec<usize>, Join),
+    /// "the sofa faces …".
+    Object(Rel),
+}
+
+/// How things that come with another relate to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Join {
+    /// As such things usually do.
+    Usual,
+    /// On it.
+    On,
+    /// At its sides.
+    Beside,
+    /// Around it.
+    Around,
+    /// Over it.
+    Above,
+}
+
+/// Reads the sentences of a text.
+pub struct Reader<'a> {
+    tokens: &'a [Token],
+    chunks: &'a [Chunk],
+    rooms: &'a Rooms,
+    /// What was read.
+    pub scene: Scene,
+    /// For every token, whether something came of it.
+    pub used: Vec<bool>,
+    room: usize,
+    /// The sentence before was about the room.
+    about_room: bool,
+    /// What the sentence is about; of the one before, if this has no subject yet.
+    main: Vec<usize>,
+    /// What was spoken of before that.
+    before: Vec<usize>,
+    /// What was mentioned last.
+    near: Vec<usize>,
+    /// Mentions in their order.
+    recent: Vec<usize>,
+    s: Sentence,
+}
+
+/// What holds within one sentence.
+#[derive(Clone, Debug)]
+struct Sentence {
+    at: Range<usize>,
+    /// Whether the sentence has a subject of its own.
+    subject: bool,
+    /// Relations that came before the subject.
+    lead: Vec<(Rel, Lead)>,
+    expect: Expect,
+    soft: bool,
+    not: bool,
+    /// "keep", "leave", "nothing": of free space.
+    keep: bool,
+    nothing: bool,
+    hang: bool,
+    path: bool,
+    /// A subject that a verb follows: relations go to all of it.
+    verb: bool,
+    /// "each", "all", "both".
+    each: bool,
+    /// A measure that waits for its relation.
+    pending: Option<Measure>,
+    /// The relation said last, for a measure that comes after it.
+    last: Option<(Vec<usize>, Rel, Vec<usize>)>,
+    /// Whether the last subject was listed as what a room has.
+    listed: bool,
+    /// The sentence is about a room.
+    of_room: bool,
+    /// A door may lead from one room to another here.
+    doors: bool,
+    /// The last noun phrase was of a room.
+    room_last: bool,
+    /// It is about something that is no thing.
+    unknown: bool,
+    /// Rooms named in it.
+    rooms: Vec<usize>,
+    /// The room it begins in.
+    from: usize,
+    /// "one": of several, so that nothing is multiplied.
+    one: bool,
+    /// "centre a table in the room".
+    centre: bool,
+    /// What the last relation was to.
+    object: Vec<usize>,
+    /// A group that has a relation, and the next that may share it.
+    shared: Option<(Rel, Vec<usize>)>,
+}
+
+/// What a relation at the start of a clause is to.
+#[derive(Clone, Debug)]
+enum Lead {
+    Items(Vec<usize>, bool),
+    Place(Place, Vec<String>),
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of a text; nothing is read yet.
+    pub fn new(tokens: &'a [Token], chunks: &'a [Chunk], rooms: &'a Rooms) -> Self {
+        let scene = Scene { rooms: rooms.rooms.clone(), ..Scene::default() };
+        let s = Sentence::new(0..0);
+        Self {
+            tokens,
+            chunks,
+            rooms,
+            scene,
+            used: vec![false; tokens.len()],
+            room: 0,
+            about_room: true,
+            main: vec![],
+            before: vec![],
+            near: vec![],
+            recent: vec![],
+            s,
+        }
+    }
+
+    /// Reads everything.
+    pub fn read(&mut self) {
+        let mut from = 0;
+        while from < self.chunks.len() {
+            let end = self.sentence_end(from);
+            self.sentence(from, end);
+            from = end + 1;
+        }
+    }
+
+    /// The chunk that ends a sentence: a full stop, or the end of a line that is one.
+    fn sentence_end(&self, from: usize) -> usize {
+        let mut i = from;
+        while i < self.chunks.len() {
+            match self.chunks[i].piece {
+                Piece::Stop => return i,
+                Piece::Line => {
+                    let next = self.chunks.get(i + 1);
+                    let fresh = next.is_none_or(|c| {
+                        c.piece == Piece::Bullet
+                            || self.tokens[c.at.start].capital
+                            || i > 0 && self.chunks[i - 1].piece == Piece::Colon
+                    });
+                    if fresh || matches!(self.chunks[from].piece, Piece::Bullet) {
+                        return i;
+                    }
+                }
+                _ => {}
+            }
+            i += 1;
+        }
+        i
+    }
+
+    fn bytes(&self, chunks: Range<usize>) -> Range<usize> {
+        let first = self.chunks.get(chunks.start).map_or(0, |c| self.tokens[c.at.start].at.start);
+        let last = chunks
+            .end
+            .checked_sub(1)
+            .and_then(|i| self.chunks.get(i))
+            .map_or(first, |c| self.tokens[c.at.end - 1].at.end);
+        first..last.max(first)
+    }
+
+    fn mark(&mut self, chunk: usize) {
+        if let Some(c) = self.chunks.get(chunk) {
+            self.used[c.at.clone()].fill(true);
+        }
+    }
+
+    fn piece(&self, i: usize, end: usize) -> Option<&'a Piece> {
+        (i < end).then(|| self.chunks.get(i).map(|c| &c.piece)).flatten()
+    }
+
+    fn np(&self, i: usize, end: usize) -> Option<&'a Np> {
+        if i < end { self.chunks.get(i).and_then(Chunk::np) } else { None }
+    }
+
+    fn sentence(&mut self, from: usize, end: usize) {
+        let chunks = self.chunks;
+        let at = self.bytes(from..end);
+        self.s = Sentence { from: self.room, ..Sentence::new(at) };
+        let words = &chunks[from..end.min(chunks.len())];
+        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft);
+        self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
+        self.s.path = words.iter().any(|c| {
+            c.at.clone().any(|t| {
+                matches!(
+                    self.tokens[t].text.as_str(),
+                    "aisle"
+                        | "aisles"
+                        | "path"
+                        | "paths"
+                        | "route"
+                        | "routes"
+                        | "walkway"
+                        | "passage"
+                        | "passageway"
+                        | "way"
+                        | "corridor"
+                        | "circulation"
+                )
+            })
+        });
+        self.s.doors = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Lead)));
+        for c in words {
+            if c.piece == Piece::Soft {
+                self.used[c.at.clone()].fill(true);
+            }
+        }
+        if self.heading(from, end) {
+            return;
+        }
+        self.before = std::mem::take(&mut self.main);
+        self.near.clear();
+        let mut i = from;
+        while i < end {
+            i = self.step(i, end).max(i + 1);
+        }
+        self.finish();
+        self.doors();
+        self.about_room = self.s.of_room && !self.s.subject;
+        if !self.s.subject && self.main.is_empty() {
+            self.main = std::mem::take(&mut self.before);
+        }
+    }
+
+    /// "Storage." after a number, "Kitchen:", a title: what begins no sentence.
+    fn heading(&mut self, from: usize, end: usize) -> bool {
+        let first = from + usize::from(matches!(self.piece(from, end), Some(Piece::Bullet)));
+        let Some(np) = self.np(first, end) else { return false };
+        let closed = first + 1 == end || first + 2 == end && matches!(self.piece(first + 1, end), Some(Piece::Colon));
+        match np.kind {
+            Kind::Room => {
+                if let Some(room) = self.rooms.spoken.get(&first) {
+                    self.room = *room;
+                    self.room_look(*room, np);
+                    if closed {
+                        self.mark(from);
+                        self.mark(first);
+                        self.main.clear();
+                        self.near.clear();
+                        self.about_room = true;
+                        return true;
+                    }
+                }
+                false
+            }
+            _ if closed
+                && first > from
+                && np.det == Det::None
+                && np.count.is_none()
+                && np.look == crate::draft::Look::default() =>
+            {
+                let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
+                // "2. Desks. Eight desks …", but "- armchair" is a thing.
+                let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
+                if stop && more {
+                    self.mark(first);
+                    return true;
+                }
+                false
+            }
+            _ => false,
+        }
+    }
+
+    fn room_look(&mut self, room: usize, np: &Np) {
+        let r = &mut self.scene.rooms[room];
+        for f in &np.look.features {
+            match f.as_str() {
+                "octagonal" => r.corners = Some(8),
+                "hexagonal" => r.corners = Some(6),
+                "round" | "circular" => r.corners = Some(12),
+                _ => {}
+            }
+        }
+        let dims = np.dims.clone();
+        for (dim, value) in dims {
+            self.room_dim(room, dim, value);
+        }
+    }
+
+    fn room_dim(&mut self, room: usize, dim: Dim, value: f64) {
+        let size = &mut self.scene.rooms[room].size;
+        match dim {
+            Dim::Width => size[0] = Some(value),
+            Dim::Height | Dim::Ceiling => size[1] = Some(value),
+            Dim::Depth => size[2] = Some(value),
+            Dim::Length if size[0].is_some() && size[2].is_none() => size[2] = Some(value),
+            Dim::Length => {
+                // "6.5 m long and 5 m wide": the width comes later, and is then the depth.
+                size[0] = Some(value);
+            }
+            Dim::Across => {
+                size[0] = Some(value);
+                size[2] = Some(value);
+            }
+        }
+    }
+
+    /// Reads one chunk, or what hangs together; the index of the next.
+    fn step(&mut self, i: usize, end: usize) -> usize {
+        let chunks = self.chunks;
+        match &chunks[i].piece {
+            Piece::Np(np) => self.on_np(i, end, np),
+            Piece::Rel(rel) => self.on_rel(i, end, *rel),
+            Piece::ToIts(rel) => {
+                self.mark(i);
+                self.on_its(i, end, *rel);
+                i + 1
+            }
+            Piece::Verb(verb) => {
+                self.on_verb(i, *verb);
+                i + 1
+            }
+            Piece::Measure(m) => self.on_measure(i, end, m),
+            Piece::With => {
+                let with_back = self.np(i + 1, end).is_some_and(|n| {
+                    n.kind == Kind::Thing
+                        && n.count.is_none()
+                        && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many)
+                });
+                if !with_back && !self.near.is_empty() {
+                    self.s.expect = Expect::With(self.near.clone(), Join::Usual);
+                } else if with_back {
+                    return self.with_part(i, end);
+                }
+                i + 1
+            }
+            Piece::Attr(look) => {
+                let target = self.near.clone();
+                if target.is_empty() && self.s.of_room {
+                    self.mark(i);
+                } else if !target.is_empty() {
+                    self.mark(i);
+                    self.add_look(&target, look);
+                }
+                i + 1
+            }
+            Piece::Pattern(pattern) => {
+                self.mark(i);
+                let of = self.subject(i);
+                let (soft, at) = (self.s.soft, self.s.at.clone());
+                self.scene.say(&of, What::Pattern(*pattern), soft, false, at);
+                i + 1
+            }
+            Piece::Comma | Piece::Which => {
+                if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
+                {
+                    self.near = self.main.clone();
+                }
+                if chunks[i].piece == Piece::Comma {
+                    self.s.not = false;
+                }
+                i + 1
+            }
+            Piece::Colon => {
+                if let (Some(n), true) = (self.number_at(i + 1, end), self.near.len() == 1) {
+                    let item = &mut self.scene.items[self.near[0]];
+                    if item.many {
+                        item.count = Some(n);
+                    }
+                    self.mark(i + 1);
+                    return i + 2;
+                }
+                i + 1
+            }
+            Piece::Open | Piece::Close | Piece::And | Piece::Bullet | Piece::Line | Piece::Stop => i + 1,
+            Piece::There => {
+                self.s.expect = Expect::Nothing;
+                i + 1
+            }
+            Piece::Not => {
+                self.s.not = true;
+                self.mark(i);
+                i + 1
+            }
+            Piece::Apart => {
+                self.mark(i);
+                if let Some(m) = self.s.pending.take() {
+                    self.among(&m);
+                }
+                i + 1
+            }
+            Piece::Free => self.on_free(i, end),
+            Piece::Soft | Piece::Word(_) => {
+                self.s.centre |= matches!(
+                    self.tokens[chunks[i].at.start].text.as_str(),
+                    "center" | "centre" | "centred" | "centered"
+                );
+                if self.tokens[chunks[i].at.start].is("nothing") || self.tokens[chunks[i].at.start].is("nobody") {
+                    self.s.nothing = true;
+                }
+                i + 1
+            }
+        }
+    }
+
+    fn number_at(&self, i: usize, end: usize) -> Option<usize> {
+        if i >= end {
+            return None;
+        }
+        let c = &self.chunks[i];
+        super::number::count(&self.tokens[c.at.clone()])
+            .filter(|(n, k)| *k == c.at.len() && n.fract() == 0.0 && *n < 1000.0)
+            .map(|(n, _)| n as usize)
+    }
+
+    fn add_look(&mut self, items: &[usize], look: &crate::draft::Look) {
+        for i in items {
+            let to = &mut self.scene.items[*i].look;
+            match (&to.color, &look.color) {
+                (None, Some(c)) => to.color = Some(c.clone()),
+                (Some(old), Some(c)) if old != c => to.features.push(c.clone()),
+                _ => {}
+            }
+            match (&mut to.material, &look.material) {
+                (to @ None, Some(m)) => *to = Some(m.clone()),
+                (Some(old), Some(m)) if !old.contains(m.as_str()) => {
+                    old.push(' ');
+                    old.push_str(m);
+                }
+                _ => {}
+            }
+            to.features.extend(look.features.iter().cloned());
+        }
+    }
+
+    /// What a relation that comes now is said of.
+    fn subject(&self, i: usize) -> Vec<usize> {
+        let after_comma =
+            i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
+        let owned = matches!(self.s.expect, Expect::With(..));
+        if self.s.each && !owned || after_comma && !self.main.is_empty() || self.near.is_empty() {
+            if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
+        } else {
+            self.near.clone()
+        }
+    }
+
+    /// "with armrests", "with a glass top": looks of the last thing.
+    fn with_part(&mut self, i: usize, end: usize) -> usize {
+        let from = i + 1;
+        let mut to = from;
+        while to < end
+            && (to == from
+                || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_))
+                || self.np(to, end).is_some_and(|n| get().part(&n.head())))
+        {
+            to += 1;
+        }
+        while to > from + 1 && self.chunks[to - 1].piece == Piece::And {
+            to -= 1;
+        }
+        // "with its back to a wall" is a relation.
+        let text: Vec<&str> =
+            (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
+        if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
+            let feature = format!("with {}", text.join(" "));
+            self.scene.items[*item].look.features.push(feature);
+            (i..to).for_each(|k| self.mark(k));
+        }
+        to
+    }
+}
+
+impl Sentence {
+    fn new(at: Range<usize>) -> Self {
+        Self {
+            at,
+            subject: false,
+            lead: vec![],
+            expect: Expect::Nothing,
+            soft: false,
+            not: false,
+            keep: false,
+            nothing: false,
+            hang: false,
+            path: false,
+            verb: false,
+            each: false,
+            pending: None,
+            last: None,
+            listed: false,
+            of_room: false,
+            doors: false,
+            room_last: false,
+            unknown: false,
+            rooms: vec![],
+            from: 0,
+            one: false,
+            centre: false,
+            object: vec![],
+            shared: None,
+        }
+    }
+}
+
+/// "no desk closer than", "nothing within": the other way round.
+fn flip(m: &Measure, negative: bool) -> Op {
+    match m.op {
+        Op::Most if negative => Op::Least,
+        Op::Least if negative => Op::Most,
+        op => op,
+    }
+}
+
+/// "keep 1.2 m between them" is at least so much.
+fn min_if_keep(m: &Measure, keep: bool) -> Op {
+    if m.op == Op::Equal && keep { Op::Least } else { m.op }
+}
+
+/// Whether a noun can be a name: letters of a language that is written with these.
+fn nameable(noun: &str) -> bool {
+    noun.chars().all(|c| c.is_alphanumeric() || " -'".contains(c))
+        && noun.chars().filter(|c| c.is_alphabetic()).count() > 1
+        && noun.len() < 40
+}

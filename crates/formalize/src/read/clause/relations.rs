@@ -1,0 +1,463 @@
+//! Relations: what they are said of, what they are to, and places.
+
+use super::*;
+
+impl Reader<'_> {
+    pub(super) fn on_rel(&mut self, i: usize, end: usize, rel: Rel) -> usize {
+        // "in dark green felt"
+        if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
+            return i + 1;
+        }
+        let negative = std::mem::take(&mut self.s.not) && self.s.pending.is_none();
+        let Some((object, next)) = self.object(i + 1, end, rel) else {
+            if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
+                // "between the rows"
+                match self.s.pending.take() {
+                    Some(m) => {
+                        self.mark(i);
+                        self.rows(&m);
+                    }
+                    None => self.s.lead.push((rel, Lead::Place(Place::Row, vec![]))),
+                }
+                return i + 2;
+            }
+            return i + 1;
+        };
+        if rel == Rel::Of && !matches!(object, Lead::Place(..)) && self.s.pending.is_none() {
+            return next;
+        }
+        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
+        // "hangs from", "faces": said of what the sentence is about.
+        let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
+            && !self.main.is_empty()
+            && self.tokens[self.chunks[i].at.start].text.ends_with('s');
+        if verbal {
+            self.near = self.main.clone();
+            self.s.expect = Expect::Nothing;
+        }
+        let of = self.subject(i);
+        match object {
+            Lead::Items(items, each) => {
+                self.mark(i);
+                if let Some(m) = self.s.pending.take() {
+                    self.measured(&of, rel, &items, &m, negative);
+                } else if before_subject
+                    || of.is_empty()
+                    || self.preposed(i, next, end)
+                    || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
+                {
+                    self.s.lead.push((rel, Lead::Items(items, each)));
+                } else {
+                    if each && items.len() == 1 && !self.s.one {
+                        let fresh: Vec<usize> = of
+                            .iter()
+                            .copied()
+                            .filter(|o| self.scene.items[*o].at.start >= self.s.at.start && !items.contains(o))
+                            .collect();
+                        self.multiply(&fresh, items[0]);
+                    }
+                    if negative {
+                        let (soft, at) = (self.s.soft, self.s.at.clone());
+                        self.scene.say(&of, What::Rel(rel, items), soft, true, at);
+                    } else {
+                        let sides = self.chunks[i]
+                            .at
+                            .clone()
+                            .any(|t| matches!(self.tokens[t].text.as_str(), "each" | "either" | "both"));
+                        if sides && rel == Rel::Beside {
+                            self.double();
+                        }
+                        let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
+                        self.drop_usual(&of);
+                        self.relate(&of, rel, &items);
+                        // "a lamp on a table next to the sofa": the table is next to the sofa.
+                        self.near = if fresh { items } else { of };
+                    }
+                }
+            }
+            Lead::Place(place, which) => {
+                self.mark(i);
+                if let Some(m) = self.s.pending.take() {
+                    match place {
+                        Place::Row => self.rows(&m),
+                        Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
+                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing), m.values[0])),
+                    }
+                } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
+                    self.s.lead.push((rel, Lead::Place(place, which)));
+                } else if negative {
+                    // Not at a wall, not in a corner: kept as a note.
+                    self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
+                } else {
+                    self.drop_usual(&of);
+                    self.at_place(&of, rel, place, &which);
+                }
+            }
+        }
+        next
+    }
+
+    /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
+    pub(super) fn object(&mut self, from: usize, end: usize, rel: Rel) -> Option<(Lead, usize)> {
+        let chunks = self.chunks;
+        let mut k = from;
+        while matches!(self.piece(k, end), Some(Piece::Word(false) | Piece::Soft))
+            && !self.tokens[chunks[k].at.start].is("so")
+        {
+            k += 1;
+        }
+        let np = self.np(k, end)?;
+        match np.kind {
+            Kind::Thing => {
+                let id = self.resolve(k, np, true)?;
+                self.mark(k);
+                self.recent.push(id);
+                let mut items = vec![id];
+                let mut next = self.after_noun(k + 1, end, id);
+                let mut each = np.det == Det::Each && np.count.is_none();
+                // More objects: "between the sofa and the tv", "next to the fridge and the stove".
+                while let Some(n) = self.more_objects(next, end, rel, items.len()) {
+                    let Some(np) = self.np(n, end) else { break };
+                    let Some(id) = self.resolve(n, np, true) else { break };
+                    self.mark(n);
+                    self.recent.push(id);
+                    items.push(id);
+                    each |= np.det == Det::Each;
+                    next = self.after_noun(n + 1, end, id);
+                }
+                Some((Lead::Items(items, each), next))
+            }
+            Kind::Pronoun => {
+                let word = np.words.first().map_or("", String::as_str);
+                let items = self.their(word, np.det == Det::Each);
+                if items.is_empty() {
+                    return None;
+                }
+                self.mark(k);
+                Some((Lead::Items(items, np.det == Det::Each || word == "each"), k + 1))
+            }
+            Kind::Room => {
+                let room = self.rooms.spoken.get(&k).copied();
+                if let Some(room) = room {
+                    self.s.rooms.push(room);
+                    self.s.room_last = true;
+                }
+                if self.s.centre && !self.near.is_empty() {
+                    let of = self.near.clone();
+                    self.at_place(&of, Rel::In, Place::Middle, &[]);
+                }
+                if matches!(rel, Rel::In | Rel::At)
+                    && let Some(room) = room.filter(|_| !self.s.doors)
+                {
+                    self.enter(room);
+                    self.mark(k);
+                }
+                if let (Rel::To | Rel::In, Some(room)) = (rel, room)
+                    && self.s.doors
+                    && !self.s.of_room
+                {
+                    self.room = room;
+                    self.s.of_room = true;
+                    self.mark(k);
+                }
+                None
+            }
+            Kind::Place(place) => {
+                self.mark(k);
+                Some(self.place_object(k, end, place, np))
+            }
+            Kind::Abstract => None,
+        }
+    }
+
+    /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
+    pub(super) fn place_object(&mut self, k: usize, end: usize, place: Place, np: &Np) -> (Lead, usize) {
+        let mut which = np.which.clone();
+        if np.det == Det::Each || np.many {
+            which.push("each".into());
+        }
+        let mut next = k + 1;
+        if matches!(self.piece(next, end), Some(Piece::Rel(Rel::Of))) {
+            match self.np(next + 1, end).map(|n| (n.kind, n)) {
+                Some((Kind::Room, _)) => {
+                    if let Some(room) = self.rooms.spoken.get(&(next + 1)).copied() {
+                        self.s.rooms.push(room);
+                        if !self.s.of_room {
+                            self.enter(room);
+                        }
+                    }
+                    self.mark(next);
+                    self.mark(next + 1);
+                    next += 2;
+                }
+                Some((Kind::Thing, np))
+                    if !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) =>
+                {
+                    if let Some(id) = self.resolve(next + 1, np, true) {
+                        self.mark(next);
+                        self.mark(next + 1);
+                        let rel = match place {
+                            Place::Side | Place::Head => Some(Rel::Beside),
+                            Place::Foot | Place::Front => Some(Rel::InFrontOf),
+                            Place::Back => Some(Rel::Behind),
+                            Place::End | Place::Middle => Some(Rel::On),
+                            _ => None,
+                        };
+                        if rel.is_some() {
+                            if place == Place::Side && which.iter().any(|w| w == "each") {
+                                self.double();
+                            }
+                            return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
+                        }
+                        next += 2;
+                    }
+                }
+                Some((Kind::Pronoun, np)) => {
+                    let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);
+                    self.mark(next + 1);
+                    if !items.is_empty()
+                        && !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor)
+                    {
+                        if place == Place::Side && which.iter().any(|w| w == "each") {
+                            self.double();
+                        }
+                        return (Lead::Items(items, np.det == Det::Each), next + 2);
+                    }
+                    next += 2;
+                }
+                _ => {}
+            }
+        }
+        (Lead::Place(place, which), next)
+    }
+
+    pub(super) fn measure_follows(&self, from: usize, end: usize) -> bool {
+        self.chunks[from..end]
+            .iter()
+            .take_while(|c| c.piece != Piece::Comma)
+            .any(|c| matches!(c.piece, Piece::Measure(_)))
+    }
+
+    /// "…, and behind it a mirror hangs": a relation that its subject follows.
+    pub(super) fn preposed(&self, i: usize, next: usize, end: usize) -> bool {
+        let joined = i > 0 && matches!(self.chunks[i - 1].piece, Piece::And | Piece::Comma);
+        let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) {
+            next + 1
+        } else {
+            next
+        };
+        let fresh = |n: &Np| n.kind == Kind::Thing && matches!(n.det, Det::Indefinite | Det::Number | Det::None);
+        joined && self.np(after, end).is_some_and(fresh)
+    }
+
+    /// "a nightstand on each side": two of them.
+    pub(super) fn double(&mut self) {
+        for o in self.near.clone() {
+            let item = &mut self.scene.items[o];
+            if item.count == Some(1) && item.per.is_none() {
+                item.count = Some(2);
+                item.many = true;
+            }
+        }
+    }
+
+    pub(super) fn enter(&mut self, room: usize) {
+        // What this sentence has brought in so far is in that room.
+        let start = self.s.at.start;
+        for item in self.scene.items.iter_mut().filter(|i| i.at.start >= start) {
+            item.room = room;
+        }
+        self.room = room;
+    }
+
+    /// Another object after "and": a definite one, or anything where two are needed.
+    pub(super) fn more_objects(&self, k: usize, end: usize, rel: Rel, so_far: usize) -> Option<usize> {
+        if !matches!(self.piece(k, end), Some(Piece::And)) {
+            return None;
+        }
+        let np = self.np(k + 1, end).filter(|n| n.kind == Kind::Thing)?;
+        if rel == Rel::Between {
+            return (so_far < 2).then_some(k + 1);
+        }
+        let alone =
+            matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
+        let known = np.det == Det::Definite
+            || np.det == Det::None && np.count.is_none() && self.scene.find(np, self.room).is_some();
+        (alone && known).then_some(k + 1)
+    }
+
+    pub(super) fn their(&self, word: &str, each: bool) -> Vec<usize> {
+        if matches!(word, "them" | "these" | "those" | "both" | "all" | "ones" | "each") || each {
+            // Not what is being placed, if it is new: "three bean bags and a toy train next to them".
+            let owner = match &self.s.expect {
+                Expect::With(owner, _) => owner.clone(),
+                _ => vec![],
+            };
+            let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            if many(&owner) {
+                return owner;
+            }
+            let subject = self.near.clone();
+            for list in [&self.before, &self.main] {
+                if many(list) && *list != subject {
+                    return list.clone();
+                }
+            }
+            if let Some(i) = self.recent.iter().rev().find(|i| self.scene.items[**i].many && !subject.contains(i)) {
+                return vec![*i];
+            }
+        }
+        if let Expect::With(owner, _) = &self.s.expect
+            && !owner.is_empty()
+        {
+            return owner.clone();
+        }
+        let subject = self.near.clone();
+        // "a long table, eight chairs around it"
+        if self.s.subject
+            && subject != self.main
+            && let Some(other) = self.main.iter().rev().find(|m| !subject.contains(m))
+        {
+            return vec![*other];
+        }
+        // "a telephone on the desk, and a chair behind it"
+        let small = |l: &[usize]| {
+            l.len() > 1
+                || l.iter().any(|i| {
+                    self.scene.items[*i].many
+                        || matches!(self.scene.items[*i].group, Group::Top | Group::Soft | Group::Flat)
+                })
+        };
+        if self.s.subject
+            && !self.s.object.is_empty()
+            && small(&self.before)
+            && !small(&self.s.object)
+            && self.s.object != subject
+        {
+            return self.s.object.clone();
+        }
+        if self.s.subject && !self.before.is_empty() {
+            return self.before.clone();
+        }
+        let own: &[usize] = if self.s.subject { &self.main } else { &[] };
+        self.recent.iter().rev().find(|i| !own.contains(i)).map(|i| vec![*i]).unwrap_or_default()
+    }
+
+    /// "to its left", "on top", "between them".
+    pub(super) fn on_its(&mut self, i: usize, end: usize, rel: Rel) {
+        let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+        let many = text.contains(&"them");
+        let object = if rel == Rel::Between {
+            let list = if self.main.len() > 1 || !self.s.subject { self.main.clone() } else { self.before.clone() };
+            let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            if pair(&list) {
+                list
+            } else {
+                let own: &[usize] = if self.s.subject { &self.main } else { &[] };
+                let mut last: Vec<usize> = Vec::new();
+                for r in self.recent.iter().rev() {
+                    if !own.contains(r) && !last.contains(r) && last.len() < 2 {
+                        last.push(*r);
+                    }
+                }
+                last.reverse();
+                last
+            }
+        } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
+            // "a table, and on it a bowl"
+            self.main.clone()
+        } else if self.s.pending.is_some() && self.s.keep && !self.main.is_empty() {
+            self.main.clone()
+        } else if self.s.subject || matches!(self.s.expect, Expect::With(..)) {
+            self.their(if many { "them" } else { "it" }, false)
+        } else if many {
+            self.them()
+        } else {
+            if self.before.is_empty() {
+                self.recent.last().map(|r| vec![*r]).unwrap_or_default()
+            } else {
+                self.before.clone()
+            }
+        };
+        if object.is_empty() {
+            return;
+        }
+        let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        if let Some(m) = self.s.pending.take() {
+            if self.s.keep || self.s.nothing {
+                self.clear(&object, rel, m.values[0]);
+            } else {
+                self.measured(&of, rel, &object, &m, false);
+            }
+            return;
+        }
+        let not = std::mem::take(&mut self.s.not);
+        if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
+            self.s.lead.push((rel, Lead::Items(object, false)));
+        } else if not {
+            let (soft, at) = (self.s.soft, self.s.at.clone());
+            self.scene.say(&of, What::Rel(rel, object), soft, true, at);
+        } else {
+            if text.contains(&"either") || text.contains(&"both") || text.contains(&"each") {
+                self.double();
+            }
+            self.drop_usual(&of);
+            self.relate(&of, rel, &object);
+        }
+    }
+
+    /// The usual relation of things to their owner gives way to the one in words.
+    pub(super) fn drop_usual(&mut self, of: &[usize]) {
+        if let Expect::With(owner, Join::Usual) = &self.s.expect {
+            let at = &self.s.at;
+            self.scene.facts.retain(|f| {
+                !(f.of.len() == 1
+                    && of.contains(&f.of[0])
+                    && f.at == *at
+                    && matches!(&f.what, What::Rel(_, o) if o == owner)
+                    && !f.not)
+            });
+        }
+    }
+
+    /// Says a relation.
+    pub(super) fn relate(&mut self, of: &[usize], rel: Rel, to: &[usize]) {
+        let of: Vec<usize> = of.iter().copied().filter(|o| !to.contains(o) || to.len() == 1 && of.len() == 1).collect();
+        if of.is_empty() {
+            return;
+        }
+        // Nothing lies on what lies on it.
+        let back = |f: &crate::read::scene::Fact| matches!(&f.what, What::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
+        if of == to
+            || matches!(rel, Rel::On | Rel::Under | Rel::In | Rel::Above)
+                && self.scene.facts.iter().rev().take(8).any(back)
+        {
+            return;
+        }
+        self.say(&of, What::Rel(rel, to.to_vec()));
+        self.s.object = to.to_vec();
+        if rel == Rel::On {
+            self.s.shared = Some((rel, to.to_vec()));
+        }
+        self.s.last = Some((of, rel, to.to_vec()));
+    }
+
+    pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        match place {
+            Place::Row => self.say(of, What::Pattern(Pattern::Row)),
+            Place::Circle => self.say(of, What::Pattern(Pattern::Circle)),
+            Place::Side | Place::End | Place::Head | Place::Foot if which.iter().any(|w| w == "each") => {
+                // "on each side": of what was spoken of before.
+                let to = self.before.clone();
+                if !to.is_empty() {
+                    self.relate(of, Rel::Beside, &to);
+                }
+            }
+            _ => {
+                let hangs = self.s.hang && place == Place::Wall && rel != Rel::In;
+                self.say(of, What::Place(if hangs { Rel::Mounted } else { rel }, place, which.to_vec()));
+            }
+        }
+        self.s.last = None;
+    }
+}

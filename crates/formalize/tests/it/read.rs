@@ -1,0 +1,227 @@
+//! The English reader: phrases and what they become, any text at all, and the thirty requests of the development set.
+
+use crate::support::complaints;
+use proptest::prelude::*;
+use scenelang_formalize::draft::{Draft, Source};
+use scenelang_formalize::write::write;
+use scenelang_formalize::{Options, read};
+use scenelang_lang::{Options as Front, compile_text};
+use scenelang_verify::prove::{ProveOptions, prove};
+use std::path::{Path, PathBuf};
+
+const LITERAL: Options = Options { literal: true };
+
+/// What comes of a request, with nothing added: things with their numbers, and stated statements.
+fn literal(request: &str) -> (Vec<String>, Vec<String>) {
+    let draft = read(request, &LITERAL).draft;
+    let things = draft.things.iter().filter(|t| matches!(t.source, Source::Stated(_)));
+    let things = things.map(|t| if t.count > 1 { format!("{} {}", t.count, t.name) } else { t.name.clone() });
+    let openings = draft.openings.iter().filter(|o| matches!(o.source, Source::Stated(_))).map(|o| o.name.clone());
+    let things = things.chain(openings).collect();
+    let stated = draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+    (things, stated.map(|s| s.text.clone()).collect())
+}
+
+/// Phrase, things, pieces of statements. One a line, in `read.txt`.
+#[test]
+fn phrases_become_statements() {
+    let (mut seen, mut wrong) = (0, Vec::new());
+    for line in include_str!("read.txt").lines().filter(|l| !l.starts_with('#') && !l.is_empty()) {
+        let mut columns = line.split(" => ");
+        let (request, things) = (columns.next().unwrap(), columns.next().unwrap());
+        let (got, statements) = literal(request);
+        if got.join(", ") != things {
+            wrong.push(format!("{request} => {}, not {things}", got.join(", ")));
+        }
+        for want in columns.next().unwrap_or("").split(" & ").filter(|w| !w.is_empty()) {
+            if !statements.iter().any(|s| s.contains(want)) {
+                wrong.push(format!("{request}: no `{want}` in {statements:?}"));
+            }
+        }
+        seen += 1;
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(seen > 30);
+}
+
+#[test]
+fn rooms_and_their_sizes() {
+    for (request, want) in [
+        ("A kitchen of 4 by 3 m, 2.5 m high, with a stove.", "kitchen 4 2.5 3"),
+        ("the office is 6x5m, ceiling 2.8. a desk in the middle", "office 6 2.8 5"),
+        ("A living room (20 ft by 15 ft) with a sofa", "livingRoom 6.096 2.6 4.572"),
+        ("My bedroom is 4 m wide and 5 m deep and has a bed.", "bedroom 4 2.6 5"),
+        ("A shop, 48 square metres, with two shelves", "shop 7.407 3.2 6.481"),
+    ] {
+        let draft = read(request, &LITERAL).draft;
+        let [w, h, d] = draft.rooms[0].size;
+        assert_eq!(format!("{} {w} {h} {d}", draft.rooms[0].name), want, "{request}");
+        assert!(draft.rooms.len() == 1, "{request}");
+    }
+    let two = read("Kitchen: a stove.\n\nBedroom: a bed. A door connects the kitchen and the bedroom.", &LITERAL).draft;
+    assert_eq!(two.rooms.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["kitchen", "bedroom"]);
+    assert_eq!(two.openings.iter().map(|o| o.rooms.clone()).collect::<Vec<_>>(), [[0, 1]]);
+    assert_eq!(two.things.iter().map(|t| t.room).collect::<Vec<_>>(), [Some(0), Some(1)]);
+}
+
+#[test]
+fn looks_are_carried() {
+    let draft = read("A dark green velvet sofa with armrests and three chairs (white, oak).", &LITERAL).draft;
+    let looks: Vec<_> = draft.things.iter().map(|t| (t.look.color.as_deref(), t.look.material.as_deref())).collect();
+    assert_eq!(looks, [(Some("dark green"), Some("velvet")), (Some("white"), Some("oak"))]);
+    assert_eq!(draft.things[0].look.features, ["with armrests"]);
+}
+
+#[test]
+fn what_is_not_understood_is_noted() {
+    let request = "A desk by the wall. Colourless green ideas dream furiously upwards.";
+    let reading = read(request, &LITERAL);
+    assert_eq!((reading.understood, reading.clauses), (1, 2));
+    assert!(
+        reading.draft.notes.iter().any(|n| request[n.at.clone()].contains("dream furiously")),
+        "{:?}",
+        reading.draft.notes
+    );
+    let ruled_out = read("A bedroom with a bed and no television.", &LITERAL);
+    assert_eq!(ruled_out.absent.iter().map(|a| a.0.as_str()).collect::<Vec<_>>(), ["television"]);
+    for other in ["椅子四つとテーブル", "🍕🍕🍕", "", "\n\n\n", "Ein Tisch mit vier Stühlen steht mitten im Zimmer."]
+    {
+        let reading = read(other, &Options::default());
+        assert_eq!(reading.understood, 0, "{other}");
+        assert!(reading.draft.things.is_empty(), "{other}");
+    }
+}
+
+#[test]
+fn little_is_filled_up_unless_it_is_to_be_literal() {
+    let full = read("A bedroom", &Options::default()).draft;
+    assert!(full.things.iter().any(|t| t.category.contains("bed")));
+    assert!(full.things.iter().all(|t| matches!(&t.source, Source::Inferred(why) if !why.is_empty())));
+    assert!(read("A bedroom", &LITERAL).draft.things.is_empty());
+    let said = read("A bedroom with a bed, a desk, a chair and a lamp", &Options::default()).draft;
+    assert_eq!(said.things.len(), 4);
+}
+
+/// The requests of the development set.
+fn development() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests/development");
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(folder).expect("the set is there").flatten().map(|f| f.path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e == "txt"));
+    files.sort();
+    files
+}
+
+/// Errors of the front end, and contradictions.
+fn faults(draft: &Draft) -> Vec<String> {
+    let text = write(draft);
+    let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Front::default());
+    let Some(program) = compiled.program.as_ref().filter(|_| !compiled.diagnostics.iter().any(|d| d.is_error())) else {
+        return complaints(&text);
+    };
+    let options = ProveOptions { redundant: false, ..ProveOptions::default() };
+    prove(program, &options).contradictions.iter().map(|c| format!("{:?}", c.statements)).collect()
+}
+
+#[test]
+fn every_program_compiles_and_nothing_contradicts() {
+    let files = development();
+    assert_eq!(files.len(), 30);
+    for file in files {
+        let request = std::fs::read_to_string(&file).unwrap();
+        for literal in [false, true] {
+            let reading = read(&request, &Options { literal });
+            assert_eq!(faults(&reading.draft), Vec::<String>::new(), "{}", file.display());
+            assert!(reading.understood * 10 >= reading.clauses * 7, "{}", file.display());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_is_read(text in "\\PC{0,300}") {
+        let reading = read(&text, &Options::default());
+        prop_assert!(reading.understood <= reading.clauses);
+        for note in &reading.draft.notes {
+            prop_assert!(text.get(note.at.clone()).is_some());
+        }
+    }
+
+    #[test]
+    fn words_in_any_order_make_programs(words in proptest::collection::vec(proptest::sample::select(WORDS), 1..40)) {
+        let text = words.join(" ");
+        let reading = read(&text, &Options::default());
+        prop_assert_eq!(faults(&reading.draft), Vec::<String>::new(), "{}", text);
+    }
+}
+
+/// Words that mean something to the reader, to be shuffled.
+const WORDS: &[&str] = &[
+    "a",
+    "the",
+    "two",
+    "each",
+    "no",
+    "chair",
+    "tables",
+    "desk",
+    "sofa",
+    "lamp",
+    "door",
+    "window",
+    "kitchen",
+    "bedroom",
+    "on",
+    "under",
+    "between",
+    "next to",
+    "in front of",
+    "behind",
+    "around",
+    "facing",
+    "against the wall",
+    "in the corner",
+    "with",
+    "and",
+    ",",
+    ".",
+    ":",
+    "\n-",
+    "it",
+    "them",
+    "at least 2 m",
+    "1.2 m wide",
+    "5 by 4 m",
+    "white",
+    "oak",
+    "in a row",
+    "not",
+    "keep",
+    "free",
+    "hangs",
+    "holds",
+    "from",
+    "in the middle",
+    "leads to",
+    "(",
+    ")",
+    "of",
+    "rug",
+    "clock",
+    "six",
+    "apart",
+    "in two rows",
+];
+
+#[test]
+fn much_text_takes_its_time_and_no_more() {
+    let many = "A table with four chairs stands next to the sofa. ".repeat(20_000);
+    let reading = read(&many, &LITERAL);
+    assert!(reading.draft.notes.iter().any(|n| n.reason.contains("longer")));
+    let one_word = "x".repeat(1 << 20);
+    assert_eq!(read(&one_word, &LITERAL).understood, 0);
+    let signs = "(((".repeat(300_000);
+    assert_eq!(read(&signs, &LITERAL).clauses, 0);
+}
