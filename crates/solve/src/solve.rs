@@ -114,6 +114,17 @@ pub fn solve_with(
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 
+/// What the quick search came to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Quickly {
+    /// All holds.
+    Holds,
+    /// It saw nothing violated, but something is: a part is no box, or a thing stands otherwise than it knows.
+    Nearly,
+    /// It could not be made to hold, or not be judged.
+    Not,
+}
+
 /// The layout of a quick search as that of the search proper.
 fn show<'a>(quick: &Quick<'a>, state: &mut State<'a>) {
     let changes = quick.changes(state);
@@ -191,7 +202,8 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        if attempt == 0 && steps.is_default() && self.quick(search) {
+        let quickly = if attempt == 0 && steps.is_default() { self.quick(search) } else { Quickly::Not };
+        if quickly == Quickly::Holds {
             stay::put_back(search, &self.setup.given);
             search.note();
             if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
@@ -202,12 +214,14 @@ impl<'r, 'a> Run<'r, 'a> {
         if search.is_late() && search.best.is_some() {
             return ControlFlow::Continue(());
         }
-        place::initial(search, steps, &self.setup.given);
-        progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
-        if !search.outside_relax(steps) {
-            relax::relax(search);
+        if quickly == Quickly::Not {
+            place::initial(search, steps, &self.setup.given);
+            progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
+            if !search.outside_relax(steps) {
+                relax::relax(search);
+            }
+            search.note();
         }
-        search.note();
         search.outside_rounds(steps, &mut self.iterations, progress)?;
         let rounds = if steps.proposers_only { 0 } else { self.options.rounds };
         let solved = search.repair(rounds, steps, &mut self.iterations, progress)?;
@@ -226,8 +240,8 @@ impl<'r, 'a> Run<'r, 'a> {
         ControlFlow::Continue(())
     }
 
-    /// The quick search, where it can judge all that must hold. Whether all holds then.
-    fn quick(&self, search: &mut Search<'_>) -> bool {
+    /// The quick search, where it can judge all that must hold.
+    fn quick(&self, search: &mut Search<'_>) -> Quickly {
         // Far apart, so that nothing has to be judged; what rules say of poses is so from here on.
         const APART: f64 = 1e3;
         let homes: Vec<Change> = self
@@ -247,7 +261,7 @@ impl<'r, 'a> Run<'r, 'a> {
         self.setup.given.iter().for_each(|(id, _)| given[id.0 as usize] = true);
         let Some(mut quick) = Quick::new(&search.state) else {
             self.setup.frame.objects().for_each(|id| search.state.banish(id));
-            return false;
+            return Quickly::Not;
         };
         let budget = (self.options.budget as f64 * QUICK) as u64;
         let mut limit = self.limit.clone();
@@ -256,9 +270,9 @@ impl<'r, 'a> Run<'r, 'a> {
             limit = limit.earlier(JUDGED * judging(&mut search.state, &quick));
             given.fill(true);
         }
-        let mut holds = false;
+        let (mut solved, mut holds) = (false, false);
         while !holds && quick.work < budget {
-            let solved = quick.search(&mut search.chance, budget - quick.work, &limit, &given);
+            solved = quick.search(&mut search.chance, budget - quick.work, &limit, &given);
             if solved && self.setup.given.is_empty() {
                 quick.tidy(&mut search.chance, &limit);
             }
@@ -271,11 +285,15 @@ impl<'r, 'a> Run<'r, 'a> {
             given.fill(true);
         }
         search.state.work += quick.work;
-        if !holds {
-            search.note();
-            self.setup.frame.objects().for_each(|id| search.state.banish(id));
+        if holds {
+            return Quickly::Holds;
         }
-        holds
+        search.note();
+        if solved {
+            return Quickly::Nearly;
+        }
+        self.setup.frame.objects().for_each(|id| search.state.banish(id));
+        Quickly::Not
     }
 
     /// Improves a layout in which everything holds.

@@ -8,7 +8,6 @@ use crate::navigation::Walks;
 use crate::number::{Algebra, Number};
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
-use nalgebra::Matrix3;
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Allowances, DrawId, ObjectId, Program, RegionId, VariableId, VariableKind};
 use scenelang_layout::convex::{self, local_solid, parts_fill_box};
@@ -86,19 +85,9 @@ impl Body {
     pub fn has_parts(&self) -> bool {
         self.parts.is_some()
     }
-    /// Whether its solid is its box: it has no parts, or one that is the box again.
-    pub fn is_box(&self) -> bool {
-        const ROUNDING: f64 = 1e-9;
-        let height = 2.0 * self.obb.half.y;
-        let whole = |part: &Convex| {
-            part.as_box().is_some_and(|part| {
-                (part.center - Vec3::new(0.0, self.obb.half.y, 0.0)).amax() <= ROUNDING
-                    && (part.half - self.obb.half).amax() <= ROUNDING
-                    && (part.axes - Matrix3::identity()).amax() <= ROUNDING
-            })
-        };
-        let parts = self.parts.as_deref().is_none_or(|parts| matches!(parts, [part] if whole(part)));
-        parts && self.surface.is_none_or(|surface| (surface - height).abs() <= ROUNDING)
+    /// Its parts in its own frame, the middle of its bottom face the origin, where they count.
+    pub(crate) fn parts(&self) -> Option<&[Convex]> {
+        self.parts.as_deref()
     }
     /// Its solid in the world: its parts, or its box.
     pub fn solid(&self) -> &[Convex] {

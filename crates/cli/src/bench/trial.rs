@@ -7,7 +7,7 @@ use scenelang_base::Diagnostic;
 use scenelang_base::fs::write_whole;
 use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, Program, compile_file};
-use scenelang_solve::{Outcome, Phase, Placed, Problem, Progress};
+use scenelang_solve::{End, Outcome, Phase, Placed, Problem, Progress};
 use scenelang_synth::furnish;
 use scenelang_verify::prove::{Findings, ProveOptions, prove};
 use scenelang_verify::report::model::{Summary, Tally};
@@ -144,7 +144,8 @@ fn solve(
     let draws = scenelang_solve::draws(program, trial.seed);
     let start = furnish(program, draws, None, &limits.judge).layout;
     let problem = Problem { program, placed: Placed::None, start };
-    let options = scenelang_solve::Options { seed: trial.seed, judge: limits.judge, ..Default::default() };
+    let options =
+        scenelang_solve::Options { seed: trial.seed, judge: limits.judge, time: limits.time, ..Default::default() };
     let mut first = None;
     let begun = Instant::now();
     let mut outcome: Outcome = scenelang_solve::solve(&problem, &options, &mut |step: Progress| {
@@ -153,10 +154,10 @@ fn solve(
         if first.is_none() && step.phase != Phase::InitialPlacement && step.held == step.total {
             first = Some(elapsed);
         }
-        trial.cut |= limits.time.is_some_and(|limit| elapsed > limit);
-        if trial.cut || interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     trial.total = begun.elapsed();
+    trial.cut = outcome.end == End::Time;
     (trial.work, trial.rounds) = (outcome.work, outcome.iterations);
 
     let file = limits.layouts.map(|folder| folder.join(format!("{}.s{}.layout.json", case.name, trial.seed)));

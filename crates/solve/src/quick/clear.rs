@@ -4,7 +4,7 @@ use super::{Quick, Span};
 use crate::merit;
 use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, Side};
 use scenelang_verify::World;
-use scenelang_verify::coded::Flat;
+use scenelang_verify::coded::{Block, Flat};
 
 /// Lower than this above the base of a thing nothing is in its way (metres).
 const SILL: f64 = 0.05;
@@ -90,10 +90,11 @@ impl Quick<'_> {
     /// Other objects that reach into a space, and how far (negative, metres).
     fn blockers(&self, owner: usize, space: &Space) -> Vec<(usize, f64)> {
         let span = space.span();
+        let [w, d] = space.flat.half;
+        let block = [Block::new([0.0; 3], [w, (space.high - space.low) / 2.0, d])];
         let mut found = Vec::new();
         for j in (0..self.count()).filter(|&j| j != owner && self.span[j].meets(&span)) {
-            let upright = (space.low - self.span[j].max[1]).max(self.span[j].min[1] - space.high);
-            let gap = upright.max(space.flat.gap(&self.flat(j)));
+            let gap = self.gap_of_blocks((j, &self.flat(j)), (&block, &space.flat, (space.low + space.high) / 2.0));
             if gap < 0.0 {
                 found.push((j, gap));
             }

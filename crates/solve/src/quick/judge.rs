@@ -5,7 +5,7 @@ use crate::checks::Check;
 use crate::merit::Merit;
 use crate::rules::Sets;
 use scenelang_lang::program::ObjectId;
-use scenelang_verify::coded::INPUTS;
+use scenelang_verify::coded::{self, Block, Flat, INPUTS};
 use std::marker::PhantomData;
 
 /// What moved in a trial: an object, where it was.
@@ -38,14 +38,24 @@ impl Quick<'_> {
     }
 
     fn take(&mut self, i: usize, mut inputs: [f64; INPUTS], depth: usize) {
-        // Things stand on each other no higher than this.
-        const HIGH: usize = 8;
         let id = ObjectId(i as u32);
         let (fixed, old) = (self.frame.fixed(id), self.inputs(i));
         (0..3).filter(|&k| fixed.pos[k]).for_each(|k| inputs[k] = old[k]);
         if fixed.rot {
             inputs[3..].copy_from_slice(&old[3..]);
         }
+        self.carry(i, inputs, depth);
+        for at in 0..self.followers[i].len() {
+            let rule = self.followers[i][at];
+            self.obey(rule, depth);
+        }
+    }
+
+    /// Puts an object somewhere with what stands on it.
+    fn carry(&mut self, i: usize, inputs: [f64; INPUTS], depth: usize) {
+        // Things stand on each other no higher than this.
+        const HIGH: usize = 8;
+        let old = self.inputs(i);
         self.shift(i, inputs);
         if self.raised_count > 0 && depth < HIGH {
             for k in (0..self.count()).filter(|&k| self.seat[k] == Some(i)).collect::<Vec<_>>() {
@@ -54,13 +64,9 @@ impl Quick<'_> {
                 }
             }
         }
-        for at in 0..self.followers[i].len() {
-            let rule = self.followers[i][at];
-            self.obey(rule);
-        }
     }
 
-    fn obey(&mut self, rule: usize) {
+    fn obey(&mut self, rule: usize, depth: usize) {
         let CodedRule { owner, sets, value } = &self.rules[rule];
         let owner = *owner;
         let found = value.run(&mut self.slots);
@@ -77,7 +83,7 @@ impl Quick<'_> {
             Sets::Scale => return,
         }
         if next != self.inputs(owner) {
-            self.shift(owner, next);
+            self.carry(owner, next, depth);
         }
     }
 
@@ -231,14 +237,21 @@ impl Quick<'_> {
         let mut best: Option<(usize, f64)> = None;
         for j in 0..self.count() {
             let other = &self.span[j];
-            let off = (bottom - other.max[1]).abs();
-            if j != i
-                && best.is_none_or(|(_, least)| off < least)
-                && (other.min[0]..=other.max[0]).contains(&x)
-                && (other.min[2]..=other.max[2]).contains(&z)
-                && self.is_over(j, x, z)
+            if j == i
+                || !(other.min[0]..=other.max[0]).contains(&x)
+                || !(other.min[2]..=other.max[2]).contains(&z)
+                || !self.is_over(j, x, z)
             {
-                best = Some((j, off));
+                continue;
+            }
+            let [u, v] = self.flat(j).local([x, z]);
+            let covers =
+                |block: &&Block| (u - block.at[0]).abs() <= block.half[0] && (v - block.at[2]).abs() <= block.half[2];
+            for block in self.blocks[j].iter().filter(covers) {
+                let off = (bottom - self.middle(j) - block.at[1] - block.half[1]).abs();
+                if best.is_none_or(|(_, least)| off < least) {
+                    best = Some((j, off));
+                }
             }
         }
         best
@@ -285,9 +298,12 @@ impl Quick<'_> {
         sum
     }
 
-    /// The signed gap of two upright boxes that may overlap.
+    /// The signed gap of two upright things that may overlap.
     fn gap(&self, i: usize, j: usize) -> f64 {
         let (a, b) = (&self.span[i], &self.span[j]);
+        if self.blocks[i].len() > 1 || self.blocks[j].len() > 1 {
+            return self.gap_of_blocks((i, &self.flat(i)), (&self.blocks[j], &self.flat(j), self.middle(j)));
+        }
         let along = |k: usize| (a.min[k] - b.max[k]).max(b.min[k] - a.max[k]);
         let square = |k: usize| {
             let [.., sin, cos] = self.inputs(k);
@@ -297,6 +313,16 @@ impl Quick<'_> {
         aside.max(along(1))
     }
 
+    /// The signed gap between a thing and blocks that stand somewhere.
+    pub(super) fn gap_of_blocks(&self, (i, flat): (usize, &Flat), other: (&[Block], &Flat, f64)) -> f64 {
+        coded::gap([(&self.blocks[i], flat, self.middle(i)), other], f64::max)
+    }
+
+    /// How high its middle is.
+    pub(super) fn middle(&self, i: usize) -> f64 {
+        (self.span[i].min[1] + self.span[i].max[1]) / 2.0
+    }
+
     /// What stands on something: its carrier may have come or gone.
     fn others_above(&mut self, moved: &[Moved]) -> f64 {
         let mut sum = 0.0;
@@ -304,7 +330,7 @@ impl Quick<'_> {
             return sum;
         }
         for k in 0..self.count() {
-            if !self.raised[k] || moved.iter().any(|(m, ..)| *m == k) {
+            if !self.raised[k] || !self.rests[k] || moved.iter().any(|(m, ..)| *m == k) {
                 continue;
             }
             let span = self.span[k];
@@ -349,10 +375,11 @@ impl Quick<'_> {
                 self.hits[j].retain(|k| *k != i);
                 self.set(self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32)), 0.0, true);
             }
-            let raised = self.rests[i] && self.span[i].min[1] > self.floor + self.tolerances.support;
+            let on_something = self.rests[i] && self.span[i].min[1] > self.floor + self.tolerances.support;
+            let raised = on_something || self.container[i].is_some();
             self.raised_count = self.raised_count + usize::from(raised) - usize::from(self.raised[i]);
             self.raised[i] = raised;
-            self.seat[i] = if raised { self.find_seat(i) } else { None };
+            self.seat[i] = self.container[i].or_else(|| if raised { self.find_seat(i) } else { None });
         }
         self.ways_keep(&moved);
         let fresh = std::mem::take(&mut self.fresh);

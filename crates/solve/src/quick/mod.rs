@@ -1,6 +1,6 @@
 //! The quick search: weighted min-conflicts over many sampled poses, on straight-line code.
 //!
-//! The layout is a row of floats here, formulas are code (see [`scenelang_verify::coded`]), solids are boxes, and a trial
+//! The layout is a row of floats here, formulas are code (see [`scenelang_verify::coded`]), parts are boxes, and a trial
 //! looks only at what the moved objects touch. Everything found is handed back to the search proper, which judges it by
 //! the evaluator itself.
 
@@ -24,8 +24,9 @@ use judge::Moved;
 use rooms::{Field, Room, Stretch, Wall};
 use scenelang_lang::program::{NodeId, ObjectId, RegionId};
 use scenelang_layout::Vec3;
-use scenelang_verify::coded::{Coded, CodedValue, Coder, Slots};
+use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
 use scenelang_verify::{Tolerances, Truth, rules};
+use std::sync::Arc;
 use ways::Way;
 
 /// Overlaps of less than this are rounding (metres).
@@ -74,6 +75,8 @@ enum Home {
     Stands(Vec<Wall>),
     /// On one of these walls.
     Hangs(Vec<Wall>),
+    /// In this thing.
+    Within(usize),
     /// Under a ceiling of this height.
     Ceiling(f64),
     /// In one of these stretches of wall.
@@ -93,6 +96,12 @@ pub(crate) struct Quick<'a> {
     /// By object: its terms, cheap ones first.
     terms_of: Vec<Vec<usize>>,
     size: Vec<[f64; 3]>,
+    /// By object: what it is made of.
+    blocks: Vec<Arc<[Block]>>,
+    /// By object: how high above its base things are put on it.
+    surface: Vec<f64>,
+    /// By object: what it is in, if that carries it.
+    container: Vec<Option<usize>>,
     span: Vec<Span>,
     /// Whether P-COLLIDE speaks of a pair.
     collide: Vec<bool>,
@@ -169,11 +178,8 @@ impl<'a> Quick<'a> {
         let world = &state.world;
         let n = frame.program.objects.len();
         let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
-        let plain = |id: &ObjectId| {
-            let held = !matches!(frame.hold(*id), Hold::Container(_));
-            let upright = state.pose(*id).is_upright() && !frame.tilts[id.0 as usize];
-            held && upright && world.object(*id).is_ok_and(|thing| thing.body.is_box())
-        };
+        let plain =
+            |id: &ObjectId| state.pose(*id).is_upright() && !frame.tilts[id.0 as usize] && world.object(*id).is_ok();
         if n == 0 || !frame.objects().all(|id| plain(&id)) {
             return None;
         }
@@ -210,7 +216,8 @@ impl<'a> Quick<'a> {
         for rule in &frame.rules.list {
             rules.push(CodedRule { owner: rule.owner.0 as usize, sets: rule.sets, value: coder.value(&rule.formula)? });
         }
-        let size = frame.objects().map(|id| state.pose(id).scale.into()).collect();
+        let size: Vec<[f64; 3]> = frame.objects().map(|id| state.pose(id).scale.into()).collect();
+        let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();
         let mut collide = vec![false; n * n];
         for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
@@ -227,6 +234,12 @@ impl<'a> Quick<'a> {
             slots: coder.slots(),
             followers: Vec::new(),
             terms_of: Vec::new(),
+            blocks: bodies().map(coded::blocks).collect(),
+            surface: bodies().zip(&size).map(|(body, size)| body.surface.unwrap_or(size[1])).collect(),
+            container: frame
+                .objects()
+                .map(|id| if let Hold::Container(c) = frame.hold(id) { Some(c.0 as usize) } else { None })
+                .collect(),
             size,
             span: vec![Span::default(); n],
             collide,
@@ -286,6 +299,9 @@ impl<'a> Quick<'a> {
             quick.field.push(field);
             quick.outlines.push(quick.outlines_of(id));
             quick.homes.push(quick.home_of(id, field, world)?);
+        }
+        for at in 0..quick.movable.len() {
+            quick.heed_followers(quick.movable[at]);
         }
         Some(quick)
     }

@@ -60,6 +60,7 @@ impl Quick<'_> {
         match &self.homes[i] {
             Home::Stands(_) => {}
             Home::Hangs(walls) => return self.on_wall(i, &walls[chance.below(walls.len())], chance),
+            Home::Within(container) => return self.within(i, *container, chance),
             Home::Door(stretches) => return self.in_wall(i, &stretches[chance.below(stretches.len())], chance),
             Home::Ceiling(height) => {
                 let mut pose = self.on_the_ground(i, chance);
@@ -71,6 +72,20 @@ impl Quick<'_> {
         if self.rests[i] {
             pose[1] = self.floor;
         }
+        pose
+    }
+
+    /// Somewhere in what holds it, at its bottom.
+    fn within(&self, i: usize, container: usize, chance: &mut ChaCha8Rng) -> Inputs {
+        let mut pose = self.some_turn(i, chance);
+        if self.turns[i] && chance.below(2) == 0 {
+            pose = turned(pose, self.inputs(container)[3] + 90.0 * chance.below(4) as f64);
+        }
+        let flat = self.flat(container);
+        let along = [flat.point([1.0, 0.0]), flat.point([0.0, 1.0])].map(|p| [p[0] - flat.at[0], p[1] - flat.at[1]]);
+        let play = [0, 1].map(|k| (flat.half[k] - self.reach_along(i, &pose, along[k])).max(0.0));
+        [pose[0], pose[2]] = flat.point(play.map(|far| chance.between(-far, far)));
+        pose[1] = self.span[container].min[1];
         pose
     }
 
@@ -272,7 +287,7 @@ impl Quick<'_> {
         let pool = if self.bases[i].is_empty() { &self.related[i] } else { &self.bases[i] };
         for &j in pool.iter().take(3).filter(|&&j| !self.away[j]) {
             let Flat { at, half, .. } = self.flat(j);
-            let top = self.span[j].max[1];
+            let top = self.span[j].min[1] + self.surface[j];
             for _ in 0..2 {
                 let mut pose = self.some_turn(i, chance);
                 if self.turns[i] && chance.below(2) == 0 {
@@ -290,7 +305,7 @@ impl Quick<'_> {
     pub(super) fn at_a_wall(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let walls = match &self.homes[i] {
             Home::Stands(walls) if !walls.is_empty() => walls,
-            Home::Ceiling(_) | Home::Stands(_) => return,
+            Home::Ceiling(_) | Home::Stands(_) | Home::Within(_) => return,
             Home::Hangs(_) | Home::Door(_) => {
                 let pose = self.anywhere(i, chance);
                 out.push(pose);

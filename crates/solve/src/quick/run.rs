@@ -142,7 +142,7 @@ impl Quick<'_> {
                 let door = if self.doors.contains(&i) { 100.0 } else { 0.0 };
                 door + self.size[i][0] * self.size[i][2] * luck[i] + company * links[i]
             };
-            let based = |i: &usize| self.bases[*i].iter().all(|base| !self.away[*base]);
+            let based = |i: &usize| self.bases[*i].iter().chain(&self.container[*i]).all(|base| !self.away[*base]);
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
             let next = ready.max_by(|&a, &b| rank(waiting[a]).total_cmp(&rank(waiting[b]))).unwrap_or(0);
             let i = waiting.swap_remove(next);
@@ -357,9 +357,21 @@ impl Quick<'_> {
         self.go(j, at(b, a));
     }
 
+    /// Who has to move for an object to move: itself, or those that rules set its place by; into `out`.
+    fn movers(&self, i: usize, depth: usize, out: &mut Vec<usize>) {
+        if self.is_movable(i) {
+            if !out.contains(&i) {
+                out.push(i);
+            }
+        } else if depth < 8 {
+            self.bases[i].iter().for_each(|&base| self.movers(base, depth + 1, out));
+        }
+    }
+
     /// A movable object that a check speaks of.
     fn culprit(&self, check: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
-        let movable = |o: &ObjectId| self.frame.is_movable(*o);
+        let mut movers = Vec::new();
+        let mut moves = |o: &ObjectId| self.movers(o.0 as usize, 0, &mut movers);
         match self.numbering.check(check) {
             Check::Term(t) => {
                 match &self.judges[t] {
@@ -373,16 +385,12 @@ impl Quick<'_> {
                     }
                     _ => {}
                 }
-                let objects = &self.frame.terms[t].objects;
-                let count = objects.iter().filter(|o| movable(o)).count();
-                objects.iter().filter(|o| movable(o)).nth(chance.below(count)).map(|o| o.0 as usize)
+                self.frame.terms[t].objects.iter().for_each(&mut moves);
             }
-            Check::Collide(a, b) => {
-                let (first, second) = if chance.below(2) == 0 { (a, b) } else { (b, a) };
-                [first, second].iter().find(|o| movable(o)).map(|o| o.0 as usize)
-            }
-            Check::Bounds(a) | Check::Support(a) => Some(a).filter(movable).map(|o| o.0 as usize),
+            Check::Collide(a, b) => [a, b].iter().for_each(&mut moves),
+            Check::Bounds(a) | Check::Support(a) => moves(&a),
         }
+        movers.get(chance.below(movers.len())).copied()
     }
 }
 

@@ -77,6 +77,45 @@ impl Quick<'_> {
         named.reduce(Field::meet).or_else(around).unwrap_or(OPEN)
     }
 
+    /// Narrows the field of an object that others follow at fixed distances, so that all of them are in theirs.
+    pub(super) fn heed_followers(&mut self, i: usize) {
+        let owners: Vec<usize> = self.followers[i].iter().map(|&rule| self.rules[rule].owner).collect();
+        if owners.is_empty() {
+            return;
+        }
+        let start = self.inputs(i);
+        let mut there = start;
+        (there[0], there[2]) = (start[0] + 1.0, start[2] + 2.0);
+        let offsets = |quick: &Self| -> Vec<[f64; 2]> {
+            let here = quick.inputs(i);
+            owners.iter().map(|&k| quick.inputs(k)).map(|at| [at[0] - here[0], at[2] - here[2]]).collect()
+        };
+        self.go(i, start);
+        let before = offsets(self);
+        self.undo();
+        self.go(i, there);
+        let after = offsets(self);
+        let turns = self.yaws[i].len() > 1 || self.turns[i];
+        let mut field = self.field[i];
+        for (at, &k) in owners.iter().enumerate() {
+            let off = before[at];
+            if turns || (0..2).any(|axis| (off[axis] - after[at][axis]).abs() > 1e-9) {
+                continue;
+            }
+            let reach = |k: usize| <[f64; 2]>::from(self.reach(k, &self.inputs(k)));
+            let (own, theirs) = (reach(i), reach(k));
+            for axis in 0..2 {
+                let more = theirs[axis] - own[axis];
+                field.min[axis] = field.min[axis].max(self.field[k].min[axis] - off[axis] + more);
+                field.max[axis] = field.max[axis].min(self.field[k].max[axis] - off[axis] - more);
+            }
+        }
+        self.undo();
+        if (0..2).all(|axis| field.min[axis] < field.max[axis]) {
+            self.field[i] = field;
+        }
+    }
+
     /// The room of a region.
     pub(super) fn room(&self, id: RegionId) -> Option<&Room> {
         self.rooms.iter().find(|room| room.id == id)
@@ -99,7 +138,7 @@ impl Quick<'_> {
                 let found: Vec<Stretch> = stretches(world, self.room(first)?, second);
                 (!found.is_empty()).then_some(Home::Door(found))?
             }
-            Hold::Container(_) => return None,
+            Hold::Container(container) => Home::Within(container.0 as usize),
         })
     }
 

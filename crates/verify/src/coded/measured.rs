@@ -3,6 +3,8 @@
 //! Signs are those of the evaluator. Of what overlaps, or leaves a room, the size is that of the nearest way out, which
 //! is what a search asks for.
 
+use crate::world::Body;
+use scenelang_layout::convex::Convex;
 use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::{Polygon, Vec2};
 use std::sync::Arc;
@@ -10,8 +12,8 @@ use std::sync::Arc;
 /// Something measured on numbers.
 #[derive(Clone, Debug)]
 pub(super) enum Measured {
-    /// The gap of two upright boxes of these half extents, from x, y, z of the centre, sine and cosine of each.
-    Gap([[f64; 3]; 2]),
+    /// The gap of two upright things made of these blocks, from x, y, z of the centre, sine and cosine of each.
+    Gap([Arc<[Block]>; 2]),
     /// The clearance of an upright box with half this width and depth from the walls of a room, from x, z of its
     /// centre, sine and cosine.
     Clearance(Arc<Polygon>, [f64; 2]),
@@ -23,18 +25,16 @@ impl Measured {
     /// Its value, from the numbers it asks for.
     pub fn of(&self, input: impl Fn(usize) -> f64) -> f64 {
         match self {
-            Self::Gap(halves) => {
-                let flat = |k: usize| Flat {
+            Self::Gap(things) => {
+                let at = |k: usize| Flat {
                     at: [input(5 * k), input(5 * k + 2)],
                     turn: [input(5 * k + 3), input(5 * k + 4)],
-                    half: [halves[k][0], halves[k][2]],
+                    half: [0.0; 2],
                 };
-                let upright = (input(1) - input(6)).abs() - halves[0][1] - halves[1][1];
-                let aside = flat(0).gap(&flat(1));
-                match (upright > 0.0, aside > 0.0) {
-                    (true, true) => upright.hypot(aside),
-                    _ => upright.max(aside),
-                }
+                let frames = [at(0), at(1)];
+                gap([(&things[0], &frames[0], input(1)), (&things[1], &frames[1], input(6))], |upright, aside| {
+                    if upright > 0.0 && aside > 0.0 { upright.hypot(aside) } else { upright.max(aside) }
+                })
             }
             Self::Clearance(polygon, half) => {
                 Flat { at: [input(0), input(1)], turn: [input(2), input(3)], half: *half }.clearance(polygon)
@@ -42,6 +42,62 @@ impl Measured {
             Self::Depth(polygon) => depth(polygon, Vec2::new(input(0), input(1))),
         }
     }
+}
+
+/// A part of a thing as an upright box in the thing's frame, the middle of its box the origin (metres).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Its middle.
+    pub at: [f64; 3],
+    /// Half its extents.
+    pub half: [f64; 3],
+    /// Of the circle around it, seen from above.
+    radius: f64,
+}
+
+impl Block {
+    /// One with this middle and half these extents.
+    pub fn new(at: [f64; 3], half: [f64; 3]) -> Self {
+        Self { at, half, radius: half[0].hypot(half[2]) }
+    }
+    /// What it covers of the floor where the thing stands, whose rectangle is given.
+    pub fn flat(&self, thing: &Flat) -> Flat {
+        let [x, _, z] = self.at;
+        Flat { at: thing.point([x, z]), turn: thing.turn, half: [self.half[0], self.half[2]] }
+    }
+}
+
+/// What a body is made of, each part as the box around it: it is never less than the part. A body without parts is one
+/// block.
+pub fn blocks(body: &Body) -> Arc<[Block]> {
+    let half = body.obb.half;
+    let Some(parts) = body.parts() else { return [Block::new([0.0; 3], half.into())].into() };
+    let block = |part: &Convex| {
+        let (min, max) = (part.aabb().min, part.aabb().max);
+        let middle = (min + max) / 2.0;
+        Block::new([middle.x, middle.y - half.y, middle.z], ((max - min) / 2.0).into())
+    };
+    parts.iter().map(block).collect()
+}
+
+/// The least gap between blocks of two things, each given with where it stands and the height of its middle; what is
+/// between two blocks is made of how far they are apart upright and aside.
+pub fn gap(things: [(&[Block], &Flat, f64); 2], between: impl Fn(f64, f64) -> f64) -> f64 {
+    let [(one, here, low), (other, there, high)] = things;
+    let mut least = f64::INFINITY;
+    for a in one {
+        let flat = a.flat(here);
+        for b in other {
+            let upright = (low + a.at[1] - high - b.at[1]).abs() - a.half[1] - b.half[1];
+            let other = b.flat(there);
+            // Between the circles around them there is no more than between them.
+            let (dx, dz, reach) = (flat.at[0] - other.at[0], flat.at[1] - other.at[1], least + a.radius + b.radius);
+            if upright < least && (dx * dx + dz * dz < reach * reach || least <= 0.0) {
+                least = least.min(between(upright, flat.gap(&other)));
+            }
+        }
+    }
+    least
 }
 
 /// A rectangle on the floor.

@@ -7,8 +7,8 @@
 
 mod measured;
 
-pub use measured::Flat;
 use measured::Measured;
+pub use measured::{Block, Flat, blocks, gap};
 
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
 use crate::natives::in_box;
@@ -443,12 +443,11 @@ impl Boxes<'_, '_> {
         term
     }
 
-    /// The gap of two things; `None`: not both are upright boxes.
+    /// The gap of two things; `None`: not both are upright.
     fn gap(&mut self, a: &Thing<Term>, b: &Thing<Term>) -> Option<Term> {
-        let half = |thing: &Thing<Term>| -> [f64; 3] { (thing.body.obb.half).into() };
         let mut on = upright(a)?;
         on.extend(upright(b)?);
-        Some(self.measure(Measured::Gap([half(a), half(b)]), on))
+        Some(self.measure(Measured::Gap([blocks(&a.body), blocks(&b.body)]), on))
     }
 
     /// The horizontal clearance of a thing in a room of any outline.
@@ -499,12 +498,12 @@ fn outline_of(room: &Room<Term>) -> Arc<Polygon> {
     Arc::new(room.prism.polygon.clone())
 }
 
-/// x, y, z of the centre of a box, and sine and cosine of its yaw; `None`: it has parts, or is not upright.
+/// x, y, z of the centre of a box, and sine and cosine of its yaw; `None`: it is not upright.
 fn upright(thing: &Thing<Term>) -> Option<Vec<Term>> {
     let [zero, one] = [0.0, 1.0].map(Term::constant);
     let [center, turn] = [thing.center().0, thing.axes.0[2].0];
     let is_upright = thing.axes.0[1].0 == [zero, one, zero];
-    (is_upright && thing.body.is_box()).then(|| vec![center[0], center[1], center[2], turn[0], turn[2]])
+    is_upright.then(|| vec![center[0], center[1], center[2], turn[0], turn[2]])
 }
 
 impl Oracle<Term> for Boxes<'_, '_> {
