@@ -277,6 +277,8 @@ impl Client {
                 "capabilities": {
                     "textDocument": {
                         "publishDiagnostics": { "versionSupport": true },
+                        // As all editors do: a long edit is worked out when it is chosen.
+                        "codeAction": { "resolveSupport": { "properties": ["edit"] } },
                         "semanticTokens": {
                             "requests": { "full": true }, "formats": ["relative"], "tokenModifiers": [],
                             "tokenTypes": ["class", "function", "variable", "keyword"],

@@ -42,8 +42,10 @@ export class Server implements vscode.Disposable {
 
   /** The program, for commands that run it themselves. */
   locate(): Located {
+    const set = vscode.workspace.getConfiguration("scenelang").inspect<string>("server.path");
     return locate({
-      setting: vscode.workspace.getConfiguration("scenelang").get("server.path", "").trim(),
+      settings: { user: set?.globalValue ?? null, workspace: set?.workspaceFolderValue ?? set?.workspaceValue ?? null },
+      trusted: vscode.workspace.isTrusted,
       workspace: vscode.workspace.workspaceFolders?.[0]?.uri.fsPath ?? null,
       extension: this.context.extensionPath,
       path: process.env["PATH"] ?? "",

@@ -135,6 +135,36 @@ check("the preview shows the room; what is pressed is shown in the text, where t
   await until("what the constraint speaks of", async () => (await frame.evaluate(() => window.scenelang.selected())).join() === "lamp,plant");
 });
 
+check("the preview comes back when the window is loaded anew, and still follows the text", async (e) => {
+  await show(e, "meeting.scene", 0);
+  const old = e.page.frames();
+  // What is open is written down now and then.
+  const written = async () => {
+    const told = [];
+    for (const { name } of (await indexedDB.databases()).filter(({ name }) => name.startsWith("vscode-web-state-db-"))) {
+      const answer = (request) => new Promise((done, failed) => Object.assign(request, { onsuccess: () => done(request.result), onerror: () => failed(request.error) }));
+      const base = await answer(indexedDB.open(name));
+      told.push(...(await answer(base.transaction("ItemTable").objectStore("ItemTable").getAll())));
+      base.close();
+    }
+    return told.some((value) => /scenelang\.preview.*uri[\\":]+file:/s.test(String(value)));
+  };
+  await until("that the panel is written down", () => e.page.evaluate(written));
+  // Where the address names a file to open, an editor opens that and nothing from before.
+  const address = new URL(e.page.url());
+  address.searchParams.set("payload", JSON.stringify(JSON.parse(address.searchParams.get("payload")).filter(([name]) => name !== "openFile")));
+  await e.page.goto(address.href);
+  const frame = await until("the room again", async () => {
+    for (const frame of e.page.frames()) if (!old.includes(frame) && (await frame.evaluate(() => window.scenelang?.ready === true && /READY [1-9]/.test(document.title)).catch(() => false))) return frame;
+    return null;
+  });
+  await until("the probe", () => e.api("return true"));
+  await show(e, "meeting.scene", await lineOf(e, "object sofa"), 8);
+  await until("the sofa selected", async () => (await frame.evaluate(() => window.scenelang.selected())).join() === "sofa");
+  await command(e, "scenelang.openPreview");
+  assert.equal((await texts(e, ".tab")).filter((tab) => tab.startsWith("Preview")).length, 1, "there is one panel, not another beside it");
+});
+
 check("what is dragged changes the layout, and can be undone there", async (e) => {
   const frame = await room(e);
   await frame.evaluate(() => window.scenelang.select(null));
@@ -268,18 +298,39 @@ check("without a server it says so, and how to name one", async () => {
   }
 });
 
-check("a folder that is not trusted chooses neither server nor model", async () => {
-  const untrusted = mkdtempSync(join(folder, "untrusted-"));
-  execFileSync("cp", ["-r", `${here("workspace")}/.`, untrusted]);
-  execFileSync("mkdir", [join(untrusted, ".vscode")]);
-  writeFileSync(join(untrusted, "evil"), `#!/bin/sh\ntouch ${join(untrusted, "ran")}\n`, { mode: 0o755 });
-  writeFileSync(join(untrusted, ".vscode/settings.json"), JSON.stringify({ "scenelang.server.path": join(untrusted, "evil"), "scenelang.languageModel": "editor" }));
-  const other = await open({ vsix: vsix.bundled, workspace: untrusted, file: "meeting.scene", env: environment("untrusted"), trusted: false });
+/** A folder whose settings name a program, which says that it ran by a file, and a language model. */
+function tempting() {
+  const workspace = mkdtempSync(join(folder, "tempting-"));
+  execFileSync("cp", ["-r", `${here("workspace")}/.`, workspace]);
+  execFileSync("mkdir", [join(workspace, ".vscode")]);
+  const ran = join(workspace, "ran");
+  writeFileSync(join(workspace, "own"), `#!/bin/sh\ntouch ${ran}\n`, { mode: 0o755 });
+  writeFileSync(join(workspace, ".vscode/settings.json"), JSON.stringify({ "scenelang.server.path": join(workspace, "own"), "scenelang.languageModel": "editor" }));
+  return { workspace, ran };
+}
+
+for (const [kind, settings] of [["bundled", {}], ["bare", { "scenelang.server.path": here("fake/scenelang") }]]) {
+  check(`a folder that is not trusted chooses neither server nor model (${kind})`, async () => {
+    const { workspace, ran } = tempting();
+    const log = `untrusted-${kind}`;
+    const other = await open({ vsix: vsix[kind], workspace, file: "meeting.scene", env: environment(log), settings, trusted: false });
+    try {
+      await until("the extension's server, or the user's", () => logged(log).length > 0);
+      assert.equal(await other.api("return vscode.workspace.isTrusted"), false);
+      assert.equal(logged(log)[0].model, "none");
+      assert.ok(!existsSync(ran), "the folder's program was not started");
+    } finally {
+      await other.close();
+    }
+  });
+}
+
+check("a folder that is trusted chooses the server where none is bundled", async () => {
+  const { workspace, ran } = tempting();
+  const other = await open({ vsix: vsix.bare, workspace, file: "meeting.scene", env: environment("trusted"), settings: { "scenelang.server.path": here("fake/scenelang") } });
   try {
-    await until("the bundled server", () => logged("untrusted").length > 0);
-    assert.equal(await other.api("return vscode.workspace.isTrusted"), false);
-    assert.deepEqual(logged("untrusted")[0].model, "none");
-    assert.ok(!existsSync(join(untrusted, "ran")), "the folder's program was not started");
+    await until("the folder's program", () => existsSync(ran));
+    assert.deepEqual(logged("trusted"), [], "the user's was not started");
   } finally {
     await other.close();
   }

@@ -26,17 +26,24 @@ const { page } = await load("page.ts");
 const { run } = await load("run.ts");
 const manifest = JSON.parse(readFileSync(here("../package.json"), "utf8"));
 
-const PLACES = { setting: "", workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
+const PLACES = { settings: { user: null, workspace: null }, trusted: true, workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
 const LOCATED = [
-  ["the one that comes with the extension, before all others", { setting: "/own/scenelang" }, ["/own/scenelang", "/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
-  ["the setting, before the PATH", { setting: "/own/scenelang" }, ["/own/scenelang", "/usr/bin/scenelang"], { command: "/own/scenelang", from: "setting" }],
-  ["the setting, relative to the workspace", { setting: "bin/scenelang" }, ["/ws/bin/scenelang"], { command: "/ws/bin/scenelang", from: "setting" }],
+  ["the one that comes with the extension, before all others", { settings: { user: "/own/scenelang", workspace: null } }, ["/own/scenelang", "/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
+  ["the setting, before the PATH", { settings: { user: "/own/scenelang", workspace: null } }, ["/own/scenelang", "/usr/bin/scenelang"], { command: "/own/scenelang", from: "setting" }],
+  ["the setting, relative to the workspace", { settings: { user: "bin/scenelang", workspace: null } }, ["/ws/bin/scenelang"], { command: "/ws/bin/scenelang", from: "setting" }],
   ["the one that comes with the extension", {}, ["/ext/server/scenelang", "/usr/bin/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
   ["the first on the PATH", {}, ["/opt/bin/scenelang"], { command: "/opt/bin/scenelang", from: "PATH" }],
   ["with the name of the system", { windows: true }, ["/ext/server/scenelang.exe", "/ext/server/scenelang"], { command: "/ext/server/scenelang.exe", from: "extension" }],
   ["never a relative entry of the PATH", { path: ".:bin" }, ["bin/scenelang", "scenelang", "/ws/scenelang"], { missing: "there is no scenelang in the extension or on the PATH, and the setting scenelang.server.path names none" }],
-  ["a setting that names nothing is not passed over", { setting: "/gone" }, ["/usr/bin/scenelang"], { missing: "the setting scenelang.server.path names /gone, which is no program" }],
-  ["a relative setting without a folder", { setting: "bin/x", workspace: null }, ["bin/x"], { missing: 'the setting scenelang.server.path is "bin/x", which is relative, and no folder is open' }],
+  ["a setting that names nothing is not passed over", { settings: { user: "/gone", workspace: null } }, ["/usr/bin/scenelang"], { missing: "the setting scenelang.server.path names /gone, which is no program" }],
+  ["a relative setting without a folder", { settings: { user: "bin/x", workspace: null }, workspace: null }, ["bin/x"], { missing: 'the setting scenelang.server.path is "bin/x", which is relative, and no folder is open' }],
+  ["the workspace's setting, before the user's", { settings: { user: "/own/scenelang", workspace: "bin/scenelang" } }, ["/own/scenelang", "/ws/bin/scenelang"], { command: "/ws/bin/scenelang", from: "setting" }],
+  ["a workspace that asks for the PATH", { settings: { user: "/own/scenelang", workspace: " " } }, ["/own/scenelang", "/opt/bin/scenelang"], { command: "/opt/bin/scenelang", from: "PATH" }],
+  ["not trusted: the user's setting, not the workspace's", { trusted: false, settings: { user: "/own/scenelang", workspace: "/ws/evil" } }, ["/own/scenelang", "/ws/evil"], { command: "/own/scenelang", from: "setting" }],
+  ["not trusted: the PATH, not the workspace's setting", { trusted: false, settings: { user: null, workspace: "/ws/evil" } }, ["/ws/evil", "/usr/bin/scenelang"], { command: "/usr/bin/scenelang", from: "PATH" }],
+  ["not trusted: none, rather than the workspace's", { trusted: false, settings: { user: null, workspace: "evil" } }, ["/ws/evil"], { missing: "there is no scenelang in the extension or on the PATH, and the setting scenelang.server.path names none" }],
+  ["not trusted: no file of the workspace, though the user's setting would find one", { trusted: false, settings: { user: "bin/scenelang", workspace: null } }, ["/ws/bin/scenelang", "bin/scenelang"], { missing: 'the setting scenelang.server.path is "bin/scenelang", which is relative, and the folder is not trusted' }],
+  ["not trusted: the one that comes with the extension", { trusted: false, settings: { user: null, workspace: "/ws/evil" } }, ["/ws/evil", "/ext/server/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
 ];
 for (const [name, places, there, found] of LOCATED) test(`the server: ${name}`, () => assert.deepEqual(locate({ ...PLACES, ...places, runs: (file) => there.includes(file) }), found));
 
@@ -114,6 +121,14 @@ test("what the manifest names is there, and what is registered is in it", () => 
   for (const file of files) assert.ok(statSync(here(`../${file}`)).isFile(), file);
   const readme = readFileSync(here("../README.md"), "utf8");
   for (const name of Object.keys(configuration.properties)) assert.ok(readme.includes(`\`${name}\``) || readme.includes(`\`${name.replace("scenelang.inlayHints", "")}\``), `${name} is documented`);
+});
+
+test("what a folder that is not trusted may not set is declared to the editor", () => {
+  const { supported, restrictedConfigurations } = manifest.capabilities.untrustedWorkspaces;
+  assert.equal(supported, "limited");
+  // All that names a program, or says to whom something is sent.
+  assert.deepEqual(restrictedConfigurations, ["scenelang.server.path", "scenelang.languageModel"]);
+  for (const name of restrictedConfigurations) assert.ok(manifest.contributes.configuration.properties[name], name);
 });
 
 test("the problem matcher reads what the command line writes", () => {

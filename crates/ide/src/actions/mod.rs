@@ -37,7 +37,7 @@ pub struct Action {
     pub title: String,
     /// What kind of change it is.
     pub kind: Kind,
-    /// What is replaced, in the program's files and the layout.
+    /// What is replaced, in the program's files and the layout; of [`Detail::Titles`] nothing where it is much.
     pub edits: Vec<Edit>,
     /// What is mended by it.
     pub mends: Option<Finding>,
@@ -51,11 +51,20 @@ impl Action {
     }
 }
 
+/// How much is said of actions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// What there is; edits only where they are few.
+    Titles,
+    /// All edits.
+    Edits,
+}
+
 /// What can be done in a range of the main file.
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn actions(snapshot: &Snapshot, range: TextRange) -> Result<Vec<Action>, Cancelled> {
+pub fn actions(snapshot: &Snapshot, range: TextRange, detail: Detail) -> Result<Vec<Action>, Cancelled> {
     let mut out = Vec::new();
     for finding in diagnostics(snapshot)? {
         let place = finding.diagnostic.primary.as_ref().map(|label| label.place);
@@ -66,7 +75,7 @@ pub fn actions(snapshot: &Snapshot, range: TextRange) -> Result<Vec<Action>, Can
     predicates::extract(snapshot, range, &mut out)?;
     predicates::inline(snapshot, range, &mut out)?;
     rewrite::split(snapshot, range, &mut out)?;
-    rewrite::array(snapshot, range, &mut out)?;
+    rewrite::array(snapshot, range, detail, &mut out)?;
     rewrite::pin(snapshot, range, &mut out)?;
     Ok(out)
 }

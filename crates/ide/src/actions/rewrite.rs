@@ -1,6 +1,6 @@
 //! The same said in another way.
 
-use super::{Action, Kind, indent};
+use super::{Action, Detail, Kind, indent};
 use crate::Snapshot;
 use crate::names::{Role, Symbol, declared_kind, name_at, occurrences};
 use rustc_hash::FxHashMap;
@@ -74,8 +74,13 @@ fn between(text: &str, parts: &[(ExprId, Option<TextRange>)], offset: u32, whole
     Some(out)
 }
 
-/// Objects `chair1`, `chair2`, … become an array, in the layout too.
-pub(super) fn array(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>) -> Result<(), Cancelled> {
+/// Objects `chair1`, `chair2`, … become an array, in the layout too. Everything that speaks of one of them is edited.
+pub(super) fn array(
+    snapshot: &Snapshot,
+    range: TextRange,
+    detail: Detail,
+    out: &mut Vec<Action>,
+) -> Result<(), Cancelled> {
     let meanings = snapshot.meanings()?;
     let Some(name) = name_at(snapshot, snapshot.main(), range.start)? else { return Ok(()) };
     let Symbol::Item(item, ItemKind::Object) = &name.symbol else { return Ok(()) };
@@ -98,6 +103,16 @@ pub(super) fn array(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>
     if members.len() < 2 {
         return Ok(());
     }
+    let edits = match detail {
+        Detail::Titles => Vec::new(),
+        Detail::Edits => array_edits(snapshot, &stem, &members)?,
+    };
+    out.push(Action::new(format!("Make `{stem}[{}]` of these objects", members.len()), Kind::Rewrite, edits));
+    Ok(())
+}
+
+/// Objects of these numbers, names and declarations become elements.
+fn array_edits(snapshot: &Snapshot, stem: &str, members: &[(u32, SmolStr, Span)]) -> Result<Vec<Edit>, Cancelled> {
     let mut edits = Vec::new();
     let numbers: FxHashMap<&str, usize> = members.iter().enumerate().map(|(i, (_, n, _))| (n.as_str(), i)).collect();
     for (file, _) in snapshot.sources().iter().filter(|(id, _)| snapshot.layout().is_none_or(|l| l.file != *id)) {
@@ -123,8 +138,7 @@ pub(super) fn array(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>
         };
         edits.push(Edit { place: range.in_file(span.file), text: new });
     }
-    out.push(Action::new(format!("Make `{stem}[{}]` of these objects", members.len()), Kind::Rewrite, edits));
-    Ok(())
+    Ok(edits)
 }
 
 /// A statement with its `;` and, if it stands alone on its line, with that.

@@ -1,4 +1,4 @@
-//! Code actions: what `ide` offers, at once; repair, listed at once and worked out when it is chosen.
+//! Code actions: what `ide` offers, at once; repairs and long edits, listed at once and worked out when they are chosen.
 
 use super::Within;
 use crate::commands::repair_command;
@@ -7,12 +7,13 @@ use crate::dispatch::{Context, Fault, params};
 use crate::mending::{Wanted, mend};
 use crate::publish::mark;
 use crate::state::State;
-use scenelang_ide::actions::{self, Action, Kind};
+use scenelang_ide::actions::{self, Action, Detail, Kind};
 use scenelang_ide::diagnostics::Finding;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use std::sync::Arc;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::Uri;
+use tower_lsp::ls_types::{Range, Uri};
 
 /// Parameters of `textDocument/codeAction`.
 #[derive(Deserialize)]
@@ -37,14 +38,15 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
     let wanted = |kind: &str| {
         only.is_none_or(|list| list.iter().any(|o| o.is_empty() || kind == o || kind.starts_with(&format!("{o}."))))
     };
+    let detail = if context.client.resolves_edits { Detail::Titles } else { Detail::Edits };
     let mut out = Vec::new();
     for finding in actions::failing(&context.snapshot, range)?.iter().filter(|_| wanted("quickfix")) {
         repairs(context, finding, &mut out);
     }
     out.extend(
-        actions::actions(&context.snapshot, range)?
+        actions::actions(&context.snapshot, range, detail)?
             .iter()
-            .map(|a| shown(context, a))
+            .map(|a| shown(context, a, asked.within.range))
             .filter(|a| wanted(a["kind"].as_str().unwrap_or_default())),
     );
     // All at once only where somebody asks for that.
@@ -58,15 +60,20 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
     Ok(out.into())
 }
 
-fn shown(context: &Context, action: &Action) -> Value {
+/// An action as the protocol has it, with what finds it again where its edits are to be worked out.
+fn shown(context: &Context, action: &Action, range: Range) -> Value {
     let kind = match action.kind {
         Kind::Fix => "quickfix",
         Kind::Extract => "refactor.extract",
         Kind::Inline => "refactor.inline",
         Kind::Rewrite => "refactor.rewrite",
     };
-    let edit = context.places().workspace_edit(&action.edits, context.edit_versions());
-    let mut out = json!({ "title": action.title, "kind": kind, "edit": edit });
+    let mut out = json!({ "title": action.title, "kind": kind });
+    if action.edits.is_empty() && context.client.resolves_edits {
+        out["data"] = json!(Chosen { uri: context.uri.clone(), range, title: action.title.clone() });
+    } else {
+        out["edit"] = context.places().workspace_edit(&action.edits, context.edit_versions());
+    }
     if let Some(finding) = &action.mends {
         out["diagnostics"] = json!([marked(context, finding)]);
     }
@@ -103,20 +110,45 @@ fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) {
     }
 }
 
+/// What is to be worked out.
 #[derive(Deserialize)]
-struct Data {
+#[serde(untagged)]
+enum Data {
+    Repair { uri: Uri, line: u32, program: bool },
+    Edits(Chosen),
+}
+
+/// What was offered of `ide`'s actions, and where.
+#[derive(Deserialize, Serialize)]
+struct Chosen {
     uri: Uri,
-    line: u32,
-    program: bool,
+    range: Range,
+    title: String,
+}
+
+/// The action with its edits.
+fn completed(context: &Context, mut action: Value, chosen: &Chosen) -> Result<Value, Fault> {
+    let all = actions::actions(&context.snapshot, context.bytes(chosen.range), Detail::Edits)?;
+    let found = all.iter().find(|a| a.title == chosen.title);
+    let found = found.ok_or_else(|| Fault::Failed(format!("\"{}\" is not possible there any more", chosen.title)))?;
+    action["edit"] = context.places().workspace_edit(&found.edits, context.edit_versions());
+    Ok(action)
 }
 
 impl State {
-    /// `codeAction/resolve`: works out a repair. What is offered has been verified.
+    /// `codeAction/resolve`: works out a repair, or a long edit. What is offered as a repair has been verified.
     ///
     /// # Errors
     /// It is no action of ours that has to be worked out.
     pub fn resolve_action(&mut self, id: &Id, mut action: Value) -> Result<(), Fault> {
-        let Data { uri, line, program } = params(action["data"].clone())?;
+        let (uri, line, program) = match params(action["data"].clone())? {
+            Data::Repair { uri, line, program } => (uri, line, program),
+            Data::Edits(chosen) => {
+                let uri = chosen.uri.as_str().to_owned();
+                self.ask_reader(id, &uri, Arc::new(move |context| completed(context, action.clone(), &chosen)));
+                return Ok(());
+            }
+        };
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
         let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::Outcome| {
             let nothing = || workspace_edit(std::collections::BTreeMap::new(), None);

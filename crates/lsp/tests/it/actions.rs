@@ -23,7 +23,9 @@ impl Client {
         let all = self.offered(uri, text, marked, None);
         let titles: Vec<&str> = all.iter().map(|a| a["title"].as_str().unwrap()).collect();
         let action = all.iter().find(|a| a["title"] == title).unwrap_or_else(|| panic!("{marked}: {titles:?}"));
-        edited(text, edits_of(&action["edit"], uri))
+        let whole =
+            if action["edit"].is_null() { self.ask("codeAction/resolve", action.clone()) } else { action.clone() };
+        edited(text, edits_of(&whole["edit"], uri))
     }
 }
 
@@ -170,4 +172,34 @@ fn clients_that_cannot_complete_an_action_get_a_command() {
     assert!(client.ask("workspace/executeCommand", run)["message"].as_str().unwrap().contains("stand[1]"));
     assert!(client.asked.iter().any(|m| m["method"] == "workspace/applyEdit"));
     client.stop();
+}
+
+#[test]
+fn long_edits_are_worked_out_when_they_are_chosen() {
+    let (folder, scene, _) = room();
+    let text = format!("{scene}object cup1;\nobject cup2;\nassert cup1.top > cup2.top;\n");
+    let wanted = format!("{scene}object cup[2];\nassert cup[0].top > cup[1].top;\n");
+    let title = "Make `cup[2]` of these objects";
+    let mut cannot = crate::client::usual();
+    cannot["textDocument"]["codeAction"] = json!({});
+    for (can, at_once) in [(crate::client::usual(), false), (cannot, true)] {
+        let mut client = Client::start_with(folder.path(), can, Value::Null);
+        let uri = client.open("room.scene", &scene);
+        client.set(&uri, &text);
+        let all = client.offered(&uri, &text, "object c|up1", None);
+        let mut action = all.into_iter().find(|a| a["title"] == title).expect("an array");
+        assert_eq!(action["edit"].is_object(), at_once, "{action}");
+        if !at_once {
+            let whole = client.ask("codeAction/resolve", action.clone());
+            assert_eq!((&whole["title"], &whole["kind"]), (&action["title"], &action["kind"]));
+            // Of another text it is the edit for that, or none.
+            client.set(&uri, &format!("// cups\n{scene}"));
+            let (_, late) = client.refused("codeAction/resolve", action);
+            assert!(late.contains("is not possible there any more"), "{late}");
+            client.set(&uri, &text);
+            action = whole;
+        }
+        assert_eq!(edited(&text, edits_of(&action["edit"], &uri)), wanted);
+        client.stop();
+    }
 }

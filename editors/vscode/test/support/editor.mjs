@@ -68,7 +68,8 @@ const offer = () => vscode.lm.registerLanguageModelChatProvider("test", {
     for (const piece of answer.split(/(?<=,)/)) progress.report(new vscode.LanguageModelTextPart(piece));
   },
 });
-exports.activate = () => (process.env.PROBE_MODEL === "1" && offer(), require("http").createServer((request, answer) => {
+// A window that is loaded anew has another extension host, and the socket of the one before is still there.
+exports.activate = () => (process.env.PROBE_MODEL === "1" && offer(), require("fs").rmSync(process.env.PROBE_SOCKET, { force: true }), require("http").createServer((request, answer) => {
   let text = "";
   request.on("data", (piece) => (text += piece));
   request.on("end", async () => {
