@@ -1,86 +1,97 @@
 //! The last pass: what cannot hold together with what was said before becomes a wish, by the prover's word.
 
-use crate::draft::{Draft, Note, Source};
+use crate::draft::{Draft, Note, Source, Statement};
 use crate::write::write;
 use scenelang_base::Severity;
 use scenelang_lang::program::{ConstraintKind, Program};
 use scenelang_lang::{Options, compile_text};
-use scenelang_verify::prove::{ProveOptions, WORK, prove};
+use scenelang_verify::prove::{self, ProveOptions};
+use std::collections::BTreeMap;
 use std::path::Path;
 
-/// How often the program is looked at again.
+/// How often what does not compile is left out.
 const ROUNDS: usize = 12;
 
 /// Mends a draft until nothing contradicts; bounded.
 pub fn mend(draft: &mut Draft) {
     for _ in 0..ROUNDS {
-        let text = write(draft);
+        let text = turned(write(draft), draft);
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
-        let changed = match &compiled.program {
-            Some(program) if !compiled.has_errors() => relax(draft, program),
+        match &compiled.program {
+            Some(program) if !compiled.has_errors() => return relax(draft, program),
             _ => {
-                let lines: Vec<String> = compiled
-                    .diagnostics
-                    .iter()
-                    .filter(|d| d.severity == Severity::Error)
-                    .filter_map(|d| d.primary.as_ref())
-                    .filter_map(|label| {
-                        let at = label.place.range.bytes();
-                        let from = text[..at.start.min(text.len())].rfind(';').map_or(0, |i| i + 1);
-                        let to = text[at.start.min(text.len())..].find(';').map_or(text.len(), |i| at.start + i + 1);
-                        text.get(from..to).map(code)
-                    })
-                    .collect();
-                let before = draft.statements.len();
-                let mut gone = Vec::new();
-                draft.statements.retain(|s| {
-                    let own = code(&s.text);
-                    let bad = lines.iter().any(|l| l.ends_with(&own));
-                    if bad {
-                        gone.push(s.source.clone());
-                    }
-                    !bad
-                });
-                for source in gone {
-                    note(draft, &source, "what this would be is no statement of the language");
+                let errors = compiled.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+                let places = errors.filter_map(|d| d.primary.as_ref()).map(|label| label.place.range.bytes().start);
+                if !leave_out(draft, &text, places) {
+                    return;
                 }
-                draft.statements.len() < before
             }
-        };
-        if !changed {
-            return;
         }
     }
 }
 
-/// Turns one member of each contradiction into a wish; whether there was any.
-fn relax(draft: &mut Draft, program: &Program) -> bool {
-    let options = ProveOptions { work: WORK, redundant: false, ..ProveOptions::default() };
-    let mut changed = false;
-    for found in prove(program, &options).contradictions {
-        let members: Vec<String> = found
-            .statements
-            .iter()
-            .filter_map(|c| program.constraints.get(*c))
-            .filter(|c| c.kind == ConstraintKind::Assert)
-            .map(|c| code(&c.text))
-            .collect();
-        // What nobody said goes first, then what was said last.
-        let order = |i: &usize| match &draft.statements[*i].source {
-            Source::Inferred(_) => (1, *i),
-            Source::Stated(_) => (0, *i),
-        };
-        let asserted =
-            |text: &str| text.strip_prefix("assert").is_some_and(|t| members.contains(&code(t.trim_end_matches(';'))));
-        let weakest = (0..draft.statements.len()).filter(|i| asserted(&draft.statements[*i].text)).max_by_key(order);
-        let Some(i) = weakest else { continue };
+/// With the rooms along the axes, as they are drawn. The program leaves that open, and whatever contradicts itself with
+/// it open does so with it fixed; but the prover has far less to look at.
+fn turned(mut text: String, draft: &Draft) -> String {
+    for room in draft.rooms.iter().filter(|room| room.outline.is_none()) {
+        text.push_str(&format!("\n{}.rot <- rot(0, 0, 0);", room.name));
+    }
+    text
+}
+
+/// Leaves out the statements at these places of the text; whether there was any.
+fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>) -> bool {
+    let whole = |place: usize| {
+        let at = place.min(text.len());
+        let from = text[..at].rfind(';').map_or(0, |i| i + 1);
+        let to = text[at..].find(';').map_or(text.len(), |i| at + i + 1);
+        text.get(from..to).map(code)
+    };
+    let lines: Vec<String> = places.filter_map(whole).collect();
+    let (bad, good) = std::mem::take(&mut draft.statements).into_iter().partition(|s| {
+        let own = code(&s.text);
+        lines.iter().any(|l| l.ends_with(&own))
+    });
+    draft.statements = good;
+    let bad: Vec<Statement> = bad;
+    for statement in &bad {
+        note(draft, &statement.source, "what this would be is no statement of the language");
+    }
+    !bad.is_empty()
+}
+
+/// Turns one member of each contradiction into a wish.
+fn relax(draft: &mut Draft, program: &Program) {
+    // Which statement of the draft an assertion of the program is.
+    let mut by_text: BTreeMap<String, usize> = BTreeMap::new();
+    for (i, statement) in draft.statements.iter().enumerate() {
+        if let Some(text) = statement.text.strip_prefix("assert") {
+            by_text.insert(code(text.trim_end_matches(';')), i);
+        }
+    }
+    let stated: Vec<Option<usize>> = program
+        .constraints
+        .iter()
+        .map(|c| (c.kind == ConstraintKind::Assert).then(|| by_text.get(&code(&c.text)).copied()).flatten())
+        .collect();
+    // What nobody said goes first, then what was said last.
+    let last = draft.statements.len();
+    let rank = |constraint: usize| {
+        stated.get(constraint).copied().flatten().map(|i| match &draft.statements[i].source {
+            Source::Inferred(_) => last + i,
+            Source::Stated(_) => i,
+        })
+    };
+    let given_up = prove::relax(program, &ProveOptions::default(), &rank);
+    let mut wishes: Vec<usize> = given_up.into_iter().filter_map(|c| stated.get(c).copied().flatten()).collect();
+    wishes.sort_unstable();
+    wishes.dedup();
+    for i in wishes {
         let statement = &mut draft.statements[i];
         statement.text = statement.text.replacen("assert", "prefer", 1);
         let source = statement.source.clone();
         note(draft, &source, "cannot hold together with the rest, so it is a wish");
-        changed = true;
     }
-    changed
 }
 
 fn note(draft: &mut Draft, source: &Source, reason: &str) {

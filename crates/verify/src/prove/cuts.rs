@@ -67,26 +67,31 @@ impl Gather<'_> {
 
     /// Σ factor·term ≥ least.
     fn add(&mut self, terms: &[(Affine, f64)], least: f64, reasons: &[EventId]) {
-        let mut sum: BTreeMap<Var, f64> = BTreeMap::new();
+        // Few terms: a sorted list.
+        let mut sum: Vec<(Var, f64)> = Vec::with_capacity(terms.len());
         let mut bound = Interval::point(least);
         for (term, factor) in terms {
             bound = bound - term.add.scale(*factor);
             if term.var != 0 {
-                *sum.entry(term.var).or_default() += if term.minus { -factor } else { *factor };
+                let factor = if term.minus { -factor } else { *factor };
+                match sum.binary_search_by_key(&term.var, |(v, _)| *v) {
+                    Ok(at) => sum[at].1 += factor,
+                    Err(at) => sum.insert(at, (term.var, factor)),
+                }
             }
         }
-        sum.retain(|_, c| *c != 0.0);
+        sum.retain(|(_, c)| *c != 0.0);
         // What rounding of the factors may have cost.
         let cost: f64 = sum.iter().map(|(v, c)| c.abs() * self.problem.initial[*v as usize].magnitude()).sum();
         let least = bound.lo - 1e-12 - 1e-15 * (cost + bound.magnitude() + least.abs());
-        if sum.is_empty() || !least.is_finite() || sum.values().any(|c| c.abs() > 1e5) {
+        if sum.is_empty() || !least.is_finite() || sum.iter().any(|(_, c)| c.abs() > 1e5) {
             return;
         }
         let there: f64 = sum.iter().map(|(v, c)| c * self.simplex.value(*v)).sum();
-        let size = sum.values().fold(0.0f64, |m, c| m.max(c.abs())).max(1.0);
+        let size = sum.iter().fold(0.0f64, |m, (_, c)| m.max(c.abs())).max(1.0);
         let broken = (least - there) / size;
         if broken > WORTH {
-            self.cuts.push(Cut { parts: sum.into_iter().collect(), least, reasons: reasons.to_vec(), broken });
+            self.cuts.push(Cut { parts: sum, least, reasons: reasons.to_vec(), broken });
         }
     }
 

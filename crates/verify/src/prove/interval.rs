@@ -76,7 +76,11 @@ impl Interval {
         Self { lo: down(self.lo.max(0.0).sqrt()).max(0.0), hi: up(self.hi.max(0.0).sqrt()) }
     }
     pub fn scale(self, factor: f64) -> Self {
-        self * Self::point(factor)
+        match factor {
+            1.0 => self,
+            -1.0 => -self,
+            _ => self * Self::point(factor),
+        }
     }
     /// Quotients by what is not 0 in `divisor`; everything, where that comes arbitrarily close to 0.
     pub fn over(self, divisor: Self) -> Self {

@@ -1,12 +1,13 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, Model, Source, crowds, regions_of};
+use super::model::{Choice, Given, Model, Source, crowds, regions_of};
 use super::packing::Packing;
+use super::problem::Problem;
 use super::refute::Search;
 use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
-use scenelang_lang::program::{Arith, ConstraintKind, Formula, Function, Node, Program};
+use scenelang_lang::program::{Arith, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId};
 use std::sync::atomic::Ordering;
 
 /// So many contradictions are looked for.
@@ -17,6 +18,8 @@ const NEIGHBOURS: usize = 24;
 const WHOLE: u64 = 2;
 const SMALLER: u64 = 4;
 const ONE: u64 = 300;
+/// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
+const BRIEF: u64 = 10;
 
 /// What a refutation rests on.
 struct Core {
@@ -70,6 +73,59 @@ impl<'a> Prover<'a> {
         findings
     }
 
+    /// See [`super::relax`].
+    pub fn relaxed(mut self, rank: &dyn Fn(usize) -> Option<usize>) -> Vec<usize> {
+        let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        let mut looks = crowds(self.program, &self.options.judging, &hard);
+        looks.extend(parts(self.program, &hard));
+        let mut given_up = Vec::new();
+        for mut among in looks {
+            among.retain(|s| !given_up.contains(s));
+            let model = self.model(whole(&among));
+            let mut problem = model.problem();
+            // What is no longer asked of the model.
+            let mut without = Vec::new();
+            while let Some(core) = self.brief(&model, &mut problem, &without) {
+                match self.weakest(core, rank) {
+                    Ok(weakest) => {
+                        given_up.push(weakest);
+                        without.push(weakest);
+                    }
+                    Err(core) if core.iter().all(|s| without.contains(s)) => break,
+                    Err(core) => without.extend(core),
+                }
+            }
+        }
+        given_up
+    }
+
+    /// The statements of a refutation of a model, if a brief search finds one.
+    fn brief(&mut self, model: &Model, problem: &mut Problem, without: &[usize]) -> Option<Vec<usize>> {
+        let most = (BRIEF * size(model)).min(self.options.work.saturating_sub(self.spent));
+        self.search(model, problem, without, most, false).map(|core| core.statements)
+    }
+
+    /// Of a set that cannot hold together the statement of the highest rank without which a brief search refutes the rest
+    /// no more; or the set, if there is no such statement.
+    fn weakest(&mut self, mut core: Vec<usize>, rank: &dyn Fn(usize) -> Option<usize>) -> Result<usize, Vec<usize>> {
+        loop {
+            let model = self.model(whole(&core));
+            match self.brief(&model, &mut model.problem(), &[]) {
+                Some(next) if next.len() < core.len() => core = next,
+                _ => break,
+            }
+        }
+        while let Some(weakest) = core.iter().copied().filter(|s| rank(*s).is_some()).max_by_key(|s| (rank(*s), *s)) {
+            let rest: Vec<usize> = core.iter().copied().filter(|s| *s != weakest).collect();
+            let model = self.model(whole(&rest));
+            match self.brief(&model, &mut model.problem(), &[]) {
+                Some(smaller) => core = smaller,
+                None => return Ok(weakest),
+            }
+        }
+        Err(core)
+    }
+
     fn is_hard(&self, statement: usize) -> bool {
         !matches!(self.program.constraints[statement].kind, ConstraintKind::Prefer { .. })
     }
@@ -86,22 +142,43 @@ impl<'a> Prover<'a> {
             self.short = true;
             return None;
         }
+        let model = self.model(choice);
+        self.search(&model, &mut model.problem(), &[], most, tell)
+    }
+
+    fn model(&mut self, choice: Choice<'_>) -> Model {
         let model = Model::new(self.program, &self.options.judging, choice);
-        let problem = model.problem();
         // Making the model is work, too.
-        self.spent += (model.tape.ops.len() + model.tape.facts.len()) as u64;
+        self.spent += size(&model);
+        model
+    }
+
+    /// Whether what a model says cannot be, whatever these of its statements say, by so much work.
+    /// Rows that the search makes stay in the problem: they only name sums.
+    fn search(
+        &mut self,
+        model: &Model,
+        problem: &mut Problem,
+        without: &[usize],
+        most: u64,
+        tell: bool,
+    ) -> Option<Core> {
         let tolerances = &self.options.judging.tolerances;
-        let packing = Packing::new(&model.groups, &problem, tolerances.contact + 2.0 * tolerances.order);
-        let mut search = Search::new(problem, &packing, most, self.options.cancel.as_deref());
+        let packing = Packing::new(&model.groups, problem, tolerances.contact + 2.0 * tolerances.order);
+        let mut search = Search::new(std::mem::take(problem), &packing, most, self.options.cancel.as_deref());
         search.told = tell.then(Vec::new);
-        let given: Vec<_> = model.given.iter().map(|g| g.claim).collect();
-        let used = search.refute(&model.always, &given);
+        let counts = |g: &&Given| !matches!(&g.what, Source::Statement(s) if without.contains(s));
+        let given: Vec<&Given> = model.given.iter().filter(counts).collect();
+        let claims: Vec<_> = given.iter().map(|g| g.claim).collect();
+        let used = search.refute(&model.always, &claims);
         self.spent += search.state.work;
         self.short |= search.state.work >= most;
+        let told = search.told.take();
+        *problem = search.problem;
         let used = used?;
         let mut core = Core { statements: Vec::new(), rules: Vec::new(), proof: None };
         for index in used {
-            let given = &model.given[index];
+            let given = given[index];
             match &given.what {
                 Source::Statement(statement) => core.statements.push(*statement),
                 Source::Rule(rule) => core.rules.push(rule.clone()),
@@ -113,7 +190,7 @@ impl<'a> Prover<'a> {
         core.statements.dedup();
         core.rules.sort();
         core.rules.dedup();
-        core.proof = search.told.take().map(|told| words::proof(self.program, &model, &search.problem, &told));
+        core.proof = told.map(|told| words::proof(self.program, model, problem, &told));
         Some(core)
     }
 
@@ -183,9 +260,61 @@ impl<'a> Prover<'a> {
     }
 }
 
+fn size(model: &Model) -> u64 {
+    (model.tape.ops.len() + model.tape.facts.len()) as u64
+}
+
 /// Statements with the rules.
 fn whole(statements: &[usize]) -> Choice<'_> {
     Choice { statements, contrary: None, rules: true }
+}
+
+/// Statements in parts that have nothing to do with each other: they share no object, no variable, and no region but
+/// such as stand fast, by assigned places and sizes. What is said of those alone goes with every part.
+fn parts(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
+    let pinned = |region: RegionId, property: Pinned| {
+        program.pins.iter().any(|p| {
+            p.owner == Owner::Region(region) && p.property == property && among.binary_search(&p.constraint).is_ok()
+        })
+    };
+    let fast: Vec<bool> = (0..program.regions.len() as u32)
+        .map(|r| [Pinned::Pos, Pinned::Scale].into_iter().all(|p| pinned(RegionId(r), p)))
+        .collect();
+    let joins = |thing: &Thing| !matches!(thing, Thing::Region(r) if fast[*r as usize]);
+    let mut part_of: FxHashMap<Thing, usize> = FxHashMap::default();
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    let mut ground = Vec::new();
+    for &statement in among {
+        let things: Vec<Thing> = things(&program.constraints[statement].formula).into_iter().filter(joins).collect();
+        if things.is_empty() {
+            ground.push(statement);
+            continue;
+        }
+        // The first part of those that it joins takes in the others.
+        let mut joined: Vec<usize> = things.iter().filter_map(|t| part_of.get(t).copied()).collect();
+        joined.sort_unstable();
+        joined.dedup();
+        let own = joined.first().copied().unwrap_or(parts.len());
+        if own == parts.len() {
+            parts.push(Vec::new());
+        }
+        for &other in joined.iter().skip(1) {
+            let taken = std::mem::take(&mut parts[other]);
+            parts[own].extend(taken);
+            part_of.values_mut().filter(|p| **p == other).for_each(|p| *p = own);
+        }
+        parts[own].push(statement);
+        part_of.extend(things.into_iter().map(|t| (t, own)));
+    }
+    parts.retain(|p| !p.is_empty());
+    if parts.is_empty() {
+        return vec![ground];
+    }
+    for part in &mut parts {
+        part.extend(&ground);
+        part.sort_unstable();
+    }
+    parts
 }
 
 /// Which statements speak of the same things.

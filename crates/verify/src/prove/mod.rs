@@ -112,6 +112,16 @@ pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
     minimal::Prover::new(program, options).findings()
 }
 
+/// Statements of a program to give up so that, as far as is looked, the others do not contradict each other: of each
+/// contradiction the one of the highest `rank` (of equal ones the last); one of no rank stays.
+///
+/// It looks at each part of the program that has nothing to do with the others by itself, and at no part again that
+/// has no contradiction. Where parts share a region, that it stands at one place for all of them is known by its assigned
+/// place and size; that they want it turned in different ways is not seen here.
+pub fn relax(program: &Program, options: &ProveOptions, rank: &dyn Fn(usize) -> Option<usize>) -> Vec<usize> {
+    minimal::Prover::new(program, options).relaxed(rank)
+}
+
 impl Findings {
     /// As diagnostics, in the order of their places.
     pub fn diagnostics(&self, program: &Program) -> Vec<Diagnostic> {

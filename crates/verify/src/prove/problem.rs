@@ -69,7 +69,7 @@ pub(super) enum Verdict {
 }
 
 /// Variables and verdicts; those of the tape that no claim asked for are left out.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Problem {
     pub kinds: Vec<Kind>,
     /// What each is in whatever happens.

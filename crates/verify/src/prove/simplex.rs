@@ -36,13 +36,18 @@ pub(super) enum Outcome {
     Unknown,
 }
 
+/// A sum of variables times factors, sorted by variable.
+type Row = Vec<(Var, f64)>;
+
 /// The tableau: dependent variables as sums of independent ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Simplex {
     /// By variable: its row, if it depends on others.
-    rows: BTreeMap<Var, BTreeMap<Var, f64>>,
+    rows: Vec<Option<Row>>,
+    /// The variables that have a row, sorted.
+    dependent: Vec<Var>,
     /// By independent variable: the rows it stands in.
-    columns: BTreeMap<Var, Vec<Var>>,
+    columns: Vec<Vec<Var>>,
     values: Vec<f64>,
     /// By variable: whether its row was taken in (it may be independent since).
     is_in: Vec<bool>,
@@ -58,28 +63,39 @@ impl Simplex {
     fn grow(&mut self, problem: &Problem, why: &[[EventId; 2]]) {
         self.values.resize(problem.kinds.len(), 0.0);
         self.is_in.resize(problem.kinds.len(), false);
+        self.rows.resize(problem.kinds.len(), None);
+        self.columns.resize(problem.kinds.len(), Vec::new());
         for (var, why) in why.iter().enumerate() {
             let Kind::Row(parts) = &problem.kinds[var] else { continue };
-            if *why == [0, 0] || problem.curved[var] || self.rows.contains_key(&(var as Var)) || self.is_in[var] {
+            if *why == [0, 0] || problem.curved[var] || self.rows[var].is_some() || self.is_in[var] {
                 continue;
             }
             self.is_in[var] = true;
-            let mut row: BTreeMap<Var, f64> = BTreeMap::new();
+            let mut row = Vec::new();
             self.flatten(problem, parts, 1.0, &mut row);
-            row.retain(|_, c| c.abs() > TINY);
-            row.keys().for_each(|v| self.columns.entry(*v).or_default().push(var as Var));
-            self.rows.insert(var as Var, row);
+            let mut row = gathered(row);
+            row.retain(|(_, c)| c.abs() > TINY);
+            row.iter().for_each(|(v, _)| self.columns[*v as usize].push(var as Var));
+            self.depend(var as Var, row);
         }
     }
 
-    /// A sum by what is independent now.
-    fn flatten(&self, problem: &Problem, parts: &[(Var, f64)], factor: f64, out: &mut BTreeMap<Var, f64>) {
+    /// Gives a variable its row.
+    fn depend(&mut self, var: Var, row: Row) {
+        self.rows[var as usize] = Some(row);
+        if let Err(at) = self.dependent.binary_search(&var) {
+            self.dependent.insert(at, var);
+        }
+    }
+
+    /// A sum by what is independent now, its parts as they come.
+    fn flatten(&self, problem: &Problem, parts: &[(Var, f64)], factor: f64, out: &mut Row) {
         for (part, c) in parts {
             let factor = factor * c;
-            match (self.rows.get(part), &problem.kinds[*part as usize]) {
-                (Some(inner), _) => inner.iter().for_each(|(v, c)| *out.entry(*v).or_default() += factor * c),
+            match (&self.rows[*part as usize], &problem.kinds[*part as usize]) {
+                (Some(inner), _) => out.extend(inner.iter().map(|(v, c)| (*v, factor * c))),
                 (None, Kind::Row(inner)) if !self.is_in[*part as usize] => self.flatten(problem, inner, factor, out),
-                _ => *out.entry(*part).or_default() += factor,
+                _ => out.push((*part, factor)),
             }
         }
     }
@@ -111,12 +127,13 @@ impl Simplex {
     fn mend(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
         // Independent ones to within their bounds, dependent ones by their rows.
         for (var, bounds) in domain.iter().enumerate() {
-            if !self.rows.contains_key(&(var as Var)) {
+            if self.rows[var].is_none() {
                 let near = self.values[var].max(bounds.lo).min(bounds.hi);
                 self.values[var] = if near.is_finite() { near } else { 0.0 };
             }
         }
-        for (var, row) in &self.rows {
+        for var in &self.dependent {
+            let Some(row) = &self.rows[*var as usize] else { continue };
             self.values[*var as usize] = row.iter().map(|(v, c)| c * self.values[*v as usize]).sum();
             *work += row.len() as u64 / 2 + 1;
         }
@@ -126,19 +143,19 @@ impl Simplex {
             }
             // The worst first, until that might run in circles; then the first (Bland's rule ends).
             let mut worst: Option<(Var, bool, f64)> = None;
-            for &var in self.rows.keys() {
+            for &var in &self.dependent {
                 let (value, bounds) = (self.values[var as usize], domain[var as usize]);
                 let off = (bounds.lo - value).max(value - bounds.hi);
                 if off > SLACK * (1.0 + value.abs().min(1e3)) && worst.is_none_or(|(_, _, w)| round < 200 && off > w) {
                     worst = Some((var, value > bounds.hi, off));
                 }
             }
-            *work += self.rows.len() as u64 / 8 + 1;
+            *work += self.dependent.len() as u64 / 8 + 1;
             let Some((var, over, _)) = worst else { return Outcome::Fits };
-            let row = &self.rows[&var];
+            let Some(row) = &self.rows[var as usize] else { return Outcome::Unknown };
             // A variable that can move the right way, of large factor in preference.
             let mut best: Option<(Var, f64)> = None;
-            for (&other, &c) in row {
+            for &(other, c) in row {
                 let up = (c > 0.0) != over;
                 let (value, bounds) = (self.values[other as usize], domain[other as usize]);
                 let free = if up { value < bounds.hi } else { value > bounds.lo };
@@ -156,7 +173,7 @@ impl Simplex {
                 Some(_) => return Outcome::Unknown,
                 None => {
                     let mut shares = vec![Share { var, upper: over, factor: 1.0 }];
-                    shares.extend(row.iter().map(|(&other, &c)| Share {
+                    shares.extend(row.iter().map(|&(other, c)| Share {
                         var: other,
                         upper: (c > 0.0) != over,
                         factor: c.abs(),
@@ -170,49 +187,61 @@ impl Simplex {
 
     /// The dependent `var` becomes independent, at `value`, in the place of `other`.
     fn exchange(&mut self, var: Var, other: Var, value: f64, work: &mut u64) {
-        let Some(mut row) = self.rows.remove(&var) else { return };
-        let Some(pivot) = row.remove(&other) else { return };
+        let Some(mut row) = self.rows[var as usize].take() else { return };
+        self.dependent.retain(|v| *v != var);
+        let Ok(at) = row.binary_search_by_key(&other, |(v, _)| *v) else { return };
+        let (_, pivot) = row.remove(at);
         let step = (value - self.values[var as usize]) / pivot;
         self.values[var as usize] = value;
         self.values[other as usize] += step;
-        // other = (var − rest) / pivot
-        let mut solved: BTreeMap<Var, f64> = row.iter().map(|(v, c)| (*v, -c / pivot)).collect();
-        solved.insert(var, 1.0 / pivot);
-        for v in row.keys() {
-            if let Some(column) = self.columns.get_mut(v) {
-                column.retain(|r| *r != var);
-                column.push(other);
-            }
+        for (v, _) in &row {
+            let column = &mut self.columns[*v as usize];
+            column.retain(|r| *r != var);
+            column.push(other);
         }
-        let mut users = self.columns.remove(&other).unwrap_or_default();
+        // other = (var − rest) / pivot
+        let mut solved: Row = row.iter().map(|(v, c)| (*v, -c / pivot)).collect();
+        let at = solved.partition_point(|(v, _)| *v < var);
+        solved.insert(at, (var, 1.0 / pivot));
+        let mut users = std::mem::take(&mut self.columns[other as usize]);
         users.retain(|r| *r != var);
-        self.columns.insert(var, vec![other]);
+        self.columns[var as usize] = vec![other];
         for user in users {
-            let Some(target) = self.rows.get_mut(&user) else { continue };
-            let Some(factor) = target.remove(&other) else { continue };
+            let Some(target) = self.rows[user as usize].take() else { continue };
+            let Ok(at) = target.binary_search_by_key(&other, |(v, _)| *v) else {
+                self.rows[user as usize] = Some(target);
+                continue;
+            };
+            let factor = target[at].1;
             self.values[user as usize] += factor * step;
             *work += solved.len() as u64;
-            for (v, c) in &solved {
-                let old = target.get(v).copied();
-                let new = old.unwrap_or(0.0) + factor * c;
-                match (old.is_some(), new.abs() > TINY) {
-                    (_, true) => {
-                        target.insert(*v, new);
-                        if old.is_none() {
-                            self.columns.entry(*v).or_default().push(user);
-                        }
-                    }
-                    (true, false) => {
-                        target.remove(v);
-                        if let Some(column) = self.columns.get_mut(v) {
-                            column.retain(|r| *r != user);
-                        }
-                    }
-                    (false, false) => {}
+            self.rows[user as usize] = Some(self.replaced(user, &target, other, factor, &solved));
+        }
+        self.depend(other, solved);
+    }
+
+    /// The row `target` of `user`, in which factor·`solved` stands in the place of factor·`other`; columns follow.
+    fn replaced(&mut self, user: Var, target: &Row, other: Var, factor: f64, solved: &Row) -> Row {
+        let mut out = Vec::with_capacity(target.len() + solved.len());
+        let mut old = target.iter().filter(|(v, _)| *v != other).peekable();
+        for (v, c) in solved {
+            while let Some(part) = old.next_if(|(o, _)| o < v) {
+                out.push(*part);
+            }
+            let known = old.next_if(|(o, _)| o == v).map(|(_, c)| *c);
+            let new = known.unwrap_or(0.0) + factor * c;
+            let column = &mut self.columns[*v as usize];
+            if new.abs() > TINY {
+                out.push((*v, new));
+                if known.is_none() {
+                    column.push(user);
                 }
+            } else if known.is_some() {
+                column.retain(|r| *r != user);
             }
         }
-        self.rows.insert(other, solved);
+        out.extend(old);
+        out
     }
 
     /// Tries a contradiction on the rows as they were stated. Each bound, times its factor, is an inequality that holds;
@@ -252,6 +281,19 @@ impl Simplex {
         }
         (most.hi < right.lo).then_some(counted)
     }
+}
+
+/// Parts as a row: sorted, those of one variable added up in their order.
+fn gathered(mut parts: Row) -> Row {
+    parts.sort_by_key(|(v, _)| *v);
+    parts.dedup_by(|next, first| {
+        let same = next.0 == first.0;
+        if same {
+            first.1 += next.1;
+        }
+        same
+    });
+    parts
 }
 
 /// A row by variables that are no rows.

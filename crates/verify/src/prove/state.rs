@@ -74,6 +74,8 @@ pub(super) struct State {
     vars: VecDeque<Var>,
     facts: VecDeque<u32>,
     in_vars: Vec<bool>,
+    /// Room for the sums of a row, kept from one row to the next.
+    sums: Vec<[Interval; 2]>,
     /// Steps taken.
     pub work: u64,
 }
@@ -108,6 +110,7 @@ impl State {
             vars: VecDeque::new(),
             facts: VecDeque::new(),
             in_vars: vec![false; problem.initial.len()],
+            sums: Vec::new(),
             work: 0,
         }
     }
@@ -430,29 +433,42 @@ impl State {
     /// A row is the sum of its parts; each part is the row less the others.
     fn revise_row(&mut self, var: Var, parts: &[(Var, f64)]) -> Result<(), Conflict> {
         self.work += parts.len() as u64;
-        let values: Vec<Interval> = parts.iter().map(|(v, c)| self.domain[*v as usize].scale(*c)).collect();
         // Sums of all to the left and all to the right of each part, so that leaving one out costs nothing.
         let zero = Interval::point(0.0);
-        let mut right = vec![zero; parts.len() + 1];
-        for i in (0..parts.len()).rev() {
-            right[i] = right[i + 1] + values[i];
+        let mut sums = std::mem::take(&mut self.sums);
+        sums.clear();
+        sums.resize(parts.len() + 1, [zero; 2]);
+        for (i, (v, c)) in parts.iter().enumerate().rev() {
+            let value = self.domain[*v as usize].scale(*c);
+            sums[i] = [sums[i + 1][0] + value, value];
         }
+        let outcome = self.revise_parts(var, parts, &sums);
+        self.sums = sums;
+        outcome
+    }
+
+    /// By the sums of the parts from each on, and what each contributes.
+    fn revise_parts(&mut self, var: Var, parts: &[(Var, f64)], sums: &[[Interval; 2]]) -> Result<(), Conflict> {
         // The event behind the lower (upper) bound of what a part contributes.
         let reason =
             |s: &Self, i: usize, upper: bool| s.why[parts[i].0 as usize][usize::from(upper != (parts[i].1 < 0.0))];
         for upper in [false, true] {
-            let value = if upper { right[0].hi } else { right[0].lo };
+            let value = if upper { sums[0][0].hi } else { sums[0][0].lo };
             if value.is_finite() && self.gains(var, upper, value) {
                 let why: Vec<EventId> = (0..parts.len()).map(|i| reason(self, i, upper)).collect();
                 self.side(var, upper, value, &why, PROGRESS)?;
             }
         }
         let whole = self.domain[var as usize];
-        let mut left = zero;
+        let mut left = Interval::point(0.0);
         for (i, (v, c)) in parts.iter().enumerate() {
-            let rest = left + right[i + 1];
-            let own = (whole - rest) * reciprocal(*c);
-            left = left + values[i];
+            let rest = left + sums[i + 1][0];
+            let own = match *c {
+                1.0 => whole - rest,
+                -1.0 => rest - whole,
+                c => (whole - rest) * reciprocal(c),
+            };
+            left = left + sums[i][1];
             for upper in [false, true] {
                 let value = if upper { own.hi } else { own.lo };
                 if value.is_finite() && self.gains(*v, upper, value) {

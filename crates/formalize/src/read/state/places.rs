@@ -1,0 +1,155 @@
+//! Where in its room a thing stands: at which wall, in which corner, on which side.
+
+use super::Named;
+use crate::read::lexicon::{Group, Rel};
+use crate::read::noun::Place;
+use crate::read::scene::What;
+use crate::write::number;
+
+impl Named<'_> {
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn place(
+        &self,
+        k: usize,
+        a: usize,
+        rel: Rel,
+        place: Place,
+        which: &[String],
+        verb: &str,
+        out: &mut Vec<String>,
+    ) {
+        let room = self.room(a);
+        let group = self.group(a);
+        let opening = self.scene.items[a].opening();
+        // What things stand behind cannot have its back at a wall.
+        let behind =
+            self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
+        let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
+        let mut say = |text: String| out.push(format!("{verb} {text};"));
+        match place {
+            Place::Wall if opening => {
+                if let Some(text) = self.side(a, which) {
+                    say(text);
+                }
+            }
+            Place::Wall => {
+                let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
+                    || matches!(rel, Rel::Mounted | Rel::Hang)
+                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed)
+                    || group == Group::Ceiling;
+                say(self.all(a, |x| {
+                    if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }
+                }));
+                if let Some(text) = self.wall(k, a, which) {
+                    say(text);
+                }
+            }
+            Place::Corner if self.counts[a] <= 4 && !matches!(group, Group::Ceiling | Group::Top) => {
+                say(self.all(a, |x| format!("inCorner({x}, {room})")));
+                if let Some(text) = self.side(a, which) {
+                    say(text);
+                }
+            }
+            Place::Corner => say(self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))),
+            Place::Ceiling => say(self.all(a, |x| format!("ceilingMounted({x}, {room})"))),
+            Place::Floor => say(self.all(a, |x| format!("onFloor({x}, {room})"))),
+            Place::Middle if opening => {}
+            Place::Middle if self.counts[a] == 1 => say(format!("centeredIn({}, {room})", self.name(a))),
+            Place::Middle => {
+                let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
+                let half = self.grid(a).map_or(0.0, |g| {
+                    (g.steps[0] * (g.columns - 1) as f64).hypot(g.steps[1] * (g.rows - 1) as f64) / 2.0 + 0.6
+                });
+                let reach = number(((size[0].min(size[2]) / 3.0).max(half) * 10.0).ceil() / 10.0);
+                say(self.all(a, |x| {
+                    format!(
+                        "length(vec3({x}.center.x - {room}.center.x, 0, {x}.center.z - {room}.center.z)) <= {reach}"
+                    )
+                }));
+            }
+            Place::Side | Place::End | Place::Back | Place::Front | Place::Head | Place::Foot => {
+                let mut which = which.to_vec();
+                match place {
+                    Place::Back => which.push("back".into()),
+                    Place::Front => which.push("front".into()),
+                    _ => {}
+                }
+                if let Some(text) = self.side(a, &which) {
+                    say(text);
+                }
+            }
+            Place::Row | Place::Circle => {}
+        }
+    }
+
+    /// At which wall: its back is to it.
+    fn wall(&self, k: usize, a: usize, which: &[String]) -> Option<String> {
+        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        for w in which {
+            match (direction(w), w.as_str()) {
+                (Some((axis, sign)), _) => {
+                    let test = if sign > 0.0 { "<= -0.9" } else { ">= 0.9" };
+                    return Some(self.all(a, |x| format!("{x}.front.{axis} {test}")));
+                }
+                (_, "long" | "longer" | "longest" | "short" | "shorter" | "side") => {
+                    let along_x = size[0] >= size[2];
+                    let long = w.starts_with("long");
+                    let axis = if w == "side" || along_x != long { "x" } else { "z" };
+                    return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
+                }
+                (_, "opposite" | "other" | "same" | "opposing") => {
+                    let other = self.scene.facts[..k].iter().rev().find(|f| {
+                        !f.of.contains(&a)
+                            && matches!(f.what, What::Place(_, Place::Wall, _))
+                            && self.scene.items[f.of[0]].room == self.scene.items[a].room
+                    })?;
+                    let b = self.elements(other.of[0]).first()?.clone();
+                    let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
+                    return Some(self.all(a, |x| format!("dot({x}.front, {b}.front) {test}")));
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// In which part of the room.
+    fn side(&self, a: usize, which: &[String]) -> Option<String> {
+        let room = self.room(a);
+        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        let tests: Vec<(char, f64)> = which.iter().filter_map(|w| direction(w)).collect();
+        if tests.is_empty() {
+            return None;
+        }
+        Some(self.all(a, |x| {
+            let each: Vec<String> = tests
+                .iter()
+                .map(|(axis, sign)| {
+                    let reach = if self.scene.items[a].opening() {
+                        if *axis == 'x' { size[0] / 2.0 - 0.3 } else { size[2] / 2.0 - 0.3 }
+                    } else {
+                        0.0
+                    };
+                    if *sign > 0.0 {
+                        format!("{x}.center.{axis} >= {room}.center.{axis} + {}", number(reach))
+                    } else {
+                        format!("{x}.center.{axis} <= {room}.center.{axis} - {}", number(reach))
+                    }
+                })
+                .collect();
+            each.join(" and ").replace(" + 0 ", " ").replace(" - 0 ", " ")
+        }))
+    }
+}
+
+/// Compass and plan: north and back are +z, east and right +x.
+fn direction(word: &str) -> Option<(char, f64)> {
+    let word = word.strip_suffix("ern").unwrap_or(word);
+    Some(match word {
+        "north" | "back" | "rear" | "far" | "upper" | "top" | "farthest" | "furthest" => ('z', 1.0),
+        "south" | "front" | "near" | "lower" | "bottom" | "entrance" => ('z', -1.0),
+        "east" | "right" | "right-hand" => ('x', 1.0),
+        "west" | "left" | "left-hand" => ('x', -1.0),
+        _ => return None,
+    })
+}

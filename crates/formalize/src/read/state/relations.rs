@@ -1,0 +1,234 @@
+//! One thing and another: on, beside, in front of, around, between.
+
+use super::{Named, indexed};
+use crate::read::lexicon::{Group, Rel};
+use crate::read::noun::Place;
+use crate::read::scene::What;
+use crate::write::number;
+
+/// How far "near" reaches, in metres.
+const NEAR: f64 = 1.0;
+/// How far a seat is from its table.
+const DRAWN_UP: f64 = 0.4;
+/// How far "around" reaches, for what is no seat.
+pub(super) const AROUND: f64 = 1.2;
+
+impl Named<'_> {
+    pub(super) fn rel(&self, a: usize, rel: Rel, b: usize, verb: &str, denied: bool, out: &mut Vec<String>) {
+        let (ga, gb) = (self.group(a), self.group(b));
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let far = |d: f64| move |x: &str, y: &str| format!("{}({x}, {y}, {})", "near", number(d));
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.pairs(a, b, f);
+        let m = self.counts[b];
+        if denied {
+            let p = predicate(rel);
+            let f = |x: &str, y: &str| match p {
+                "near" => format!("not near({x}, {y}, {})", number(NEAR)),
+                p => format!("not {p}({x}, {y})"),
+            };
+            out.push(format!("{verb} {};", self.every(a, b, &f)));
+            return;
+        }
+        let seat_at = ga == Group::Seat && matches!(gb, Group::Table);
+        match rel {
+            Rel::Around => self.around(a, b, verb, out),
+            Rel::At if seat_at => self.around(a, b, verb, out),
+            Rel::At => out.push(format!("{verb} {};", pairs(&far(if ga == Group::Seat { DRAWN_UP } else { NEAR })))),
+            Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::On => {
+                if matches!(gb, Group::Wall | Group::Door | Group::Window) {
+                    // On a door, on a window: as near as it can be.
+                    out.push(format!("{verb} {};", pairs(&far(0.3))));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call("on"))));
+                }
+            }
+            Rel::In => {
+                let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01)
+                    && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
+                if fits {
+                    out.push(format!("{verb} {};", pairs(&call("inside"))));
+                    out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
+                    out.push(format!("allowFloat({});", self.name(a)));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call("on"))));
+                }
+            }
+            Rel::Under
+                if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
+            {
+                out.push(format!("{verb} {};", pairs(&call("below"))));
+            }
+            Rel::Under => {
+                out.push(format!("{verb} {};", pairs(&call("under"))));
+                out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
+            }
+            Rel::Beside => {
+                let both = self.counts[a] == 2 * m;
+                if both && self.array(a) && a != b {
+                    let side = |x: &str, i: usize, y: &str| {
+                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" })
+                    };
+                    let text = if m == 1 {
+                        (0..2)
+                            .map(|i| side(&format!("{}[{i}]", self.name(a)), i, self.name(b)))
+                            .collect::<Vec<_>>()
+                            .join(" and ")
+                    } else {
+                        let (of, to) = (self.name(a), format!("{}[i]", self.name(b)));
+                        format!(
+                            "forall i in 0..{m}: {}",
+                            (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect::<Vec<_>>().join(" and ")
+                        )
+                    };
+                    out.push(format!("{verb} {text};"));
+                } else if self.counts[a] > 2 && m == 1 {
+                    // Three things have no room at two sides.
+                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call("beside"))));
+                }
+            }
+            Rel::InFrontOf | Rel::Behind => {
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if ga == Group::Seat && matches!(gb, Group::Table) {
+                    let d = if self.said(a, |w| matches!(w, What::Gap(..))) { None } else { Some(DRAWN_UP) };
+                    if let Some(d) = d {
+                        out.push(format!("{verb} {};", pairs(&far(d))));
+                    }
+                    out.push(format!("{verb} {};", pairs(&call("facing"))));
+                }
+            }
+            Rel::Near => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::Against | Rel::Along => {
+                out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
+            }
+            Rel::Facing if self.grid(a).is_some() => {
+                let (of, to) = (self.name(a), self.elements(b));
+                let to = to.first().map_or("", String::as_str);
+                out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
+                out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+            }
+            Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
+            Rel::Opposite => {
+                let front = !self.scene.items[b].opening();
+                let f = |x: &str, y: &str| {
+                    if front {
+                        format!("facing({x}, {y}) and inFrontOf({x}, {y})")
+                    } else {
+                        format!("facing({x}, {y})")
+                    }
+                };
+                out.push(format!("{verb} {};", pairs(&f)));
+            }
+            Rel::Far => {
+                let room = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
+                let d = (room[0].min(room[2]) / 3.0).clamp(0.5, 2.0);
+                out.push(format!(
+                    "{verb} {};",
+                    self.every(a, b, &|x, y| format!("far({x}, {y}, {})", number((d * 10.0).floor() / 10.0)))
+                ));
+            }
+            Rel::Perpendicular => {
+                out.push(format!("{verb} {};", pairs(&|x, y| format!("abs(dot({x}.front, {y}.front)) <= 0.1"))))
+            }
+            Rel::Visible => out.push(format!("{verb} {};", self.every(a, b, &call("visible")))),
+            Rel::Reachable => {
+                out.push(format!("{verb} {};", self.every(a, b, &|x, y| format!("reachable({x}, {y}, 0.8)"))))
+            }
+            Rel::Mounted | Rel::Hang => {
+                out.push(format!("{verb} {};", pairs(&far(0.1))));
+                out.push(format!("allowFloat({});", self.name(a)));
+            }
+            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))))
+            }
+            Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
+        }
+    }
+
+    /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
+    fn hangs(&self, item: usize) -> bool {
+        self.said(item, |w| {
+            matches!(w, What::Place(_, Place::Wall, _))
+                && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
+        }) && self.scene.facts.iter().any(|f| {
+            f.of.contains(&item) && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
+        })
+    }
+
+    /// Things around one, or around each of several.
+    fn around(&self, a: usize, b: usize, verb: &str, out: &mut Vec<String>) {
+        let (n, m) = (self.counts[a], self.counts[b]);
+        let (of, to) = (self.name(a), self.name(b));
+        let seat = self.group(a) == Group::Seat;
+        let gap = self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
+            _ => None,
+        });
+        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3);
+        if m == 1 && n > 1 {
+            out.push(format!("{verb} around({of}, {to}, {});", number(d)));
+        } else if m > 1 && n % m == 0 && n > m && n / m <= 8 {
+            // Each table has its own: at its four sides in turn.
+            let k = n / m;
+            let sides: &[&str] = match k {
+                2 => &["leftOf", "rightOf"],
+                3 => &["leftOf", "rightOf", "inFrontOf"],
+                4 => &["leftOf", "rightOf", "inFrontOf", "behind"],
+                _ => &["inFrontOf", "behind", "inFrontOf", "behind", "leftOf", "rightOf", "inFrontOf", "behind"],
+            };
+            let each: Vec<String> = (0..k).map(|j| format!("{}({}, {to}[i])", sides[j], indexed(of, k, j))).collect();
+            out.push(format!("{verb} forall i in 0..{m}: {};", each.join(" and ")));
+            out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
+        } else {
+            out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
+        }
+        if seat {
+            out.push(format!(
+                "{} {};",
+                if m > 1 { "prefer" } else { verb },
+                self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))
+            ));
+        }
+    }
+
+    pub(super) fn between(&self, a: usize, to: &[usize]) -> Option<String> {
+        let f = |x: &str, y: &str, z: &str| format!("between({x}, {y}, {z})");
+        match to {
+            [b] if self.counts[*b] > 1 => {
+                let e = self.elements(*b);
+                if self.array(a) && self.array(*b) {
+                    let n = self.counts[a].min(self.counts[*b] - 1);
+                    let (of, to) = (self.name(a), self.name(*b));
+                    return Some(format!("forall i in 0..{n}: between({of}[i], {to}[i], {to}[i + 1])"));
+                }
+                Some(self.all(a, |x| f(x, &e[0], &e[1])))
+            }
+            [b, c, ..] => {
+                let (b, c) = (self.elements(*b), self.elements(*c));
+                Some(self.all(a, |x| f(x, &b[0], &c[0])))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The predicate of the standard library.
+fn predicate(rel: Rel) -> &'static str {
+    match rel {
+        Rel::On => "on",
+        Rel::Under => "under",
+        Rel::Above => "above",
+        Rel::Beside => "beside",
+        Rel::LeftOf => "leftOf",
+        Rel::RightOf => "rightOf",
+        Rel::InFrontOf => "inFrontOf",
+        Rel::Behind => "behind",
+        Rel::Facing | Rel::Opposite => "facing",
+        Rel::Parallel => "parallel",
+        Rel::Aligned => "aligned",
+        Rel::Visible => "visible",
+        _ => "near",
+    }
+}

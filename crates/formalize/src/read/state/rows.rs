@@ -1,0 +1,156 @@
+//! Things in rows and circles, and seats at tables that stand so.
+
+use super::relations::AROUND;
+use super::{Named, indexed};
+use crate::read::chunk::Pattern;
+use crate::read::grid::{self, Grid};
+use crate::read::lexicon::{Group, Rel};
+use crate::read::measure::Op;
+use crate::read::scene::What;
+use crate::write::number;
+
+impl Named<'_> {
+    pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
+        let of = self.name(a);
+        let n = self.counts[a];
+        if !self.array(a) {
+            // Several single things: "range, grill, fryer, left to right".
+            let place = all.iter().position(|i| *i == a)?;
+            let next = *all.get(place + 1)?;
+            return Some(match pattern {
+                Pattern::LeftToRight => self.pairs(a, next, &|x, y| format!("leftOf({x}, {y})")),
+                Pattern::FaceToFace => self.pairs(a, next, &|x, y| format!("facing({x}, {y}) and facing({y}, {x})")),
+                Pattern::SideBySide => self.pairs(a, next, &|x, y| format!("beside({x}, {y})")),
+                _ => self.pairs(a, next, &|x, y| format!("aligned({x}, {y})")),
+            });
+        }
+        Some(match pattern {
+            Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
+                return self.rows(a);
+            }
+            Pattern::Row | Pattern::LeftToRight => {
+                format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
+            }
+            Pattern::Rows(rows) if rows > 1 && n.is_multiple_of(rows) && n > rows => {
+                let k = n / rows;
+                format!(
+                    "forall r in 0..{rows}: forall i in 1..{k}: aligned({of}[{k} * r + i], {of}[{k} * r]) and parallel({of}[{k} * r + i], {of}[{k} * r])"
+                )
+            }
+            Pattern::Rows(_) => format!("forall i in 1..{n}: parallel({of}[i], {of}[0])"),
+            Pattern::Circle => {
+                let around = self.centre_of(a);
+                match around {
+                    Some(b) => format!("around({of}, {}, {})", self.name(b), number(AROUND)),
+                    None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
+                }
+            }
+            Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
+            Pattern::BackToBack => format!(
+                "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
+                n / 2
+            ),
+            Pattern::FaceToFace => format!(
+                "forall i in 0..{}: facing({of}[2 * i], {of}[2 * i + 1]) and facing({of}[2 * i + 1], {of}[2 * i])",
+                n / 2
+            ),
+            Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
+        })
+    }
+
+    /// The rows of an array, measured from its first element.
+    pub fn rows(&self, a: usize) -> Option<String> {
+        let grid = self.grid(a)?;
+        let (of, n, k) = (self.name(a), self.counts[a], grid.columns);
+        let [x, z] = grid.steps.map(number);
+        let place = |at: String, r: &str| {
+            format!("{at}.pos.x = {of}[0].pos.x + i * {x} and {at}.pos.z = {of}[0].pos.z - {r} * {z}")
+        };
+        if grid.rows == 1 {
+            return Some(format!(
+                "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x + i * {x} and {of}[i].pos.z = {of}[0].pos.z"
+            ));
+        }
+        if k == 1 {
+            return Some(format!(
+                "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x and {of}[i].pos.z = {of}[0].pos.z - i * {z}"
+            ));
+        }
+        let full = n / k;
+        let mut out =
+            format!("forall r in 0..{full}: forall i in 0..{k}: {}", place(format!("{of}[{k} * r + i]"), "r"));
+        if n % k > 0 {
+            out = format!(
+                "({out}) and forall i in 0..{}: {}",
+                n % k,
+                place(format!("{of}[{} + i]", k * full), &full.to_string())
+            );
+        }
+        Some(out)
+    }
+
+    /// Seats at tables that stand in rows: each at its place, turned to its table.
+    pub fn drawn_up(&self, a: usize) -> Option<String> {
+        let (rel, b) = self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
+                if f.of == [a] && to.len() == 1 =>
+            {
+                Some((*rel, to[0]))
+            }
+            _ => None,
+        })?;
+        self.grid(b)?;
+        let (n, m) = (self.counts[a], self.counts[b]);
+        if self.group(a) != Group::Seat || m < 2 || n % m != 0 {
+            return None;
+        }
+        let k = n / m;
+        let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
+        let places = grid::seats(k, rel != Rel::Behind);
+        if places.len() < k || two_behind {
+            return None;
+        }
+        let (of, to) = (self.name(a), self.name(b));
+        let [w, _, d] = self.sizes[b];
+        let seat = self.sizes[a][2];
+        let each: Vec<String> = (0..k)
+            .map(|j| {
+                let (at, (share, turned)) = (indexed(of, k, j), places[j]);
+                let [x, z] = [share[0] * (w / 2.0 + seat / 2.0 + 0.1), share[1] * (d / 2.0 + seat / 2.0 + 0.1)];
+                format!(
+                    "{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)",
+                    number(x),
+                    number(z),
+                    number(turned)
+                )
+                .replace("+ -", "- ")
+                .replace(" + 0 ", " ")
+            })
+            .collect();
+        Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
+    }
+
+    /// How an array in rows stands, if nothing else says where.
+    pub fn grid(&self, a: usize) -> Option<Grid> {
+        let room = self.room_sizes.get(self.scene.items[a].room)?;
+        grid::grid(self.scene, &self.sizes, a, Some(*room))
+    }
+
+    pub(super) fn rows_apart(&self, a: usize, op: Op, v: f64) -> Option<String> {
+        let Some(grid) = self.grid(a).filter(|g| g.rows > 1) else { return self.among(a, op, v) };
+        let (of, k, v) = (self.name(a), grid.columns, number(v));
+        let test = match op {
+            Op::Most => format!("near({of}[i], {of}[i + {k}], {v})"),
+            _ => format!("far({of}[i], {of}[i + {k}], {v})"),
+        };
+        Some(format!("forall i in 0..{}: {test}", self.counts[a] - k))
+    }
+
+    /// What a circle is around, if that was said.
+    fn centre_of(&self, a: usize) -> Option<usize> {
+        self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Rel(Rel::Around, to) if f.of.contains(&a) && self.counts[to[0]] == 1 => Some(to[0]),
+            _ => None,
+        })
+    }
+}
