@@ -90,11 +90,14 @@ pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Ga
     (!gaps.is_empty()).then(|| (gaps.swap_remove(which), None))
 }
 
+/// The radius of a disc, and a gap that is closed for it.
+type Trial = (f64, Option<[Vec2; 2]>);
+
 /// The ground, and the floors on it for discs that were tried: many ways are barred at the same places.
 #[derive(Debug)]
 pub(super) struct Tried {
     pub ground: Ground,
-    floors: Mutex<Vec<((f64, Option<[Vec2; 2]>), Arc<Floor>)>>,
+    floors: Mutex<Vec<(Trial, Arc<Floor>)>>,
 }
 
 impl Tried {

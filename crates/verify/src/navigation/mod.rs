@@ -39,12 +39,15 @@ const COARSE: usize = 64;
 #[derive(Debug, Default)]
 pub(crate) struct Walks(Mutex<Known>);
 
+/// A storey, and the radius of the widest disc on it.
+type Wide = (Option<RegionId>, f64);
+
 #[derive(Clone, Debug, Default)]
 struct Known {
     /// Floors by the disc that walks on them.
     floors: Vec<(Walk, Arc<Floor>)>,
     /// The ground by storey and by the widest disc on it.
-    grounds: Vec<((Option<RegionId>, f64), Arc<Tried>)>,
+    grounds: Vec<(Wide, Arc<Tried>)>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
 }
