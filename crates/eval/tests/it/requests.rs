@@ -1,6 +1,7 @@
 //! The requests of `tests/requests`: their ground truth speaks of what is there, in the words of the request.
 
 use scenelang_eval::Expectation;
+use scenelang_eval::requests::{Reading, Request, read_folder};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -72,4 +73,23 @@ fn ground_truth_is_well_formed() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_reader_reads_the_development_set_well_enough() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests/development");
+    let reader = |request: Request<'_>| {
+        let options = scenelang_formalize::Options::default();
+        let made = scenelang_formalize::formalize(request.text, &options, None).map_err(|e| e.to_string())?;
+        Ok(Reading { program: made.program, ..Reading::default() })
+    };
+    let all = read_folder(&folder, &reader, |_, _| ()).unwrap();
+    assert_eq!(all.cases.len(), 30);
+    let bad: Vec<_> = all.cases.iter().filter(|c| c.contradictions != Some(0)).map(|c| &c.name).collect();
+    assert!(bad.is_empty(), "these do not compile, or contradict themselves: {bad:?}");
+    let means = all.means();
+    for (name, least) in [("precision", 0.90), ("recall", 0.90), ("mentioned", 0.75)] {
+        let mean = means.iter().find(|m| m.0 == name).and_then(|m| m.1);
+        assert!(mean.is_some_and(|m| m >= least), "{name}: {mean:?}, at least {least} is asked for");
+    }
 }
