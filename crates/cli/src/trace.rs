@@ -9,7 +9,6 @@ use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
 use scenelang_verify::trace::{Kind, Requirement, Statement, Trace, Verdict, trace};
 use scenelang_verify::{Checked, check_layout_of, exit_code};
-use std::io::Write;
 
 /// Traces; 0 if every requirement has a statement and none fails, 1 if not, 2 if program or layout cannot be judged.
 pub fn run(args: &Args) -> u8 {
@@ -42,7 +41,7 @@ pub fn run(args: &Args) -> u8 {
         },
     };
     // A closed pipe is no reason to fail: whoever reads has seen enough.
-    let _ = std::io::stdout().write_all(text.as_bytes());
+    print!("{text}");
     let unjudged = judged.iter().any(|(_, checked)| exit_code(&checked.report) == FAILED);
     if unjudged { FAILED } else { trace.exit_code() }
 }

@@ -27,6 +27,23 @@ fn the_scenes_in_documents_solve() {
     assert!(scenes > 0);
 }
 
+/// The headings of a document, as links name them.
+fn headings(text: &str) -> Vec<String> {
+    let lines = text.lines().filter(|line| line.starts_with('#'));
+    let kept = |c: &char| c.is_alphanumeric() || matches!(c, '-' | ' ');
+    lines
+        .map(|line| {
+            line.trim_start_matches('#')
+                .trim()
+                .to_lowercase()
+                .chars()
+                .filter(kept)
+                .collect::<String>()
+                .replace(' ', "-")
+        })
+        .collect()
+}
+
 #[test]
 fn the_links_in_documents_lead_somewhere() {
     let mut dead = Vec::new();
@@ -34,7 +51,10 @@ fn the_links_in_documents_lead_somewhere() {
         let text = read(document);
         let folder = root().join(document).parent().unwrap().to_owned();
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            if !link.contains("://") && !folder.join(link).exists() {
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let there = folder.join(file);
+            let has_heading = || headings(&std::fs::read_to_string(&there).unwrap()).iter().any(|h| h == heading);
+            if !link.contains("://") && !(there.exists() && (heading.is_empty() || has_heading())) {
                 dead.push(format!("{document}: {link}"));
             }
         }

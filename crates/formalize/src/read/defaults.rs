@@ -2,7 +2,9 @@
 
 use super::lexicon::{Group, Rel, get, plural, singular};
 use super::noun::Place;
+use super::number;
 use super::scene::{Fact, Item, Scene, What};
+use super::token::Token;
 use crate::draft::Look;
 
 /// A request that names fewer things says little.
@@ -31,6 +33,37 @@ pub fn add(scene: &mut Scene) {
     } else {
         joined(scene);
     }
+}
+
+/// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
+pub fn seats(scene: &mut Scene, tokens: &[Token]) {
+    const WHO: [&str; 10] = [
+        "people",
+        "persons",
+        "guests",
+        "participants",
+        "attendees",
+        "colleagues",
+        "members",
+        "employees",
+        "visitors",
+        "diners",
+    ];
+    const MOST: f64 = 40.0;
+    let persons = (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
+        let (n, words) = number::count(&tokens[i + 1..])?;
+        let who = tokens.get(i + 1 + words)?;
+        (n > 1.0 && n <= MOST && WHO.iter().any(|w| who.is(w))).then_some(n as usize)
+    });
+    let is_seat = |i: &Item| i.group == Group::Seat || i.words.last().is_some_and(|w| w == "bench");
+    let ruled_out = scene.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
+    let (Some(persons), false) = (persons, ruled_out || scene.items.iter().any(is_seat)) else { return };
+    let Some(table) = scene.items.iter().position(|i| i.group == Group::Table && i.count.is_none_or(|n| n == 1)) else {
+        return;
+    };
+    let id = push(scene, scene.items[table].room, "chair", persons, &format!("{persons} people sit there"));
+    let what = What::Rel(Rel::Around, vec![table]);
+    scene.facts.push(Fact { of: vec![id], what, soft: false, not: false, at: 0..0 });
 }
 
 /// Rooms that no door joins to the others get one.

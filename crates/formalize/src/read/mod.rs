@@ -80,6 +80,7 @@ pub fn read(request: &str, options: &Options) -> Reading {
     let understood = read.iter().filter(|r| r.1).count();
     if understood > 0 && !options.literal {
         defaults::add(&mut scene);
+        defaults::seats(&mut scene, &tokens);
     } else {
         defaults::joined(&mut scene);
     }
