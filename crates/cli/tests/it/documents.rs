@@ -53,7 +53,7 @@ fn the_links_in_documents_lead_somewhere() {
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             let (file, heading) = link.split_once('#').unwrap_or((link, ""));
             let there = folder.join(file);
-            let has_heading = || headings(&std::fs::read_to_string(&there).unwrap()).iter().any(|h| h == heading);
+            let has_heading = || headings(&fs::read_to_string(&there).unwrap()).iter().any(|h| h == heading);
             if !link.contains("://") && !(there.exists() && (heading.is_empty() || has_heading())) {
                 dead.push(format!("{document}: {link}"));
             }
