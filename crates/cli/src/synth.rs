@@ -169,7 +169,9 @@ fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], fold
     for (stage, time) in seconds {
         times.row([stage.name().into(), format!("{:.2}", time.as_secs_f64())]);
     }
-    println!("{} objects in {} regions\n", solved.first.layout().objects.len(), solved.first.layout().regions.len());
+    let count = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
+    let layout = solved.first.layout();
+    println!("{} in {}\n", count(layout.objects.len(), "object"), count(layout.regions.len(), "region"));
     println!("{}\n{}", held.render(), times.render());
     for path in shown(written, folder) {
         println!("  {}", path.display());

@@ -9,6 +9,8 @@ use scenelang_verify::prove::{self, ProveOptions};
 use std::collections::BTreeMap;
 use std::path::Path;
 
+/// So many things are looked at as closely as `check` does; with more that takes longer than anybody waits.
+const SMALL: usize = 40;
 /// How often what does not compile is left out.
 const ROUNDS: usize = 12;
 
@@ -18,7 +20,10 @@ pub fn mend(draft: &mut Draft) {
         let text = turned(write(draft), draft);
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
         match &compiled.program {
-            Some(program) if !compiled.has_errors() => return relax(draft, program),
+            Some(program) if !compiled.has_errors() => {
+                relax(draft, program, &|rank| prove::relax(program, &ProveOptions::default(), rank));
+                return confirm(draft);
+            }
             _ => {
                 let errors = compiled.diagnostics.iter().filter(|d| d.severity == Severity::Error);
                 let places = errors.filter_map(|d| d.primary.as_ref()).map(|label| label.place.range.bytes().start);
@@ -26,6 +31,25 @@ pub fn mend(draft: &mut Draft) {
                     return;
                 }
             }
+        }
+    }
+}
+
+/// The quick pass looks less deep than `check` does. What is small is looked at as `check` would.
+fn confirm(draft: &mut Draft) {
+    if draft.things.iter().map(|t| t.count).sum::<usize>() > SMALL {
+        return;
+    }
+    for _ in 0..ROUNDS {
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+        let Some(program) = &compiled.program else { return };
+        let weakest = |rank: &dyn Fn(usize) -> Option<usize>| {
+            let found = prove::prove(program, &ProveOptions::default()).contradictions;
+            let weakest = |c: &prove::Contradiction| c.statements.iter().copied().max_by_key(|s| rank(*s));
+            found.iter().filter_map(weakest).collect()
+        };
+        if !relax(draft, program, &weakest) {
+            return;
         }
     }
 }
@@ -60,8 +84,11 @@ fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>)
     !bad.is_empty()
 }
 
-/// Turns one member of each contradiction into a wish.
-fn relax(draft: &mut Draft, program: &Program) {
+/// Says which constraints to give up, by how willingly each is: the higher, the sooner; `None`: never.
+type Find<'f> = &'f dyn Fn(&dyn Fn(usize) -> Option<usize>) -> Vec<usize>;
+
+/// Turns one member of each contradiction into a wish. Whether there was any.
+fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
     // Which statement of the draft an assertion of the program is.
     let mut by_text: BTreeMap<String, usize> = BTreeMap::new();
     for (i, statement) in draft.statements.iter().enumerate() {
@@ -82,16 +109,17 @@ fn relax(draft: &mut Draft, program: &Program) {
             Source::Stated(_) => i,
         })
     };
-    let given_up = prove::relax(program, &ProveOptions::default(), &rank);
+    let given_up = find(&rank);
     let mut wishes: Vec<usize> = given_up.into_iter().filter_map(|c| stated.get(c).copied().flatten()).collect();
     wishes.sort_unstable();
     wishes.dedup();
-    for i in wishes {
+    for &i in &wishes {
         let statement = &mut draft.statements[i];
         statement.text = statement.text.replacen("assert", "prefer", 1);
         let source = statement.source.clone();
         note(draft, &source, "cannot hold together with the rest, so it is a wish");
     }
+    !wishes.is_empty()
 }
 
 fn note(draft: &mut Draft, source: &Source, reason: &str) {

@@ -199,6 +199,16 @@ impl<'a> Reader<'a> {
 
     fn sentence(&mut self, from: usize, end: usize) {
         let chunks = self.chunks;
+        // "a table, and if possible a plant": what may be left out begins there, what was said before is not touched.
+        let turns = |k: &usize| {
+            let joined = matches!(chunks[k - 1].piece, Piece::And | Piece::Comma);
+            chunks[*k].piece == Piece::Soft && joined && self.np(k + 1, end).is_some()
+        };
+        if let Some(turn) = (from + 2..end.min(chunks.len())).find(turns) {
+            self.sentence(from, turn - 1);
+            self.sentence(turn, end);
+            return;
+        }
         let at = self.bytes(from..end);
         self.s = Sentence { from: self.room, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
