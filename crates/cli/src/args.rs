@@ -257,6 +257,9 @@ pub struct Formalize {
     /// Add nothing that the request does not say
     #[arg(long)]
     pub literal: bool,
+    /// Do not try to furnish the room: faster, but perhaps more is asked than there is room for
+    #[arg(long)]
+    pub untried: bool,
     /// List clause by clause what became of it
     #[arg(long)]
     pub explain: bool,
@@ -512,6 +515,9 @@ pub struct EvalRequests {
     /// Let the reader add what such rooms usually have; nobody asked for that, so precision falls
     #[arg(long, conflicts_with = "programs")]
     pub expand: bool,
+    /// Score the programs before it was tried whether there is a layout for them
+    #[arg(long, conflicts_with = "programs")]
+    pub untried: bool,
     /// Write the programs there, NAME.scene
     #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
     pub output: Option<PathBuf>,

@@ -2,6 +2,7 @@
 //! programs that others have made of them.
 
 use crate::args::{EvalRequests, SummaryFormat};
+use crate::formalize::try_out;
 use crate::progress::Progress;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD};
@@ -40,7 +41,10 @@ pub fn requests(args: &EvalRequests) -> u8 {
 /// What our English reader makes of a request.
 fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String> {
     let begun = Instant::now();
-    let read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
+    let mut read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
+    if !args.untried {
+        try_out(&mut read);
+    }
     let program = scenelang_formalize::write::write(&read.draft);
     let took = Some(begun.elapsed());
     if let Some(folder) = &args.output {

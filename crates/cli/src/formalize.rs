@@ -2,6 +2,7 @@
 
 use crate::args::{Formalize, Judging, SummaryFormat};
 use crate::model::Asked;
+use crate::progress::{Progress, solving};
 use crate::solve::explain;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, settings};
 use scenelang_base::fs::write_whole;
@@ -9,7 +10,7 @@ use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::Failure;
+use scenelang_synth::{Failure, rehearse};
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
@@ -43,10 +44,11 @@ pub fn run(args: &Formalize) -> u8 {
     if model.is_some() {
         interrupt::listen();
     }
-    let Understood { reading, program, diagnostics } = match understand(&request, args.literal, model.as_mut()) {
-        Ok(understood) => understood,
-        Err(message) => return fail(&message),
-    };
+    let Understood { reading, program, diagnostics } =
+        match understand(&request, args.literal, !args.untried, model.as_mut()) {
+            Ok(understood) => understood,
+            Err(message) => return fail(&message),
+        };
     if let Some(path) = &args.output
         && let Err(e) = write_whole(path, program.as_bytes())
     {
@@ -95,18 +97,34 @@ pub struct Understood {
     pub diagnostics: Vec<String>,
 }
 
-/// Asks the model, if there is one, else the reader.
+/// Asks the model, if there is one, else the reader. `tried`: and gives up what no layout is found with.
 ///
 /// # Errors
 /// The model failed, and the reader understood nothing.
-pub fn understand(request: &str, literal: bool, model: Option<&mut Asked>) -> Result<Understood, String> {
+pub fn understand(request: &str, literal: bool, tried: bool, model: Option<&mut Asked>) -> Result<Understood, String> {
     let options = Options { literal };
-    let Some(model) = model else {
-        let reading = read(request, &options);
-        return Ok(Understood { program: write(&reading.draft), reading, diagnostics: Vec::new() });
+    let (mut reading, diagnostics) = match model {
+        None => (read(request, &options), Vec::new()),
+        Some(model) => {
+            let formalized = model.formalize(request, &options).map_err(|error| error.to_string())?;
+            (formalized.reading(), formalized.diagnostics)
+        }
     };
-    let formalized = model.formalize(request, &options).map_err(|error| error.to_string())?;
-    Ok(Understood { reading: formalized.reading(), program: formalized.program, diagnostics: formalized.diagnostics })
+    if tried {
+        try_out(&mut reading);
+    }
+    Ok(Understood { program: write(&reading.draft), reading, diagnostics })
+}
+
+/// Tries whether there is a layout, and gives up what is in the way.
+pub fn try_out(reading: &mut Reading) {
+    if reading.understood == 0 {
+        return;
+    }
+    let progress = Progress::new("trying whether there is a layout");
+    let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
+    rehearse(&mut reading.draft, &interrupt::stop(), &mut follow);
+    reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
 }
 
 /// What went wrong with the model, and what it took, for people.

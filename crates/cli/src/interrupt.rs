@@ -21,3 +21,8 @@ pub fn listen() -> &'static Stop {
 pub fn asked() -> bool {
     STOP.get().is_some_and(Stop::is_set)
 }
+
+/// What Ctrl-C sets, if somebody listens.
+pub fn stop() -> Stop {
+    STOP.get().cloned().unwrap_or_default()
+}

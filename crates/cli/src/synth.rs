@@ -123,7 +123,7 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
 
 /// Writes the program of a request.
 fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<(), String> {
-    let understood = formalize::understand(request, args.literal, model)?;
+    let understood = formalize::understand(request, args.literal, true, model)?;
     eprint!("{}", formalize::notes(&understood.reading));
     formalize::tell(&understood.diagnostics, None);
     if understood.reading.understood == 0 {

@@ -17,6 +17,7 @@ pub mod model;
 pub mod names;
 pub mod read;
 pub mod text;
+pub mod wish;
 pub mod write;
 
 pub use arrange::arrange_rooms;

@@ -8,6 +8,7 @@ mod doubt;
 mod furnish;
 mod hold;
 mod output;
+mod rehearse;
 
 pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
@@ -16,3 +17,4 @@ pub use corridor::{
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
 pub use output::{Written, export, save, save_layout};
+pub use rehearse::rehearse;

@@ -93,3 +93,20 @@ fn the_reader_reads_the_development_set_well_enough() {
         assert!(mean.is_some_and(|m| m >= least), "{name}: {mean:?}, at least {least} is asked for");
     }
 }
+
+/// Longer requests take longer than a test should.
+const MOST_WORDS: usize = 200;
+
+#[test]
+fn programs_of_the_development_set_have_layouts() {
+    let mut without = Vec::new();
+    for (path, text, _) in cases("development") {
+        if text.split_whitespace().count() <= MOST_WORDS {
+            let mut draft = scenelang_formalize::read(&text, &scenelang_formalize::Options::default()).draft;
+            if !scenelang_synth::rehearse(&mut draft, &scenelang_solve::Stop::default(), &mut |_| ()) {
+                without.push(path);
+            }
+        }
+    }
+    assert!(without.is_empty(), "no layout was found for {without:?}");
+}

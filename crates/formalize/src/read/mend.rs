@@ -1,12 +1,12 @@
 //! The last pass: what cannot hold together with what was said before becomes a wish, by the prover's word.
 
-use crate::draft::{Draft, Note, Source, Statement};
+use crate::draft::{Draft, Statement};
+use crate::wish::{Stated, code};
 use crate::write::write;
 use scenelang_base::Severity;
-use scenelang_lang::program::{ConstraintKind, Program};
+use scenelang_lang::program::Program;
 use scenelang_lang::{Options, compile_text};
 use scenelang_verify::prove::{self, ProveOptions};
-use std::collections::BTreeMap;
 use std::path::Path;
 
 /// So many things are looked at as closely as `check` does; with more that takes longer than anybody waits.
@@ -79,7 +79,7 @@ fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>)
     draft.statements = good;
     let bad: Vec<Statement> = bad;
     for statement in &bad {
-        note(draft, &statement.source, "what this would be is no statement of the language");
+        draft.note(&statement.source, "what this would be is no statement of the language");
     }
     !bad.is_empty()
 }
@@ -89,49 +89,8 @@ type Find<'f> = &'f dyn Fn(&dyn Fn(usize) -> Option<usize>) -> Vec<usize>;
 
 /// Turns one member of each contradiction into a wish. Whether there was any.
 fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
-    // Which statement of the draft an assertion of the program is.
-    let mut by_text: BTreeMap<String, usize> = BTreeMap::new();
-    for (i, statement) in draft.statements.iter().enumerate() {
-        if let Some(text) = statement.text.strip_prefix("assert") {
-            by_text.insert(code(text.trim_end_matches(';')), i);
-        }
-    }
-    let stated: Vec<Option<usize>> = program
-        .constraints
-        .iter()
-        .map(|c| (c.kind == ConstraintKind::Assert).then(|| by_text.get(&code(&c.text)).copied()).flatten())
-        .collect();
-    // What nobody said goes first, then what was said last.
-    let last = draft.statements.len();
-    let rank = |constraint: usize| {
-        stated.get(constraint).copied().flatten().map(|i| match &draft.statements[i].source {
-            Source::Inferred(_) => last + i,
-            Source::Stated(_) => i,
-        })
-    };
-    let given_up = find(&rank);
-    let mut wishes: Vec<usize> = given_up.into_iter().filter_map(|c| stated.get(c).copied().flatten()).collect();
-    wishes.sort_unstable();
-    wishes.dedup();
-    for &i in &wishes {
-        let statement = &mut draft.statements[i];
-        statement.text = statement.text.replacen("assert", "prefer", 1);
-        let source = statement.source.clone();
-        note(draft, &source, "cannot hold together with the rest, so it is a wish");
-    }
-    !wishes.is_empty()
-}
-
-fn note(draft: &mut Draft, source: &Source, reason: &str) {
-    if let Source::Stated(at) = source {
-        let note = Note { at: at.clone(), reason: reason.to_owned() };
-        if !draft.notes.contains(&note) {
-            draft.notes.push(note);
-        }
-    }
-}
-
-/// A statement without blanks.
-fn code(text: &str) -> String {
-    text.chars().filter(|c| !c.is_whitespace()).collect()
+    let stated = Stated::new(draft, program);
+    let given_up = find(&|constraint| stated.rank(draft, constraint));
+    let wishes = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
+    draft.wish(wishes, "cannot hold together with the rest, so it is a wish")
 }

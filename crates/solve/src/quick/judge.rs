@@ -219,8 +219,8 @@ impl Quick<'_> {
         self.physical(best + contact, contact)
     }
 
-    /// On a floor, or with its middle over a top that it touches. Standing on the edges of several things is left to the
-    /// search proper.
+    /// On a floor, or with its feet on tops of one thing. Standing on the edges of several things is left to the search
+    /// proper.
     fn support(&self, i: usize) -> (f64, bool) {
         let tolerance = self.tolerances.support;
         let target = tolerance.min(self.tolerances.contact);
@@ -231,9 +231,9 @@ impl Quick<'_> {
         self.physical(tolerance - off, target)
     }
 
-    /// Of the tops below (or above) its middle the one nearest to its base, and how far that is.
+    /// Of the things with tops below (or above) its feet the one with those nearest to its base, and how far they are.
     fn nearest_top(&self, i: usize) -> Option<(usize, f64)> {
-        let ([x, _, z, ..], bottom) = (self.inputs(i), self.span[i].min[1]);
+        let ([x, _, z, ..], own) = (self.inputs(i), self.flat(i));
         let mut best: Option<(usize, f64)> = None;
         for j in 0..self.count() {
             let other = &self.span[j];
@@ -244,17 +244,25 @@ impl Quick<'_> {
             {
                 continue;
             }
-            let [u, v] = self.flat(j).local([x, z]);
-            let covers =
-                |block: &&Block| (u - block.at[0]).abs() <= block.half[0] && (v - block.at[2]).abs() <= block.half[2];
-            for block in self.blocks[j].iter().filter(covers) {
-                let off = (bottom - self.middle(j) - block.at[1] - block.half[1]).abs();
-                if best.is_none_or(|(_, least)| off < least) {
-                    best = Some((j, off));
-                }
+            let theirs = self.flat(j);
+            let off = |foot: &[f64; 2]| self.height_over(i, j, theirs.local(own.point(*foot)));
+            let Some(off) = self.feet[i].iter().map(off).try_fold(0.0, |most: f64, off| Some(most.max(off?))) else {
+                continue;
+            };
+            if best.is_none_or(|(_, least)| off < least) {
+                best = Some((j, off));
             }
         }
         best
+    }
+
+    /// How far the base of one is from the nearest top of another at a point of that one's frame.
+    fn height_over(&self, i: usize, j: usize, [u, v]: [f64; 2]) -> Option<f64> {
+        let base = self.span[i].min[1] - self.middle(j);
+        let covers =
+            |block: &&Block| (u - block.at[0]).abs() <= block.half[0] && (v - block.at[2]).abs() <= block.half[2];
+        let offs = self.blocks[j].iter().filter(covers).map(|block| (base - block.at[1] - block.half[1]).abs());
+        offs.reduce(f64::min)
     }
 
     /// What it stands on, if that is not a floor.

@@ -98,6 +98,8 @@ pub(crate) struct Quick<'a> {
     size: Vec<[f64; 3]>,
     /// By object: what it is made of.
     blocks: Vec<Arc<[Block]>>,
+    /// By object: where it touches what it stands on, in its frame (x, z).
+    feet: Vec<Vec<[f64; 2]>>,
     /// By object: how high above its base things are put on it.
     surface: Vec<f64>,
     /// By object: what it is in, if that carries it.
@@ -235,6 +237,7 @@ impl<'a> Quick<'a> {
             followers: Vec::new(),
             terms_of: Vec::new(),
             blocks: bodies().map(coded::blocks).collect(),
+            feet: bodies().map(|body| setup::feet(&coded::blocks(body), world.options.tolerances.support)).collect(),
             surface: bodies().zip(&size).map(|(body, size)| body.surface.unwrap_or(size[1])).collect(),
             container: frame
                 .objects()

@@ -157,7 +157,8 @@ impl Quick<'_> {
             let missing = self.missing(t, i, now);
             let mut slopes = [0.0; 3];
             for axis in [0, 2, 1] {
-                if fixed.pos[axis] {
+                // What stands goes up and down by what it stands on: see `on_others`.
+                if fixed.pos[axis] || axis == 1 && self.rests[i] {
                     continue;
                 }
                 let mut probe = now;

@@ -5,6 +5,7 @@ use super::{CodedRule, Home, Judge, Quick};
 use crate::frame::{Frame, Hold};
 use crate::state::State;
 use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, ObjectProperty, RegionId};
+use scenelang_verify::coded::Block;
 use scenelang_verify::{Scratch, Value, World};
 
 /// Where one looks in a scene without rooms (metres).
@@ -184,4 +185,14 @@ pub(super) fn inside_of(formula: &Formula, id: ObjectId) -> Option<RegionId> {
         },
         _ => None,
     }
+}
+
+/// Where a thing touches what it stands on: the middles of the blocks that reach down to its base, give or take; of one
+/// that stands on one block only, its own middle.
+pub(super) fn feet(blocks: &[Block], tolerance: f64) -> Vec<[f64; 2]> {
+    let bottom = |block: &Block| block.at[1] - block.half[1];
+    let lowest = blocks.iter().map(bottom).fold(f64::INFINITY, f64::min);
+    let feet: Vec<[f64; 2]> =
+        blocks.iter().filter(|b| bottom(b) <= lowest + tolerance).map(|b| [b.at[0], b.at[2]]).collect();
+    if feet.len() > 1 { feet } else { vec![[0.0; 2]] }
 }

@@ -1,0 +1,70 @@
+//! Statements that are given up: what must hold becomes what is wished for, and a note says why.
+
+use crate::draft::{Draft, Note, Source};
+use scenelang_lang::program::{ConstraintKind, Program};
+use std::collections::BTreeMap;
+
+/// Which statements of a draft the constraints of its program are.
+pub struct Stated {
+    by_constraint: Vec<Option<usize>>,
+}
+
+impl Stated {
+    /// For the program that was written of the draft.
+    pub fn new(draft: &Draft, program: &Program) -> Self {
+        let mut by_text: BTreeMap<String, usize> = BTreeMap::new();
+        for (i, statement) in draft.statements.iter().enumerate() {
+            if let Some(text) = statement.text.strip_prefix("assert") {
+                by_text.insert(code(text.trim_end_matches(';')), i);
+            }
+        }
+        let of = |c: &scenelang_lang::program::Constraint| {
+            (c.kind == ConstraintKind::Assert).then(|| by_text.get(&code(&c.text)).copied()).flatten()
+        };
+        Self { by_constraint: program.constraints.iter().map(of).collect() }
+    }
+
+    /// The statement that a constraint is; `None`: it is none that could be given up.
+    pub fn of(&self, constraint: usize) -> Option<usize> {
+        self.by_constraint.get(constraint).copied().flatten()
+    }
+
+    /// How willingly a constraint is given up, the higher, the sooner: first what nobody said, then what was said last.
+    /// `None`: never.
+    pub fn rank(&self, draft: &Draft, constraint: usize) -> Option<usize> {
+        self.of(constraint).map(|i| match &draft.statements[i].source {
+            Source::Inferred(_) => draft.statements.len() + i,
+            Source::Stated(_) => i,
+        })
+    }
+}
+
+impl Draft {
+    /// Turns assertions, by their indices, into wishes. Whether there were any.
+    pub fn wish(&mut self, mut statements: Vec<usize>, reason: &str) -> bool {
+        statements.sort_unstable();
+        statements.dedup();
+        for &i in &statements {
+            let statement = &mut self.statements[i];
+            statement.text = statement.text.replacen("assert", "prefer", 1);
+            let source = statement.source.clone();
+            self.note(&source, reason);
+        }
+        !statements.is_empty()
+    }
+
+    /// Notes that words of the request became no statement, or none that must hold.
+    pub fn note(&mut self, source: &Source, reason: &str) {
+        if let Source::Stated(at) = source {
+            let note = Note { at: at.clone(), reason: reason.to_owned() };
+            if !self.notes.contains(&note) {
+                self.notes.push(note);
+            }
+        }
+    }
+}
+
+/// A statement without blanks.
+pub(crate) fn code(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).collect()
+}

@@ -1,0 +1,217 @@
+//! A program of stage I, tried by stage III before it is handed out: what a reader or a model wrote may be more than a
+//! room can take, or mean something that the words did not. What the search finds in the way becomes a wish.
+
+use crate::furnish::furnish;
+use scenelang_formalize::wish::Stated;
+use scenelang_formalize::write::write;
+use scenelang_formalize::{Draft, arrange_rooms};
+use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
+use scenelang_lang::{Options, compile_text};
+use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, What, solve};
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// How often a program is tried.
+const ROUNDS: usize = 10;
+/// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
+const TRIAL: [u64; 2] = [6_000_000, 400_000];
+/// Of what is violated in the best layout, where the search can name nothing better, one in so many is given up at a time.
+const PART: usize = 3;
+/// How often a room grows whose size nobody gave, and by how much.
+const TIMES: usize = 3;
+const GROWTH: f64 = 1.15;
+/// Why a statement became a wish.
+const REASON: &str = "no layout was found in which it holds with the rest, so it is a wish";
+
+/// Tries the program of a draft, and gives up what is in the way. Whether a layout was found in which all holds that
+/// must.
+pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> bool {
+    let judge = scenelang_verify::Options::default();
+    // From where the next trial begins: less is asked of it, so little has to move.
+    let mut last = None;
+    let mut grown = vec![0; draft.rooms.len()];
+    for _ in 0..ROUNDS {
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return false };
+        let start = furnish(program, scenelang_solve::draws(program, 0), last.as_ref(), &judge).layout;
+        let [least, each] = TRIAL;
+        let options = scenelang_solve::Options {
+            budget: least + each * program.objects.len() as u64,
+            polish: 0.0,
+            stop: stop.clone(),
+            judge,
+            ..Default::default()
+        };
+        let placed = if last.is_some() { Placed::All } else { Placed::None };
+        let problem = Problem { program, start, placed };
+        let outcome = solve(&problem, &options, &mut |now| {
+            progress(now);
+            ControlFlow::Continue(())
+        });
+        if outcome.converged {
+            return true;
+        }
+        if outcome.end == End::Asked {
+            return false;
+        }
+        if enlarge(draft, &crowded(draft, program, &outcome), &mut grown) {
+            last = None;
+            continue;
+        }
+        let given_up = in_the_way(draft, program, &outcome);
+        if !draft.wish(given_up, REASON) {
+            return false;
+        }
+        last = Some(outcome.layout);
+    }
+    false
+}
+
+/// Rooms in which something finds no place: it stands in the way of another, or not in its room.
+fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
+    let stated = Stated::new(draft, program);
+    let mut names: Vec<&str> = Vec::new();
+    for each in &outcome.unsatisfied {
+        match &each.what {
+            What::Stated(c) => {
+                let constraint = &program.constraints[*c];
+                if constraint.kind == ConstraintKind::Assert && stated.of(*c).is_none() {
+                    names.extend(
+                        constraint.formula.objects().iter().map(|o| program.objects[o.0 as usize].name.as_str()),
+                    );
+                }
+            }
+            What::Collision(a, b) => names.extend([a.as_str(), b]),
+            What::Bounds(a) | What::Support(a) => names.push(a),
+        }
+    }
+    let base = |name: &str| name.split('[').next().unwrap_or(name).to_owned();
+    let kinds: Vec<String> = names.into_iter().map(base).collect();
+    let mut rooms: Vec<usize> =
+        draft.things.iter().filter(|thing| kinds.contains(&thing.name)).filter_map(|thing| thing.room).collect();
+    rooms.sort_unstable();
+    rooms.dedup();
+    rooms
+}
+
+/// Makes those of the rooms larger whose size nobody gave. Whether there were any.
+fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool {
+    if draft.rooms.iter().any(|room| room.outline.is_some()) {
+        return false;
+    }
+    let mut any = false;
+    for &at in rooms {
+        let Some((room, times)) = draft.rooms.get_mut(at).zip(grown.get_mut(at)) else { continue };
+        if !room.sized && *times < TIMES {
+            *times += 1;
+            for k in [0, 2] {
+                room.size[k] = (room.size[k] * GROWTH * 10.0).ceil() / 10.0;
+            }
+            any = true;
+        }
+    }
+    if any {
+        arrange_rooms(draft);
+    }
+    any
+}
+
+/// Statements of the draft to give up: what the search names; else some of what is violated; else one that speaks of what
+/// violates a physical rule.
+fn in_the_way(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
+    let stated = Stated::new(draft, program);
+    if !outcome.in_the_way.is_empty() {
+        return outcome.in_the_way.iter().filter_map(|c| instead(draft, program, &stated, *c)).collect();
+    }
+    let mut violated = Vec::new();
+    let mut names = Vec::new();
+    for each in &outcome.unsatisfied {
+        match &each.what {
+            What::Stated(c) => violated.extend(stated.rank(draft, *c).zip(stated.of(*c))),
+            What::Collision(a, b) => names.extend([a, b]),
+            What::Bounds(a) | What::Support(a) => names.push(a),
+        }
+    }
+    if !violated.is_empty() {
+        violated.sort_unstable_by(|a, b| b.cmp(a));
+        violated.truncate(violated.len().div_ceil(PART));
+        return violated.into_iter().map(|(_, statement)| statement).collect();
+    }
+    let troubled = |id: ObjectId| names.iter().any(|n| **n == program.objects[id.0 as usize].name);
+    most_willing(draft, program, &stated, &|objects| objects.iter().any(|o| troubled(*o))).into_iter().collect()
+}
+
+/// The statement that a constraint is; where it is none that could be given up, as that a thing is in its room, one that
+/// speaks of the same thing and of another.
+fn instead(draft: &Draft, program: &Program, stated: &Stated, constraint: usize) -> Option<usize> {
+    stated.of(constraint).or_else(|| {
+        let own = program.constraints[constraint].formula.objects();
+        let shares = |objects: &[ObjectId]| objects.iter().any(|o| own.contains(o));
+        let with_others = |objects: &[ObjectId]| objects.len() > 1 && shares(objects);
+        most_willing(draft, program, stated, &with_others).or_else(|| most_willing(draft, program, stated, &shares))
+    })
+}
+
+/// Of the statements that speak of such objects, the one that is given up most willingly.
+fn most_willing(
+    draft: &Draft,
+    program: &Program,
+    stated: &Stated,
+    speaks: &dyn Fn(&[ObjectId]) -> bool,
+) -> Option<usize> {
+    let speaking = (0..program.constraints.len()).filter(|c| speaks(&program.constraints[*c].formula.objects()));
+    speaking.filter_map(|c| Some((stated.rank(draft, c)?, stated.of(c)?))).max().map(|(_, statement)| statement)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_formalize::{Options, read};
+
+    fn tried(request: &str) -> (bool, Draft) {
+        let mut draft = read(request, &Options { literal: true }).draft;
+        let holds = rehearse(&mut draft, &Stop::default(), &mut |_| ());
+        (holds, draft)
+    }
+
+    #[test]
+    fn what_has_a_layout_stays_as_it_is() {
+        let request = "A study, 4 by 3 m, with a desk, a chair in front of the desk and a shelf against the wall.";
+        let (holds, draft) = tried(request);
+        assert!(holds);
+        assert_eq!(draft, read(request, &Options { literal: true }).draft);
+    }
+
+    #[test]
+    fn what_finds_no_place_becomes_a_wish_and_the_rest_holds() {
+        let (holds, draft) = tried(
+            "A bedroom, 3 by 3 m, with a bed, 2 by 1.8 m, two wardrobes, each 2 m wide, and 1 m clear in front of each \
+             wardrobe and 1 m clear in front of the bed.",
+        );
+        assert!(holds);
+        let wishes: Vec<&str> =
+            draft.statements.iter().map(|s| s.text.as_str()).filter(|t| t.starts_with("prefer")).collect();
+        assert!(wishes.iter().any(|w| w.contains("clear(")), "{wishes:?}");
+        assert!(draft.notes.iter().any(|note| note.reason == REASON), "{:?}", draft.notes);
+    }
+
+    #[test]
+    fn a_room_grows_for_what_is_in_it_unless_its_size_was_said() {
+        let things =
+            "with a billiard table, 2.9 by 1.6 m, a sofa, a wardrobe, a piano and 2 m clear in front of the sofa";
+        let (holds, draft) = tried(&format!("A games room {things}."));
+        assert!(holds, "{draft:?}");
+        let (_, fixed) = tried(&format!("A games room, 3 by 2 m, {things}."));
+        assert_eq!([fixed.rooms[0].size[0], fixed.rooms[0].size[2]], [3.0, 2.0]);
+    }
+
+    #[test]
+    fn who_does_not_want_to_wait_gets_what_was_read() {
+        let stop = Stop::default();
+        stop.set();
+        let mut draft = read("A hall with a bench.", &Options::default()).draft;
+        let before = draft.clone();
+        rehearse(&mut draft, &stop, &mut |_| ());
+        assert_eq!(draft, before);
+    }
+}
