@@ -25,6 +25,8 @@ const GROWTH: f64 = 1.15;
 const SEARCHING: f64 = 0.8;
 /// How often what is found is judged before it is handed out.
 const JUDGED: u32 = 3;
+/// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
+const WAYS_JUDGED: u32 = 9;
 /// The part of the budget that the quick search has.
 const QUICK: f64 = 0.85;
 
@@ -267,7 +269,7 @@ impl<'r, 'a> Run<'r, 'a> {
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
             quick.search(&mut search.chance, 0, &limit, &given);
-            limit = limit.earlier(JUDGED * judging(&mut search.state, &quick));
+            limit = limit.earlier(WAYS_JUDGED * judging(&mut search.state, &quick));
             given.fill(true);
         }
         let (mut solved, mut holds) = (false, false);

@@ -238,19 +238,18 @@ pub fn solve_with(
         }
     };
     let finish = |(index, outcome): (usize, Outcome)| {
-        let free = match &outcome {
-            outcome if outcome.converged && !request.stop.is_set() => {
-                let time = request.time.map(|time| left(time, before, begun.elapsed()));
-                let options = scenelang_solve::Options { time, ..options.clone() };
-                freedom(&problem, &options, &outcome.layout, request.free)
-            }
-            _ => Free::default(),
-        };
         let name = match request.alternatives {
             Some(_) => numbered(Path::new(request.layout_name), index + 1).display().to_string(),
             None => request.layout_name.to_owned(),
         };
-        judged(request, &name, outcome, free, start.as_ref())
+        let mut found = judged(request, &name, outcome, start.as_ref());
+        // What is still free has the time that is left.
+        if found.outcome.converged && !request.stop.is_set() {
+            let time = request.time.map(|time| left(time, Duration::ZERO, begun.elapsed()));
+            let options = scenelang_solve::Options { time, ..options.clone() };
+            found.free = freedom(&problem, &options, &found.outcome.layout, request.free);
+        }
+        found
     };
     let mut all = outcomes.into_iter().enumerate().map(finish);
     let first = all.next().ok_or(Failure::Interrupted)?;
@@ -349,7 +348,7 @@ fn place(
 }
 
 /// A layout as a file called `name`, and its judgement.
-fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, free: Free, start: Option<&ReadLayout>) -> Found {
+fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option<&ReadLayout>) -> Found {
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
     outcome.layout.incomplete = request.stop.is_set();
@@ -361,7 +360,7 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, free: Free, s
     let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let program = (request.name, request.path);
     let checked = check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), &Disk);
-    Found { outcome, text, checked, free }
+    Found { outcome, text, checked, free: Free::default() }
 }
 
 /// The file of the `n`th of several layouts: `room.layout.json` becomes `room.2.layout.json`.
