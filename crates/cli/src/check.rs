@@ -36,6 +36,7 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     let detail = Detail {
         all: args.all,
         sentences: args.all || args.format != Format::Human,
+        bars: true,
         explain: args.explain,
         proofs: args.explain_proof,
     };

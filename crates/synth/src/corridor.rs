@@ -356,6 +356,7 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option
     if !outcome.converged {
         // No small move mends what a whole search could not, and to look for one may take longer than that search.
         judge.detail.explain = Explain::First(0);
+        judge.detail.bars = request.time.is_none();
     }
     let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let program = (request.name, request.path);

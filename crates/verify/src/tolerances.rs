@@ -74,6 +74,8 @@ pub struct Detail {
     pub all: bool,
     /// Whether rows that hold say what was measured, too: a sentence takes longer than the verdict.
     pub sentences: bool,
+    /// Whether it is said what bars a way: that takes longer than the verdict, too.
+    pub bars: bool,
     /// How many violations are explained in full.
     pub explain: Explain,
     /// Whether contradictions come with their proofs, step by step.
@@ -82,7 +84,7 @@ pub struct Detail {
 
 impl Default for Detail {
     fn default() -> Self {
-        Self { all: false, sentences: true, explain: Explain::default(), proofs: false }
+        Self { all: false, sentences: true, bars: true, explain: Explain::default(), proofs: false }
     }
 }
 

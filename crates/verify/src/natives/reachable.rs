@@ -44,6 +44,9 @@ impl Predicate for Reachable {
             return None;
         }
         let [a, b] = [from, to].map(|id| names.objects[id.0 as usize].name.as_str());
+        if !call.world.options.detail.bars {
+            return Some(format!("no way {} wide leads from `{a}` to `{b}`", metres(width)));
+        }
         Some(match navigation::bottleneck(call.world, from, to, width) {
             Some(bottleneck) => in_words(&bottleneck, [a, b], width, names),
             None => format!("no way of any width leads from `{a}` to `{b}`"),
