@@ -192,7 +192,7 @@ pub fn solve_with(
     };
     let Ready { mut problem, mut options, mut warnings } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
-    let warnings = gathered(warnings);
+    let warnings = gathered(&warnings);
 
     observer.enter(Stage::Layout);
     let before = begun.elapsed();

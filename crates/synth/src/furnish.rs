@@ -107,7 +107,7 @@ fn message(code: Code, kinds: &[&str]) -> String {
 /// One warning of each code instead of one for each kind of thing: where the first kind is declared, with places of
 /// others, and a note that names what has no place there. To be done when those that the user does not want to hear of
 /// are gone.
-pub(crate) fn gathered(warnings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub(crate) fn gathered(warnings: &[Diagnostic]) -> Vec<Diagnostic> {
     let mut codes: Vec<Code> = Vec::new();
     for code in warnings.iter().map(|d| d.code) {
         if !codes.contains(&code) {
@@ -198,7 +198,7 @@ mod tests {
             let elsewhere = labels.join(" ");
             (format!("{} {}", d.code, d.message), elsewhere, d.notes.last().cloned().unwrap_or_default())
         };
-        gathered(found.warnings).into_iter().map(tell).collect()
+        gathered(&found.warnings).into_iter().map(tell).collect()
     }
 
     #[test]
