@@ -366,6 +366,13 @@ check("the editor's own model answers the server; a key goes from the secret sto
     const restarted = await until("a server with the key", () => logged("model").find(({ keys, model }) => model !== undefined && keys.includes("OPENAI_API_KEY") && logged("model").filter(({ model }) => model !== undefined).length > 1));
     assert.equal(restarted.model, "client");
     assert.throws(() => execFileSync("grep", ["-rl", "sk-very-secret", join(other.ws, ".."), "--include=*.json", "--include=*.log", "--include=*.txt"]), "no setting and no log has it");
+
+    const started = () => logged("model").filter(({ model }) => model !== undefined);
+    const before = started().length;
+    await begin(other, "scenelang.forgetKey");
+    await until("which", async () => (await texts(other, ".quick-input-list .monaco-list-row")).some((row) => /^OpenAI/.test(row)));
+    await other.page.keyboard.press("Enter");
+    await until("a server without it", () => started().length > before && !started().at(-1).keys.includes("OPENAI_API_KEY"));
   } finally {
     await other.close();
   }
