@@ -47,7 +47,9 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     // Only the viewer needs the geometry.
     let glb = if viewer.is_some() { STANDARD.encode(glb::bytes(scene)?) } else { String::new() };
     // In a script element `<` could begin its end; in JSON it can be written otherwise.
-    let data = data(scene, &glb).to_string().replace('<', "\\u003c");
+    let mut data = data(scene, &glb);
+    data["report"] = scene.report.clone();
+    let data = data.to_string().replace('<', "\\u003c");
     let script = viewer.unwrap_or(FALLBACK).replace("</script", "<\\/script");
     let title = scene.name.replace('&', "&amp;").replace('<', "&lt;");
     let style = if viewer.is_some() { "" } else { STYLE };
@@ -72,6 +74,7 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
 /// The geometry cannot be written.
 pub fn live(mut scene: Scene, known: Option<&str>) -> Result<Value, ExportError> {
     let mut told = data(&scene, "");
+    told["report"] = std::mem::take(&mut scene.report);
     for object in &mut scene.objects {
         (object.place.pos, object.axes) = (Vec3::zeros(), Matrix3::identity());
     }
@@ -87,7 +90,8 @@ pub fn live(mut scene: Scene, known: Option<&str>) -> Result<Value, ExportError>
     Ok(told)
 }
 
-/// What the page is told: `scenelang.preview/1`. Places are in the layout's frame; `constraints` are rows of the report.
+/// What the page is told, `scenelang.preview/1`, but for the report, which is most of it and need not be copied by all.
+/// Places are in the layout's frame; `constraints` are rows of the report.
 fn data(scene: &Scene, glb: &str) -> Value {
     let triple = |v: Vec3| [v.x, v.y, v.z];
     let objects: Vec<Value> = scene
@@ -111,7 +115,7 @@ fn data(scene: &Scene, glb: &str) -> Value {
         .collect();
     json!({
         "format": "scenelang.preview/1", "name": scene.name, "glb": glb, "plan": plan::svg(scene),
-        "report": scene.report, "objects": objects, "regions": regions,
+        "report": null, "objects": objects, "regions": regions,
     })
 }
 

@@ -23,23 +23,24 @@ pub struct Judging {
 /// A program and its layout. Snapshots of it say what is known; a change of its text ends their questions.
 pub struct Host {
     analysis: Analysis,
-    sources: Arc<SourceMap>,
-    main: FileId,
-    compiled: Arc<Memo<Compiled>>,
-    layout: Option<Arc<LayoutFile>>,
-    judging: Arc<Judging>,
-    judged: Arc<Memo<Judged>>,
-    explained: Arc<Memo<Verdict>>,
+    known: Known,
 }
 
 /// What a host knew at one moment. For one thread; questions end with [`Cancelled`] when the text changes.
 pub struct Snapshot {
     analysis: Analysis,
+    known: Known,
+}
+
+/// What a host shares with its snapshots.
+#[derive(Clone)]
+struct Known {
     sources: Arc<SourceMap>,
     main: FileId,
-    compiled: Arc<Memo<Compiled>>,
     layout: Option<Arc<LayoutFile>>,
     judging: Arc<Judging>,
+    /// What follows from these, as far as somebody asked.
+    compiled: Arc<Memo<Compiled>>,
     judged: Arc<Memo<Judged>>,
     explained: Arc<Memo<Verdict>>,
 }
@@ -85,37 +86,37 @@ impl Host {
         let main = sources.add(SourceFile::new(name, path, text));
         let mut analysis = Analysis::new(scenelang_lang::Options::default());
         analysis.update(main, &mut sources, loader);
-        Self {
-            analysis,
+        let known = Known {
             sources: Arc::new(sources),
             main,
-            compiled: Arc::default(),
             layout: None,
             judging: Arc::default(),
+            compiled: Arc::default(),
             judged: Arc::default(),
             explained: Arc::default(),
-        }
+        };
+        Self { analysis, known }
     }
 
     /// Takes over a new text of the program, and reads again what it imports.
     pub fn set_text(&mut self, text: &str, loader: &dyn Loader) {
-        let file = self.sources.get(self.main);
+        let file = self.known.sources.get(self.known.main);
         let (name, path) = (file.name().to_owned(), file.path().to_owned());
-        let sources = Arc::make_mut(&mut self.sources);
+        let sources = Arc::make_mut(&mut self.known.sources);
         sources.put(SourceFile::new(name, path, text));
-        self.analysis.update(self.main, sources, loader);
-        self.compiled = Arc::default();
+        self.analysis.update(self.known.main, sources, loader);
+        self.known.compiled = Arc::default();
         self.forget();
     }
 
     /// Takes over the layout called `name` at `path`; `None`: there is none.
     pub fn set_layout(&mut self, layout: Option<(String, &Path, io::Result<Vec<u8>>)>) {
-        self.layout = layout.and_then(|(name, path, bytes)| {
+        self.known.layout = layout.and_then(|(name, path, bytes)| {
             let missing = bytes.as_ref().err().is_some_and(|e| e.kind() == io::ErrorKind::NotFound);
             if missing {
                 return None;
             }
-            let sources = Arc::make_mut(&mut self.sources);
+            let sources = Arc::make_mut(&mut self.known.sources);
             let told = |e: io::Error| {
                 Box::new(Diagnostic::without_place(codes::E0001, format!("cannot read {name}: {}", plain(&e))))
             };
@@ -132,67 +133,58 @@ impl Host {
 
     /// Judges in another way from now on.
     pub fn set_judging(&mut self, judging: Judging) {
-        if *self.judging != judging {
-            self.judging = Arc::new(judging);
+        if *self.known.judging != judging {
+            self.known.judging = Arc::new(judging);
             self.forget();
         }
     }
 
     fn forget(&mut self) {
-        self.judged = Arc::default();
-        self.explained = Arc::default();
+        self.known.judged = Arc::default();
+        self.known.explained = Arc::default();
     }
 
     /// What is known now, for another thread.
     pub fn snapshot(&self) -> Snapshot {
-        Snapshot {
-            analysis: self.analysis.reader(),
-            sources: Arc::clone(&self.sources),
-            main: self.main,
-            compiled: Arc::clone(&self.compiled),
-            layout: self.layout.clone(),
-            judging: Arc::clone(&self.judging),
-            judged: Arc::clone(&self.judged),
-            explained: Arc::clone(&self.explained),
-        }
+        Snapshot { analysis: self.analysis.reader(), known: self.known.clone() }
     }
 
     /// Where the program is.
     pub fn path(&self) -> &Path {
-        self.sources.get(self.main).path()
+        self.known.sources.get(self.known.main).path()
     }
 
     /// The files that were read for the program, itself included, its layout not.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
-        let layout = self.layout.as_ref().map(|l| l.file);
-        self.sources.iter().filter(move |(id, _)| Some(*id) != layout).map(|(_, file)| file.path())
+        let layout = self.known.layout.as_ref().map(|l| l.file);
+        self.known.sources.iter().filter(move |(id, _)| Some(*id) != layout).map(|(_, file)| file.path())
     }
 }
 
 impl Snapshot {
     /// The program's files, and its layout.
     pub fn sources(&self) -> &SourceMap {
-        &self.sources
+        &self.known.sources
     }
     /// The program's own file.
     pub fn main(&self) -> FileId {
-        self.main
+        self.known.main
     }
     /// The text of the program's own file.
     pub fn text(&self) -> &str {
-        self.sources.get(self.main).text()
+        self.known.sources.get(self.known.main).text()
     }
     /// The program's layout, if there is one.
     pub fn layout(&self) -> Option<&LayoutFile> {
-        self.layout.as_deref()
+        self.known.layout.as_deref()
     }
     /// The same, to keep.
     pub fn layout_file(&self) -> Option<Arc<LayoutFile>> {
-        self.layout.clone()
+        self.known.layout.clone()
     }
     /// How its layout is judged.
     pub fn judging(&self) -> &Judging {
-        &self.judging
+        &self.known.judging
     }
     /// The front end.
     pub fn analysis(&self) -> &Analysis {
@@ -200,11 +192,11 @@ impl Snapshot {
     }
     /// The files alone, with the id of the program's own: what is left of a snapshot that no change has to wait for.
     pub fn into_sources(self) -> (Arc<SourceMap>, FileId) {
-        (self.sources, self.main)
+        (self.known.sources, self.known.main)
     }
     /// The text of a place.
     pub fn slice(&self, span: Span) -> &str {
-        self.sources.text(span)
+        self.known.sources.text(span)
     }
 
     /// What the statements of the program's own file mean.
@@ -212,7 +204,7 @@ impl Snapshot {
     /// # Errors
     /// [`Cancelled`]: the text has changed.
     pub fn meanings(&self) -> Result<Meanings<'_>, Cancelled> {
-        self.analysis.meanings(self.main)
+        self.analysis.meanings(self.known.main)
     }
 
     /// The program; worked out once.
@@ -220,10 +212,10 @@ impl Snapshot {
     /// # Errors
     /// [`Cancelled`]: the text has changed.
     pub fn compiled(&self) -> Result<Arc<Compiled>, Cancelled> {
-        self.compiled.get_or(|| {
-            let (program, mut diagnostics) = self.analysis.partial(&self.sources)?;
+        self.known.compiled.get_or(|| {
+            let (program, mut diagnostics) = self.analysis.partial(&self.known.sources)?;
             let complete = !diagnostics.iter().any(Diagnostic::is_error);
-            diagnostics.retain(|d| !self.judging.allow.contains(&d.code) || d.is_error());
+            diagnostics.retain(|d| !self.known.judging.allow.contains(&d.code) || d.is_error());
             Ok(Compiled { program, complete, diagnostics })
         })
     }
@@ -233,11 +225,12 @@ impl Snapshot {
     /// # Errors
     /// [`Cancelled`]: the text has changed.
     pub fn judged(&self) -> Result<Option<Arc<Judged>>, Cancelled> {
-        let Some(layout) = self.layout.as_ref().filter(|l| l.read.usable) else { return Ok(None) };
-        self.judged
+        let Some(layout) = self.known.layout.as_ref().filter(|l| l.read.usable) else { return Ok(None) };
+        self.known
+            .judged
             .get_or(|| {
                 let compiled = self.compiled()?;
-                let mut options = self.judging.options;
+                let mut options = self.known.judging.options;
                 options.detail.explain = Explain::First(0);
                 options.detail.sentences = false;
                 options.physics &= compiled.complete;
@@ -246,8 +239,8 @@ impl Snapshot {
                     // What the layout has and the program has not may be declared where the program is broken.
                     verdict.diagnostics.retain(|d| d.code != codes::E0506);
                 }
-                scenelang_lang::lint::allow::silence(&self.sources, &mut verdict.diagnostics);
-                verdict.diagnostics.retain(|d| !self.judging.allow.contains(&d.code) || d.is_error());
+                scenelang_lang::lint::allow::silence(&self.known.sources, &mut verdict.diagnostics);
+                verdict.diagnostics.retain(|d| !self.known.judging.allow.contains(&d.code) || d.is_error());
                 Ok(Judged { verdict, compiled })
             })
             .map(Some)
@@ -258,11 +251,12 @@ impl Snapshot {
     /// # Errors
     /// [`Cancelled`]: the text has changed.
     pub fn explained(&self) -> Result<Option<Arc<Verdict>>, Cancelled> {
-        let Some(layout) = self.layout.as_ref().filter(|l| l.read.usable) else { return Ok(None) };
-        self.explained
+        let Some(layout) = self.known.layout.as_ref().filter(|l| l.read.usable) else { return Ok(None) };
+        self.known
+            .explained
             .get_or(|| {
                 let compiled = self.compiled()?;
-                let mut options = self.judging.options;
+                let mut options = self.known.judging.options;
                 options.detail.sentences = true;
                 options.physics &= compiled.complete;
                 Ok(check_read(&compiled.program, &layout.read, &options))

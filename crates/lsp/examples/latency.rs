@@ -191,6 +191,7 @@ fn measure(server: &str, subject: &Subject) {
         show(method, times);
     }
     if subject.language == "scene" {
+        println!("  {:42} {:>9.1} MB", "resident, after questions about the text", client.resident());
         let mut times = Vec::new();
         for n in 0..TIMES {
             let pos = [f64::from(n as u32 % 20) * 0.01, 0.0, 0.0];

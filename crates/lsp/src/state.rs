@@ -636,7 +636,8 @@ impl State {
                 return;
             }
         }
-        let mut params = json!({ "uri": uri, "diagnostics": all });
+        let mut params = json!({ "uri": uri });
+        params["diagnostics"] = all.into();
         if let Some(version) = version {
             params["version"] = version.into();
         }

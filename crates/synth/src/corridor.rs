@@ -2,7 +2,7 @@
 
 use crate::again::mended;
 use crate::doubt::{Ended, doubted};
-use crate::furnish::{Furnished, furnish};
+use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
 use scenelang_lang::program::ObjectId;
@@ -192,6 +192,7 @@ pub fn solve_with(
     };
     let Ready { mut problem, mut options, mut warnings } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
+    let warnings = gathered(&warnings);
 
     observer.enter(Stage::Layout);
     let before = begun.elapsed();
@@ -282,8 +283,6 @@ pub struct Arranged {
     pub outcome: Outcome,
     /// What the model had to do with it, if there was one.
     pub advice: Option<Advice>,
-    /// What had no asset or no usual size.
-    pub warnings: Vec<Diagnostic>,
 }
 
 /// Stages II and III for a compiled program; `None`: it was asked to end.
@@ -294,11 +293,11 @@ pub fn arrange(
     observer: &mut dyn Observer,
 ) -> Option<Arranged> {
     let stop = how.stop.clone();
-    let Ready { problem, options, warnings } = ready(program, how, observer);
+    let Ready { problem, options, .. } = ready(program, how, observer);
     observer.enter(Stage::Layout);
     let (outcome, advice) = place(&problem, &options, adviser, observer);
     observer.leave(Stage::Layout);
-    (!stop.is_set()).then_some(Arranged { outcome, advice, warnings })
+    (!stop.is_set()).then_some(Arranged { outcome, advice })
 }
 
 /// What the solver is given.

@@ -4,7 +4,7 @@
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
 use scenelang_assets::{Asset, Request, furnish as asset};
-use scenelang_base::{Diagnostic, codes};
+use scenelang_base::{Code, Diagnostic, Label, codes};
 use scenelang_lang::Program;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::program::{Formula, Object, ObjectId, Owner, Pinned};
@@ -14,13 +14,17 @@ use std::collections::BTreeMap;
 
 /// Edge of what has no size at all (metres).
 const DEFAULT_EDGE: f64 = 0.5;
+/// How many kinds of things are named in a sentence.
+const NAMED: usize = 3;
+/// How many of their declarations are shown beside the first.
+const SHOWN: usize = 4;
 
 /// A layout that carries sizes and parts; positions are not decided yet.
 #[derive(Debug)]
 pub struct Furnished {
     /// Every object with its size and parts, at the origin unless `previous` had a place for it.
     pub layout: Layout,
-    /// What had no asset or no size of its own.
+    /// What had no asset or no size of its own: one for each kind of thing. [`gathered`] makes fewer of them.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -56,8 +60,8 @@ pub fn furnish(
         let what = if object.category.is_empty() { base_name(object) } else { object.category.as_str() };
         let size = sizes[i].or(before.map(|p| p.scale)).or_else(|| usual_size(what).map(Vec3::from));
         if size.is_none() {
-            let message = format!("no usual size is known for \"{what}\"; it becomes a cube of {DEFAULT_EDGE} m");
-            let d = Diagnostic::new(codes::W0602, object.span, message)
+            let d = Diagnostic::new(codes::W0602, object.span, message(codes::W0602, &[what]))
+                .label(what)
                 .note(format!("say how large it is: `{}.dimensions <- vec3(…);`", base_name(object)));
             unknown.entry(format!("size {what}")).or_insert((i, d));
         }
@@ -68,8 +72,8 @@ pub fn furnish(
         }
         let asset = asset_of(object, Some(size));
         if !asset.known {
-            let message = format!("the library has nothing for \"{what}\"; it becomes a labelled box");
-            let d = Diagnostic::new(codes::W0601, object.span, message)
+            let d = Diagnostic::new(codes::W0601, object.span, message(codes::W0601, &[what]))
+                .label(what)
                 .note(format!("give it a category the library knows: `{}.category <- \"chair\";`", base_name(object)));
             unknown.entry(format!("asset {what}")).or_insert((i, d));
         }
@@ -81,6 +85,53 @@ pub fn furnish(
     found.sort_by_key(|(i, d)| (*i, d.code));
     warnings.extend(found.into_iter().map(|(_, d)| d));
     Furnished { layout, warnings }
+}
+
+/// What is said of kinds of things, the first ones by name.
+fn message(code: Code, kinds: &[&str]) -> String {
+    let [named, rest] = [&kinds[..kinds.len().min(NAMED)], &kinds[kinds.len().min(NAMED)..]];
+    let mut list = named.iter().map(|kind| format!("\"{kind}\"")).collect::<Vec<_>>().join(", ");
+    if !rest.is_empty() {
+        list = format!("{list} and {} more", rest.len());
+    }
+    let one = kinds.len() == 1;
+    if code == codes::W0601 {
+        let turns = if one { "it becomes a labelled box" } else { "they become labelled boxes" };
+        format!("the library has nothing for {list}; {turns}")
+    } else {
+        let turns = if one { "it becomes a cube" } else { "they become cubes" };
+        format!("no usual size is known for {list}; {turns} of {DEFAULT_EDGE} m")
+    }
+}
+
+/// One warning of each code instead of one for each kind of thing: where the first kind is declared, with places of
+/// others, and a note that names what has no place there. To be done when those that the user does not want to hear of
+/// are gone.
+pub(crate) fn gathered(warnings: &[Diagnostic]) -> Vec<Diagnostic> {
+    let mut codes: Vec<Code> = Vec::new();
+    for code in warnings.iter().map(|d| d.code) {
+        if !codes.contains(&code) {
+            codes.push(code);
+        }
+    }
+    let gather = |code: Code| {
+        let mut of_code = warnings.iter().filter(|d| d.code == code);
+        let mut first = of_code.next()?.clone();
+        let others: Vec<&Label> = of_code.filter_map(|d| d.primary.as_ref()).collect();
+        if others.is_empty() {
+            return Some(first);
+        }
+        let kinds: Vec<&str> = first.primary.iter().chain(others.iter().copied()).map(|l| l.message.as_str()).collect();
+        first.message = message(code, &kinds);
+        let (shown, rest) = others.split_at(others.len().min(SHOWN));
+        first.related = shown.iter().map(|&label| label.clone()).collect();
+        if !rest.is_empty() {
+            let rest: Vec<&str> = rest.iter().map(|label| label.message.as_str()).collect();
+            first.notes.push(format!("the others are {}", rest.join(", ")));
+        }
+        Some(first)
+    };
+    codes.into_iter().filter_map(gather).collect()
 }
 
 /// The name to speak of an object's kind by: that of its array, or its own.
@@ -124,5 +175,63 @@ fn assigned_sizes(program: &Program, layout: &Layout, options: &Options) -> Vec<
         if formulas.is_empty() || formulas.len() == before {
             return sizes;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_lang::compile::compile_text;
+    use std::fmt::Write;
+    use std::path::Path;
+
+    /// What is told of a program of things with these categories: code and message, what is said elsewhere, the last note.
+    fn told(categories: &[&str]) -> Vec<(String, String, String)> {
+        let mut text = String::new();
+        for (i, category) in categories.iter().enumerate() {
+            writeln!(text, "object it{i};\nit{i}.category <- \"{category}\";").unwrap();
+        }
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &text, scenelang_lang::Options::default());
+        let found = furnish(&compiled.program.unwrap(), Vec::new(), None, &Options::default());
+        let tell = |d: Diagnostic| {
+            let labels: Vec<&str> = d.related.iter().map(|label| label.message.as_str()).collect();
+            let elsewhere = labels.join(" ");
+            (format!("{} {}", d.code, d.message), elsewhere, d.notes.last().cloned().unwrap_or_default())
+        };
+        gathered(&found.warnings).into_iter().map(tell).collect()
+    }
+
+    #[test]
+    fn what_is_unknown_is_told_once() {
+        assert!(told(&["chair", "table"]).is_empty());
+        let size = "say how large it is: `it0.dimensions <- vec3(…);`";
+        let asset = "give it a category the library knows: `it0.category <- \"chair\";`";
+        let all = |wanted: [(&str, &str, &str); 2], categories: &[&str]| {
+            let wanted = wanted.map(|(a, b, c)| (a.to_owned(), b.to_owned(), c.to_owned()));
+            assert_eq!(told(categories), wanted);
+        };
+        all(
+            [
+                ("W0601 the library has nothing for \"gizmo\"; it becomes a labelled box", "", asset),
+                ("W0602 no usual size is known for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
+            ],
+            &["gizmo", "chair", "gizmo"],
+        );
+        let rest = "the others are g5, g6";
+        all(
+            [
+                (
+                    "W0601 the library has nothing for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
+                    "g1 g2 g3 g4",
+                    rest,
+                ),
+                (
+                    "W0602 no usual size is known for \"g0\", \"g1\", \"g2\" and 4 more; they become cubes of 0.5 m",
+                    "g1 g2 g3 g4",
+                    rest,
+                ),
+            ],
+            &["g0", "g1", "g2", "g3", "g4", "g5", "g6"],
+        );
     }
 }

@@ -69,6 +69,14 @@ const notices = async (e) => {
   return texts(e, selector);
 };
 
+/** Presses a button of a notification; where it is on the screen may change at any moment, so the pointer could miss it. */
+const press = ({ page }, words) =>
+  until(`the button "${words}"`, async () => {
+    const [button] = await page.$$(`::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., '${words}')])`);
+    await button.evaluate((element) => element.click());
+    return true;
+  });
+
 /** The page of the preview, which is a frame in a frame. */
 async function room({ page }) {
   return until("the room in the preview", async () => {
@@ -255,8 +263,9 @@ check("building shows progress, and ends when it is called off", async (e) => {
   writeFileSync(e.path("slow"), "");
   await build();
   await until("progress", async () => (await notices(e)).some((notice) => notice.includes("Building meeting.scene")));
-  const [cancel] = await e.page.$$("::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., 'Cancel')])");
-  await cancel.click();
+  // A program that has hardly begun ends without a word.
+  await until("the builder", () => logged("main").filter(({ ran }) => ran === "synth").length === 2);
+  await press(e, "Cancel");
   await until("its end", () => logged("main").some(({ ended }) => ended === "SIGINT"));
   rmSync(e.path("slow"));
 });
@@ -287,8 +296,7 @@ check("without a server it says so, and how to name one", async () => {
     await until("the message", async () => (await notices(other)).some((notice) => /has no server/.test(notice)));
     await shoot("no-server", other);
     assert.match(await status(other), /no server/);
-    const [button] = await other.page.$$("::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., 'Open Setting')])");
-    await button.click();
+    await press(other, "Open Setting");
     await until("the setting", async () => (await other.api("return vscode.window.tabGroups.activeTabGroup.activeTab?.label")) === "Settings");
     // And with the setting it starts.
     await other.api("await vscode.workspace.getConfiguration('scenelang').update('server.path', args.path, 1)", { path: here("fake/scenelang") });
@@ -358,6 +366,13 @@ check("the editor's own model answers the server; a key goes from the secret sto
     const restarted = await until("a server with the key", () => logged("model").find(({ keys, model }) => model !== undefined && keys.includes("OPENAI_API_KEY") && logged("model").filter(({ model }) => model !== undefined).length > 1));
     assert.equal(restarted.model, "client");
     assert.throws(() => execFileSync("grep", ["-rl", "sk-very-secret", join(other.ws, ".."), "--include=*.json", "--include=*.log", "--include=*.txt"]), "no setting and no log has it");
+
+    const started = () => logged("model").filter(({ model }) => model !== undefined);
+    const before = started().length;
+    await begin(other, "scenelang.forgetKey");
+    await until("which", async () => (await texts(other, ".quick-input-list .monaco-list-row")).some((row) => /^OpenAI/.test(row)));
+    await other.page.keyboard.press("Enter");
+    await until("a server without it", () => started().length > before && !started().at(-1).keys.includes("OPENAI_API_KEY"));
   } finally {
     await other.close();
   }

@@ -3,7 +3,7 @@
 // SHOTS names a folder for pictures; SCENELANG names the server, else it is the newest in target.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -170,6 +170,29 @@ check("the light bulb mends it, and then all holds", async () => {
   await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
   assert.match(await text(`${ROOM}.scene`), /assert forall p in plant: inCorner/, "the layout was mended, not the program");
   await shoot("repaired");
+});
+
+check("the room is solved anew and exported; the server starts again when told to", async () => {
+  const notices = async () => {
+    if ((await e.page.$(".notifications-center.visible")) === null) await command("notifications.showList");
+    return texts(".notifications-center .notification-list-item");
+  };
+  await show(0);
+  await begin("scenelang.solveScene");
+  await until("what it said", async () => (await notices()).some((notice) => /solved: /.test(notice)), 60_000);
+  await command("notifications.clearAll");
+  await begin("scenelang.exportScene");
+  await until("the formats", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^plan/.test(row)));
+  await e.page.keyboard.press("Enter");
+  await until("where to", async () => (await texts(".quick-input-list .monaco-list-row")).length === 2);
+  await e.page.keyboard.press("Enter");
+  await until("that it is written", async () => (await notices()).some((notice) => notice.includes("Written to")), 60_000);
+  const written = e.path(`out/${ROOM}`);
+  assert.ok(readdirSync(written).some((name) => name.endsWith(".glb")), readdirSync(written).join());
+  await command("notifications.clearAll");
+  await command("scenelang.restartServer");
+  const [holds, total] = await until("a count", counted);
+  assert.equal(holds, total);
 });
 
 check("nothing was asked of the network, and no script failed", () => {

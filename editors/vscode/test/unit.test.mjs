@@ -2,7 +2,7 @@
 // the manifest and the code speak of the same things.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -88,10 +88,13 @@ test("a program is run, and ended when it is called off", async () => {
   assert.deepEqual(await run(process.execPath, ["-e", "console.log(process.cwd()); console.error(2); process.exit(3)"], folder, never), { code: 3, stdout: `${folder}\n`, stderr: "2\n" });
   await assert.rejects(run(join(folder, "nothing"), [], folder, never), /ENOENT/);
   const abort = new AbortController();
-  const script = 'process.on("SIGINT", () => { console.log("told"); process.exit(130); }); console.log("up"); setInterval(() => {}, 1000)';
-  setTimeout(() => abort.abort(), 700);
-  const ended = await run(process.execPath, ["-e", script], folder, abort.signal);
-  assert.deepEqual([ended.code, ended.stdout], [130, "up\ntold\n"]);
+  const script = 'process.on("SIGINT", () => { console.log("told"); process.exit(130); }); require("fs").writeFileSync("up", ""); setInterval(() => {}, 1000)';
+  const running = run(process.execPath, ["-e", script], folder, abort.signal);
+  // Before that it would end without a word.
+  while (!existsSync(join(folder, "up"))) await new Promise((done) => setTimeout(done, 20));
+  abort.abort();
+  const ended = await running;
+  assert.deepEqual([ended.code, ended.stdout], [130, "told\n"]);
 });
 
 test("the archive is a zip that others read, with the bits of programs", () => {

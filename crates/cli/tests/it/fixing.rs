@@ -118,6 +118,14 @@ fn later_stages_heed_comments_too() {
         assert_eq!(ended.stderr.contains("W0602"), warned, "{}", ended.stderr);
         assert_eq!(ended.stderr.contains("W0601"), warned, "{}", ended.stderr);
     }
+    // What is told once for many things is told of those that no comment speaks of.
+    let things: String = (0..12).map(|i| format!("object q{i}; WHAT{i}\nq{i}.category <- \"quux {i}\";\n")).collect();
+    write(at, &[("room.scene", &things.replace("WHAT0\n", "// allow(W0601, W0602)\n").replace("WHAT", "// "))]);
+    let ended = scenelang(at, ["solve", "room.scene"]);
+    let told: Vec<&str> = ended.stderr.lines().filter(|line| line.contains("W060")).collect();
+    assert_eq!(told.len(), 2, "{}", ended.stderr);
+    let kinds = "\"quux 1\", \"quux 2\", \"quux 3\" and 8 more";
+    assert!(told.iter().all(|line| line.contains(kinds)), "{}", ended.stderr);
     let wall = r#"{ "format": "scenelang.layout/1",
         "regions": { "room": { "pos": [0, 0, 0], "scale": [4, 2.5, 3] } },
         "objects": { "pipe": { "pos": [2, 0, 0], "scale": [1, 0.1, 0.1] } } }"#;

@@ -1,6 +1,6 @@
 //! A program under edit: its files read, its diagnostics asked for, its formulas made.
 
-use super::checked::{checked, meanings};
+use super::checked::{checked, meanings, summaries};
 use super::names::{At, KnownNames, Twice, assignments, circles, names};
 use super::reader::{ReadFile, Reader};
 use super::runs::{File, Sources, allowances, parsed, placed_runs};
@@ -10,7 +10,7 @@ use crate::check::{Where, cycles};
 use crate::compile::{MAX_ERRORS, Options};
 use crate::hir::Meanings;
 use crate::items::{Items, Place};
-use crate::lint::{self, Linted, Uses, allow};
+use crate::lint::{self, Linted, allow};
 use crate::lower;
 use crate::parse::ParsedFile;
 use crate::program::Program;
@@ -19,7 +19,13 @@ use rustc_hash::FxHashSet;
 use salsa::Setter;
 use scenelang_base::{Code, Diagnostic, FileId, SourceMap, Span, TextRange, codes};
 use smol_str::SmolStr;
-use std::panic::AssertUnwindSafe;
+use std::panic::{AssertUnwindSafe, resume_unwind};
+use std::thread;
+
+/// A program of so many runs of statements is looked at by two threads.
+const MANY: usize = 128;
+/// What the second one has to recurse on (bytes): as much as those of an editor.
+const STACK: usize = 8 << 20;
 
 /// A program whose text may change. What has been found out is kept as long as it is true.
 pub struct Analysis {
@@ -118,16 +124,18 @@ impl Analysis {
         cancellable(AssertUnwindSafe(|| {
             let units = self.units();
             let mut out = self.found(&units);
-            out.extend(self.suspicions(&units, &out));
-            let items = self.items(&units);
+            let errors: Vec<Code> = out.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
             let bad = bad_statements(&out, &units);
-            let (program, found) = lower::lower(&items, &units, sources, &bad);
+            let expand = || lower::lower(&self.items(&units), &units, sources, &bad);
+            let (suspicions, (program, found)) = self.suspicions_beside(&errors, expand)?;
+            out.extend(suspicions);
             out.extend(found);
             if let Some(main) = self.files.first() {
                 out.extend(allow::idle(allowances(&self.db, main.text), main.file, &out));
             }
-            (program, self.listed(self.unsilenced(out)))
+            Ok((program, self.listed(self.unsilenced(out))))
         }))
+        .flatten()
     }
 
     /// What the statements of a file of the program mean; nothing of a file that is not of the program.
@@ -190,22 +198,43 @@ impl Analysis {
         out
     }
 
-    /// Suspicions about the whole program, of which `found` is known.
-    fn suspicions(&self, units: &[Unit<'_>], found: &[Diagnostic]) -> Vec<Diagnostic> {
-        let places: Vec<Place<'_>> = units.iter().flat_map(Unit::places).collect();
-        let uses: Vec<Uses> = places.iter().map(|p| lint::uses(p.stmt)).collect();
-        let runs = self.files.iter().flat_map(|f| placed_runs(&self.db, f.text));
-        let mut all = places.iter().zip(&uses);
-        let mut linted = Vec::with_capacity(places.len());
-        for (_, run) in runs {
+    /// Suspicions about the whole program, in which errors with these codes were found; and what `expand` makes of it, at
+    /// the same time where that is worth a thread.
+    fn suspicions_beside<T>(
+        &self,
+        errors: &[Code],
+        expand: impl FnOnce() -> T,
+    ) -> Result<(Vec<Diagnostic>, T), Cancelled> {
+        if self.files.iter().map(|f| placed_runs(&self.db, f.text).len()).sum::<usize>() < MANY {
+            return Ok((self.suspicions(errors), expand()));
+        }
+        let other = self.reader();
+        thread::scope(|scope| {
+            let work = move || cancellable(AssertUnwindSafe(|| other.suspicions(errors)));
+            let beside = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
+            let expanded = expand();
+            let suspicions = match beside {
+                Ok(beside) => beside.join().unwrap_or_else(|panic| resume_unwind(panic))?,
+                // There are threads enough already.
+                Err(_) => self.suspicions(errors),
+            };
+            Ok((suspicions, expanded))
+        })
+    }
+
+    /// Suspicions about the whole program, in which errors with these codes were found.
+    fn suspicions(&self, errors: &[Code]) -> Vec<Diagnostic> {
+        let units = self.units();
+        let mut places = units.iter().flat_map(Unit::places);
+        let mut linted = Vec::new();
+        for (_, run) in self.files.iter().flat_map(|f| placed_runs(&self.db, f.text)) {
             let checked = checked(&self.db, *run);
-            for i in 0..parsed(&self.db, *run).statements.len() as u32 {
+            for (uses, i) in summaries(&self.db, *run).iter().zip(0..) {
                 let about = checked.iter().filter(|(stmt, _)| *stmt == i).map(|(_, d)| d);
-                linted.extend(all.next().map(|(place, uses)| Linted::new(*place, uses, about)));
+                linted.extend(places.next().map(|place| Linted::new(place, uses, about)));
             }
         }
-        let errors: Vec<Code> = found.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
-        lint::program(&KnownNames(&self.db), &linted, &errors)
+        lint::program(&KnownNames(&self.db), &linted, errors)
     }
 
     /// What comments do not silence.

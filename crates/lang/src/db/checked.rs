@@ -29,6 +29,12 @@ pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(
     out
 }
 
+/// What each statement of a run says of names and texts. It depends on the run alone, so there is nothing to compare.
+#[salsa::tracked(no_eq)]
+pub(crate) fn summaries<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<lint::Uses> {
+    parsed(db, run).statements.iter().map(|(_, stmt)| lint::uses(stmt)).collect()
+}
+
 /// What the statements of a run mean.
 #[salsa::tracked]
 pub(crate) fn meanings<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<Hir> {

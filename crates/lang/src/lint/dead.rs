@@ -188,11 +188,15 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
 /// Statements of a file that repeat an earlier one of it. `drawing`: user predicates that draw random numbers.
 pub fn repeated(statements: &[Linted<'_>], drawing: impl Fn(&str) -> bool, out: &mut Vec<Diagnostic>) {
     let mut seen: FxHashMap<(Option<FileId>, u64), usize> = FxHashMap::default();
+    seen.reserve(statements.len());
     for (i, Linted { place, uses, sound, .. }) in statements.iter().enumerate() {
         let Some(shape) = uses.shape.filter(|_| *sound && !uses.draws && !uses.calls.iter().any(|c| drawing(c))) else {
             continue;
         };
         let first = *seen.entry((place.file, shape)).or_insert(i);
+        if first == i {
+            continue;
+        }
         let first = &statements[first].place;
         let (Some(at), Some(before)) = (place.span(place.stmt.range), first.span(first.stmt.range)) else { continue };
         if at != before && shape::same_statement(first.stmt, place.stmt) {

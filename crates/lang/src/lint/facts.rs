@@ -159,6 +159,9 @@ impl<'a> Facts<'a> {
 
     /// Variables and predicates of which `such` holds, or which use one of which it holds, directly or through others.
     pub fn closure(&self, such: impl Fn(&Linted<'_>) -> bool) -> FxHashSet<Node<'a>> {
+        if !self.statements.iter().any(&such) {
+            return FxHashSet::default();
+        }
         let mut users: FxHashMap<Node<'a>, Vec<Node<'a>>> = FxHashMap::default();
         let mut open = Vec::new();
         for linted in self.statements {

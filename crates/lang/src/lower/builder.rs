@@ -6,11 +6,16 @@ use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use scenelang_base::TextRange;
 use std::hash::{Hash, Hasher};
 
+/// How many nodes are found by looking through their hashes.
+const FIRST: usize = 16;
+
 /// A formula under construction.
 #[derive(Default)]
 pub(super) struct Builder {
     nodes: Vec<Node>,
     ranges: Vec<TextRange>,
+    /// Of the first nodes: most formulas are small, and looking through these takes less than making a map.
+    hashes: Vec<u64>,
     shared: FxHashMap<u64, NodeId>,
     /// Nodes and members of lists, for the limit on a program's size.
     size: usize,
@@ -33,7 +38,8 @@ impl Builder {
     /// Adds a node, or finds its equal. A hash met by a different node before only means that it is not shared.
     pub(super) fn add(&mut self, node: Node, range: TextRange) -> NodeId {
         let hash = hash(&node);
-        if let Some(&id) = self.shared.get(&hash)
+        let first = self.hashes.iter().position(|h| *h == hash).map(|i| NodeId(i as u32));
+        if let Some(id) = first.or_else(|| self.shared.get(&hash).copied())
             && self.nodes[id.0 as usize] == node
         {
             return id;
@@ -42,7 +48,11 @@ impl Builder {
         self.size += 1;
         self.nodes.push(node);
         self.ranges.push(range);
-        self.shared.insert(hash, id);
+        if self.hashes.len() < FIRST {
+            self.hashes.push(hash);
+        } else {
+            self.shared.insert(hash, id);
+        }
         id
     }
 
@@ -131,24 +141,27 @@ impl Builder {
 
     /// The part of the graph that `root` needs, as a formula of its own.
     pub(super) fn extract(&self, root: NodeId) -> Formula {
-        let mut needed = vec![false; root.0 as usize + 1];
-        needed[root.0 as usize] = true;
-        for i in (0..=root.0 as usize).rev() {
-            if needed[i] {
-                self.nodes[i].for_each_child(|c| needed[c.0 as usize] = true);
+        // Where a node goes: first only whether it does.
+        let mut new: Vec<Option<NodeId>> = vec![None; root.0 as usize + 1];
+        new[root.0 as usize] = Some(NodeId(0));
+        let mut count = 0;
+        for i in (0..new.len()).rev() {
+            if new[i].is_some() {
+                count += 1;
+                self.nodes[i].for_each_child(|c| new[c.0 as usize] = Some(NodeId(0)));
             }
         }
-        let mut new = vec![NodeId(0); needed.len()];
-        let mut out = Formula { nodes: Vec::new(), ranges: Vec::new(), root: NodeId(0) };
-        for i in 0..needed.len() {
-            if needed[i] {
-                new[i] = NodeId(out.nodes.len() as u32);
-                out.nodes.push(self.nodes[i].map_children(|c| new[c.0 as usize]));
-                out.ranges.push(self.ranges[i]);
+        let mut nodes = Vec::with_capacity(count);
+        let mut ranges = Vec::with_capacity(count);
+        for i in 0..new.len() {
+            if new[i].is_some() {
+                new[i] = Some(NodeId(nodes.len() as u32));
+                nodes.push(self.nodes[i].map_children(|c| new[c.0 as usize].unwrap_or(c)));
+                ranges.push(self.ranges[i]);
             }
         }
-        out.root = new[root.0 as usize];
-        out
+        // The root comes last: all others are below it.
+        Formula { root: NodeId(nodes.len() as u32 - 1), nodes, ranges }
     }
 }
 

@@ -71,15 +71,15 @@ pub(crate) fn lower<'a>(
     l.texts_and_dimensions();
     for unit in units {
         let (mut asserts, mut prefers) = (0, 0);
+        let prefix = if unit.prefix.is_empty() { String::new() } else { format!("{}:", unit.prefix) };
         for place in unit.places() {
-            let counter = match &place.stmt.kind {
+            let (keyword, count) = match &place.stmt.kind {
                 StmtKind::Assert { .. } => ("assert", &mut asserts),
                 StmtKind::Prefer { .. } => ("prefer", &mut prefers),
                 _ => ("", &mut 0),
             };
-            let prefix = if unit.prefix.is_empty() { String::new() } else { format!("{}:", unit.prefix) };
-            let key = format!("{prefix}{}[{}]", counter.0, counter.1);
-            *counter.1 += 1;
+            let key = format!("{prefix}{keyword}[{count}]");
+            *count += 1;
             if !l.exhausted && !bad.contains(&(unit.file, place.offset)) {
                 let _ = l.statement(place, key);
             }
@@ -385,7 +385,7 @@ impl<'a> Lowerer<'a, '_> {
             let Some(span) = assignment.place.span(assignment.place.stmt.range) else { continue };
             let known = self.program.definitions.iter().position(|d| d.span == span);
             used.push(known.unwrap_or_else(|| {
-                let text = self.sources.text(span).split_whitespace().collect::<Vec<_>>().join(" ");
+                let text = folded(self.sources.text(span));
                 self.program.definitions.push(Definition { name: name.clone(), span, text });
                 self.program.definitions.len() - 1
             }));
@@ -466,7 +466,14 @@ impl<'a> Lowerer<'a, '_> {
 
 /// A text with its blanks folded.
 fn folded(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    let mut out = String::with_capacity(text.len());
+    for word in text.split_whitespace() {
+        if !out.is_empty() {
+            out.push(' ');
+        }
+        out.push_str(word);
+    }
+    out
 }
 
 /// The sentences of a statement's `@req`.

@@ -139,20 +139,35 @@ fn a_change_stops_who_reads() {
     let mut log = Session::new();
     let mut text = program();
     edited(&mut log, &text);
-    let (started, wait) = std::sync::mpsc::channel();
-    let reader = log.analysis.reader();
-    let thread = std::thread::spawn(move || {
-        started.send(()).unwrap();
-        loop {
-            if let Err(Cancelled) = reader.diagnostics() {
-                return;
-            }
-        }
-    });
-    wait.recv().unwrap();
-    text.push_str("object last;\n");
-    edited(&mut log, &text); // would wait for ever if the reader did not leave
-    thread.join().unwrap();
+    // One thread, or, for the whole of a large program, two.
+    for whole in [false, true] {
+        let (started, wait) = std::sync::mpsc::channel();
+        let (reader, sources) = (log.analysis.reader(), log.sources.clone());
+        let read = move || if whole { reader.program(&sources).map(|_| ()) } else { reader.diagnostics().map(|_| ()) };
+        let thread = std::thread::spawn(move || {
+            started.send(()).unwrap();
+            while read() != Err(Cancelled) {}
+        });
+        wait.recv().unwrap();
+        text.push_str(if whole { "object last;\n" } else { "object first;\n" });
+        edited(&mut log, &text); // would wait for ever if the reader did not leave
+        thread.join().unwrap();
+    }
+}
+
+/// What is said of a whole program does not depend on how many threads look at it.
+#[test]
+fn large_programs_are_suspected_as_small_ones_are() {
+    let doubtful = "object idle;\nassert thing0.top > 1;\nassert thing0.top > 1;\n";
+    let said = |program: &str| {
+        let mut log = Session::new();
+        log.update(&Files([(MAIN.to_owned(), format!("{doubtful}{program}"))].into()));
+        let (program, found) = log.analysis.program(&log.sources).unwrap();
+        (program.is_some(), found.into_iter().map(|d| (d.code, d.primary, d.message)).collect::<Vec<_>>())
+    };
+    let (small, large) = (said("object thing0;\n"), said(&program()));
+    assert_eq!(small.1.iter().map(|(code, ..)| code.as_str()).collect::<Vec<_>>(), ["W0201", "W0304"]);
+    assert_eq!(small, large);
 }
 
 #[test]

@@ -65,10 +65,15 @@ pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
         report: &report,
     };
     // A layout that lacks something cannot be drawn; its rows can be listed.
-    let data = Scene::build(&input).ok().and_then(|scene| preview::live(scene, seen.known.as_deref()).ok());
-    Ok(json!({
-        "layout": layout, "data": data, "holds": holds, "total": total, "constraints": rows, "objects": objects,
-    }))
+    let scene = Scene::build(&input).ok();
+    drop(report);
+    let data = scene.and_then(|scene| preview::live(scene, seen.known.as_deref()).ok());
+    let mut out = json!({ "layout": layout, "holds": holds, "total": total });
+    // The macro would copy these, and they are large.
+    out["data"] = data.unwrap_or_default();
+    out["constraints"] = rows.into();
+    out["objects"] = objects.into();
+    Ok(out)
 }
 
 /// Parameters of `scenelang/forms`.

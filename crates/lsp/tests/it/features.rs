@@ -56,7 +56,6 @@ fn hovering() {
             "object |bed",
             "object bed|Where one sleeps|`bed` is at (0, 0, -0.9), 1.60 × 0.55 × 2.00 m|fails: `bed` overlaps",
         ),
-        ("inside|", ""),
         ("|stand[2]", "object stand[2]|`stand[1]` is at"),
         ("region r|oom", "region room|4.00 × 2.60 × 4.00 m"),
         ("Number |space", "Number space|is `0.02` in the layout"),
@@ -69,9 +68,6 @@ fn hovering() {
         ("|assert gap(stand[1]", "**fails**, margin **−0.12 m**|to mend it: move `stand[1]` by +0.12 m along x"),
         ("as|sert on(lamp", "holds|asked for by “a lamp stands on the left stand”"),
     ] {
-        if wanted.is_empty() {
-            continue;
-        }
         let found = client.ask_at("hover", &uri, &scene, place);
         let text = found["contents"]["value"].as_str().unwrap_or_else(|| panic!("nothing at {place}"));
         for part in wanted.split('|') {
@@ -268,7 +264,6 @@ fn renaming_goes_into_the_layout() {
     let rename = |client: &mut Client, place: &str, new: &str| json!({ "textDocument": { "uri": uri }, "position": at(&scene, place), "newName": new, "context": client.capabilities["none"] });
     for (place, new, in_scene, in_layout) in [
         ("object |bed", "couch", "near(s, couch, 0.1)", "\"couch\": { \"pos\""),
-        ("stand[|0]", "", "", ""),
         ("object st|and", "table", "object table[2];", "\"table[1]\": { \"pos\""),
         ("region |room", "hall", "hall.scale <-", "\"hall\": { \"pos\""),
         ("Number |space", "slack", "slack > 0.01", "{ \"slack\": 0.02 }"),
@@ -276,9 +271,6 @@ fn renaming_goes_into_the_layout() {
         ("low(Object |thing", "o", "(Object o, Number height) := o.top", ""),
         ("predicate |low", "flat", "assert flat(bed, 1)", ""),
     ] {
-        if new.is_empty() {
-            continue;
-        }
         let prepared = client.ask_at("prepareRename", &uri, &scene, place);
         assert_eq!(prepared["placeholder"], slice(&scene, &prepared["range"]), "{place}");
         let params = rename(&mut client, place, new);
@@ -522,6 +514,11 @@ fn hints_and_lenses() {
     let titles: Vec<&str> =
         lenses.as_array().unwrap().iter().map(|l| l["command"]["title"].as_str().unwrap()).collect();
     assert_eq!(titles, ["Check", "Solve", "Repair", "Show", "Repair", "Repair"]);
+    let commands: Vec<&str> =
+        lenses.as_array().unwrap().iter().map(|l| l["command"]["command"].as_str().unwrap()).collect();
+    let repair = "scenelang.repair";
+    let wanted = ["scenelang.check", "scenelang.solve", "scenelang.repairAll", "scenelang.show", repair, repair];
+    assert_eq!(commands, wanted);
     let last = &lenses[4];
     assert_eq!(last["command"]["arguments"][0]["line"], last["range"]["start"]["line"]);
     client.stop();

@@ -143,6 +143,61 @@ fn traces_are_as_the_client_wants_them() {
     }
 }
 
+/// What is asked where the server says that it can something.
+const ASKED: &[(&str, &str)] = &[
+    (
+        "callHierarchyProvider",
+        "textDocument/prepareCallHierarchy callHierarchy/incomingCalls callHierarchy/outgoingCalls",
+    ),
+    ("codeActionProvider", "textDocument/codeAction codeAction/resolve"),
+    ("codeLensProvider", "textDocument/codeLens"),
+    ("colorProvider", "textDocument/documentColor textDocument/colorPresentation"),
+    ("completionProvider", "textDocument/completion completionItem/resolve"),
+    ("declarationProvider", "textDocument/declaration"),
+    ("definitionProvider", "textDocument/definition"),
+    ("diagnosticProvider", "textDocument/diagnostic workspace/diagnostic"),
+    ("documentFormattingProvider", "textDocument/formatting"),
+    ("documentHighlightProvider", "textDocument/documentHighlight"),
+    ("documentLinkProvider", "textDocument/documentLink"),
+    ("documentOnTypeFormattingProvider", "textDocument/onTypeFormatting"),
+    ("documentRangeFormattingProvider", "textDocument/rangeFormatting"),
+    ("documentSymbolProvider", "textDocument/documentSymbol"),
+    ("executeCommandProvider", "workspace/executeCommand"),
+    ("foldingRangeProvider", "textDocument/foldingRange"),
+    ("hoverProvider", "textDocument/hover"),
+    ("inlayHintProvider", "textDocument/inlayHint"),
+    ("linkedEditingRangeProvider", "textDocument/linkedEditingRange"),
+    ("referencesProvider", "textDocument/references"),
+    ("renameProvider", "textDocument/prepareRename textDocument/rename"),
+    ("selectionRangeProvider", "textDocument/selectionRange"),
+    (
+        "semanticTokensProvider",
+        "textDocument/semanticTokens/full textDocument/semanticTokens/full/delta textDocument/semanticTokens/range",
+    ),
+    ("signatureHelpProvider", "textDocument/signatureHelp"),
+    ("typeDefinitionProvider", "textDocument/typeDefinition"),
+    ("workspaceSymbolProvider", "workspace/symbol"),
+    // These are told, not asked.
+    ("positionEncoding", "positionEncodings"),
+    ("textDocumentSync", "contentChanges textDocument/didClose"),
+    ("workspace", "workspace/didChangeWorkspaceFolders workspace/didChangeWatchedFiles"),
+];
+
+/// The rows of the table of `docs/editors.md`: what the server says that it can, and where that is tested.
+fn promised() -> Vec<[Vec<String>; 2]> {
+    let text = include_str!("../../../../docs/editors.md");
+    let rows = text.lines().skip_while(|l| !l.starts_with("| what |")).take_while(|l| l.starts_with('|'));
+    let quoted = |cell: &str| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+    rows.filter(|row| row.contains('●'))
+        .map(|row| [3, 4].map(|column| quoted(row.split('|').nth(column).unwrap())))
+        .collect()
+}
+
+fn sorted(mut list: Vec<String>) -> Vec<String> {
+    list.sort();
+    list
+}
+
 /// What the server says that it can is what the table of `docs/editors.md` says, and no more.
 #[test]
 fn the_document_lists_what_the_server_can() {
@@ -150,16 +205,32 @@ fn the_document_lists_what_the_server_can() {
     let client = Client::start_with(folder.path(), crate::client::pulling(), Value::Null);
     let can: Vec<String> = client.capabilities.as_object().unwrap().keys().cloned().collect();
     client.stop();
-    let text = include_str!("../../../../docs/editors.md");
-    let rows = text.lines().skip_while(|l| !l.starts_with("| what |")).take_while(|l| l.starts_with('|'));
-    let mut said: Vec<String> = Vec::new();
-    for row in rows.filter(|row| row.contains('●')) {
-        let cell = row.split('|').nth(3).unwrap();
-        said.extend(cell.split('`').skip(1).step_by(2).map(str::to_owned));
+    let said = promised().into_iter().flat_map(|[capabilities, _]| capabilities).collect();
+    assert_eq!(sorted(said), sorted(can.clone()));
+    assert_eq!(sorted(ASKED.iter().map(|(name, _)| (*name).to_owned()).collect()), sorted(can));
+}
+
+/// Each question that belongs to a row of the table is asked in the tests that the row names, and there are no others but
+/// those of our own.
+#[test]
+fn what_the_document_lists_is_asked_where_it_says() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let test = |name: &String| std::fs::read_to_string(folder.join(format!("tests/it/{name}.rs"))).unwrap();
+    let mut missing = Vec::new();
+    for [capabilities, names] in promised() {
+        assert!(!names.is_empty(), "{capabilities:?}");
+        let texts: String = names.iter().map(test).collect();
+        for (_, asked) in ASKED.iter().filter(|(name, _)| capabilities.iter().any(|c| c == name)) {
+            let short = |method: &&str| format!("\"{}\"", method.trim_start_matches("textDocument/"));
+            let is_asked = |method: &&str| texts.contains(&format!("\"{method}\"")) || texts.contains(&short(method));
+            missing.extend(asked.split(' ').filter(|m| !is_asked(m)).map(|m| format!("{m} in {names:?}")));
+        }
     }
-    let sorted = |mut list: Vec<String>| {
-        list.sort();
-        list
-    };
-    assert_eq!(sorted(said), sorted(can));
+    assert!(missing.is_empty(), "{missing:?}");
+
+    let answered = include_str!("../../src/dispatch.rs").lines().filter_map(|l| l.trim().split_once("\" => "));
+    let answered = answered.map(|(method, _)| method.trim_start_matches('"').to_owned());
+    let known = ASKED.iter().flat_map(|(_, asked)| asked.split(' ')).filter(|m| m.contains('/') && !m.contains("/did"));
+    let answered = answered.filter(|method| !method.starts_with("scenelang/")).collect();
+    assert_eq!(sorted(answered), sorted(known.map(str::to_owned).collect()));
 }

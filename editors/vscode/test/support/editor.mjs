@@ -159,7 +159,8 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
     await page.waitForSelector(".editor-instance .view-line", { timeout: 60_000 });
     const api = (body, args = {}) =>
       new Promise((done, failed) => {
-        const request = http.request({ socketPath: socket, method: "POST" }, (answer) => {
+        // A connection of its own: one that is kept may be closed just when it is used again.
+        const request = http.request({ socketPath: socket, method: "POST", agent: false }, (answer) => {
           let text = "";
           answer.on("data", (piece) => (text += piece));
           answer.on("end", () => {
