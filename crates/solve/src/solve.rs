@@ -24,9 +24,9 @@ const GROWTH: f64 = 1.15;
 /// The part of the time that the search has, if there is to be a diagnosis.
 const SEARCHING: f64 = 0.8;
 /// How often what is found is judged before it is handed out.
-const JUDGED: u32 = 3;
+const JUDGED: u32 = 4;
 /// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
-const WAYS_JUDGED: u32 = 9;
+const WAYS_JUDGED: u32 = 14;
 /// The part of the budget that the quick search has.
 const QUICK: f64 = 0.85;
 

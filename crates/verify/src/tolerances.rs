@@ -74,7 +74,7 @@ pub struct Detail {
     pub all: bool,
     /// Whether rows that hold say what was measured, too: a sentence takes longer than the verdict.
     pub sentences: bool,
-    /// Whether it is said what bars a way: that takes longer than the verdict, too.
+    /// Whether it is said what bars a way, and how wide it is there: that takes longer than the verdict, too.
     pub bars: bool,
     /// How many violations are explained in full.
     pub explain: Explain,

@@ -55,7 +55,7 @@ impl Predicate for Reachable {
 
     fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
         let (from, to, width) = (call.object(0).ok()?.0, call.object(1).ok()?.0, call.number(2).ok()?);
-        if Self::truth(call).ok()?.holds {
+        if !call.world.options.detail.bars || Self::truth(call).ok()?.holds {
             return None;
         }
         Some((navigation::bottleneck(call.world, from, to, width).map_or(0.0, |found| found.width), width))
