@@ -194,6 +194,23 @@ const FIXED: &[(&str, Piece)] = &[
     ("there must be", Piece::There),
     ("there shall be", Piece::There),
     ("there will be", Piece::There),
+    ("has to", Piece::Word(false)),
+    ("have to", Piece::Word(false)),
+    ("had to", Piece::Word(false)),
+    ("needs to", Piece::Word(false)),
+    ("need to", Piece::Word(false)),
+    ("ought to", Piece::Word(false)),
+    ("is to be", Piece::Verb(Verb::Be)),
+    ("are to be", Piece::Verb(Verb::Be)),
+    ("end to end", Piece::Pattern(Pattern::Row)),
+    ("one behind the other", Piece::Pattern(Pattern::Row)),
+    ("one after the other", Piece::Pattern(Pattern::Row)),
+    ("one after another", Piece::Pattern(Pattern::Row)),
+    ("in a neat row", Piece::Pattern(Pattern::Row)),
+    ("in a long row", Piece::Pattern(Pattern::Row)),
+    ("at either end", Piece::ToIts(Rel::Beside)),
+    ("at both ends", Piece::ToIts(Rel::Beside)),
+    ("at each end", Piece::ToIts(Rel::Beside)),
     ("made of", Piece::Rel(Rel::Of)),
     ("made from", Piece::Rel(Rel::Of)),
     ("built of", Piece::Rel(Rel::Of)),
@@ -314,7 +331,7 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
 }
 
 /// The longest phrase of `FIXED` that begins here.
-fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
+pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
     let fits = |phrase: &str| {
         let words = phrase.split(' ');
         let n = words.clone().count();

@@ -12,7 +12,7 @@ const LITTLE: usize = 3;
 
 /// Adds to each room with few things what such rooms have, as far as nothing of the kind is there or ruled out.
 pub fn add(scene: &mut Scene) {
-    let named = scene.items.iter().filter(|i| !i.opening()).count();
+    let named = scene.items.iter().filter(|i| !i.opening() && i.part.is_none()).count();
     for room in 0..scene.rooms.len() {
         let own = scene.items.iter().filter(|i| i.room == room && !i.opening()).count();
         if own >= LITTLE || named >= LITTLE {
@@ -143,6 +143,7 @@ fn push(scene: &mut Scene, room: usize, name: &str, count: usize, why: &str) -> 
         size: [None; 3],
         at: 0..0,
         inferred: Some(why.to_owned()),
+        part: None,
     });
     scene.items.len() - 1
 }

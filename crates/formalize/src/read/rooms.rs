@@ -22,7 +22,22 @@ pub struct Rooms {
 const MOST: usize = 12;
 
 /// Finds them.
-pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
+pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
+    let out = spoken(chunks, tokens);
+    // What could be a thing as well and is no room here is a thing.
+    for (i, chunk) in chunks.iter_mut().enumerate() {
+        if let Piece::Np(np) = &mut chunk.piece
+            && np.kind == Kind::Room
+            && np.group.is_some()
+            && !out.spoken.contains_key(&i)
+        {
+            np.kind = Kind::Thing;
+        }
+    }
+    out
+}
+
+fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     let mut out = Rooms::default();
     let lexicon = get();
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
@@ -32,15 +47,21 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
         let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
         let base = np.words[np.words.len() - n..].join(" ");
-        let named = out
-            .rooms
-            .iter()
-            .position(|r| r.name == base || r.name == np.name() || r.name.ends_with(&format!(" {base}")));
+        let named = out.rooms.iter().position(|r| {
+            let base_too = base != "room" || np.words.len() == 1;
+            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
+        });
         if let Some(room) = named {
             out.spoken.insert(i, room);
             continue;
         }
-        if kind.loose || base == "office building" {
+        // "evacuation study", "case study"
+        if base == "study" && np.words.len() > 1 {
+            continue;
+        }
+        // "the sewing room": of its own, where it is said like one.
+        let own_name = base == "room" && np.words.len() > 1 && !out.rooms.is_empty() && strong(chunks, i, false);
+        if (kind.loose || base == "office building") && !own_name {
             loose.push((i, np.name()));
             continue;
         }
@@ -52,10 +73,14 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             out.spoken.insert(i, room);
             continue;
         }
-        if out.rooms.len() < MOST && strong(chunks, i, out.rooms.is_empty()) {
+        let either = np.group.is_some();
+        if out.rooms.len() < MOST
+            && strong(chunks, i, out.rooms.is_empty() && !either)
+            && (!either || titled(chunks, i))
+        {
             out.spoken.insert(i, out.rooms.len());
             out.rooms.push(Room { name: np.name(), at: bytes(chunk), ..Room::default() });
-        } else {
+        } else if !either {
             weak.push((i, np.name()));
         }
     }
@@ -112,6 +137,13 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                     | Piece::Attr(_)
             ) | None
         );
+    // "Evacuation plan, gymnasium: …": a title before the room.
+    let title = matches!(after, Some(Piece::Comma))
+        && matches!(piece(i + 2), Some(Piece::Np(np)) if np.kind == Kind::Room)
+        && matches!(piece(i + 3), Some(Piece::Colon | Piece::Measure(_)));
+    if title {
+        return false;
+    }
     let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));
     let opens = start_of_clause(chunks, i) && matches!(before, Some(Piece::Rel(Rel::In)));
     let joined = matches!(before, Some(Piece::And | Piece::Comma))
@@ -125,6 +157,18 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                 .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
                 .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
+}
+
+/// Whether a word that may be a thing is said as a room: "Pantry: …", "a pantry of 3 by 2 m", "leads to the pantry".
+fn titled(chunks: &[Chunk], i: usize) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    let sized = |k: usize| matches!(piece(k), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area);
+    let bullet = i.checked_sub(1).and_then(piece) == Some(&Piece::Bullet);
+    sized(i + 1)
+        || sized(i + 2)
+        || !bullet && matches!(piece(i + 1), Some(Piece::Colon | Piece::Line))
+        || !bullet && matches!(piece(i + 1), Some(Piece::Stop)) && !matches!(piece(i + 2), None | Some(Piece::Line))
+        || (i.saturating_sub(3)..i).any(|k| matches!(piece(k), Some(Piece::Verb(Verb::Lead))))
 }
 
 /// "In the kitchen, …": the relation before it begins a clause.

@@ -34,6 +34,55 @@ pub struct Item {
     pub at: Range<usize>,
     /// Why it is there, if the request does not say so.
     pub inferred: Option<String>,
+    /// Not a thing of its own, but some of another: "the first exit", "two of them".
+    pub part: Option<Part>,
+}
+
+/// Some elements of an item that there are several of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The item.
+    pub of: usize,
+    /// Which of it.
+    pub pick: Pick,
+}
+
+/// Which of several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pick {
+    /// So many, from this one on: "one of them", "the second exit".
+    Run(usize, usize),
+    /// All from this one on: "the others".
+    Rest(usize),
+    /// The last one.
+    Last,
+    /// "half of the desks".
+    Half,
+    /// "every second counter".
+    Every(usize),
+    /// The one in the middle of a row.
+    Row(usize),
+}
+
+impl Pick {
+    /// The indices of so many elements that stand in so many rows.
+    pub fn indices(self, count: usize, rows: usize) -> Vec<usize> {
+        let last = count.max(1) - 1;
+        let all = 0..=last;
+        let some: Vec<usize> = match self {
+            Self::Run(from, n) => all.skip(from).take(n).collect(),
+            Self::Rest(from) => all.skip(from).collect(),
+            Self::Last => vec![],
+            Self::Half => all.take((count / 2).max(1)).collect(),
+            Self::Every(n) => all.skip(n.max(1) - 1).step_by(n.max(1)).collect(),
+            Self::Row(row) => {
+                let columns = count.div_ceil(rows.max(1)).max(1);
+                let row = row.min(rows.max(1) - 1);
+                vec![(row * columns + (columns - 1) / 2).min(last)]
+            }
+        };
+        if some.is_empty() { vec![last] } else { some }
+    }
 }
 
 impl Item {
@@ -59,6 +108,7 @@ impl Item {
         for (dim, value) in dims {
             let axis = match dim {
                 Dim::Width => 0,
+                Dim::Elevation => continue,
                 Dim::Height | Dim::Ceiling => 1,
                 Dim::Depth => 2,
                 // A bed's length is how far it reaches into the room.
@@ -215,6 +265,7 @@ impl Scene {
             .items
             .iter()
             .enumerate()
+            .filter(|(_, item)| item.part.is_none())
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         best.filter(|b| b.1 > 0).max().map(|b| b.2)
     }
@@ -222,6 +273,9 @@ impl Scene {
     /// How many there are of an item, as far as it is known: what is not said is taken as `usual`.
     pub fn count(&self, item: usize) -> usize {
         let it = &self.items[item];
+        if let Some(part) = &it.part {
+            return self.elements(part).len();
+        }
         let said = match (it.per, it.count) {
             (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => self.count(owner) * each,
             (_, Some(n)) => n,
@@ -235,6 +289,32 @@ impl Scene {
             (_, None) => 1,
         };
         said.clamp(1, MOST_COUNT)
+    }
+
+    /// The indices of some of an item.
+    pub fn elements(&self, part: &Part) -> Vec<usize> {
+        let rows = self.facts.iter().find_map(|f| match f.what {
+            What::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => Some(n),
+            _ => None,
+        });
+        part.pick.indices(self.count(part.of), rows.unwrap_or(1))
+    }
+
+    /// Some of an item, as an item.
+    pub fn part(&mut self, of: usize, pick: Pick, at: Range<usize>) -> usize {
+        let part = Part { of, pick };
+        if let Some(known) = self.items.iter().position(|i| i.part.as_ref() == Some(&part)) {
+            return known;
+        }
+        let many = self.elements(&part).len() > 1;
+        let item = Item { count: None, per: None, many, part: Some(part), at, ..self.items[of].clone() };
+        self.items.push(item);
+        self.items.len() - 1
+    }
+
+    /// The item that an item is some of, or itself.
+    pub fn whole(&self, item: usize) -> usize {
+        self.items[item].part.as_ref().map_or(item, |p| p.of)
     }
 
     /// A new thing.
@@ -258,6 +338,7 @@ impl Scene {
             size: [None; 3],
             at,
             inferred: None,
+            part: None,
         };
         item.take_dims(&np.dims);
         self.items.push(item);

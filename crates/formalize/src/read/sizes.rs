@@ -40,8 +40,35 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             *have = said.unwrap_or(*have);
         }
     }
+    for fact in scene.facts.iter().filter(|f| !f.not) {
+        for a in &fact.of {
+            let item = &scene.items[*a];
+            let shelf = item.group == Group::Storage && out[*a][1] > 0.7;
+            match &fact.what {
+                // What stores and hangs is no tall thing.
+                What::Rel(Rel::Above, _) | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _)
+                    if shelf && !item.look.features.iter().any(|f| f == "tall") =>
+                {
+                    out[*a][1] = item.size[1].unwrap_or(0.5);
+                    out[*a][2] = item.size[2].unwrap_or(out[*a][2].min(0.32));
+                }
+                // What is under another is no higher than that.
+                What::Rel(Rel::Under, to) => {
+                    let least = |b: &usize| {
+                        let under = matches!(scene.items[*b].group, Group::Table | Group::Bed | Group::Seat);
+                        if under { out[*b][1] - 0.08 } else { f64::INFINITY }
+                    };
+                    let most = to.iter().map(least).fold(f64::INFINITY, f64::min);
+                    if item.size[1].is_none() && most > 0.05 {
+                        out[*a][1] = out[*a][1].min(most);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
     // What stands on another needs its place there.
-    for b in 0..scene.items.len() {
+    for b in (0..scene.items.len()).filter(|b| scene.items[*b].part.is_none()) {
         let carries = matches!(
             scene.items[b].group,
             Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor
@@ -53,7 +80,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
         let mut area = 0.0;
         for fact in scene.facts.iter().filter(|f| !f.not) {
             let What::Rel(rel, to) = &fact.what else { continue };
-            if !to.contains(&b) {
+            if !to.iter().any(|t| scene.whole(*t) == b) {
                 continue;
             }
             for a in &fact.of {
@@ -89,7 +116,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     for fact in &scene.facts {
         let What::Size(dim, op, v) = &fact.what else { continue };
         let axis = match dim {
-            Dim::Height | Dim::Ceiling => 1,
+            Dim::Height | Dim::Ceiling | Dim::Elevation => 1,
             Dim::Depth => 2,
             _ => 0,
         };
@@ -193,7 +220,7 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
             widest = widest.max(w + 1.0).max(d + 1.0);
             tallest = tallest.max(h + 0.2);
             let spread = spread(scene, i);
-            if stands(scene, i) {
+            if stands(scene, i) && item.part.is_none() {
                 need += n * (w + 0.35 + spread) * (d + 0.55 + spread);
             }
             if item.group == Group::Flat {
@@ -203,7 +230,7 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 .facts
                 .iter()
                 .any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
-            if at_wall || item.opening() {
+            if at_wall && !item.opening() || item.opening() && item.part.is_none() {
                 along += n * (w + 0.35);
             }
         }

@@ -16,6 +16,11 @@ impl Reader<'_> {
             self.scene.rooms[room].area = Some(m.values[0]);
             return i + 1;
         }
+        if m.dims.contains(&Dim::Elevation) {
+            let of = self.subject(i);
+            self.say(&of, What::Height(m.op, m.values[0]));
+            return i + 1;
+        }
         let sized = m.values.len() > 1 || !m.dims.is_empty();
         if self.s.path && m.dims == [Dim::Width] || self.s.path && m.dims.is_empty() && self.path_follows(i) {
             return self.on_path(i, end, m);
@@ -54,6 +59,13 @@ impl Reader<'_> {
                     k += 1
                 }
                 Some(Piece::Verb(Verb::Keep)) => k += 1,
+                // "1.5 m is to be maintained between the rows"
+                Some(Piece::Verb(Verb::Be))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(Verb::Keep) | Piece::Word(_)))
+                        && matches!(self.piece(k + 2, end), Some(Piece::Rel(_))) =>
+                {
+                    k += 1
+                }
                 _ => break,
             }
         }
@@ -77,6 +89,7 @@ impl Reader<'_> {
                     self.say(&of, What::Height(m.op, m.values[0]));
                 } else if !of.is_empty() && !m.said {
                     for o in of {
+                        let o = self.scene.whole(o);
                         self.scene.items[o].take_dims(&[(Dim::Length, m.values[0])]);
                     }
                 } else {
@@ -127,6 +140,7 @@ impl Reader<'_> {
             [one] => {
                 let door = self.scene.items.iter().position(|it| it.group == Group::Door);
                 match door {
+                    _ if self.scene.items[*one].many => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                     Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
                     _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                 }
@@ -177,6 +191,7 @@ impl Reader<'_> {
             self.say(&of, What::Size(dim, op, dims[0].1));
         } else {
             for o in of {
+                let o = self.scene.whole(o);
                 self.scene.items[o].take_dims(&dims);
             }
         }
@@ -185,10 +200,13 @@ impl Reader<'_> {
     /// "90 cm clear in front of it", "a metre free on either side".
     pub(super) fn on_free(&mut self, i: usize, end: usize) -> usize {
         let mut k = i + 1;
+        // "kept clear to a depth of 1.2 m"
         while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of)))
+            || matches!(self.piece(k, end), Some(Piece::Rel(Rel::To)))
+                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
             || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
         {
-            if let Some(Piece::Rel(Rel::Of)) = self.piece(k, end)
+            if let Some(Piece::Rel(Rel::Of | Rel::To)) = self.piece(k, end)
                 && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
             {
                 k += 1;
@@ -207,6 +225,19 @@ impl Reader<'_> {
             }
         }
         self.mark(i);
+        // "the exits are to be kept clear to a depth of 1.2 m"
+        let ends = matches!(self.piece(k, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+        if ends && self.s.subject && self.s.keep && !self.s.path {
+            let passage = self.main.iter().all(|o| self.scene.items[*o].opening());
+            let depth = match self.s.pending.take() {
+                Some(m) => Some(m.values[0]),
+                None => passage.then_some(CLEAR),
+            };
+            let of = self.main.clone();
+            if let Some(depth) = depth.filter(|_| !of.is_empty()) {
+                self.clear(&of, Rel::InFrontOf, depth);
+            }
+        }
         k
     }
 

@@ -3,9 +3,9 @@
 use crate::read::chunk::{Chunk, Pattern, Piece};
 use crate::read::lexicon::{Group, Rel, Verb, get};
 use crate::read::measure::{Dim, Measure, Op};
-use crate::read::noun::{Det, Kind, Np, Place};
+use crate::read::noun::{Det, Kind, Np, Nth, Place};
 use crate::read::rooms::Rooms;
-use crate::read::scene::{MOST_ITEMS, Scene, Side, What};
+use crate::read::scene::{MOST_ITEMS, Pick, Scene, Side, What};
 use crate::read::token::Token;
 use std::ops::Range;
 
@@ -23,6 +23,8 @@ enum Expect {
     With(Vec<usize>, Join),
     /// "the sofa faces …".
     Object(Rel),
+    /// "nothing blocks …".
+    Blocked,
 }
 
 /// How things that come with another relate to it.
@@ -60,6 +62,8 @@ pub struct Reader<'a> {
     near: Vec<usize>,
     /// Mentions in their order.
     recent: Vec<usize>,
+    /// Several of which some were spoken of one after the other, and how many by now: "one …, the other two …".
+    dealt: Option<(usize, usize)>,
     s: Sentence,
 }
 
@@ -71,6 +75,14 @@ struct Sentence {
     subject: bool,
     /// Relations that came before the subject.
     lead: Vec<(Rel, Lead)>,
+    /// They are denied: "not in front of the door: tables".
+    lead_not: bool,
+    /// On both sides: two of what comes.
+    lead_twice: bool,
+    /// How what comes stands.
+    lead_pattern: Option<Pattern>,
+    /// What a place says together with "of", in place of the relation before it.
+    turned: Option<Rel>,
     expect: Expect,
     soft: bool,
     not: bool,
@@ -107,9 +119,14 @@ struct Sentence {
     centre: bool,
     /// What the last relation was to.
     object: Vec<usize>,
+    /// What "it" stood for last.
+    it: Vec<usize>,
     /// A group that has a relation, and the next that may share it.
     shared: Option<(Rel, Vec<usize>)>,
 }
+
+/// How much stays free where nothing may stand, in metres.
+const CLEAR: f64 = 0.9;
 
 /// What a relation at the start of a clause is to.
 #[derive(Clone, Debug)]
@@ -135,6 +152,7 @@ impl<'a> Reader<'a> {
             before: vec![],
             near: vec![],
             recent: vec![],
+            dealt: None,
             s,
         }
     }
@@ -277,16 +295,13 @@ impl<'a> Reader<'a> {
                 }
                 false
             }
-            _ if closed
-                && first > from
-                && np.det == Det::None
-                && np.count.is_none()
-                && np.look == crate::draft::Look::default() =>
-            {
+            _ if closed && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
                 let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
-                // "2. Desks. Eight desks …", but "- armchair" is a thing.
+                // "2. Desks. Eight desks …", "Entrance. Customers come in …", but "- armchair" is a thing.
                 let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
-                if stop && more {
+                let next = self.chunks.get(end + 1..self.sentence_end(end + 1)).unwrap_or(&[]);
+                let told = next.iter().any(|c| matches!(c.piece, Piece::Verb(_)));
+                if stop && more && (first > from || told) || self.numbered(from, end) {
                     self.mark(first);
                     return true;
                 }
@@ -294,6 +309,15 @@ impl<'a> Reader<'a> {
             }
             _ => false,
         }
+    }
+
+    /// "5. General" before "5.1 All doors …".
+    fn numbered(&self, from: usize, end: usize) -> bool {
+        let bullet = |i: usize| {
+            let c = self.chunks.get(i).filter(|c| c.piece == Piece::Bullet)?;
+            Some(self.tokens[c.at.start].text.as_str())
+        };
+        matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
@@ -315,14 +339,18 @@ impl<'a> Reader<'a> {
     fn room_dim(&mut self, room: usize, dim: Dim, value: f64) {
         let size = &mut self.scene.rooms[room].size;
         match dim {
-            Dim::Width => size[0] = Some(value),
+            Dim::Elevation => {}
+            Dim::Width => {
+                // "9 m long and 6 m wide": what was said first is how deep it is.
+                if let (Some(long), None) = (size[0], size[2]) {
+                    size[2] = Some(long);
+                }
+                size[0] = Some(value);
+            }
             Dim::Height | Dim::Ceiling => size[1] = Some(value),
             Dim::Depth => size[2] = Some(value),
             Dim::Length if size[0].is_some() && size[2].is_none() => size[2] = Some(value),
-            Dim::Length => {
-                // "6.5 m long and 5 m wide": the width comes later, and is then the depth.
-                size[0] = Some(value);
-            }
+            Dim::Length => size[0] = Some(value),
             Dim::Across => {
                 size[0] = Some(value);
                 size[2] = Some(value);
@@ -371,7 +399,19 @@ impl<'a> Reader<'a> {
             }
             Piece::Pattern(pattern) => {
                 self.mark(i);
+                // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
+                if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
+                    self.s.expect = Expect::Nothing;
+                    self.near = self.main.clone();
+                }
+                if !self.s.subject && !self.s.lead.is_empty() {
+                    // "against the wall, from left to right: a fryer, a grill, …"
+                    self.s.lead_pattern = Some(*pattern);
+                    return i + 1;
+                }
                 let of = self.subject(i);
+                let one = |l: &[usize]| l.len() == 1 && self.scene.count(l[0]) == 1 && !self.scene.items[l[0]].many;
+                let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
                 let (soft, at) = (self.s.soft, self.s.at.clone());
                 self.scene.say(&of, What::Pattern(*pattern), soft, false, at);
                 i + 1
@@ -387,6 +427,9 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Colon => {
+                if self.s.expect == Expect::Blocked {
+                    self.s.expect = Expect::Nothing;
+                }
                 if let (Some(n), true) = (self.number_at(i + 1, end), self.near.len() == 1) {
                     let item = &mut self.scene.items[self.near[0]];
                     if item.many {
@@ -470,6 +513,20 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Looks and the name of a part, and nothing else: "glass top"; where that ends.
+    fn part_here(&self, from: usize, end: usize) -> Option<usize> {
+        let first = self.chunks.get(from).filter(|_| from < end)?.at.start;
+        let to = (from..end).find(|k| {
+            matches!(self.chunks[*k].piece, Piece::Comma | Piece::Close | Piece::Stop | Piece::Line | Piece::And)
+        });
+        let to = to.unwrap_or(end);
+        let tokens = &self.tokens[first..self.chunks.get(to.checked_sub(1)?)?.at.end];
+        let (_, n) = crate::read::chunk::looks(tokens)?;
+        let part: Vec<&str> = tokens.get(n..).unwrap_or(&[]).iter().map(|t| t.text.as_str()).collect();
+        let part = part.join(" ");
+        (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
+    }
+
     /// "with armrests", "with a glass top": looks of the last thing.
     fn with_part(&mut self, i: usize, end: usize) -> usize {
         let from = i + 1;
@@ -502,6 +559,10 @@ impl Sentence {
             at,
             subject: false,
             lead: vec![],
+            lead_not: false,
+            lead_twice: false,
+            lead_pattern: None,
+            turned: None,
             expect: Expect::Nothing,
             soft: false,
             not: false,
@@ -523,6 +584,7 @@ impl Sentence {
             one: false,
             centre: false,
             object: vec![],
+            it: vec![],
             shared: None,
         }
     }

@@ -8,7 +8,7 @@ impl Reader<'_> {
         if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
             return i + 1;
         }
-        let negative = std::mem::take(&mut self.s.not) && self.s.pending.is_none();
+        let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
                 // "between the rows"
@@ -26,6 +26,8 @@ impl Reader<'_> {
         if rel == Rel::Of && !matches!(object, Lead::Place(..)) && self.s.pending.is_none() {
             return next;
         }
+        // "at the foot of the bed": what place and "of" together say.
+        let rel = self.s.turned.take().unwrap_or(rel);
         let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
         // "hangs from", "faces": said of what the sentence is about.
         let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
@@ -41,13 +43,20 @@ impl Reader<'_> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
+                } else if self.s.nothing && !self.s.subject {
+                    self.nothing(i, rel, &items);
                 } else if before_subject
                     || of.is_empty()
                     || self.preposed(i, next, end)
                     || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
                 {
+                    self.s.lead_not |= negative;
+                    self.s.lead_twice |= rel == Rel::Beside && self.sides(i);
                     self.s.lead.push((rel, Lead::Items(items, each)));
                 } else {
+                    if each && items.len() == 1 && self.s.one {
+                        self.one_each(&of, items[0]);
+                    }
                     if each && items.len() == 1 && !self.s.one {
                         let fresh: Vec<usize> = of
                             .iter()
@@ -60,11 +69,7 @@ impl Reader<'_> {
                         let (soft, at) = (self.s.soft, self.s.at.clone());
                         self.scene.say(&of, What::Rel(rel, items), soft, true, at);
                     } else {
-                        let sides = self.chunks[i]
-                            .at
-                            .clone()
-                            .any(|t| matches!(self.tokens[t].text.as_str(), "each" | "either" | "both"));
-                        if sides && rel == Rel::Beside {
+                        if self.sides(i) && rel == Rel::Beside {
                             self.double();
                         }
                         let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
@@ -81,7 +86,7 @@ impl Reader<'_> {
                     match place {
                         Place::Row => self.rows(&m),
                         Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
-                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing), m.values[0])),
+                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
                     }
                 } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
                     self.s.lead.push((rel, Lead::Place(place, which)));
@@ -133,6 +138,7 @@ impl Reader<'_> {
                 if items.is_empty() {
                     return None;
                 }
+                self.s.it = items.clone();
                 self.mark(k);
                 Some((Lead::Items(items, np.det == Det::Each || word == "each"), k + 1))
             }
@@ -162,16 +168,21 @@ impl Reader<'_> {
                 }
                 None
             }
+            Kind::Place(Place::Row) if self.row(np).is_some() => {
+                self.mark(k);
+                let part = self.row(np)?;
+                Some((Lead::Items(vec![part], false), k + 1))
+            }
             Kind::Place(place) => {
                 self.mark(k);
-                Some(self.place_object(k, end, place, np))
+                Some(self.place_object(k, end, rel, place, np))
             }
             Kind::Abstract => None,
         }
     }
 
     /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
-    pub(super) fn place_object(&mut self, k: usize, end: usize, place: Place, np: &Np) -> (Lead, usize) {
+    pub(super) fn place_object(&mut self, k: usize, end: usize, said: Rel, place: Place, np: &Np) -> (Lead, usize) {
         let mut which = np.which.clone();
         if np.det == Det::Each || np.many {
             which.push("each".into());
@@ -204,7 +215,10 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            if place == Place::Side && which.iter().any(|w| w == "each") {
+                            if matches!(said, Rel::At | Rel::In) {
+                                self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
+                            }
+                            if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
                                 self.double();
                             }
                             return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
@@ -229,6 +243,53 @@ impl Reader<'_> {
             }
         }
         (Lead::Place(place, which), next)
+    }
+
+    /// "the first row", "the back row": the one in its middle, of what stands in rows here.
+    fn row(&mut self, np: &Np) -> Option<usize> {
+        let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
+        let row = match np.nth {
+            Some(Nth::At(n)) => n,
+            Some(Nth::Last) => usize::MAX,
+            _ if which(&["front", "first"]) => 0,
+            _ if which(&["back", "last", "rear"]) => usize::MAX,
+            _ => return None,
+        };
+        let rows = |f: &&crate::read::scene::Fact| {
+            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.scene.items[f.of[0]].room == self.room
+        };
+        let of = self.scene.facts.iter().rev().find(rows)?.of[0];
+        Some(self.scene.part(of, Pick::Row(row), self.s.at.clone()))
+    }
+
+    /// Whether a relation says "either side", "both sides".
+    pub(super) fn sides(&self, i: usize) -> bool {
+        let words = &self.tokens[self.chunks[i].at.clone()];
+        words.iter().any(|t| matches!(t.text.as_str(), "each" | "either" | "both"))
+    }
+
+    /// "round lamps, one for each counter": as many as there are of the other.
+    pub(super) fn one_each(&mut self, of: &[usize], owner: usize) {
+        for o in of.iter().filter(|o| **o != owner) {
+            let item = &mut self.scene.items[*o];
+            if item.many && item.count.is_none() && item.per.is_none() {
+                item.per = Some((owner, 1));
+            }
+        }
+    }
+
+    /// "nothing in front of the door", "nothing between the door and the desk".
+    fn nothing(&mut self, i: usize, rel: Rel, items: &[usize]) {
+        match (rel, items) {
+            (Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around, _) => {
+                self.clear(items, rel, CLEAR)
+            }
+            (Rel::Near | Rel::Beside | Rel::At, _) => self.say(items, What::Alone(0.5)),
+            (Rel::Between, [a, rest @ ..]) if !rest.is_empty() => {
+                self.say(&[*a], What::Rel(Rel::Visible, rest.to_vec()))
+            }
+            _ => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
+        }
     }
 
     pub(super) fn measure_follows(&self, from: usize, end: usize) -> bool {
@@ -313,6 +374,10 @@ impl Reader<'_> {
             return owner.clone();
         }
         let subject = self.near.clone();
+        // "a desk, a chair behind it, two chairs in front of it": the desk all the time.
+        if self.s.subject && word == "it" && !self.s.it.is_empty() && self.s.it.iter().all(|o| !subject.contains(o)) {
+            return self.s.it.clone();
+        }
         // "a long table, eight chairs around it"
         if self.s.subject
             && subject != self.main
@@ -352,6 +417,9 @@ impl Reader<'_> {
             let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
             if pair(&list) {
                 list
+            } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &list[..], &self.s.object[..]) {
+                // "the chest is at the foot of the bed, but leave 60 cm between them"
+                vec![*one, *other]
             } else {
                 let own: &[usize] = if self.s.subject { &self.main } else { &[] };
                 let mut last: Vec<usize> = Vec::new();
@@ -382,9 +450,23 @@ impl Reader<'_> {
         if object.is_empty() {
             return;
         }
+        if !many && rel != Rel::Between {
+            self.s.it = object.clone();
+        }
         let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        // "to the left as you come in": in that part of the room.
+        let next = self.tokens.get(self.chunks[i].at.end);
+        if matches!(rel, Rel::LeftOf | Rel::RightOf)
+            && next.is_some_and(|t| matches!(t.text.as_str(), "as" | "when" | "once"))
+            && !of.is_empty()
+        {
+            let which = if rel == Rel::LeftOf { "left" } else { "right" };
+            return self.at_place(&of, Rel::At, Place::Side, &[which.to_owned()]);
+        }
         if let Some(m) = self.s.pending.take() {
-            if self.s.keep || self.s.nothing {
+            if rel == Rel::Between {
+                self.measured(&of, rel, &object, &m, false);
+            } else if self.s.keep || self.s.nothing {
                 self.clear(&object, rel, m.values[0]);
             } else {
                 self.measured(&of, rel, &object, &m, false);
@@ -398,7 +480,7 @@ impl Reader<'_> {
             let (soft, at) = (self.s.soft, self.s.at.clone());
             self.scene.say(&of, What::Rel(rel, object), soft, true, at);
         } else {
-            if text.contains(&"either") || text.contains(&"both") || text.contains(&"each") {
+            if self.sides(i) {
                 self.double();
             }
             self.drop_usual(&of);

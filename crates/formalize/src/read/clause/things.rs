@@ -5,6 +5,17 @@ use super::*;
 impl Reader<'_> {
     pub(super) fn on_np(&mut self, i: usize, end: usize, np: &Np) -> usize {
         match np.kind {
+            // "the bedroom is a mess"
+            Kind::Thing
+                if !np.known
+                    && np.det == Det::Indefinite
+                    && i > 0
+                    && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be))
+                    && matches!(self.tokens[self.chunks[i - 1].at.start].text.as_str(), "is" | "are" | "was")
+                    && (self.s.subject || self.s.of_room) =>
+            {
+                i + 1
+            }
             Kind::Thing => self.on_things(i, end),
             Kind::Room => {
                 self.on_room(i, end, np);
@@ -15,9 +26,19 @@ impl Reader<'_> {
                 i + 1
             }
             Kind::Abstract => {
-                if np.det == Det::No || np.words.first().is_some_and(|w| w == "nothing") {
+                let anything = np.words.first().is_some_and(|w| w == "anything" || w == "something");
+                if np.det == Det::No
+                    || np.words.first().is_some_and(|w| w == "nothing")
+                    || anything && std::mem::take(&mut self.s.not)
+                {
                     self.s.nothing = true;
                     self.s.keep = true;
+                }
+                if let (true, [(Dim::Width, width), ..]) = (self.s.path, np.dims.as_slice()) {
+                    // "a 1.5 m wide path from the gate to the stage"
+                    let m = Measure { op: Op::Least, said: true, values: vec![*width], dims: vec![], area: false };
+                    self.mark(i);
+                    return self.on_path(i, end, &m);
                 }
                 if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor")
                     && let Some(m) = self.s.pending.take()
@@ -101,8 +122,13 @@ impl Reader<'_> {
 
     pub(super) fn connect(&mut self, from: usize, to: usize) {
         let start = self.s.at.start;
-        let said = self.scene.items.iter().rposition(|it| it.group == Group::Door && it.at.start >= start);
+        let said = self
+            .scene
+            .items
+            .iter()
+            .rposition(|it| it.group == Group::Door && it.at.start >= start && it.part.is_none());
         let again = self.recent.last().copied().filter(|r| self.scene.items[*r].group == Group::Door);
+        let again = again.map(|r| self.scene.whole(r));
         if let Some(door) = said.or(again) {
             let item = &mut self.scene.items[door];
             if item.room == to {
@@ -120,13 +146,41 @@ impl Reader<'_> {
                 Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
             )
         );
-        if let (Some(n), [item]) = (np.count, self.main.as_slice()) {
+        let each_next = self.each_next(i, end);
+        if let (Some(n), [item]) = (np.count.filter(|n| *n > 1 || word == "them"), self.main.as_slice())
+            && each_next.is_none()
+        {
             // "four of them"
             let it = &mut self.scene.items[*item];
             if it.many && it.count.is_none() {
                 it.count = Some(n);
                 self.mark(i);
             }
+        }
+        if let (Some(1), Some(k)) = (np.count, each_next)
+            && let (Some(owner), Some(of)) =
+                (self.np(k, end).and_then(|np| self.scene.find(np, self.room)), self.main.first().copied())
+        {
+            // "one for each counter"
+            self.one_each(&[of], owner);
+            self.mark(i);
+            self.mark(k);
+            return;
+        }
+        if !matches!(self.s.expect, Expect::Object(_))
+            && let Some(part) = self.dealt(i, end, np)
+        {
+            if self.main.first().is_some_and(|m| self.scene.items[*m].part.is_none()) {
+                self.before = std::mem::take(&mut self.main);
+            }
+            self.main = vec![part];
+            self.near = vec![part];
+            self.s.subject = true;
+            self.s.one = true;
+            self.s.expect = Expect::Nothing;
+            self.mark(i);
+            self.apply_lead();
+            return;
         }
         let bare = !self.s.subject && !self.s.of_room && matches!(word, "it") && i > 0 && np.det == Det::None;
         if bare && self.about_room {
@@ -161,6 +215,7 @@ impl Reader<'_> {
         match self.s.expect.clone() {
             Expect::Object(rel) if !self.main.is_empty() => {
                 let of = self.main.clone();
+                let dir = if dir == of { self.their(word, false) } else { dir };
                 self.relate(&of, rel, &dir);
                 self.s.expect = Expect::Nothing;
             }
@@ -173,6 +228,18 @@ impl Reader<'_> {
             _ => {}
         }
         self.mark(i);
+    }
+
+    /// "one for each counter", "one per desk": the chunk of the counter.
+    fn each_next(&self, i: usize, end: usize) -> Option<usize> {
+        let per = self.np(i + 1, end).filter(|n| n.det == Det::Each && n.kind == Kind::Thing);
+        if per.is_some() {
+            return Some(i + 1);
+        }
+        let word = matches!(self.piece(i + 1, end), Some(Piece::Word(_)))
+            && matches!(self.tokens[self.chunks[i + 1].at.start].text.as_str(), "for" | "per");
+        let each = self.np(i + 2, end).filter(|n| n.kind == Kind::Thing && n.det == Det::Each);
+        (word && each.is_some()).then_some(i + 2)
     }
 
     /// The one thing that "it" stands for.
@@ -211,6 +278,9 @@ impl Reader<'_> {
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
         let found = self.scene.find(np, self.room);
+        if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
+            return Some(part);
+        }
         let exact = found.filter(|f| {
             let item = &self.scene.items[*f];
             item.words == np.words && (np.look.color.is_none() || item.look.color == np.look.color)
@@ -221,15 +291,92 @@ impl Reader<'_> {
             Det::Each | Det::No => found,
             Det::None if np.count.is_none() => {
                 let plain = object || self.s.keep || self.s.pending.is_some();
-                exact.or(found.filter(|_| plain))
+                let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
+                exact.filter(here).or(found.filter(|_| plain))
             }
-            Det::None | Det::Number => None,
-            Det::Indefinite => None,
+            // "to an exit": any of those there are.
+            Det::Indefinite if object && np.count.is_none() && np.look == crate::draft::Look::default() => {
+                exact.filter(|f| self.scene.items[*f].opening() && self.scene.items[*f].many)
+            }
+            Det::None | Det::Number | Det::Indefinite => None,
         };
         if np.other && np.det != Det::Definite {
             return self.introduce(i, np);
         }
         again.or_else(|| self.introduce(i, np))
+    }
+
+    /// "the first exit", "two of the chairs": some of what is known.
+    fn some_of(&mut self, i: usize, nth: Nth, count: Option<usize>, found: Option<usize>) -> Option<usize> {
+        let of = found.filter(|f| self.scene.items[*f].many)?;
+        let all = self.scene.count(of);
+        let pick = match nth {
+            Nth::At(n) if n < all => Pick::Run(n, 1),
+            Nth::At(_) => return None,
+            Nth::Last => Pick::Last,
+            Nth::Half => Pick::Half,
+            Nth::Every(n) => Pick::Every(n),
+            Nth::Some => return self.deal(i, of, count?),
+        };
+        let at = self.bytes(i..i + 1);
+        if nth == Nth::Half {
+            self.dealt = Some((of, (all / 2).max(1)));
+        }
+        Some(self.scene.part(of, pick, at))
+    }
+
+    /// The next so many of several, if there are so many.
+    fn deal(&mut self, i: usize, of: usize, n: usize) -> Option<usize> {
+        let all = self.scene.count(of);
+        let stated = self.scene.items[of].count.is_some() || self.scene.items[of].per.is_some();
+        if n == 0 || n >= all && stated {
+            return None;
+        }
+        let from = self.dealt.filter(|d| d.0 == of && d.1 + n <= all).map_or(0, |d| d.1);
+        self.dealt = Some((of, from + n));
+        let at = self.bytes(i..i + 1);
+        Some(self.scene.part(of, Pick::Run(from, n), at))
+    }
+
+    /// "one on the west wall and one on the east wall", "the other two": some of what was spoken of last.
+    fn dealt(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
+        let word = np.words.first().map_or("", String::as_str);
+        if np.other && matches!(np.det, Det::Definite | Det::Own) {
+            let (of, taken) = self.dealt?;
+            let at = self.bytes(i..i + 1);
+            let all = self.scene.count(of);
+            let n = np.count.unwrap_or(all.saturating_sub(taken));
+            if taken >= all {
+                return None;
+            }
+            self.dealt = Some((of, taken + n));
+            let whole = taken + n >= all;
+            return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
+        }
+        let n = np.count?;
+        let of_them = word == "them";
+        let bare = word == "ones" && np.det == Det::Number;
+        let goes_on = matches!(
+            self.piece(i + 1, end),
+            Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_) | Piece::With | Piece::Pattern(_))
+        );
+        if !(of_them || bare) || !goes_on || np.det == Det::Each {
+            return None;
+        }
+        let many = |o: &usize| self.scene.items[*o].many && self.scene.items[*o].part.is_none();
+        let known = |o: &usize| self.dealt.is_some_and(|d| d.0 == *o);
+        let of = [&self.main, &self.near]
+            .into_iter()
+            .flatten()
+            .map(|o| self.scene.whole(*o))
+            .find(|o| many(o))
+            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o))))?;
+        // "one on each side": of one thing, so many for each.
+        let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
+        if each(i + 2) || self.scene.items[of].count.is_none() && self.scene.items[of].per.is_none() && !of_them {
+            return None;
+        }
+        self.deal(i, of, n)
     }
 
     pub(super) fn introduce(&mut self, i: usize, np: &Np) -> Option<usize> {
@@ -253,6 +400,9 @@ impl Reader<'_> {
         }
         let at = self.bytes(i..i + 1);
         let id = self.scene.add(np, self.room, at);
+        if np.row {
+            self.say(&[id], What::Pattern(Pattern::Row));
+        }
         if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.scene.items[id].opening() {
             self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
         }
@@ -269,9 +419,15 @@ impl Reader<'_> {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
         // What must not be there.
-        let denied = np.det == Det::No || self.s.not && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
+        let denied = np.det == Det::No
+            || self.s.not
+                && self.s.expect != Expect::Blocked
+                && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
         let limits = (i..end).any(|k| match &chunks[k].piece {
             Piece::Measure(_) => true,
+            Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
+                self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.scene.find(np, self.room).is_some()
+            }
             Piece::Verb(Verb::Be) => {
                 chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
                     && self.scene.find(np, self.room).is_some()
@@ -286,6 +442,7 @@ impl Reader<'_> {
         let mut k = i;
         let mut each = np.det == Det::Each;
         let new_from = self.scene.items.len();
+        let (mut joined, mut over) = (false, false);
         while let Some(np) = self.np(k, end) {
             if np.kind != Kind::Thing {
                 break;
@@ -302,11 +459,15 @@ impl Reader<'_> {
                 k += 1;
             }
             each |= np.det == Det::Each;
-            let next = self.list_next(k, end);
-            match next {
-                Some(n) => k = n,
-                None => break,
+            let Some(next) = self.list_next(k, end) else { break };
+            // "each with a monitor, a mouse and a chair, and a printer": the printer is of no desk.
+            let and = (k..next).any(|c| chunks[c].piece == Piece::And);
+            if and && joined && matches!(self.s.expect, Expect::With(..)) {
+                over = true;
+                break;
             }
+            joined |= and;
+            k = next;
         }
         if group.is_empty() {
             return k.max(i + 1);
@@ -314,6 +475,10 @@ impl Reader<'_> {
         self.s.room_last = false;
         self.recent.extend(&group);
         self.place_group(&group, new_from, each);
+        if over {
+            self.s.expect = Expect::Nothing;
+            self.s.each = false;
+        }
         k
     }
 
@@ -354,6 +519,10 @@ impl Reader<'_> {
         let mut k = from;
         let mut depth = 0;
         loop {
+            if let Some(next) = self.count_after(k, end, id, from) {
+                k = next;
+                continue;
+            }
             match self.piece(k, end) {
                 Some(Piece::Open) => depth += 1,
                 Some(Piece::Close) => depth -= 1,
@@ -384,8 +553,23 @@ impl Reader<'_> {
                 {
                     let mut dims = Vec::new();
                     crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
-                    self.scene.items[id].take_dims(&dims);
+                    let whole = self.scene.whole(id);
+                    self.scene.items[whole].take_dims(&dims);
                     self.mark(k);
+                }
+                Some(Piece::Comma) if self.part_here(k + 1, end).is_some() => {
+                    // "a desk, glass top, …"
+                    let to = self.part_here(k + 1, end).unwrap_or(k + 1);
+                    let range = self.chunks[k + 1].at.start..self.chunks[to - 1].at.end;
+                    let tokens = &self.tokens[range];
+                    if let Some((look, _)) = crate::read::chunk::looks(tokens) {
+                        self.add_look(&[id], &crate::draft::Look { features: vec![], ..look });
+                    }
+                    let text: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    (k + 1..to).for_each(|c| self.mark(c));
+                    k = to;
+                    continue;
                 }
                 Some(Piece::Comma)
                     if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
@@ -426,19 +610,56 @@ impl Reader<'_> {
         k
     }
 
+    /// How many there are, said after the noun: "(6)", "x 2", "bookcases - four", "shelving / 8 / …".
+    fn count_after(&mut self, k: usize, end: usize, id: usize, first: usize) -> Option<usize> {
+        let text = |i: usize| (i < end).then(|| self.tokens[self.chunks[i].at.start].text.as_str());
+        if self.piece(k, end) == Some(&Piece::Comma) && matches!(text(k + 1), Some("x" | "×")) {
+            return self.count_after(k + 1, end, id, first);
+        }
+        let n = self.number_at(k + 1, end)?;
+        let after = self.piece(k + 2, end);
+        let alone = matches!(after, None | Some(Piece::Comma | Piece::Close | Piece::Line | Piece::Stop));
+        let said = match self.piece(k, end)? {
+            Piece::Open => alone || matches!(text(k + 2), Some("no" | "nos" | "off" | "pcs" | "pieces")),
+            Piece::Comma => alone && k == first,
+            Piece::Word(_) => matches!(text(k), Some("x" | "×")) && alone,
+            _ => false,
+        };
+        // "heat lamps over the pass - four": of the lamps.
+        let definite = self.chunks[first - 1].np().is_some_and(|np| !matches!(np.det, Det::None | Det::Number));
+        let subject = self.main.first().copied().filter(|_| definite && self.s.subject).unwrap_or(id);
+        let item = &mut self.scene.items[subject];
+        let free = item.part.is_none()
+            && item.per.is_none()
+            && if definite { item.many && item.count.is_none() } else { item.count.is_none_or(|c| c == 1) };
+        if !said || !free || n == 0 {
+            return None;
+        }
+        item.count = Some(n.min(crate::read::scene::MOST_COUNT));
+        item.many = n > 1;
+        self.mark(k + 1);
+        Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
+    }
+
     /// "no television and no whiteboard".
     pub(super) fn deny(&mut self, i: usize, end: usize) -> usize {
         let mut k = i;
         while let Some(np) = self.np(k, end).filter(|n| n.kind == Kind::Thing) {
             let at = self.bytes(k..k + 1);
-            self.scene.absent.push((np.name(), at));
-            self.mark(k);
+            // "no blorbing" rules out nothing that could be there.
+            if np.known || !np.words.last().is_some_and(|w| w.ends_with("ing")) {
+                self.scene.absent.push((np.name(), at));
+                self.mark(k);
+            }
             k += 1;
             while matches!(self.piece(k, end), Some(Piece::And | Piece::Comma)) {
                 k += 1;
             }
         }
-        // Where it must not be says nothing more.
+        // Where it must not be says nothing more; one that must not be there is none that must not be at all.
+        if matches!(self.piece(k, end), Some(Piece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near))) {
+            self.scene.absent.pop();
+        }
         while k < end && !matches!(self.chunks[k].piece, Piece::Comma | Piece::And) {
             self.mark(k);
             k += 1;
@@ -464,6 +685,12 @@ impl Reader<'_> {
                 let of = self.main.clone();
                 self.relate(&of, rel, group);
                 self.near = group.to_vec();
+            }
+            Expect::Blocked if self.s.nothing || !self.s.subject => self.clear(group, Rel::InFrontOf, CLEAR),
+            Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
+            Expect::Blocked => {
+                let (of, soft, at) = (self.main.clone(), self.s.soft, self.s.at.clone());
+                self.scene.say(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true, at);
             }
             expect => {
                 if let Expect::With(..) = expect {
@@ -500,8 +727,18 @@ impl Reader<'_> {
         let lead = std::mem::take(&mut self.s.lead);
         let of = self.main.clone();
         let fresh: Vec<usize> = of.clone();
+        if let Some(pattern) = self.s.lead_pattern.take() {
+            self.say(&of, What::Pattern(pattern));
+        }
+        if std::mem::take(&mut self.s.lead_twice) {
+            self.double();
+        }
         for (rel, to) in &lead {
             match to {
+                Lead::Items(items, _) if self.s.lead_not => {
+                    let (soft, at) = (self.s.soft, self.s.at.clone());
+                    self.scene.say(&of, What::Rel(*rel, items.clone()), soft, true, at);
+                }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
                         self.multiply(&fresh, items[0]);
@@ -533,6 +770,7 @@ impl Reader<'_> {
                 }
                 Group::Seat => Some(Rel::Near),
                 Group::Flat => Some(Rel::Under),
+                Group::Drape if matches!(owner_group, Group::Window | Group::Door) => Some(Rel::Near),
                 Group::Ceiling => Some(Rel::Above),
                 Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),
                 _ => None,

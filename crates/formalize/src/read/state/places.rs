@@ -26,6 +26,33 @@ impl Named<'_> {
             self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
+        // What is no contact with the wall.
+        if place == Place::Wall && !opening {
+            let direction = which.iter().find_map(|w| direction(w));
+            let text = match rel {
+                Rel::Facing => direction.map(|(axis, sign)| {
+                    let test = if sign > 0.0 { ">= 0.9" } else { "<= -0.9" };
+                    self.all(a, |x| format!("{x}.front.{axis} {test}"))
+                }),
+                Rel::Parallel | Rel::Perpendicular => {
+                    let along = direction.map(|d| d.0).or_else(|| self.axis(a, which));
+                    let axis = along.map(|axis| if (axis == 'x') == (rel == Rel::Parallel) { 'x' } else { 'z' });
+                    Some(match axis {
+                        Some(axis) => self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")),
+                        None => self.all(a, |x| format!("max(abs({x}.front.x), abs({x}.front.z)) >= 0.99")),
+                    })
+                }
+                Rel::Near | Rel::Beside => Some(self.all(a, |x| format!("gap({x}, {room}) <= 0.6"))),
+                Rel::Far => Some(self.all(a, |x| format!("gap({x}, {room}) >= 0.5"))),
+                _ => None,
+            };
+            if let Some(text) = text {
+                say(text);
+            }
+            if matches!(rel, Rel::Facing | Rel::Parallel | Rel::Perpendicular | Rel::Near | Rel::Beside | Rel::Far) {
+                return;
+            }
+        }
         match place {
             Place::Wall if opening => {
                 if let Some(text) = self.side(a, which) {
@@ -35,7 +62,7 @@ impl Named<'_> {
             Place::Wall => {
                 let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
                     || matches!(rel, Rel::Mounted | Rel::Hang)
-                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed)
+                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed) && !self.tall(a)
                     || group == Group::Ceiling;
                 say(self.all(a, |x| {
                     if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }
@@ -44,10 +71,22 @@ impl Named<'_> {
                     say(text);
                 }
             }
-            Place::Corner if self.counts[a] <= 4 && !matches!(group, Group::Ceiling | Group::Top) => {
-                say(self.all(a, |x| format!("inCorner({x}, {room})")));
-                if let Some(text) = self.side(a, which) {
-                    say(text);
+            Place::Corner if !matches!(group, Group::Ceiling | Group::Top) => {
+                // A corner is for one: what comes when all are taken is near one at best.
+                let free = 4_usize.saturating_sub(self.corners_before(k, a));
+                let taken = self.elements(a);
+                if self.counts[a] <= free {
+                    say(self.all(a, |x| format!("inCorner({x}, {room})")));
+                    if let Some(text) = self.side(a, which) {
+                        say(text);
+                    }
+                } else {
+                    if free > 0 {
+                        let each: Vec<String> =
+                            taken.iter().take(free).map(|x| format!("inCorner({x}, {room})")).collect();
+                        say(each.join(" and "));
+                    }
+                    out.push(format!("prefer {};", self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))));
                 }
             }
             Place::Corner => say(self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))),
@@ -82,19 +121,39 @@ impl Named<'_> {
         }
     }
 
+    /// How many things are said to be in corners of the same room before.
+    fn corners_before(&self, k: usize, a: usize) -> usize {
+        let same = |o: &usize| self.scene.items[*o].room == self.scene.items[a].room && *o != a;
+        let before = self.scene.facts[..k]
+            .iter()
+            .filter(|f| !f.not && !f.soft && matches!(f.what, What::Place(_, Place::Corner, _)));
+        before.flat_map(|f| f.of.iter().filter(|o| same(o))).map(|o| self.counts[*o]).sum()
+    }
+
+    /// Along which axis a "long" or "short" wall looks.
+    fn axis(&self, a: usize, which: &[String]) -> Option<char> {
+        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        which.iter().find_map(|w| {
+            let along_x = size[0] >= size[2];
+            match w.as_str() {
+                "side" => Some('x'),
+                "long" | "longer" | "longest" => Some(if along_x { 'z' } else { 'x' }),
+                "short" | "shorter" | "end" => Some(if along_x { 'x' } else { 'z' }),
+                _ => None,
+            }
+        })
+    }
+
     /// At which wall: its back is to it.
     fn wall(&self, k: usize, a: usize, which: &[String]) -> Option<String> {
-        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
         for w in which {
             match (direction(w), w.as_str()) {
                 (Some((axis, sign)), _) => {
                     let test = if sign > 0.0 { "<= -0.9" } else { ">= 0.9" };
                     return Some(self.all(a, |x| format!("{x}.front.{axis} {test}")));
                 }
-                (_, "long" | "longer" | "longest" | "short" | "shorter" | "side") => {
-                    let along_x = size[0] >= size[2];
-                    let long = w.starts_with("long");
-                    let axis = if w == "side" || along_x != long { "x" } else { "z" };
+                (_, "long" | "longer" | "longest" | "short" | "shorter" | "side" | "end") => {
+                    let axis = self.axis(a, which)?;
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {

@@ -33,7 +33,10 @@ impl Named<'_> {
         match rel {
             Rel::Around => self.around(a, b, verb, out),
             Rel::At if seat_at => self.around(a, b, verb, out),
-            Rel::At => out.push(format!("{verb} {};", pairs(&far(if ga == Group::Seat { DRAWN_UP } else { NEAR })))),
+            Rel::At => {
+                let d = if ga == Group::Seat { DRAWN_UP } else { self.reach(a, b) };
+                out.push(format!("{verb} {};", pairs(&far(d))));
+            }
             Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::On => {
                 if matches!(gb, Group::Wall | Group::Door | Group::Window) {
@@ -63,6 +66,9 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&call("under"))));
                 out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
             }
+            // What stands on the floor and is tall is above nothing: it is by it on the plan.
+            Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
             Rel::Beside => {
                 let both = self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {
@@ -84,7 +90,7 @@ impl Named<'_> {
                     out.push(format!("{verb} {text};"));
                 } else if self.counts[a] > 2 && m == 1 {
                     // Three things have no room at two sides.
-                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                    out.push(format!("{verb} {};", pairs(&far(self.reach(a, b)))));
                 } else {
                     out.push(format!("{verb} {};", pairs(&call("beside"))));
                 }
@@ -99,7 +105,7 @@ impl Named<'_> {
                     out.push(format!("{verb} {};", pairs(&call("facing"))));
                 }
             }
-            Rel::Near => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
             Rel::Against | Rel::Along => {
                 out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
             }
@@ -147,6 +153,33 @@ impl Named<'_> {
         }
     }
 
+    /// Whether a thing stands on the floor and is as high as people.
+    pub fn tall(&self, item: usize) -> bool {
+        let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
+        let lamp = self.scene.items[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
+        let [w, h, d] = self.sizes[item];
+        !lamp
+            && matches!(self.group(item), Group::Floor | Group::Storage | Group::Bed | Group::Table | Group::Seat)
+            && !up
+            && h >= 1.2
+            && w * d >= 0.15
+    }
+
+    /// How far "near" reaches: a metre, and as far as a group of so many extends.
+    fn reach(&self, a: usize, b: usize) -> f64 {
+        let (n, m) = (self.counts[a], self.counts[b].max(1));
+        let each = if self.array(b) { n.div_ceil(m) } else { n };
+        let [w, _, d] = self.sizes[a];
+        let at_wall = self.said(a, |s| matches!(s, What::Place(_, Place::Wall, _)));
+        let extent = match each {
+            0..=2 => 0.0,
+            // Along a wall to both sides; else in a half circle.
+            n if at_wall => n as f64 * (w + 0.1) / 2.0,
+            n => (n as f64 * (w + 0.3) * (d + 0.6)).sqrt(),
+        };
+        (NEAR.max(extent) * 10.0).ceil() / 10.0
+    }
+
     /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
     fn hangs(&self, item: usize) -> bool {
         self.said(item, |w| {
@@ -167,9 +200,9 @@ impl Named<'_> {
             _ => None,
         });
         let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3);
-        if m == 1 && n > 1 {
+        if m == 1 && n > 1 && self.array(a) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
-        } else if m > 1 && n % m == 0 && n > m && n / m <= 8 {
+        } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
             // Each table has its own: at its four sides in turn.
             let k = n / m;
             let sides: &[&str] = match k {

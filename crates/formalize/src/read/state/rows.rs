@@ -13,6 +13,21 @@ impl Named<'_> {
     pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
         let of = self.name(a);
         let n = self.counts[a];
+        let elements = self.elements(a);
+        if self.scene.items[a].part.is_some() && elements.len() > 1 {
+            // Some of several: each with the next.
+            let each = |f: &dyn Fn(&str, &str) -> String| {
+                elements.windows(2).map(|w| f(&w[1], &w[0])).collect::<Vec<_>>().join(" and ")
+            };
+            return Some(match pattern {
+                Pattern::SideBySide => each(&|x, y| format!("beside({x}, {y})")),
+                Pattern::FaceToFace => each(&|x, y| format!("facing({x}, {y}) and facing({y}, {x})")),
+                Pattern::BackToBack => each(&|x, y| format!("behind({x}, {y}) and behind({y}, {x})")),
+                Pattern::Circle => each(&|x, y| format!("near({x}, {y}, {})", number(AROUND))),
+                Pattern::Stacked => each(&|x, y| format!("on({x}, {y})")),
+                _ => each(&|x, y| format!("aligned({x}, {y})")),
+            });
+        }
         if !self.array(a) {
             // Several single things: "range, grill, fryer, left to right".
             let place = all.iter().position(|i| *i == a)?;
@@ -25,6 +40,10 @@ impl Named<'_> {
             });
         }
         Some(match pattern {
+            Pattern::BackToBack if self.grid(a).is_some_and(|g| g.backs) => {
+                let k = self.grid(a)?.columns;
+                format!("forall i in 0..{}: behind({of}[{k} + i], {of}[i])", n - k)
+            }
             Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
                 return self.rows(a);
             }
@@ -99,7 +118,7 @@ impl Named<'_> {
             }
             _ => None,
         })?;
-        self.grid(b)?;
+        let grid = self.grid(b)?;
         let (n, m) = (self.counts[a], self.counts[b]);
         if self.group(a) != Group::Seat || m < 2 || n % m != 0 {
             return None;
@@ -113,21 +132,41 @@ impl Named<'_> {
         let (of, to) = (self.name(a), self.name(b));
         let [w, _, d] = self.sizes[b];
         let seat = self.sizes[a][2];
-        let each: Vec<String> = (0..k)
-            .map(|j| {
+        let places = |sign: f64| -> String {
+            let one = |j: usize| {
                 let (at, (share, turned)) = (indexed(of, k, j), places[j]);
-                let [x, z] = [share[0] * (w / 2.0 + seat / 2.0 + 0.1), share[1] * (d / 2.0 + seat / 2.0 + 0.1)];
+                let away = |half: f64, share: f64| sign * share * (half + seat / 2.0 + 0.1);
+                let turned = if sign > 0.0 { turned } else { (turned + 180.0).rem_euclid(360.0) };
                 format!(
                     "{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)",
-                    number(x),
-                    number(z),
+                    number(away(w / 2.0, share[0])),
+                    number(away(d / 2.0, share[1])),
                     number(turned)
                 )
                 .replace("+ -", "- ")
                 .replace(" + 0 ", " ")
-            })
-            .collect();
-        Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
+            };
+            (0..k).map(one).collect::<Vec<_>>().join(" and ")
+        };
+        let columns = grid.columns;
+        Some(if grid.backs {
+            format!("(forall i in 0..{columns}: {}) and forall i in {columns}..{m}: {}", places(1.0), places(-1.0))
+        } else {
+            format!("forall i in 0..{m}: {}", places(1.0))
+        })
+    }
+
+    /// How the rows of an array are turned.
+    pub fn turned(&self, a: usize) -> Option<String> {
+        let (grid, of) = (self.grid(a)?, self.name(a));
+        Some(if grid.backs {
+            let (k, n) = (grid.columns, self.counts[a]);
+            format!(
+                "assert (forall i in 0..{k}: {of}[i].rot = rot(0, 0, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, 180, 0);"
+            )
+        } else {
+            format!("{of}.rot <- rot(0, 0, 0);")
+        })
     }
 
     /// How an array in rows stands, if nothing else says where.
