@@ -79,6 +79,8 @@ pub enum Rel {
     Aligned,
     Visible,
     Reachable,
+    /// Beside it at both sides.
+    Sides,
     /// With its back to it.
     BackTo,
     From,

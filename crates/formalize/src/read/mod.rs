@@ -179,6 +179,7 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
     let mut draft = Draft { request: request.to_owned(), ..Draft::default() };
     let room_names: Vec<String> = scene.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
     let mut sizes = sizes;
+    sizes::fit_walls(scene, &mut sizes, &room_sizes);
     for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| !item.opening() && item.part.is_none()) {
         let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
         let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];

@@ -476,7 +476,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         let place_here = place(w).filter(|_| {
             nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
-                && (begun || counted || used > start || !np.which.is_empty() || matches!(w, "walls" | "corners"))
+                && (begun
+                    || counted
+                    || used > start
+                    || !np.which.is_empty()
+                    || matches!(w, "walls" | "corners" | "rows"))
         });
         if WHICH.contains(&w) && leads_to_place(&rest[used..]) {
             np.which.push(w.to_owned());
@@ -501,6 +505,17 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                 break;
             }
             continue;
+        }
+        if lexicon.is(w, Class::Stop) && lexicon.is(w, Class::Abstract) && !nouns.is_empty() {
+            break;
+        }
+        // "a lamp shaped like …", "a board made …": after the noun a clause of its own begins.
+        let participle = noun_end > 0
+            && (w.ends_with("ed") || w.ends_with("ing"))
+            && !before_noun(&rest[used + 1..])
+            && nouns.iter().any(|n| lexicon.noun(&n.0).is_some());
+        if participle {
+            break;
         }
         let modifies = (begun || counted)
             && rest.get(used + 1).is_some_and(|n| {

@@ -55,6 +55,15 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             out.spoken.insert(i, room);
             continue;
         }
+        // "the beer cellar, a vaulted room of 12 by 7 m": the same.
+        if i >= 2
+            && np.det == Det::Indefinite
+            && chunks[i - 1].piece == Piece::Comma
+            && let Some(room) = out.spoken.get(&(i - 2)).copied()
+        {
+            out.spoken.insert(i, room);
+            continue;
+        }
         // "evacuation study", "case study"
         if base == "study" && np.words.len() > 1 {
             continue;

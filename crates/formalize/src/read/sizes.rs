@@ -90,7 +90,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                     Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => {
                         width = each * (out[*a][0] + 0.12)
                     }
-                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 => {
+                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 && seats(scene, b) => {
                         // Half of them at either long side, the ends left free.
                         width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
                     }
@@ -183,6 +183,47 @@ fn own_size(words: &[String]) -> Option<[f64; 3]> {
         find(&words[skip..].join("_"))
             .filter(|_| skip == 0 || usual_size(&words.join("_")).is_none() || skip + 1 < words.len())
     })
+}
+
+/// Whether people sit at a thing, so that it is as long as they need.
+fn seats(scene: &Scene, item: usize) -> bool {
+    let head = scene.items[item].head();
+    ["table", "desk", "bar", "counter", "island", "worktop"].iter().any(|w| head.ends_with(w))
+}
+
+/// Makes what stands at walls narrower, where a room of a given size has not so much wall.
+pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
+    for i in 0..scene.items.len() {
+        let item = &scene.items[i];
+        let n = scene.count(i) as f64;
+        let which = scene.facts.iter().find_map(|f| match &f.what {
+            What::Place(Rel::Against | Rel::Along | Rel::At | Rel::On, Place::Wall, which) if f.of == [i] && !f.not => {
+                Some(which)
+            }
+            _ => None,
+        });
+        let (Some(which), Some([w, _, d])) = (which, rooms.get(item.room)) else { continue };
+        if n < 2.0 || item.size[0].is_some() || item.opening() || item.part.is_some() {
+            continue;
+        }
+        let said = |words: &[&str]| which.iter().any(|w| words.contains(&w.as_str()));
+        let both = if said(&["each"]) { 2.0 } else { 1.0 };
+        let free = if said(&["long", "longer", "longest"]) {
+            w.max(*d) * both
+        } else if said(&["short", "shorter", "end"]) {
+            w.min(*d) * both
+        } else if said(&["north", "south", "back", "front", "rear", "far"]) {
+            *w
+        } else if said(&["east", "west", "left", "right"]) {
+            *d * both
+        } else {
+            (w + d) * 1.4
+        };
+        let most = (free - 0.8) / n - 0.04;
+        if sizes[i][0] > most && most > 0.2 {
+            sizes[i][0] = (most * 20.0).floor() / 20.0;
+        }
+    }
 }
 
 /// Whether a thing takes floor.

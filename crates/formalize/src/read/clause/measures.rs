@@ -164,7 +164,7 @@ impl Reader<'_> {
         crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
         let limit = m.said;
         if of_room || self.near.is_empty() && self.main.is_empty() && !self.s.subject && self.before.is_empty() {
-            let room = self.room;
+            let room = self.s.rooms.last().copied().filter(|_| self.s.room_last).unwrap_or(self.room);
             // What was said first stands: "1 m by 1 m" later on is of something else.
             let size = self.scene.rooms[room].size;
             let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();

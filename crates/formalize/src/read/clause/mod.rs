@@ -412,6 +412,13 @@ impl<'a> Reader<'a> {
                 let of = self.subject(i);
                 let one = |l: &[usize]| l.len() == 1 && self.scene.count(l[0]) == 1 && !self.scene.items[l[0]].many;
                 let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
+                // "a bed along the wall and a dresser next to each other"
+                let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
+                let new = |o: &&usize| self.scene.items[**o].at.start >= self.s.at.start;
+                let of = match self.before.last().filter(new) {
+                    Some(other) if two && one(&of) => vec![*other, of[0]],
+                    _ => of,
+                };
                 let (soft, at) = (self.s.soft, self.s.at.clone());
                 self.scene.say(&of, What::Pattern(*pattern), soft, false, at);
                 i + 1
@@ -430,7 +437,8 @@ impl<'a> Reader<'a> {
                 if self.s.expect == Expect::Blocked {
                     self.s.expect = Expect::Nothing;
                 }
-                if let (Some(n), true) = (self.number_at(i + 1, end), self.near.len() == 1) {
+                let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
+                if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
                     let item = &mut self.scene.items[self.near[0]];
                     if item.many {
                         item.count = Some(n);

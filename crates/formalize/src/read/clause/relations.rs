@@ -8,6 +8,7 @@ impl Reader<'_> {
         if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
             return i + 1;
         }
+        let chunks = self.chunks;
         let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
@@ -28,7 +29,17 @@ impl Reader<'_> {
         }
         // "at the foot of the bed": what place and "of" together say.
         let rel = self.s.turned.take().unwrap_or(rel);
-        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
+        // "knives go on a magnetic strip on the wall": the strip is on the wall.
+        let led = match self.s.lead.last() {
+            Some((_, Lead::Items(items, _))) if !self.s.subject && i > 0 && chunks[i - 1].np().is_some() => {
+                items.iter().all(|o| self.scene.items[*o].at.start >= self.s.at.start)
+            }
+            _ => false,
+        };
+        if let (true, Some((_, Lead::Items(items, _)))) = (led, self.s.lead.last()) {
+            self.near = items.clone();
+        }
+        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep && !led;
         // "hangs from", "faces": said of what the sentence is about.
         let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
             && !self.main.is_empty()
@@ -51,8 +62,9 @@ impl Reader<'_> {
                     || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
                 {
                     self.s.lead_not |= negative;
-                    self.s.lead_twice |= rel == Rel::Beside && self.sides(i);
-                    self.s.lead.push((rel, Lead::Items(items, each)));
+                    let twice = rel == Rel::Beside && self.sides(i);
+                    self.s.lead_twice |= twice;
+                    self.s.lead.push((if twice { Rel::Sides } else { rel }, Lead::Items(items, each)));
                 } else {
                     if each && items.len() == 1 && self.s.one {
                         self.one_each(&of, items[0]);
@@ -69,9 +81,12 @@ impl Reader<'_> {
                         let (soft, at) = (self.s.soft, self.s.at.clone());
                         self.scene.say(&of, What::Rel(rel, items), soft, true, at);
                     } else {
-                        if self.sides(i) && rel == Rel::Beside {
+                        let rel = if self.sides(i) && rel == Rel::Beside {
                             self.double();
-                        }
+                            Rel::Sides
+                        } else {
+                            rel
+                        };
                         let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
                         self.drop_usual(&of);
                         self.relate(&of, rel, &items);
@@ -417,7 +432,7 @@ impl Reader<'_> {
             let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
             if pair(&list) {
                 list
-            } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &list[..], &self.s.object[..]) {
+            } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &self.main[..], &self.s.object[..]) {
                 // "the chest is at the foot of the bed, but leave 60 cm between them"
                 vec![*one, *other]
             } else {
@@ -480,11 +495,12 @@ impl Reader<'_> {
             let (soft, at) = (self.s.soft, self.s.at.clone());
             self.scene.say(&of, What::Rel(rel, object), soft, true, at);
         } else {
-            if self.sides(i) {
+            let sides = self.sides(i);
+            if sides {
                 self.double();
             }
             self.drop_usual(&of);
-            self.relate(&of, rel, &object);
+            self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
     }
 
@@ -532,7 +548,7 @@ impl Reader<'_> {
                 // "on each side": of what was spoken of before.
                 let to = self.before.clone();
                 if !to.is_empty() {
-                    self.relate(of, Rel::Beside, &to);
+                    self.relate(of, Rel::Sides, &to);
                 }
             }
             _ => {

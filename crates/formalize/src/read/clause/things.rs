@@ -365,9 +365,11 @@ impl Reader<'_> {
         }
         let many = |o: &usize| self.scene.items[*o].many && self.scene.items[*o].part.is_none();
         let known = |o: &usize| self.dealt.is_some_and(|d| d.0 == *o);
+        let last = self.recent.last().filter(|r| self.scene.items[**r].at.start >= self.s.at.start);
         let of = [&self.main, &self.near]
             .into_iter()
             .flatten()
+            .chain(last)
             .map(|o| self.scene.whole(*o))
             .find(|o| many(o))
             .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o))))?;
@@ -540,7 +542,16 @@ impl Reader<'_> {
                 {
                     // "a bowl of mints", "a stack of books"
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.scene.items[id].look.features.push(format!("of {}", text.join(" ")));
+                    let heap =
+                        self.scene.items[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
+                    match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
+                        // "a stack of beer mats"
+                        Some(np) => {
+                            let words = np.words.clone();
+                            self.scene.items[id].words.splice(0..0, words);
+                        }
+                        None => self.scene.items[id].look.features.push(format!("of {}", text.join(" "))),
+                    }
                     self.mark(k);
                     self.mark(k + 1);
                     k += 1;
@@ -599,6 +610,18 @@ impl Reader<'_> {
                     self.near = vec![id];
                     k = self.with_part(k, end);
                     continue;
+                }
+                // "a lamp shaped like a moon"
+                Some(Piece::Word(_))
+                    if self.tokens[self.chunks[k].at.start].is("shaped")
+                        && (k + 1..end.min(k + 4)).any(|n| self.np(n, end).is_some()) =>
+                {
+                    let np = (k + 1..end).find(|n| self.np(*n, end).is_some()).unwrap_or(k);
+                    let words = self.tokens[self.chunks[k].at.start..self.chunks[np].at.end].iter();
+                    let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    (k..=np).for_each(|c| self.mark(c));
+                    k = np;
                 }
                 Some(Piece::Soft) if depth > 0 => self.mark(k),
                 Some(Piece::Word(_) | Piece::Measure(_)) if depth > 0 => {}
@@ -778,7 +801,7 @@ impl Reader<'_> {
             let rel = match join {
                 Join::Usual => usual.map(|r| (r, false)),
                 Join::On => Some((Rel::On, false)),
-                Join::Beside => Some((Rel::Beside, true)),
+                Join::Beside => Some((Rel::Sides, true)),
                 Join::Around => Some((Rel::Around, true)),
                 Join::Above => Some((Rel::Above, true)),
             };

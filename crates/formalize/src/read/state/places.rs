@@ -190,15 +190,20 @@ impl Named<'_> {
                         0.0
                     };
                     if *sign > 0.0 {
-                        format!("{x}.center.{axis} >= {room}.center.{axis} + {}", number(reach))
+                        format!("{x}.center.{axis} >= {room}.center.{axis}{}", shift(" + ", reach))
                     } else {
-                        format!("{x}.center.{axis} <= {room}.center.{axis} - {}", number(reach))
+                        format!("{x}.center.{axis} <= {room}.center.{axis}{}", shift(" - ", reach))
                     }
                 })
                 .collect();
-            each.join(" and ").replace(" + 0 ", " ").replace(" - 0 ", " ")
+            each.join(" and ")
         }))
     }
+}
+
+/// What is added, if it is anything.
+fn shift(sign: &str, by: f64) -> String {
+    if by == 0.0 { String::new() } else { format!("{sign}{}", number(by)) }
 }
 
 /// Compass and plan: north and back are +z, east and right +x.

@@ -1,6 +1,7 @@
 //! One thing and another: on, beside, in front of, around, between.
 
 use super::{Named, indexed};
+use crate::read::chunk::Pattern;
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
 use crate::read::scene::What;
@@ -9,7 +10,7 @@ use crate::write::number;
 /// How far "near" reaches, in metres.
 const NEAR: f64 = 1.0;
 /// How far a seat is from its table.
-const DRAWN_UP: f64 = 0.4;
+pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far "around" reaches, for what is no seat.
 pub(super) const AROUND: f64 = 1.2;
 
@@ -69,8 +70,8 @@ impl Named<'_> {
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
             Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
-            Rel::Beside => {
-                let both = self.counts[a] == 2 * m;
+            Rel::Beside | Rel::Sides => {
+                let both = rel == Rel::Sides && self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {
                     let side = |x: &str, i: usize, y: &str| {
                         format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" })
@@ -114,6 +115,9 @@ impl Named<'_> {
                 let to = to.first().map_or("", String::as_str);
                 out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
                 out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+            }
+            Rel::Opposite if self.array(a) && self.array(b) => {
+                out.push(format!("prefer {};", pairs(&call("facing"))));
             }
             Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
             Rel::Opposite => {
@@ -199,7 +203,7 @@ impl Named<'_> {
             What::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
             _ => None,
         });
-        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3);
+        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
         if m == 1 && n > 1 && self.array(a) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
         } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
@@ -224,6 +228,18 @@ impl Named<'_> {
                 self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))
             ));
         }
+    }
+
+    /// How far from a thing so many stand around it, where there is not room for all at its sides.
+    pub(super) fn ring(&self, a: usize, b: usize) -> f64 {
+        let n = (self.counts[a].div_ceil(self.counts[b].max(1))) as f64;
+        let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
+        let circle = self.said(a, |s| matches!(s, What::Pattern(Pattern::Circle)));
+        let round = n * (w.max(d) + 0.25);
+        let open = if circle { round / std::f64::consts::TAU - bw.min(bd) / 2.0 + 0.5 } else { 0.0 };
+        let over = (n * (w + 0.15) - 2.0 * (bw + bd)).max(0.0) / std::f64::consts::TAU;
+        let far = open.max(if over > 0.0 { over + 0.5 } else { 0.0 });
+        (far * 10.0).ceil() / 10.0
     }
 
     pub(super) fn between(&self, a: usize, to: &[usize]) -> Option<String> {
@@ -253,7 +269,7 @@ fn predicate(rel: Rel) -> &'static str {
         Rel::On => "on",
         Rel::Under => "under",
         Rel::Above => "above",
-        Rel::Beside => "beside",
+        Rel::Beside | Rel::Sides => "beside",
         Rel::LeftOf => "leftOf",
         Rel::RightOf => "rightOf",
         Rel::InFrontOf => "inFrontOf",

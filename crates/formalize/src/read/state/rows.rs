@@ -1,6 +1,6 @@
 //! Things in rows and circles, and seats at tables that stand so.
 
-use super::relations::AROUND;
+use super::relations::{AROUND, DRAWN_UP};
 use super::{Named, indexed};
 use crate::read::chunk::Pattern;
 use crate::read::grid::{self, Grid};
@@ -60,7 +60,10 @@ impl Named<'_> {
             Pattern::Circle => {
                 let around = self.centre_of(a);
                 match around {
-                    Some(b) => format!("around({of}, {}, {})", self.name(b), number(AROUND)),
+                    Some(b) => {
+                        let drawn = if self.group(a) == Group::Seat { DRAWN_UP } else { AROUND };
+                        format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
+                    }
                     None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
                 }
             }
