@@ -353,7 +353,7 @@ pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
 
 /// "in four rows", "in two facing rows of four".
 fn rows(rest: &[Token]) -> Option<(Pattern, usize)> {
-    if !rest[0].is("in") && !rest[0].is("into") {
+    if !["in", "into", "form", "forms", "forming", "make", "as"].iter().any(|w| rest[0].is(w)) {
         return None;
     }
     let (n, used) = super::number::count(&rest[1..])?;
@@ -392,6 +392,10 @@ pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
         // "dark blue"; "deep" alone is a feature.
         return match look_at(&rest[n..]) {
             Some((Look::Color, more)) => Some((Look::Color, n + more)),
+            // "light beech", "dark granite"
+            Some((Look::Material, more)) if matches!(rest[0].text.as_str(), "dark" | "pale" | "light") => {
+                Some((Look::Material, n + more))
+            }
             _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((Look::Color, n)),
             _ => Some((if kind == Look::Shade { Look::Feature } else { kind }, n)),
         };

@@ -71,6 +71,9 @@ pub fn read(request: &str, options: &Options) -> Reading {
         let mut reader = clause::Reader::new(&tokens, &chunks, &found);
         reader.read();
         (scene, used) = (reader.scene, reader.used);
+        if !scene.gone.is_empty() {
+            scene.forget();
+        }
     }
     let mut notes = Vec::new();
     let read = judge(&tokens, &used, &clauses, &mut notes);

@@ -108,6 +108,12 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             }
         }
     }
+    // "leads into the kitchen", before the kitchen is described.
+    for (i, name) in &weak {
+        if let Some(room) = out.rooms.iter().position(|r| r.name == *name) {
+            out.spoken.entry(*i).or_insert(room);
+        }
+    }
     // "the room", "the flat": the room last spoken of.
     for (i, _) in loose {
         let last = out.spoken.range(..i).next_back().map_or(0, |(_, r)| *r);

@@ -216,6 +216,8 @@ pub struct Scene {
     pub facts: Vec<Fact>,
     /// What must not be there, and where that is said.
     pub absent: Vec<(String, Range<usize>)>,
+    /// Items that were taken back: "no, forget the carpet".
+    pub gone: Vec<usize>,
 }
 
 /// More things than anybody asks for: what goes beyond is noted.
@@ -268,6 +270,40 @@ impl Scene {
             .filter(|(_, item)| item.part.is_none())
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         best.filter(|b| b.1 > 0).max().map(|b| b.2)
+    }
+
+    /// Leaves out what was taken back, and what was said of it.
+    pub fn forget(&mut self) {
+        let gone = std::mem::take(&mut self.gone);
+        let lost = |i: usize| gone.contains(&i) || self.items[i].part.as_ref().is_some_and(|p| gone.contains(&p.of));
+        let mut next = 0;
+        let new: Vec<Option<usize>> = (0..self.items.len())
+            .map(|i| {
+                let kept = !lost(i);
+                next += usize::from(kept);
+                kept.then(|| next - 1)
+            })
+            .collect();
+        let moved = |list: &[usize]| -> Vec<usize> { list.iter().filter_map(|i| new[*i]).collect() };
+        for fact in &mut self.facts {
+            fact.of = moved(&fact.of);
+            if let What::Rel(_, to) | What::Gap(_, _, to) | What::Path(_, to) = &mut fact.what {
+                let all = to.len();
+                *to = moved(to);
+                if to.len() < all {
+                    fact.of.clear();
+                }
+            }
+        }
+        self.facts.retain(|f| !f.of.is_empty());
+        let items = std::mem::take(&mut self.items);
+        for (mut item, _) in items.into_iter().zip(&new).filter(|(_, new)| new.is_some()) {
+            item.per = item.per.and_then(|(owner, n)| Some((new[owner]?, n)));
+            if let Some(part) = &mut item.part {
+                part.of = new[part.of].unwrap_or(part.of);
+            }
+            self.items.push(item);
+        }
     }
 
     /// How many there are of an item, as far as it is known: what is not said is taken as `usual`.

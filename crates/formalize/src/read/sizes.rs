@@ -52,6 +52,19 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                     out[*a][1] = item.size[1].unwrap_or(0.5);
                     out[*a][2] = item.size[2].unwrap_or(out[*a][2].min(0.32));
                 }
+                // A hood above all of them is as long as they are.
+                What::Rel(Rel::Above, to) if to.len() > 1 && item.size[0].is_none() => {
+                    let all: f64 = to.iter().map(|b| out[*b][0] + 0.1).sum();
+                    out[*a][0] = out[*a][0].max(all);
+                }
+                // "a lamp" on a table is no standard lamp.
+                What::Rel(Rel::On, to)
+                    if item.size[1].is_none()
+                        && item.name() == "lamp"
+                        && to.iter().any(|b| matches!(scene.items[*b].group, Group::Table | Group::Storage)) =>
+                {
+                    out[*a] = [0.25, 0.45, 0.25];
+                }
                 // What is under another is no higher than that.
                 What::Rel(Rel::Under, to) => {
                     let least = |b: &usize| {
@@ -86,6 +99,8 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             for a in &fact.of {
                 let each = (scene.count(*a) as f64 / scene.count(b) as f64).ceil();
                 match rel {
+                    // A cushion is as large as its seat.
+                    Rel::On if scene.items[*a].group == Group::Soft && scene.items[b].group == Group::Seat => {}
                     Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
                     Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => {
                         width = each * (out[*a][0] + 0.12)

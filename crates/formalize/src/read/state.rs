@@ -120,6 +120,10 @@ impl Named<'_> {
         }
         if self.array(a) && !self.array(b) {
             let to = self.elements(b);
+            if to.len() == n {
+                let each = to.iter().enumerate().map(|(i, t)| f(&format!("{of}[{i}]"), t));
+                return each.collect::<Vec<_>>().join(" and ");
+            }
             let one = |x: &str| {
                 if to.len() == 1 {
                     f(x, &to[0])

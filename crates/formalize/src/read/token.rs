@@ -66,6 +66,8 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         // "4 no., grey", "approx. 2 m": no end of a sentence.
         if c == '.'
             && out.last().is_some_and(|t| t.at.end == at && ABBREVIATED.contains(&t.text.as_str()))
+            && (!out.last().is_some_and(|t| t.is("no"))
+                || out.iter().rev().nth(1).is_some_and(|t| matches!(t.kind, Kind::Number(_))))
             && !rest[1..].trim_start_matches([' ', '\t']).starts_with(|n: char| n.is_uppercase() || n == '\n')
             && rest.len() > 1
         {

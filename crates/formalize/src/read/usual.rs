@@ -27,6 +27,12 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| scene.items[*t].group != Group::Ceiling));
         let elsewhere = held || placed || above && measured || named.said(a, beside);
         let hangs = item.group == Group::Ceiling && !elsewhere;
+        // "a mixer to the left of the counter", "a lamp beside the armchair" stand on the floor.
+        let apart = item.group == Group::Top
+            && named.said(a, |w| {
+                matches!(w, What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to)
+                    if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Top | Group::Screen)))
+            });
         match item.group {
             Group::Wall | Group::Drape
                 if !held && !on_wall && !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
@@ -42,7 +48,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
             Group::Ceiling if above && measured && !placed => {
                 out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord")
             }
-            Group::Top if !held && !placed && !above => {
+            Group::Top if !held && !placed && !above && !apart => {
                 let near = named.scene.facts.iter().find_map(|f| match &f.what {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
                     _ => None,
@@ -101,7 +107,8 @@ pub fn usual(named: &Named, out: &mut Stated) {
             out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
         }
         let floor =
-            matches!(item.group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat);
+            matches!(item.group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat)
+                || apart;
         let raised = held && !named.said(a, |w| matches!(w, What::Rel(Rel::Under, _)))
             || above && !named.tall(a)
             || high

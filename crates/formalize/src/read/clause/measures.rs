@@ -264,7 +264,7 @@ impl Reader<'_> {
                 self.clear(to, rel, m.values[0])
             }
             Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than
-                if self.s.nothing && (of.is_empty() || of == to) =>
+                if self.s.nothing && (of.is_empty() || of == to || !self.s.subject) =>
             {
                 self.say(to, What::Alone(m.values[0]));
             }

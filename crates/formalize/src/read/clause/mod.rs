@@ -54,6 +54,8 @@ pub struct Reader<'a> {
     room: usize,
     /// The sentence before was about the room.
     about_room: bool,
+    /// It began with the room, whatever it went on to.
+    room_began: bool,
     /// What the sentence is about; of the one before, if this has no subject yet.
     main: Vec<usize>,
     /// What was spoken of before that.
@@ -103,6 +105,8 @@ struct Sentence {
     listed: bool,
     /// The sentence is about a room.
     of_room: bool,
+    /// And was from its beginning.
+    room_first: bool,
     /// A door may lead from one room to another here.
     doors: bool,
     /// The last noun phrase was of a room.
@@ -148,6 +152,7 @@ impl<'a> Reader<'a> {
             used: vec![false; tokens.len()],
             room: 0,
             about_room: true,
+            room_began: false,
             main: vec![],
             before: vec![],
             near: vec![],
@@ -162,9 +167,25 @@ impl<'a> Reader<'a> {
         let mut from = 0;
         while from < self.chunks.len() {
             let end = self.sentence_end(from);
-            self.sentence(from, end);
+            // "a rack behind the counter? No, …": taken back.
+            let last = if self.asked_back(end) { self.last_clause(from, end) } else { end };
+            if last > from {
+                self.sentence(from, last);
+            }
             from = end + 1;
         }
+    }
+
+    /// Whether a sentence ends as a question that the next one answers with "no".
+    fn asked_back(&self, end: usize) -> bool {
+        let first = |i: usize| self.chunks.get(i).map(|c| &self.tokens[c.at.start]);
+        first(end).is_some_and(|t| t.is("?")) && first(end + 1).is_some_and(|t| t.is("no") || t.is("nope"))
+    }
+
+    /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
+    fn last_clause(&self, from: usize, end: usize) -> usize {
+        let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;
+        (from + 1..end).rev().find(joined).map_or(from, |k| k - 1)
     }
 
     /// The chunk that ends a sentence: a full stop, or the end of a line that is one.
@@ -269,6 +290,7 @@ impl<'a> Reader<'a> {
         self.finish();
         self.doors();
         self.about_room = self.s.of_room && !self.s.subject;
+        self.room_began = self.s.of_room && self.s.room_first;
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
@@ -375,10 +397,13 @@ impl<'a> Reader<'a> {
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
+                let seat = |o: &usize| self.scene.items[*o].group == Group::Seat;
                 let with_back = self.np(i + 1, end).is_some_and(|n| {
                     n.kind == Kind::Thing
                         && n.count.is_none()
-                        && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many)
+                        && (get().part(&n.head())
+                            || !n.known && n.det == Det::None && n.many
+                            || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
                 });
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
@@ -434,6 +459,8 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Colon => {
+                // "Nobody has to squeeze: at least 1.2 m between …"
+                self.s.nothing = false;
                 if self.s.expect == Expect::Blocked {
                     self.s.expect = Expect::Nothing;
                 }
@@ -454,7 +481,9 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Not => {
-                self.s.not = true;
+                let nothing = self.tokens[chunks[i].at.start].is("nothing");
+                self.s.nothing |= nothing;
+                self.s.not = !nothing;
                 self.mark(i);
                 i + 1
             }
@@ -471,8 +500,23 @@ impl<'a> Reader<'a> {
                     self.tokens[chunks[i].at.start].text.as_str(),
                     "center" | "centre" | "centred" | "centered"
                 );
-                if self.tokens[chunks[i].at.start].is("nothing") || self.tokens[chunks[i].at.start].is("nobody") {
-                    self.s.nothing = true;
+                match self.tokens[chunks[i].at.start].text.as_str() {
+                    // "forget the carpet"
+                    "forget" | "scrap" | "skip" | "omit" | "cancel" => {
+                        let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
+                        if let Some(np) = np {
+                            self.scene.gone.extend(self.scene.find(np, self.room));
+                            let at = self.bytes(i + 1..i + 2);
+                            self.scene.absent.push((np.name(), at));
+                            self.mark(i);
+                            self.mark(i + 1);
+                            return i + 2;
+                        }
+                    }
+                    "nothing" | "nobody" => self.s.nothing = true,
+                    // "don't put anything between …"
+                    "anything" if std::mem::take(&mut self.s.not) => self.s.nothing = true,
+                    _ => {}
                 }
                 i + 1
             }
@@ -584,6 +628,7 @@ impl Sentence {
             last: None,
             listed: false,
             of_room: false,
+            room_first: false,
             doors: false,
             room_last: false,
             unknown: false,

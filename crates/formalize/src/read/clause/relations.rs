@@ -31,13 +31,13 @@ impl Reader<'_> {
         let rel = self.s.turned.take().unwrap_or(rel);
         // "knives go on a magnetic strip on the wall": the strip is on the wall.
         let led = match self.s.lead.last() {
-            Some((_, Lead::Items(items, _))) if !self.s.subject && i > 0 && chunks[i - 1].np().is_some() => {
+            Some((_, Lead::Items(items, _))) if !self.s.subject && self.s.verb && chunks[i - 1].np().is_some() => {
                 items.iter().all(|o| self.scene.items[*o].at.start >= self.s.at.start)
             }
             _ => false,
         };
-        if let (true, Some((_, Lead::Items(items, _)))) = (led, self.s.lead.last()) {
-            self.near = items.clone();
+        if led && let Some((_, Lead::Items(items, _))) = self.s.lead.pop() {
+            self.near = items;
         }
         let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep && !led;
         // "hangs from", "faces": said of what the sentence is about.
@@ -240,6 +240,14 @@ impl Reader<'_> {
                         }
                         next += 2;
                     }
+                }
+                // "in the middle of it": of the room spoken of.
+                Some((Kind::Pronoun, np))
+                    if self.about_room && !self.s.subject && np.words.first().is_some_and(|w| w == "it") =>
+                {
+                    self.mark(next);
+                    self.mark(next + 1);
+                    next += 2;
                 }
                 Some((Kind::Pronoun, np)) => {
                     let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);

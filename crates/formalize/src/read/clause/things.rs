@@ -90,6 +90,7 @@ impl Reader<'_> {
         if self.s.doors && named_before {
             return;
         }
+        self.s.room_first |= !self.s.subject && self.s.lead.is_empty();
         self.s.of_room = true;
         self.room = room;
         self.near.clear();
@@ -183,7 +184,9 @@ impl Reader<'_> {
             return;
         }
         let bare = !self.s.subject && !self.s.of_room && matches!(word, "it") && i > 0 && np.det == Det::None;
-        if bare && self.about_room {
+        // "It shall contain …", after a sentence that began with the room.
+        let contains = (i + 1..end.min(i + 4)).any(|k| self.piece(k, end) == Some(&Piece::Verb(Verb::Have)));
+        if bare && (self.about_room || self.room_began && contains) {
             self.s.of_room = true;
             self.s.room_last = true;
             self.s.rooms.push(self.room);
@@ -281,6 +284,13 @@ impl Reader<'_> {
         if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
             return Some(part);
         }
+        // "the window", in a room that has spoken of none: its own.
+        let plain = np.words.len() == 1 && matches!(np.group, Some(Group::Window)) && np.det != Det::Each;
+        let here = |f: &usize| {
+            let item = &self.scene.items[*f];
+            !plain || item.room == self.room || item.beyond == Some(self.room)
+        };
+        let found = found.filter(here);
         let exact = found.filter(|f| {
             let item = &self.scene.items[*f];
             item.words == np.words && (np.look.color.is_none() || item.look.color == np.look.color)
@@ -611,6 +621,23 @@ impl Reader<'_> {
                     k = self.with_part(k, end);
                     continue;
                 }
+                // "palms in black pots", "a picture in a gold frame"
+                Some(Piece::Rel(Rel::In))
+                    if matches!(self.scene.items[id].group, Group::Floor | Group::Wall)
+                        && self.np(k + 1, end).is_some_and(|n| {
+                            matches!(n.head().as_str(), "pot" | "planter" | "tub" | "frame" | "flower pot" | "case")
+                                && matches!(n.det, Det::None | Det::Indefinite)
+                                && n.count.is_none()
+                        }) =>
+                {
+                    let text: Vec<&str> = (self.chunks[k].at.start..self.chunks[k + 1].at.end)
+                        .map(|t| self.tokens[t].text.as_str())
+                        .collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.mark(k);
+                    self.mark(k + 1);
+                    k += 1;
+                }
                 // "a lamp shaped like a moon"
                 Some(Piece::Word(_))
                     if self.tokens[self.chunks[k].at.start].is("shaped")
@@ -795,6 +822,9 @@ impl Reader<'_> {
                 Group::Flat => Some(Rel::Under),
                 Group::Drape if matches!(owner_group, Group::Window | Group::Door) => Some(Rel::Near),
                 Group::Ceiling => Some(Rel::Above),
+                Group::Floor if self.scene.items[*t].words.last().is_some_and(|w| w == "lamp") => {
+                    Some(if owner_group == Group::Table { Rel::On } else { Rel::Beside })
+                }
                 Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),
                 _ => None,
             };

@@ -75,7 +75,17 @@ impl Named<'_> {
                 // A corner is for one: what comes when all are taken is near one at best.
                 let free = 4_usize.saturating_sub(self.corners_before(k, a));
                 let taken = self.elements(a);
-                if self.counts[a] <= free {
+                let (of, n) = (self.name(a), self.counts[a]);
+                if self.array(a) && !which.iter().any(|w| w == "each") {
+                    // Several in one corner: the others by the first.
+                    say(format!("inCorner({of}[0], {room})"));
+                    if let Some(text) = self.side(a, which) {
+                        say(text);
+                    }
+                    let [w, _, d] = self.sizes[a];
+                    let reach = ((n as f64).sqrt() * (w.max(d) + 0.2) * 10.0).ceil() / 10.0;
+                    say(format!("forall i in 1..{n}: near({of}[i], {of}[0], {})", number(reach)));
+                } else if self.counts[a] <= free {
                     say(self.all(a, |x| format!("inCorner({x}, {room})")));
                     if let Some(text) = self.side(a, which) {
                         say(text);
@@ -207,7 +217,7 @@ fn shift(sign: &str, by: f64) -> String {
 }
 
 /// Compass and plan: north and back are +z, east and right +x.
-fn direction(word: &str) -> Option<(char, f64)> {
+pub(super) fn direction(word: &str) -> Option<(char, f64)> {
     let word = word.strip_suffix("ern").unwrap_or(word);
     Some(match word {
         "north" | "back" | "rear" | "far" | "upper" | "top" | "farthest" | "furthest" => ('z', 1.0),

@@ -6,6 +6,7 @@ use crate::read::chunk::Pattern;
 use crate::read::grid::{self, Grid};
 use crate::read::lexicon::{Group, Rel};
 use crate::read::measure::Op;
+use crate::read::noun::Place;
 use crate::read::scene::What;
 use crate::write::number;
 
@@ -47,6 +48,7 @@ impl Named<'_> {
             Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
                 return self.rows(a);
             }
+            Pattern::Row if self.wall_row(a).is_some() => self.wall_row(a)?.0,
             Pattern::Row | Pattern::LeftToRight => {
                 format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
             }
@@ -78,6 +80,62 @@ impl Named<'_> {
             ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
         })
+    }
+
+    /// A row at a wall: where each stands from the first, and how they are turned.
+    pub fn wall_row(&self, a: usize) -> Option<(String, f64)> {
+        let n = self.counts[a];
+        let floor = matches!(self.group(a), Group::Seat | Group::Storage | Group::Floor | Group::Table | Group::Bed);
+        let row = self.said(a, |w| matches!(w, What::Pattern(Pattern::Row)));
+        if !self.array(a) || !floor || !row {
+            return None;
+        }
+        let size = *self.room_sizes.get(self.scene.items[a].room)?;
+        let which = self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Place(Rel::Against | Rel::Along | Rel::At, Place::Wall, which) if f.of == [a] && !f.not => {
+                Some(which)
+            }
+            _ => None,
+        })?;
+        let elsewhere = |w: &What| match w {
+            What::Place(_, place, _) => !matches!(place, Place::Wall | Place::Row),
+            What::Rel(rel, _) => {
+                matches!(rel, Rel::On | Rel::In | Rel::Around | Rel::Under | Rel::Between | Rel::Opposite)
+            }
+            _ => false,
+        };
+        if self.said(a, elsewhere) {
+            return None;
+        }
+        let gap = self.scene.facts.iter().find_map(|f| match f.what {
+            What::Among(_, v) if f.of == [a] => Some(v),
+            _ => None,
+        });
+        let step = self.sizes[a][0] + gap.unwrap_or(0.1);
+        let said = which.iter().find_map(|w| super::places::direction(w));
+        let along_x = size[0] >= size[2];
+        let (axis, sign) = match said {
+            Some(side) => side,
+            None if which.iter().any(|w| w.starts_with("short") || w == "side") == along_x => ('x', -1.0),
+            None if which.iter().any(|w| w == "opposite" || w == "other" || w == "same") => return None,
+            None => ('z', 1.0),
+        };
+        let length = if axis == 'z' { size[0] } else { size[2] };
+        if step * n as f64 + 0.3 > length {
+            return None;
+        }
+        let (of, step) = (self.name(a), number(step));
+        let (along, across) = if axis == 'z' { ("x", "z") } else { ("z", "x") };
+        let text = format!(
+            "forall i in 1..{n}: {of}[i].pos.{along} = {of}[0].pos.{along} + i * {step} and {of}[i].pos.{across} = {of}[0].pos.{across}"
+        );
+        let turned = match (axis, sign > 0.0) {
+            ('z', true) => 180.0,
+            ('z', false) => 0.0,
+            (_, true) => 270.0,
+            (_, false) => 90.0,
+        };
+        Some((text, turned))
     }
 
     /// The rows of an array, measured from its first element.
@@ -161,6 +219,9 @@ impl Named<'_> {
 
     /// How the rows of an array are turned.
     pub fn turned(&self, a: usize) -> Option<String> {
+        if let Some((_, turned)) = self.wall_row(a) {
+            return Some(format!("{}.rot <- rot(0, {}, 0);", self.name(a), number(turned)));
+        }
         let (grid, of) = (self.grid(a)?, self.name(a));
         Some(if grid.backs {
             let (k, n) = (grid.columns, self.counts[a]);
