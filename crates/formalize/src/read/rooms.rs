@@ -3,7 +3,7 @@
 
 use super::chunk::{Chunk, Piece};
 use super::lexicon::{Rel, Verb, get};
-use super::noun::{Det, Kind};
+use super::noun::{Det, Kind, Place};
 use super::scene::Room;
 use super::token::Token;
 use std::collections::BTreeMap;
@@ -25,16 +25,26 @@ const MOST: usize = 12;
 pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
     let out = spoken(chunks, tokens);
     // What could be a thing as well and is no room here is a thing.
+    let placed: Vec<bool> = (0..chunks.len()).map(|i| placed(chunks, i)).collect();
     for (i, chunk) in chunks.iter_mut().enumerate() {
         if let Piece::Np(np) = &mut chunk.piece
             && np.kind == Kind::Room
-            && np.group.is_some()
+            && (np.group.is_some() || placed[i])
             && !out.spoken.contains_key(&i)
         {
             np.kind = Kind::Thing;
         }
     }
     out
+}
+
+/// "The cold store is in the corner": a room that stands somewhere in another is a thing there.
+fn placed(chunks: &[Chunk], i: usize) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    let corner = |k: usize| matches!(piece(k), Some(Piece::Np(np)) if matches!(np.kind, Kind::Place(Place::Corner | Place::Wall | Place::Middle)));
+    matches!(piece(i + 1), Some(Piece::Verb(Verb::Be)))
+        && matches!(piece(i + 2), Some(Piece::Rel(Rel::In | Rel::At | Rel::Against)))
+        && corner(i + 3)
 }
 
 fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
@@ -157,6 +167,9 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
         && matches!(piece(i + 2), Some(Piece::Np(np)) if np.kind == Kind::Room)
         && matches!(piece(i + 3), Some(Piece::Colon | Piece::Measure(_)));
     if title {
+        return false;
+    }
+    if placed(chunks, i) {
         return false;
     }
     let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));

@@ -103,6 +103,10 @@ impl Item {
 
     /// Takes over sizes; "long" and "wide" together are width and depth, "long" alone is the width.
     pub fn take_dims(&mut self, dims: &[(Dim, f64)]) {
+        // "6 m long, 1.2 m wide": what was taken for the width is the depth.
+        if let ([(Dim::Width, _)], Some(long), None) = (dims, self.size[0], self.size[2]) {
+            self.size[2] = Some(long);
+        }
         let wide = dims.iter().any(|(d, _)| *d == Dim::Width) || self.size[0].is_some();
         let rod = self.group == Group::Bed;
         for (dim, value) in dims {
@@ -112,7 +116,7 @@ impl Item {
                 Dim::Height | Dim::Ceiling => 1,
                 Dim::Depth => 2,
                 // A bed's length is how far it reaches into the room.
-                Dim::Length if rod || wide && dims.len() > 1 => 2,
+                Dim::Length if rod || wide => 2,
                 Dim::Length => 0,
                 Dim::Across => {
                     self.size[2] = self.size[2].or(Some(*value));

@@ -232,7 +232,8 @@ pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
         } else if said(&["east", "west", "left", "right"]) {
             *d * both
         } else {
-            (w + d) * 1.4
+            // All around, but for what stands across the corners.
+            ((2.0 * (w + d) - 8.0 * sizes[i][2]) * 0.9).max(1.0)
         };
         let most = (free - 0.8) / n - 0.04;
         if sizes[i][0] > most && most > 0.2 {

@@ -194,6 +194,13 @@ impl Named<'_> {
         let verb = if fact.soft { "prefer" } else { "assert" };
         for of in &fact.of {
             match &fact.what {
+                // On a wall between two things: as far as it can be, and near both.
+                What::Rel(Rel::Between, to) if !fact.not && matches!(self.group(*of), Group::Wall | Group::Screen) => {
+                    out.extend(self.between(*of, to).map(|t| format!("prefer {t};")));
+                    for to in to {
+                        out.push(format!("{verb} {};", self.every(*of, *to, &|a, b| format!("near({a}, {b}, 2)"))));
+                    }
+                }
                 What::Rel(rel, to) if *rel == Rel::Between => {
                     out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not)))
                 }

@@ -31,7 +31,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let apart = item.group == Group::Top
             && named.said(a, |w| {
                 matches!(w, What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to)
-                    if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Top | Group::Screen)))
+                    if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Top | Group::Screen) && carrier(named, *t).is_none()))
             });
         match item.group {
             Group::Wall | Group::Drape
@@ -53,7 +53,12 @@ pub fn usual(named: &Named, out: &mut Stated) {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
                     _ => None,
                 });
-                let top = near.or_else(|| {
+                // "an espresso machine beside the cake display": on what that stands on.
+                let same = scene.facts.iter().find_map(|f| match &f.what {
+                    What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| carrier(named, *t)),
+                    _ => None,
+                });
+                let top = near.or(same).or_else(|| {
                     (0..scene.items.len())
                         .find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
                 });
@@ -150,6 +155,16 @@ pub fn usual(named: &Named, out: &mut Stated) {
             out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
         }
     }
+}
+
+/// What a thing is said to stand on.
+fn carrier(named: &Named, item: usize) -> Option<usize> {
+    named.scene.facts.iter().find_map(|f| match &f.what {
+        What::Rel(Rel::On, to) if f.of.contains(&item) && !f.not => {
+            to.first().copied().filter(|t| named.scene.items[*t].group != Group::Flat)
+        }
+        _ => None,
+    })
 }
 
 /// Whether small things can stand on it.

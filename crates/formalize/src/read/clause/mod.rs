@@ -66,6 +66,8 @@ pub struct Reader<'a> {
     recent: Vec<usize>,
     /// Several of which some were spoken of one after the other, and how many by now: "one …, the other two …".
     dealt: Option<(usize, usize)>,
+    /// What something was said to be left or right of, in this sentence or the one before.
+    side: Option<(Rel, Vec<usize>)>,
     s: Sentence,
 }
 
@@ -158,6 +160,7 @@ impl<'a> Reader<'a> {
             near: vec![],
             recent: vec![],
             dealt: None,
+            side: None,
             s,
         }
     }
@@ -281,6 +284,7 @@ impl<'a> Reader<'a> {
         if self.heading(from, end) {
             return;
         }
+        let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
         let mut i = from;
@@ -288,6 +292,9 @@ impl<'a> Reader<'a> {
             i = self.step(i, end).max(i + 1);
         }
         self.finish();
+        if self.side == side {
+            self.side = None;
+        }
         self.doors();
         self.about_room = self.s.of_room && !self.s.subject;
         self.room_began = self.s.of_room && self.s.room_first;

@@ -39,7 +39,8 @@ impl Reader<'_> {
         if led && let Some((_, Lead::Items(items, _))) = self.s.lead.pop() {
             self.near = items;
         }
-        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep && !led;
+        let with = matches!(self.s.expect, Expect::With(..)) && !self.near.is_empty();
+        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep && !led && !with;
         // "hangs from", "faces": said of what the sentence is about.
         let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
             && !self.main.is_empty()
@@ -129,7 +130,16 @@ impl Reader<'_> {
         let np = self.np(k, end)?;
         match np.kind {
             Kind::Thing => {
-                let id = self.resolve(k, np, true)?;
+                // "between two tables": any two of those there are.
+                let two = np.count == Some(2) && np.det == Det::Number && rel == Rel::Between;
+                let known = self.scene.find(np, self.room).filter(|f| {
+                    let item = &self.scene.items[*f];
+                    two && item.many && item.words == np.words && item.room == self.room
+                });
+                let id = match known {
+                    Some(id) => id,
+                    None => self.resolve(k, np, true)?,
+                };
                 self.mark(k);
                 self.recent.push(id);
                 let mut items = vec![id];
@@ -454,6 +464,8 @@ impl Reader<'_> {
                 last.reverse();
                 last
             }
+        } else if let Some(to) = self.other_side(rel) {
+            to
         } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
             // "a table, and on it a bowl"
             self.main.clone()
@@ -512,6 +524,13 @@ impl Reader<'_> {
         }
     }
 
+    /// "to the right of the fireplace a bookcase, to its left a desk": of the fireplace both.
+    fn other_side(&self, rel: Rel) -> Option<Vec<usize>> {
+        let (said, to) = self.side.as_ref()?;
+        let contrast = matches!((said, rel), (Rel::LeftOf, Rel::RightOf) | (Rel::RightOf, Rel::LeftOf));
+        contrast.then(|| to.clone())
+    }
+
     /// The usual relation of things to their owner gives way to the one in words.
     pub(super) fn drop_usual(&mut self, of: &[usize]) {
         if let Expect::With(owner, Join::Usual) = &self.s.expect {
@@ -542,6 +561,9 @@ impl Reader<'_> {
         }
         self.say(&of, What::Rel(rel, to.to_vec()));
         self.s.object = to.to_vec();
+        if matches!(rel, Rel::LeftOf | Rel::RightOf) {
+            self.side = Some((rel, to.to_vec()));
+        }
         if rel == Rel::On {
             self.s.shared = Some((rel, to.to_vec()));
         }

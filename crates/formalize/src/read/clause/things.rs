@@ -90,7 +90,8 @@ impl Reader<'_> {
         if self.s.doors && named_before {
             return;
         }
-        self.s.room_first |= !self.s.subject && self.s.lead.is_empty();
+        let led = self.s.lead.iter().any(|(_, l)| matches!(l, Lead::Items(..)));
+        self.s.room_first |= !self.s.subject && !led;
         self.s.of_room = true;
         self.room = room;
         self.near.clear();
