@@ -202,6 +202,8 @@ const FIXED: &[(&str, Piece)] = &[
     ("ought to", Piece::Word(false)),
     ("is to be", Piece::Verb(Verb::Be)),
     ("are to be", Piece::Verb(Verb::Be)),
+    ("in parallel rows", Piece::Pattern(Pattern::Rows(usize::MAX))),
+    ("parallel to each other", Piece::Pattern(Pattern::Rows(usize::MAX))),
     ("end to end", Piece::Pattern(Pattern::Row)),
     ("one behind the other", Piece::Pattern(Pattern::Row)),
     ("one after the other", Piece::Pattern(Pattern::Row)),
@@ -298,6 +300,10 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
                 | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
         )
     );
+    // "Eye test cabin: …": what a line or sentence begins with before a colon.
+    let fresh = matches!(before.last().map(|c| &c.piece), None | Some(Piece::Stop | Piece::Line));
+    let colon = rest.iter().take(5).find(|t| !t.word()).is_some_and(|t| t.is(":"));
+    let listed = listed || fresh && colon;
     let relation = lexicon.relation(rest);
     let verb = lexicon.verb(rest);
     // "standing desk", "hanging plant", "set of shelves", "leaning mirror": not the verb.

@@ -70,6 +70,13 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || scene.items[a].opening() {
         return None;
     }
+    // A row to the left or right of something runs past it.
+    let aside = rows == 1
+        && scene
+            .facts
+            .iter()
+            .any(|f| f.of == [a] && !f.not && matches!(f.what, What::Rel(Rel::LeftOf | Rel::RightOf, _)));
+    let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
     let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
     for f in &scene.facts {

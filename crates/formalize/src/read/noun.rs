@@ -476,6 +476,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         let place_here = place(w).filter(|_| {
             nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
+                // "six wall panels": no place.
+                && !(np.count.is_some_and(|n| n > 1) && !w.ends_with('s'))
                 && (begun
                     || counted
                     || used > start
@@ -504,6 +506,15 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             if after.is_none() && !before_noun(&rest[used..]) {
                 break;
             }
+            continue;
+        }
+        // "a tool wall", "six wall panels": things.
+        let of_wall = np.det == Det::Indefinite && nouns.last().is_some_and(|n| lexicon.noun(&n.0).is_some())
+            || np.count.is_some_and(|n| n > 1) && rest.get(used + 1).is_some_and(|t| plural(&t.text));
+        if w == "wall" && of_wall {
+            nouns.push((w.to_owned(), false));
+            used += 1;
+            noun_end = used;
             continue;
         }
         if lexicon.is(w, Class::Stop) && lexicon.is(w, Class::Abstract) && !nouns.is_empty() {

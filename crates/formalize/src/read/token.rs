@@ -84,7 +84,16 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
             (len, Some((Kind::Bullet, number.to_owned(), false)))
         } else if c.is_ascii_digit() || (c == '.' && rest[1..].starts_with(|d: char| d.is_ascii_digit())) {
             let (len, value) = number(rest);
-            (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+            // "3D", "4K": a word.
+            let letters: String = rest[len..].chars().take_while(|c| c.is_alphabetic()).collect();
+            let lower = letters.to_lowercase();
+            let unit = super::number::unit(&lower).is_some() || lower.starts_with('x') || lower.starts_with("sq");
+            if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
+                (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+            } else {
+                let all = len + letters.len();
+                (all, Some((Kind::Word, rest[..all].to_lowercase(), false)))
+            }
         } else if c.is_alphabetic() {
             let (len, text, owner) = word(rest);
             (len, Some((Kind::Word, text, owner)))

@@ -412,6 +412,7 @@ impl<'a> Reader<'a> {
                             || !n.known && n.det == Det::None && n.many
                             || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
                 });
+                let with_back = with_back && !self.relates_after(i + 2, end);
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
                 } else if with_back {
@@ -503,6 +504,17 @@ impl<'a> Reader<'a> {
             }
             Piece::Free => self.on_free(i, end),
             Piece::Soft | Piece::Word(_) => {
+                // "carts stand by the door, ten in a row"
+                if let (Some(n), Some(Piece::Pattern(_)), [item]) =
+                    (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
+                {
+                    let item = &mut self.scene.items[*item];
+                    if item.many && item.count.is_none() && n > 1 {
+                        item.count = Some(n);
+                        self.mark(i);
+                    }
+                    self.near = self.main.clone();
+                }
                 self.s.centre |= matches!(
                     self.tokens[chunks[i].at.start].text.as_str(),
                     "center" | "centre" | "centred" | "centered"
@@ -569,6 +581,17 @@ impl<'a> Reader<'a> {
             if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
         } else {
             self.near.clone()
+        }
+    }
+
+    /// Whether what stands here says where the noun before it is: so that is no part of another.
+    fn relates_after(&self, k: usize, end: usize) -> bool {
+        let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
+        let k = if of { k + 2 } else { k };
+        match self.piece(k, end) {
+            Some(Piece::Rel(rel)) => !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against),
+            Some(Piece::ToIts(_) | Piece::Verb(Verb::Hang)) => true,
+            _ => false,
         }
     }
 

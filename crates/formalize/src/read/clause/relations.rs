@@ -142,7 +142,7 @@ impl Reader<'_> {
                 };
                 self.mark(k);
                 self.recent.push(id);
-                let mut items = vec![id];
+                let mut items = self.all_of(id, np);
                 let mut next = self.after_noun(k + 1, end, id);
                 let mut each = np.det == Det::Each && np.count.is_none();
                 // More objects: "between the sofa and the tv", "next to the fridge and the stove".
@@ -197,6 +197,19 @@ impl Reader<'_> {
                 self.mark(k);
                 let part = self.row(np)?;
                 Some((Lead::Items(vec![part], false), k + 1))
+            }
+            // "at its foot", "by its side"
+            Kind::Place(
+                place @ (Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
+            ) if np.det == Det::Own && !self.their("it", false).is_empty() => {
+                let items = self.their("it", false);
+                self.mark(k);
+                self.s.turned = Some(match place {
+                    Place::Foot | Place::Front => Rel::InFrontOf,
+                    Place::Back => Rel::Behind,
+                    _ => Rel::Beside,
+                });
+                Some((Lead::Items(items, false), k + 1))
             }
             Kind::Place(place) => {
                 self.mark(k);
@@ -278,6 +291,17 @@ impl Reader<'_> {
         (Lead::Place(place, which), next)
     }
 
+    /// "the doors", where one was named after the other: all of them.
+    fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
+        let like = |o: &usize| {
+            let item = &self.scene.items[*o];
+            item.part.is_none() && item.room == self.room && item.group == Group::Door
+        };
+        let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
+        let doors: Vec<usize> = (0..self.scene.items.len()).filter(like).collect();
+        if plain && doors.len() > 1 && !self.scene.items[id].many { doors } else { vec![id] }
+    }
+
     /// "the first row", "the back row": the one in its middle, of what stands in rows here.
     fn row(&mut self, np: &Np) -> Option<usize> {
         let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
@@ -298,7 +322,8 @@ impl Reader<'_> {
     /// Whether a relation says "either side", "both sides".
     pub(super) fn sides(&self, i: usize) -> bool {
         let words = &self.tokens[self.chunks[i].at.clone()];
-        words.iter().any(|t| matches!(t.text.as_str(), "each" | "either" | "both"))
+        let both = words.iter().any(|t| t.is("left")) && words.iter().any(|t| t.is("right"));
+        both || words.iter().any(|t| matches!(t.text.as_str(), "each" | "either" | "both"))
     }
 
     /// "round lamps, one for each counter": as many as there are of the other.
@@ -393,8 +418,9 @@ impl Reader<'_> {
             }
             let subject = self.near.clone();
             for list in [&self.before, &self.main] {
-                if many(list) && *list != subject {
-                    return list.clone();
+                let others: Vec<usize> = list.iter().copied().filter(|o| !subject.contains(o)).collect();
+                if many(&others) {
+                    return others;
                 }
             }
             if let Some(i) = self.recent.iter().rev().find(|i| self.scene.items[**i].many && !subject.contains(i)) {

@@ -53,7 +53,7 @@ impl Reader<'_> {
     }
 
     /// A place with no relation before it: "the walls are white", "one corner".
-    pub(super) fn on_place_first(&mut self, i: usize, end: usize, place: Place, _np: &Np) -> usize {
+    pub(super) fn on_place_first(&mut self, i: usize, end: usize, place: Place, np: &Np) -> usize {
         let surface = matches!(place, Place::Wall | Place::Floor | Place::Ceiling);
         let mut k = i + 1;
         while matches!(self.piece(k, end), Some(Piece::Verb(Verb::Be) | Piece::Rel(Rel::In | Rel::Of))) {
@@ -68,6 +68,26 @@ impl Reader<'_> {
             }
             (i..=k).for_each(|c| self.mark(c));
             return k + 1;
+        }
+        let before = i.checked_sub(1).map(|k| &self.chunks[k].piece);
+        // "Desks, five rows"
+        if let (Place::Row, Some(rows), false) = (place, np.count.filter(|n| *n > 1), self.near.is_empty()) {
+            let of = self.near.clone();
+            self.say(&of, What::Pattern(Pattern::Rows(rows)));
+            self.mark(i);
+            return i + 1;
+        }
+        // "the chairs occupy the corner", "cabin: rear right corner"
+        let there = matches!(place, Place::Corner | Place::Middle) || place == Place::Wall && !np.which.is_empty();
+        let of = if self.near.is_empty() { self.main.clone() } else { self.near.clone() };
+        if there
+            && !of.is_empty()
+            && matches!(before, Some(Piece::Verb(Verb::Be | Verb::Cover) | Piece::Colon | Piece::Comma))
+            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Rel(_) | Piece::And))
+        {
+            self.at_place(&of, if place == Place::Wall { Rel::Against } else { Rel::In }, place, &np.which);
+            self.mark(i);
+            return i + 1;
         }
         self.near.clear();
         if place == Place::Ceiling {
@@ -194,7 +214,7 @@ impl Reader<'_> {
             self.mark(i);
             return;
         }
-        self.s.one |= np.count == Some(1) || word == "one";
+        self.s.one |= np.count.is_some() && word == "ones" || word == "one";
         let dir = if matches!(word, "them" | "they" | "these" | "those" | "both" | "all" | "ones") {
             self.them()
         } else {
@@ -468,6 +488,7 @@ impl Reader<'_> {
                     self.more_of(id, np);
                 }
                 k = self.after_noun(k + 1, end, id);
+                k = self.for_each(k, end, id, &group);
             } else {
                 k += 1;
             }
@@ -493,6 +514,25 @@ impl Reader<'_> {
             self.s.each = false;
         }
         k
+    }
+
+    /// "one chair per desk", "ten tables, four chairs each": so many for each.
+    fn for_each(&mut self, k: usize, end: usize, id: usize, group: &[usize]) -> usize {
+        let Some(np) = self.np(k, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
+        let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[k].at.start].is("per") {
+            self.scene.find(np, self.room)
+        } else {
+            let ends = matches!(self.piece(k + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+            let many = |o: &&usize| **o != id && self.scene.items[**o].many;
+            let lists = || group.iter().rev().chain(self.main.iter()).chain(self.before.iter());
+            let each = np.kind == Kind::Pronoun && np.words.first().is_some_and(|w| w == "each");
+            if each && ends { lists().find(many).copied() } else { None }
+        };
+        let Some(owner) = owner.filter(|o| *o != id) else { return k };
+        self.mark(k);
+        self.multiply(&[id], owner);
+        self.join(&[owner], &[id], Join::Usual);
+        k + 1
     }
 
     /// What a second mention adds.
