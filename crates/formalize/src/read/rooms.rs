@@ -78,6 +78,10 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         if base == "study" && np.words.len() > 1 {
             continue;
         }
+        // "eye test cabin": a thing, where nothing says that it is a room.
+        if kind.loose && np.group.is_some() && np.words.len() > 1 {
+            continue;
+        }
         // "the sewing room": of its own, where it is said like one.
         let own_name = base == "room" && np.words.len() > 1 && !out.rooms.is_empty() && strong(chunks, i, false);
         if (kind.loose || base == "office building") && !own_name {

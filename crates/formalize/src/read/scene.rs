@@ -271,7 +271,7 @@ impl Scene {
             .items
             .iter()
             .enumerate()
-            .filter(|(_, item)| item.part.is_none())
+            .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         best.filter(|b| b.1 > 0).max().map(|b| b.2)
     }

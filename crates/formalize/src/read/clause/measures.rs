@@ -323,8 +323,30 @@ impl Reader<'_> {
         self.say(of, What::Clear(side, depth));
     }
 
+    /// "Two doors: the main door …, the back door …": the two are those.
+    fn listed_one_by_one(&mut self) {
+        let start = self.s.at.start;
+        let new = |i: &usize| self.scene.items[*i].at.start >= start && self.scene.items[*i].part.is_none();
+        let mut items = (0..self.scene.items.len()).filter(new);
+        let Some(first) = items.next().filter(|i| self.scene.items[*i].many) else { return };
+        let item = &self.scene.items[first];
+        let colon = self
+            .chunks
+            .iter()
+            .find(|c| self.tokens[c.at.start].at.start >= item.at.end)
+            .is_some_and(|c| c.piece == Piece::Colon);
+        let (last, count) = (item.words.last().cloned(), item.count);
+        let others: Vec<usize> = items.collect();
+        let named: usize = others.iter().map(|o| self.scene.items[*o].count.unwrap_or(0)).sum();
+        let like = others.iter().all(|o| self.scene.items[*o].words.last() == last.as_ref());
+        if colon && like && !others.is_empty() && Some(named) == count {
+            self.scene.gone.push(first);
+        }
+    }
+
     /// What is left when a sentence ends: relations whose subject was in the one before.
     pub(super) fn finish(&mut self) {
+        self.listed_one_by_one();
         if !self.s.lead.is_empty() && !self.s.subject && !self.s.unknown && !self.before.is_empty() {
             self.main = self.before.clone();
             self.apply_lead();

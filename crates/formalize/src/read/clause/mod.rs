@@ -109,6 +109,8 @@ struct Sentence {
     of_room: bool,
     /// And was from its beginning.
     room_first: bool,
+    /// It is about rows.
+    rows: bool,
     /// A door may lead from one room to another here.
     doors: bool,
     /// The last noun phrase was of a room.
@@ -498,12 +500,29 @@ impl<'a> Reader<'a> {
             Piece::Apart => {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
-                    self.among(&m);
+                    if self.s.rows { self.rows(&m) } else { self.among(&m) }
                 }
                 i + 1
             }
             Piece::Free => self.on_free(i, end),
             Piece::Soft | Piece::Word(_) => {
+                // "stools, two at each bench"
+                let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == Kind::Thing);
+                if let (Some(n), Some(Piece::Rel(_)), Some(owner)) =
+                    (self.number_at(i, end), self.piece(i + 1, end), owner)
+                {
+                    self.s.one = true;
+                    let owner = self.scene.find(owner, self.room);
+                    let of = self.main.last().copied().filter(|o| Some(*o) != owner);
+                    if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.scene.items[o]))
+                        && item.many
+                        && item.count.is_none()
+                    {
+                        item.per = Some((owner, n));
+                    }
+                    self.near = self.main.clone();
+                    self.mark(i);
+                }
                 // "carts stand by the door, ten in a row"
                 if let (Some(n), Some(Piece::Pattern(_)), [item]) =
                     (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
@@ -590,7 +609,9 @@ impl<'a> Reader<'a> {
         let k = if of { k + 2 } else { k };
         match self.piece(k, end) {
             Some(Piece::Rel(rel)) => !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against),
-            Some(Piece::ToIts(_) | Piece::Verb(Verb::Hang)) => true,
+            Some(Piece::ToIts(_)) => true,
+            // "a rail of pans hanging above it", but "a mobile with stars hangs"
+            Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
             _ => false,
         }
     }
@@ -659,6 +680,7 @@ impl Sentence {
             listed: false,
             of_room: false,
             room_first: false,
+            rows: false,
             doors: false,
             room_last: false,
             unknown: false,

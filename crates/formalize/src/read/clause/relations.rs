@@ -295,7 +295,7 @@ impl Reader<'_> {
     fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
         let like = |o: &usize| {
             let item = &self.scene.items[*o];
-            item.part.is_none() && item.room == self.room && item.group == Group::Door
+            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.scene.gone.contains(o)
         };
         let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
         let doors: Vec<usize> = (0..self.scene.items.len()).filter(like).collect();

@@ -69,6 +69,7 @@ impl Reader<'_> {
             (i..=k).for_each(|c| self.mark(c));
             return k + 1;
         }
+        self.s.rows |= place == Place::Row && !self.s.subject;
         let before = i.checked_sub(1).map(|k| &self.chunks[k].piece);
         // "Desks, five rows"
         if let (Place::Row, Some(rows), false) = (place, np.count.filter(|n| *n > 1), self.near.is_empty()) {
@@ -79,13 +80,15 @@ impl Reader<'_> {
         }
         // "the chairs occupy the corner", "cabin: rear right corner"
         let there = matches!(place, Place::Corner | Place::Middle) || place == Place::Wall && !np.which.is_empty();
-        let of = if self.near.is_empty() { self.main.clone() } else { self.near.clone() };
+        let verb = matches!(before, Some(Piece::Verb(_)));
+        let of = if self.near.is_empty() || verb { self.main.clone() } else { self.near.clone() };
         if there
             && !of.is_empty()
             && matches!(before, Some(Piece::Verb(Verb::Be | Verb::Cover) | Piece::Colon | Piece::Comma))
             && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Rel(_) | Piece::And))
         {
             self.at_place(&of, if place == Place::Wall { Rel::Against } else { Rel::In }, place, &np.which);
+            self.s.expect = Expect::Nothing;
             self.mark(i);
             return i + 1;
         }
@@ -611,7 +614,7 @@ impl Reader<'_> {
                     if !m.said
                         && !m.area
                         && (m.values.len() > 1 || !m.dims.is_empty())
-                        && !m.dims.contains(&Dim::Ceiling) =>
+                        && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation)) =>
                 {
                     let mut dims = Vec::new();
                     crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
@@ -635,7 +638,7 @@ impl Reader<'_> {
                 }
                 Some(Piece::Comma)
                     if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
-                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.contains(&Dim::Ceiling)) =>
+                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation))) =>
                     {}
                 Some(Piece::Comma | Piece::And) if depth > 0 => {}
                 Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}

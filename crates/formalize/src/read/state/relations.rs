@@ -70,6 +70,7 @@ impl Named<'_> {
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
             Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
+            Rel::Beside | Rel::Sides if ga == Group::Drape => out.push(format!("{verb} {};", pairs(&far(0.3)))),
             Rel::Beside | Rel::Sides => {
                 let both = rel == Rel::Sides && self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {

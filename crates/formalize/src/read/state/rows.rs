@@ -185,6 +185,9 @@ impl Named<'_> {
             return None;
         }
         let k = n / m;
+        if k > 4 && rel == Rel::Around && !grid.backs {
+            return Some(self.ring_of_seats(a, b, k));
+        }
         let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
         let places = grid::seats(k, rel != Rel::Behind);
         if places.len() < k || two_behind {
@@ -215,6 +218,18 @@ impl Named<'_> {
         } else {
             format!("forall i in 0..{m}: {}", places(1.0))
         })
+    }
+
+    /// So many seats around each of several tables: evenly in a circle, turned to it.
+    fn ring_of_seats(&self, a: usize, b: usize, k: usize) -> String {
+        let (of, to, m) = (self.name(a), self.name(b), self.counts[b]);
+        let ([w, _, d], seat) = (self.sizes[b], self.sizes[a]);
+        let reach = (w.max(d) / 2.0 + seat[2] / 2.0 + 0.1).max(k as f64 * (seat[0] + 0.12) / std::f64::consts::TAU);
+        let (reach, angle) = (number(reach), number(360.0 / k as f64));
+        let each = format!("{of}[{k} * i + j]");
+        format!(
+            "forall i in 0..{m}: forall j in 0..{k}: {each}.pos.x = {to}[i].pos.x + {reach} * sin({angle}deg * j) and {each}.pos.z = {to}[i].pos.z + {reach} * cos({angle}deg * j) and {each}.rot = rot(0, 180deg + {angle}deg * j, 0)"
+        )
     }
 
     /// How the rows of an array are turned.
