@@ -477,7 +477,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         let place_here = place(w).filter(|_| {
             nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
                 // "six wall panels": no place.
-                && !(np.count.is_some_and(|n| n > 1) && !w.ends_with('s'))
+                && (np.count.is_none_or(|n| n <= 1) || w.ends_with('s'))
                 && (begun
                     || counted
                     || used > start

@@ -208,7 +208,7 @@ fn seats(scene: &Scene, item: usize) -> bool {
 
 /// Makes what stands at walls narrower, where a room of a given size has not so much wall.
 pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
-    for i in 0..scene.items.len() {
+    for (i, size) in sizes.iter_mut().enumerate() {
         let item = &scene.items[i];
         let n = scene.count(i) as f64;
         let which = scene.facts.iter().find_map(|f| match &f.what {
@@ -233,11 +233,11 @@ pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
             *d * both
         } else {
             // All around, but for what stands across the corners.
-            ((2.0 * (w + d) - 8.0 * sizes[i][2]) * 0.9).max(1.0)
+            ((2.0 * (w + d) - 8.0 * size[2]) * 0.9).max(1.0)
         };
         let most = (free - 0.8) / n - 0.04;
-        if sizes[i][0] > most && most > 0.2 {
-            sizes[i][0] = (most * 20.0).floor() / 20.0;
+        if size[0] > most && most > 0.2 {
+            size[0] = (most * 20.0).floor() / 20.0;
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::read::scene::{MOST_ITEMS, Pick, Scene, Side, What};
 use crate::read::token::Token;
 use std::ops::Range;
 
+mod after;
 mod measures;
 mod relations;
 mod things;
@@ -256,7 +257,9 @@ impl<'a> Reader<'a> {
         let at = self.bytes(from..end);
         self.s = Sentence { from: self.room, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
-        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft);
+        // What depends on a condition is no more than a wish.
+        let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
+        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft || conditional(c));
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
         self.s.path = words.iter().any(|c| {
             c.at.clone().any(|t| {
@@ -392,6 +395,9 @@ impl<'a> Reader<'a> {
     /// Reads one chunk, or what hangs together; the index of the next.
     fn step(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
+        if let Some(next) = self.choice(i, end) {
+            return next;
+        }
         match &chunks[i].piece {
             Piece::Np(np) => self.on_np(i, end, np),
             Piece::Rel(rel) => self.on_rel(i, end, *rel),
@@ -561,6 +567,17 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// "either a sofa or two armchairs by the window": nobody says which; where that ends.
+    fn choice(&self, i: usize, end: usize) -> Option<usize> {
+        let at = self.chunks[i].at.start;
+        let first = self.tokens.get(at).filter(|t| t.is("either"))?;
+        let next = self.tokens.get(at + 1)?;
+        let new = next.is("a") || next.is("an") || super::number::count(std::slice::from_ref(next)).is_some();
+        let to = (i + 1..end).find(|k| self.chunks[*k].piece == Piece::Comma).unwrap_or(end);
+        let or = self.tokens[at..self.chunks.get(to.checked_sub(1)?)?.at.end].iter().any(|t| t.is("or"));
+        (first.word() && new && or).then_some(to)
+    }
+
     fn number_at(&self, i: usize, end: usize) -> Option<usize> {
         if i >= end {
             return None;
@@ -608,7 +625,11 @@ impl<'a> Reader<'a> {
         let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
         let k = if of { k + 2 } else { k };
         match self.piece(k, end) {
-            Some(Piece::Rel(rel)) => !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against),
+            // "with a shade hanging over it", but "a mobile with stars hangs from the ceiling"
+            Some(Piece::Rel(rel)) => {
+                let finite = self.tokens[self.chunks[k].at.start].text.ends_with('s');
+                !finite && !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against)
+            }
             Some(Piece::ToIts(_)) => true,
             // "a rail of pans hanging above it", but "a mobile with stars hangs"
             Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),

@@ -1,6 +1,6 @@
 //! Where in its room a thing stands: at which wall, in which corner, on which side.
 
-use super::Named;
+use super::{Named, Side};
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
 use crate::read::scene::What;
@@ -75,6 +75,21 @@ impl Named<'_> {
                 // A corner is for one: what comes when all are taken is near one at best.
                 let free = 4_usize.saturating_sub(self.corners_before(k, a));
                 let taken = self.elements(a);
+                let aside = self.scene.facts.iter().find_map(|f| match f.what {
+                    What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
+                    _ => None,
+                });
+                if let Some(v) = aside {
+                    // Free at its sides: as near the corner as that lets it be.
+                    say(self.all(a, |x| format!("againstWall({x}, {room})")));
+                    out.push(format!("prefer {};", self.all(a, |x| {
+                        format!("min(gap({x}.center - {x}.right * ({x}.size.x / 2 + {v}), {room}), gap({x}.center + {x}.right * ({x}.size.x / 2 + {v}), {room})) <= 0.3")
+                    })));
+                    if let Some(text) = self.side(a, which) {
+                        out.push(format!("{verb} {text};"));
+                    }
+                    return;
+                }
                 let (of, n) = (self.name(a), self.counts[a]);
                 if self.array(a) && !which.iter().any(|w| w == "each") {
                     // Several in one corner: the others by the first.
