@@ -43,7 +43,10 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     for fact in scene.facts.iter().filter(|f| !f.not) {
         for a in &fact.of {
             let item = &scene.items[*a];
-            let shelf = item.group == Group::Storage && out[*a][1] > 0.7;
+            let large = ["wardrobe", "closet", "locker", "armoire", "safe", "trunk"];
+            let shelf = item.group == Group::Storage
+                && out[*a][1] > 0.7
+                && !item.words.last().is_some_and(|w| large.contains(&w.as_str()));
             match &fact.what {
                 // What stores and hangs is no tall thing.
                 What::Rel(Rel::Above, _) | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _)

@@ -128,6 +128,8 @@ struct Sentence {
     centre: bool,
     /// What the last relation was to.
     object: Vec<usize>,
+    /// The next chunk, where more than one was read.
+    skip: Option<usize>,
     /// What "it" stood for last.
     it: Vec<usize>,
     /// A group that has a relation, and the next that may share it.
@@ -711,6 +713,7 @@ impl Sentence {
             centre: false,
             object: vec![],
             it: vec![],
+            skip: None,
             shared: None,
         }
     }

@@ -490,6 +490,8 @@ impl Reader<'_> {
                 last.reverse();
                 last
             }
+        } else if let Some(to) = self.both_sides(i, end, rel) {
+            to
         } else if let Some(to) = self.other_side(rel) {
             to
         } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
@@ -547,6 +549,25 @@ impl Reader<'_> {
             }
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
+        }
+    }
+
+    /// "one to the left and one to the right of the sofa": of the sofa both.
+    fn both_sides(&mut self, i: usize, end: usize, rel: Rel) -> Option<Vec<usize>> {
+        let bare = !self.chunks[i].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "its" | "their"));
+        let opposite = match rel {
+            Rel::LeftOf => Rel::RightOf,
+            Rel::RightOf => Rel::LeftOf,
+            _ => return None,
+        };
+        let k = (i + 1..end.min(i + 4)).find(|k| self.chunks[*k].piece == Piece::Rel(opposite))?;
+        let between = |c: &Chunk| c.piece == Piece::And || c.np().is_some_and(|n| n.kind == Kind::Pronoun);
+        if !bare || !self.chunks[i + 1..k].iter().all(between) || self.np(k + 1, end)?.kind != Kind::Thing {
+            return None;
+        }
+        match self.object(k + 1, end, rel)? {
+            (Lead::Items(items, _), _) => Some(items),
+            _ => None,
         }
     }
 

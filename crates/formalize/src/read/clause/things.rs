@@ -23,7 +23,7 @@ impl Reader<'_> {
             }
             Kind::Pronoun => {
                 self.on_pronoun(i, end, np);
-                i + 1
+                self.s.skip.take().unwrap_or(i + 1)
             }
             Kind::Abstract => {
                 let anything = np.words.first().is_some_and(|w| w == "anything" || w == "something");
@@ -190,6 +190,7 @@ impl Reader<'_> {
             self.one_each(&[of], owner);
             self.mark(i);
             self.mark(k);
+            self.s.skip = Some(k + 1);
             return;
         }
         if !matches!(self.s.expect, Expect::Object(_))
@@ -530,7 +531,10 @@ impl Reader<'_> {
         }
         self.np(n, end).filter(|np| np.kind == Kind::Thing && np.det != Det::No)?;
         // "…, the table in the middle": a clause of its own is read on its own all the same; the list ends before a verb.
-        let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be);
+        // So does "… encircles the column, and the column is …".
+        let again =
+            matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
+        let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
         (!verb_before).then_some(n)
     }
 
