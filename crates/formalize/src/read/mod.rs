@@ -80,6 +80,7 @@ pub fn read(request: &str, options: &Options) -> Reading {
     if end < request.len() {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });
     }
+    defaults::counted(&mut scene, &tokens);
     let understood = read.iter().filter(|r| r.1).count();
     if understood > 0 && !options.literal {
         defaults::add(&mut scene);

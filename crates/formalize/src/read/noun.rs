@@ -259,8 +259,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             last_det = Det::No;
         } else if lexicon.is(w, Class::Def) {
             let own = matches!(w, "my" | "your" | "our" | "its" | "their" | "his" | "her");
-            last_det = if last_det == Det::Each {
-                Det::Each
+            last_det = if matches!(last_det, Det::Each | Det::No) {
+                last_det
             } else if own {
                 Det::Own
             } else {
@@ -434,7 +434,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             .clone()
             .filter(|(_, n)| look.is_none_or(|(_, m)| *n > m || (*n == m && !before_noun(&rest[used + n..]))))
         {
-            let many = plural(text(used + n - 1));
+            // "a chest of drawers" is one.
+            let many = plural(text(if phrase.contains(" of ") { used } else { used + n - 1 }));
             if n == 1 && nouns.is_empty() && stops_here(&rest[used..], begun || counted || used > start || listed) {
                 break;
             }

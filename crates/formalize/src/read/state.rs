@@ -202,6 +202,9 @@ impl Named<'_> {
                     }
                 }
                 What::Rel(rel, to) if *rel == Rel::Between => {
+                    // "in the corner between the window and the door": it tells which corner.
+                    let corner = self.said(*of, |w| matches!(w, What::Place(_, Place::Corner, _)));
+                    let verb = if corner { "prefer" } else { verb };
                     out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not)))
                 }
                 What::Rel(rel, to) => {

@@ -67,6 +67,8 @@ pub struct Reader<'a> {
     recent: Vec<usize>,
     /// Several of which some were spoken of one after the other, and how many by now: "one …, the other two …".
     dealt: Option<(usize, usize)>,
+    /// What the things of the sentence before were said to be on.
+    carrier: Vec<usize>,
     /// What something was said to be left or right of, in this sentence or the one before.
     side: Option<(Rel, Vec<usize>)>,
     s: Sentence,
@@ -128,6 +130,8 @@ struct Sentence {
     centre: bool,
     /// What the last relation was to.
     object: Vec<usize>,
+    /// What "the" brought in.
+    definite: Vec<usize>,
     /// The next chunk, where more than one was read.
     skip: Option<usize>,
     /// What "it" stood for last.
@@ -165,6 +169,7 @@ impl<'a> Reader<'a> {
             near: vec![],
             recent: vec![],
             dealt: None,
+            carrier: vec![],
             side: None,
             s,
         }
@@ -299,6 +304,7 @@ impl<'a> Reader<'a> {
             i = self.step(i, end).max(i + 1);
         }
         self.finish();
+        self.carrier = std::mem::take(&mut self.s.object);
         if self.side == side {
             self.side = None;
         }
@@ -547,6 +553,12 @@ impl<'a> Reader<'a> {
                     "center" | "centre" | "centred" | "centered"
                 );
                 match self.tokens[chunks[i].at.start].text.as_str() {
+                    // "stands centrally", but "centrally against the wall"
+                    "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+                        let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
+                        self.at_place(&of, Rel::In, Place::Middle, &[]);
+                        self.mark(i);
+                    }
                     // "forget the carpet"
                     "forget" | "scrap" | "skip" | "omit" | "cancel" => {
                         let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
@@ -714,6 +726,7 @@ impl Sentence {
             object: vec![],
             it: vec![],
             skip: None,
+            definite: vec![],
             shared: None,
         }
     }

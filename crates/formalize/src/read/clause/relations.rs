@@ -9,6 +9,9 @@ impl Reader<'_> {
             return i + 1;
         }
         let chunks = self.chunks;
+        if let Some(next) = self.clusters(i, end, rel) {
+            return next;
+        }
         let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
@@ -159,7 +162,8 @@ impl Reader<'_> {
             }
             Kind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
-                let items = self.their(word, np.det == Det::Each);
+                let contrast = self.other_side(rel).filter(|_| word == "it");
+                let items = contrast.unwrap_or_else(|| self.their(word, np.det == Det::Each));
                 if items.is_empty() {
                     return None;
                 }
@@ -289,6 +293,25 @@ impl Reader<'_> {
             }
         }
         (Lead::Place(place, which), next)
+    }
+
+    /// "in two islands of three": how things stand, and how many they are.
+    fn clusters(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
+        let np = self.np(i + 1, end).filter(|_| rel == Rel::In)?;
+        let n = np.count.filter(|n| *n > 1)?;
+        if !matches!(np.words.last()?.as_str(), "island" | "block" | "cluster" | "group" | "pod" | "pair" | "bank") {
+            return None;
+        }
+        let of = matches!(self.piece(i + 2, end), Some(Piece::Rel(Rel::Of)));
+        let each = if of { self.number_at(i + 3, end) } else { None };
+        if let (Some(each), [item]) = (each, self.main.as_slice()) {
+            let item = &mut self.scene.items[*item];
+            if item.many && item.count.is_none() {
+                item.count = Some(n * each);
+            }
+            self.mark(i + 1);
+        }
+        Some(i + 2 + if each.is_some() { 2 } else { 0 })
     }
 
     /// "the doors", where one was named after the other: all of them.
@@ -504,10 +527,11 @@ impl Reader<'_> {
         } else if many {
             self.them()
         } else {
-            if self.before.is_empty() {
-                self.recent.last().map(|r| vec![*r]).unwrap_or_default()
-            } else {
-                self.before.clone()
+            match (self.before.as_slice(), self.carrier.as_slice()) {
+                ([], _) => self.recent.last().map(|r| vec![*r]).unwrap_or_default(),
+                // "on the counter are a till and a scale; under it …"
+                ([_, _, ..], [one]) => vec![*one],
+                (before, _) => before.to_vec(),
             }
         };
         if object.is_empty() {
@@ -618,6 +642,16 @@ impl Reader<'_> {
     }
 
     pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        match (place, &self.s.expect) {
+            // "an island with stools along one side"
+            (Place::Side | Place::End, Expect::With(owner, _))
+                if !owner.is_empty() && matches!(rel, Rel::Along | Rel::At | Rel::On) && which.is_empty() =>
+            {
+                let owner = owner.clone();
+                return self.relate(of, Rel::Along, &owner);
+            }
+            _ => {}
+        }
         match place {
             Place::Row => self.say(of, What::Pattern(Pattern::Row)),
             Place::Circle => self.say(of, What::Pattern(Pattern::Circle)),

@@ -490,6 +490,8 @@ impl Reader<'_> {
                 self.near = vec![id];
                 if id < new_from {
                     self.more_of(id, np);
+                } else if np.det == Det::Definite && !np.many {
+                    self.s.definite.push(id);
                 }
                 k = self.after_noun(k + 1, end, id);
                 k = self.for_each(k, end, id, &group);
@@ -545,7 +547,10 @@ impl Reader<'_> {
             Expect::With(owner, join) if !owner.is_empty() => {
                 let per = self.s.each || owner.iter().any(|o| self.scene.items[*o].many);
                 if per && owner.len() == 1 {
-                    self.multiply(&fresh, owner[0]);
+                    // "six desks, with the printer in a corner": one printer.
+                    let definite = std::mem::take(&mut self.s.definite);
+                    let own: Vec<usize> = fresh.iter().copied().filter(|f| !definite.contains(f)).collect();
+                    self.multiply(&own, owner[0]);
                 }
                 self.join(&owner, &fresh, join);
                 self.s.expect = Expect::With(owner, join);
