@@ -105,7 +105,9 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                     // A cushion is as large as its seat.
                     Rel::On if scene.items[*a].group == Group::Soft && scene.items[b].group == Group::Seat => {}
                     Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
-                    Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => {
+                    Rel::InFrontOf | Rel::Along
+                        if scene.items[*a].group == Group::Seat && each > 1.0 && seats(scene, b) =>
+                    {
                         width = each * (out[*a][0] + 0.12)
                     }
                     Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 && seats(scene, b) => {
@@ -204,7 +206,7 @@ fn own_size(words: &[String]) -> Option<[f64; 3]> {
 }
 
 /// Whether people sit at a thing, so that it is as long as they need.
-fn seats(scene: &Scene, item: usize) -> bool {
+pub fn seats(scene: &Scene, item: usize) -> bool {
     let head = scene.items[item].head();
     ["table", "desk", "bar", "counter", "island", "worktop"].iter().any(|w| head.ends_with(w))
 }

@@ -537,6 +537,17 @@ impl<'a> Reader<'a> {
                     self.near = self.main.clone();
                     self.mark(i);
                 }
+                // "the stools, six in number"
+                let at = chunks[i].at.end;
+                let in_number = self.tokens.get(at).is_some_and(|t| t.is("in"))
+                    && self.tokens.get(at + 1).is_some_and(|t| t.is("number"));
+                if let (Some(n), true, [item]) = (self.number_at(i, end), in_number, self.main.as_slice()) {
+                    let item = &mut self.scene.items[*item];
+                    if item.many && item.count.is_none() && n > 0 {
+                        item.count = Some(n);
+                        self.mark(i);
+                    }
+                }
                 // "carts stand by the door, ten in a row"
                 if let (Some(n), Some(Piece::Pattern(_)), [item]) =
                     (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())

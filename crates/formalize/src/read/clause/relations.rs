@@ -495,8 +495,13 @@ impl Reader<'_> {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
         let many = text.contains(&"them");
         let object = if rel == Rel::Between {
-            let list = if self.main.len() > 1 || !self.s.subject { self.main.clone() } else { self.before.clone() };
             let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            let list = match &self.s.expect {
+                // "two sofas with a table between them"
+                Expect::With(owner, _) if pair(owner) => owner.clone(),
+                _ if self.main.len() > 1 || !self.s.subject => self.main.clone(),
+                _ => self.before.clone(),
+            };
             if pair(&list) {
                 list
             } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &self.main[..], &self.s.object[..]) {
@@ -570,6 +575,15 @@ impl Reader<'_> {
             let sides = self.sides(i);
             if sides {
                 self.double();
+            }
+            if rel == Rel::Between {
+                // "two sofas with a table between them": one table.
+                for o in &of {
+                    let item = &mut self.scene.items[*o];
+                    if item.per.is_some_and(|(owner, n)| n == 1 && object.contains(&owner)) {
+                        (item.per, item.count, item.many) = (None, Some(1), false);
+                    }
+                }
             }
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);

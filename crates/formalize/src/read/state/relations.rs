@@ -5,6 +5,7 @@ use crate::read::chunk::Pattern;
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
 use crate::read::scene::What;
+use crate::read::sizes;
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
@@ -100,7 +101,9 @@ impl Named<'_> {
             Rel::InFrontOf | Rel::Behind => {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
                 if ga == Group::Seat && matches!(gb, Group::Table) {
-                    let d = if self.said(a, |w| matches!(w, What::Gap(..))) { None } else { Some(DRAWN_UP) };
+                    // Rows of chairs before a lectern are not drawn up to it.
+                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.scene, b);
+                    let d = if away { None } else { Some(DRAWN_UP) };
                     if let Some(d) = d {
                         out.push(format!("{verb} {};", pairs(&far(d))));
                     }
