@@ -194,6 +194,32 @@ const FIXED: &[(&str, Piece)] = &[
     ("there must be", Piece::There),
     ("there shall be", Piece::There),
     ("there will be", Piece::There),
+    ("at eye level", Piece::Word(false)),
+    ("at eye height", Piece::Word(false)),
+    ("at knee height", Piece::Word(false)),
+    ("at waist height", Piece::Word(false)),
+    ("at hip height", Piece::Word(false)),
+    ("at head height", Piece::Word(false)),
+    ("at shoulder height", Piece::Word(false)),
+    ("has to", Piece::Word(false)),
+    ("have to", Piece::Word(false)),
+    ("had to", Piece::Word(false)),
+    ("needs to", Piece::Word(false)),
+    ("need to", Piece::Word(false)),
+    ("ought to", Piece::Word(false)),
+    ("is to be", Piece::Verb(Verb::Be)),
+    ("are to be", Piece::Verb(Verb::Be)),
+    ("in parallel rows", Piece::Pattern(Pattern::Rows(usize::MAX))),
+    ("parallel to each other", Piece::Pattern(Pattern::Rows(usize::MAX))),
+    ("end to end", Piece::Pattern(Pattern::Row)),
+    ("one behind the other", Piece::Pattern(Pattern::Row)),
+    ("one after the other", Piece::Pattern(Pattern::Row)),
+    ("one after another", Piece::Pattern(Pattern::Row)),
+    ("in a neat row", Piece::Pattern(Pattern::Row)),
+    ("in a long row", Piece::Pattern(Pattern::Row)),
+    ("at either end", Piece::ToIts(Rel::Beside)),
+    ("at both ends", Piece::ToIts(Rel::Beside)),
+    ("at each end", Piece::ToIts(Rel::Beside)),
     ("made of", Piece::Rel(Rel::Of)),
     ("made from", Piece::Rel(Rel::Of)),
     ("built of", Piece::Rel(Rel::Of)),
@@ -281,6 +307,10 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
                 | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
         )
     );
+    // "Eye test cabin: …": what a line or sentence begins with before a colon.
+    let fresh = matches!(before.last().map(|c| &c.piece), None | Some(Piece::Stop | Piece::Line));
+    let colon = rest.iter().take(5).find(|t| !t.word()).is_some_and(|t| t.is(":"));
+    let listed = listed || fresh && colon;
     let relation = lexicon.relation(rest);
     let verb = lexicon.verb(rest);
     // "standing desk", "hanging plant", "set of shelves", "leaning mirror": not the verb.
@@ -314,7 +344,7 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
 }
 
 /// The longest phrase of `FIXED` that begins here.
-fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
+pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
     let fits = |phrase: &str| {
         let words = phrase.split(' ');
         let n = words.clone().count();
@@ -336,7 +366,7 @@ fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
 
 /// "in four rows", "in two facing rows of four".
 fn rows(rest: &[Token]) -> Option<(Pattern, usize)> {
-    if !rest[0].is("in") && !rest[0].is("into") {
+    if !["in", "into", "form", "forms", "forming", "make", "as"].iter().any(|w| rest[0].is(w)) {
         return None;
     }
     let (n, used) = super::number::count(&rest[1..])?;
@@ -375,6 +405,10 @@ pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
         // "dark blue"; "deep" alone is a feature.
         return match look_at(&rest[n..]) {
             Some((Look::Color, more)) => Some((Look::Color, n + more)),
+            // "light beech", "dark granite"
+            Some((Look::Material, more)) if matches!(rest[0].text.as_str(), "dark" | "pale" | "light") => {
+                Some((Look::Material, n + more))
+            }
             _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((Look::Color, n)),
             _ => Some((if kind == Look::Shade { Look::Feature } else { kind }, n)),
         };

@@ -12,7 +12,7 @@ const LITTLE: usize = 3;
 
 /// Adds to each room with few things what such rooms have, as far as nothing of the kind is there or ruled out.
 pub fn add(scene: &mut Scene) {
-    let named = scene.items.iter().filter(|i| !i.opening()).count();
+    let named = scene.items.iter().filter(|i| !i.opening() && i.part.is_none()).count();
     for room in 0..scene.rooms.len() {
         let own = scene.items.iter().filter(|i| i.room == room && !i.opening()).count();
         if own >= LITTLE || named >= LITTLE {
@@ -35,8 +35,8 @@ pub fn add(scene: &mut Scene) {
     }
 }
 
-/// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
-pub fn seats(scene: &mut Scene, tokens: &[Token]) {
+/// For how many people: "for eight people", "seating ten guests".
+fn persons(tokens: &[Token]) -> Option<usize> {
     const WHO: [&str; 10] = [
         "people",
         "persons",
@@ -50,11 +50,29 @@ pub fn seats(scene: &mut Scene, tokens: &[Token]) {
         "diners",
     ];
     const MOST: f64 = 40.0;
-    let persons = (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
+    (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
         let (n, words) = number::count(&tokens[i + 1..])?;
         let who = tokens.get(i + 1 + words)?;
         (n > 1.0 && n <= MOST && WHO.iter().any(|w| who.is(w))).then_some(n as usize)
-    });
+    })
+}
+
+/// "A table for twelve people; the chairs …": so many chairs.
+pub fn counted(scene: &mut Scene, tokens: &[Token]) {
+    let Some(persons) = persons(tokens) else { return };
+    let mut seats = scene.items.iter_mut().filter(|i| i.group == Group::Seat && i.part.is_none());
+    if let (Some(seat), None) = (seats.next(), seats.next())
+        && seat.many
+        && seat.count.is_none()
+        && seat.per.is_none()
+    {
+        seat.count = Some(persons);
+    }
+}
+
+/// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
+pub fn seats(scene: &mut Scene, tokens: &[Token]) {
+    let persons = persons(tokens);
     let is_seat = |i: &Item| i.group == Group::Seat || i.words.last().is_some_and(|w| w == "bench");
     let ruled_out = scene.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
     let (Some(persons), false) = (persons, ruled_out || scene.items.iter().any(is_seat)) else { return };
@@ -143,6 +161,7 @@ fn push(scene: &mut Scene, room: usize, name: &str, count: usize, why: &str) -> 
         size: [None; 3],
         at: 0..0,
         inferred: Some(why.to_owned()),
+        part: None,
     });
     scene.items.len() - 1
 }

@@ -15,6 +15,8 @@ pub struct Grid {
     pub steps: [f64; 2],
     /// What the whole takes, with the things in it (x, z).
     pub takes: [f64; 2],
+    /// Two rows whose backs touch: the second is turned round.
+    pub backs: bool,
 }
 
 /// How far from the walls a grid stays, in metres.
@@ -68,6 +70,13 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || scene.items[a].opening() {
         return None;
     }
+    // A row to the left or right of something runs past it.
+    let aside = rows == 1
+        && scene
+            .facts
+            .iter()
+            .any(|f| f.of == [a] && !f.not && matches!(f.what, What::Rel(Rel::LeftOf | Rel::RightOf, _)));
+    let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
     let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
     for f in &scene.facts {
@@ -96,6 +105,11 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             _ => {}
         }
     }
+    let backs =
+        rows == 2 && scene.facts.iter().any(|f| matches!(f.what, What::Pattern(Pattern::BackToBack)) && f.of == [a]);
+    if backs {
+        behind = 0.02;
+    }
     if !said && middle > 0.0 {
         // What stands in the middle of the room stands between the rows.
         behind = behind.max(middle + 2.2);
@@ -118,7 +132,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
     }
     let round = |v: f64| (v * 100.0).ceil() / 100.0;
-    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole })
+    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, backs })
 }
 
 /// Rows for so many: about as many as columns, full ones if it can be.

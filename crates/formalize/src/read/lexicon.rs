@@ -79,6 +79,10 @@ pub enum Rel {
     Aligned,
     Visible,
     Reachable,
+    /// Beside it at both sides.
+    Sides,
+    /// With its back to it.
+    BackTo,
     From,
     Of,
     To,
@@ -100,6 +104,7 @@ pub enum Verb {
     Lead,
     Light,
     Cover,
+    Block,
 }
 
 /// Classes of words of the grammar.
@@ -236,6 +241,7 @@ impl Lexicon {
             ("aligned", Aligned),
             ("visible", Visible),
             ("reachable", Reachable),
+            ("backTo", BackTo),
             ("from", From),
             ("of", Of),
             ("to", To),
@@ -252,6 +258,7 @@ impl Lexicon {
             ("lead", Verb::Lead),
             ("light", Verb::Light),
             ("cover", Verb::Cover),
+            ("block", Verb::Block),
             ("be", Verb::Be),
         ];
         let classes = [
@@ -344,7 +351,11 @@ impl Lexicon {
 
     /// The kind of room that a phrase in the singular names.
     pub fn room(&self, phrase: &str) -> Option<&RoomKind> {
-        self.rooms.get(phrase).map(|i| &self.kinds[*i])
+        // "newsroom", "mudroom": what ends so is one.
+        let own =
+            || phrase.ends_with("room") && phrase.len() > 6 && !phrase.contains(' ') && !phrase.ends_with("mushroom");
+        let found = self.rooms.get(phrase).or_else(|| if own() { self.rooms.get("stock room") } else { None });
+        found.map(|i| &self.kinds[*i])
     }
 
     /// The longest name of a room that ends a phrase, and its words.

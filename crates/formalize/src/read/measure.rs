@@ -24,6 +24,8 @@ pub enum Dim {
     Length,
     Across,
     Ceiling,
+    /// No measure of it, but how high above the floor it is.
+    Elevation,
 }
 
 /// A measure.
@@ -88,7 +90,7 @@ const BEFORE: &[(&str, Op, Option<Dim>)] = &[
     ("max.", Op::Most, None),
     ("no further than", Op::Most, None),
     ("not further than", Op::Most, None),
-    ("barely", Op::Most, None),
+    ("barely", Op::Equal, None),
     ("no farther than", Op::Most, None),
     ("not farther than", Op::Most, None),
     ("further than", Op::Least, None),
@@ -98,7 +100,9 @@ const BEFORE: &[(&str, Op, Option<Dim>)] = &[
     ("never more than", Op::Most, None),
     ("not over", Op::Most, None),
     ("not exceeding", Op::Most, None),
-    ("hardly", Op::Most, None),
+    ("hardly", Op::Equal, None),
+    ("dia", Op::Equal, Some(Dim::Across)),
+    ("diam", Op::Equal, Some(Dim::Across)),
     ("no wider than", Op::Most, Some(Dim::Width)),
     ("not wider than", Op::Most, Some(Dim::Width)),
     ("no higher than", Op::Most, Some(Dim::Height)),
@@ -156,6 +160,27 @@ const BEFORE: &[(&str, Op, Option<Dim>)] = &[
     ("the clear height is", Op::Equal, Some(Dim::Ceiling)),
     ("clear height is", Op::Equal, Some(Dim::Ceiling)),
     ("a ceiling height of", Op::Equal, Some(Dim::Ceiling)),
+    ("at a height of", Op::Equal, Some(Dim::Elevation)),
+    ("in a height of", Op::Equal, Some(Dim::Elevation)),
+    ("at a mounting height of", Op::Equal, Some(Dim::Elevation)),
+    ("a height of", Op::Equal, Some(Dim::Height)),
+    ("height of", Op::Equal, Some(Dim::Height)),
+    ("a clearance of", Op::Least, None),
+    ("clearance of", Op::Least, None),
+    ("a spacing of", Op::Equal, None),
+    ("spacing of", Op::Equal, None),
+    ("distance of", Op::Equal, None),
+    ("gap of", Op::Equal, None),
+    ("not exceed", Op::Most, None),
+    ("must not exceed", Op::Most, None),
+    ("no smaller than", Op::Least, None),
+    ("not smaller than", Op::Least, None),
+    ("smaller than", Op::Most, None),
+    ("greater than", Op::Least, None),
+    ("over", Op::Least, None),
+    ("nearly", Op::Equal, None),
+    ("just under", Op::Equal, None),
+    ("just over", Op::Equal, None),
     ("a width of", Op::Equal, Some(Dim::Width)),
     ("a length of", Op::Equal, Some(Dim::Length)),
     ("a depth of", Op::Equal, Some(Dim::Depth)),
@@ -226,9 +251,14 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
     if let Some((square, n)) = area(&rest[used..]) {
         return Some((Measure { op, said, values: vec![square], dims, area: true }, used + n));
     }
-    let (values, n) = size(&rest[used..], !dims.is_empty() && dims.iter().all(|d| *d == Dim::Ceiling))?;
+    let (mut values, n) = size(&rest[used..], !dims.is_empty() && dims.iter().all(|d| *d == Dim::Ceiling))?;
     used += n;
     let mut said = said;
+    // "4.2 m square"
+    if values.len() == 1 && dims.is_empty() && rest.get(used).is_some_and(|t| t.is("square")) {
+        values.push(values[0]);
+        used += 1;
+    }
     if values.len() == 1
         && let Some((dim, n)) = dim_after(&rest[used..])
     {

@@ -66,17 +66,21 @@ pub fn read(request: &str, options: &Options) -> Reading {
         Scene { rooms: vec![scene::Room { name: "room".into(), ..Default::default() }], ..Default::default() };
     let mut used = vec![false; tokens.len()];
     if english(&tokens) {
-        let chunks = chunk::chunks(&tokens);
-        let found = rooms::find(&chunks, &tokens);
+        let mut chunks = chunk::chunks(&tokens);
+        let found = rooms::find(&mut chunks, &tokens);
         let mut reader = clause::Reader::new(&tokens, &chunks, &found);
         reader.read();
         (scene, used) = (reader.scene, reader.used);
+        if !scene.gone.is_empty() {
+            scene.forget();
+        }
     }
     let mut notes = Vec::new();
     let read = judge(&tokens, &used, &clauses, &mut notes);
     if end < request.len() {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });
     }
+    defaults::counted(&mut scene, &tokens);
     let understood = read.iter().filter(|r| r.1).count();
     if understood > 0 && !options.literal {
         defaults::add(&mut scene);
@@ -179,7 +183,8 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
     let mut draft = Draft { request: request.to_owned(), ..Draft::default() };
     let room_names: Vec<String> = scene.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
     let mut sizes = sizes;
-    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| !item.opening()) {
+    sizes::fit_walls(scene, &mut sizes, &room_sizes);
+    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| !item.opening() && item.part.is_none()) {
         let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
         let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];
         if (0..3).any(|k| sizes[i][k] > most[k]) {
@@ -195,16 +200,37 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
         && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
             .iter()
             .any(|o| scene.rooms[0].name.ends_with(o));
-    let counts: Vec<usize> = (0..scene.items.len())
+    let mut counts: Vec<usize> = (0..scene.items.len())
         .map(|i| if scene.items[i].opening() { scene.count(i).min(8) } else { scene.count(i) })
         .collect();
     let mut given: Vec<Vec<String>> = Vec::new();
     for (i, item) in scene.items.iter().enumerate() {
         let name = identifier(&item.name(), "thing");
-        let many = if item.opening() { counts[i] } else { 1 };
-        given.push((0..many).map(|_| names.take(&name)).collect());
+        given.push(match &item.part {
+            Some(part) => {
+                sizes[i] = sizes[part.of];
+                let of = |n: usize| match given[part.of].as_slice() {
+                    _ if item.opening() => given[part.of].get(n).cloned(),
+                    [one] if counts[part.of] == 1 => Some(one.clone()),
+                    [set] => Some(format!("{set}[{n}]")),
+                    _ => None,
+                };
+                scene.elements(part).into_iter().filter_map(of).collect()
+            }
+            // Several doors are told apart by numbers.
+            None if item.opening() && counts[i] > 1 => {
+                (1..=counts[i]).map(|n| names.take(&format!("{name}{n}"))).collect()
+            }
+            None => vec![names.take(&name)],
+        });
     }
-    for (i, item) in scene.items.iter().enumerate() {
+    for (count, given) in counts.iter_mut().zip(&given) {
+        // At most as many openings as are made.
+        if given.len() > 1 {
+            *count = given.len();
+        }
+    }
+    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| item.part.is_none()) {
         let source = item.inferred.clone().map_or(Source::Stated(item.at.clone()), Source::Inferred);
         if item.opening() {
             let mut rooms = vec![item.room];

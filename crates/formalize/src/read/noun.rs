@@ -87,6 +87,25 @@ pub struct Np {
     pub which: Vec<String>,
     /// "another", "other".
     pub other: bool,
+    /// Which of several: "the first exit", "half of the desks".
+    pub nth: Option<Nth>,
+    /// "a row of chairs".
+    pub row: bool,
+}
+
+/// Which of several a noun phrase speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Nth {
+    /// This one, from 0: "the first exit".
+    At(usize),
+    /// "the last exit".
+    Last,
+    /// As many as are counted: "two of the desks".
+    Some,
+    /// "half of the desks".
+    Half,
+    /// "every second desk".
+    Every(usize),
 }
 
 impl Np {
@@ -104,6 +123,8 @@ impl Np {
             dims: Vec::new(),
             which: Vec::new(),
             other: false,
+            nth: None,
+            row: false,
         }
     }
 
@@ -238,8 +259,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             last_det = Det::No;
         } else if lexicon.is(w, Class::Def) {
             let own = matches!(w, "my" | "your" | "our" | "its" | "their" | "his" | "her");
-            last_det = if last_det == Det::Each {
-                Det::Each
+            last_det = if matches!(last_det, Det::Each | Det::No) {
+                last_det
             } else if own {
                 Det::Own
             } else {
@@ -254,6 +275,21 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             article = matches!(w, "a" | "an" | "another");
         } else if w == "other" && used > 0 {
             np.other = true;
+        } else if w == "half" && used == 0 && half(&rest[1..]) > 0 {
+            used += half(&rest[1..]);
+            np.nth = Some(Nth::Half);
+            last_det = Det::Definite;
+        } else if let (true, Some(nth)) = (used > 0 && np.nth.is_none(), ordinal(w))
+            && last_det != Det::Indefinite
+            && names_something(&rest[used + 1..])
+        {
+            np.nth = match (last_det, nth) {
+                (Det::Each, Nth::At(n)) => Some(Nth::Every(n + 1)),
+                _ => Some(nth),
+            };
+            if last_det == Det::Each {
+                last_det = Det::Definite;
+            }
         } else if w == "of"
             && used > 0
             && matches!(text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none")
@@ -266,6 +302,19 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             break;
         }
         used += 1;
+    }
+    // "a row of four hooks", "a set of knives", "a group of armchairs"
+    let of_them = |w: &str| {
+        matches!(
+            w,
+            "row" | "line" | "series" | "set" | "group" | "cluster" | "collection" | "number" | "bunch" | "bank"
+        )
+    };
+    if article && of_them(text(used)) && text(used + 1) == "of" && rest.get(used + 2).is_some_and(Token::word) {
+        np.row = matches!(text(used), "row" | "line" | "series" | "bank");
+        used += 2;
+        last_det = Det::None;
+        article = false;
     }
     np.det = last_det;
     let begun = used > 0;
@@ -300,6 +349,10 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if last_det == Det::None || last_det == Det::Indefinite {
             np.det = Det::Number;
         }
+        // "2 x bookcase", "2 no. bookcases"
+        while matches!(text(used), "x" | "×" | "nos" | "pcs") && rest.get(used + 1).is_some_and(Token::word) {
+            used += 1;
+        }
         // "two of the chairs", "two by"
         if text(used) == "of" && matches!(text(used + 1), "them" | "these" | "those") {
             np.kind = Kind::Pronoun;
@@ -309,6 +362,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if text(used) == "of" && determiner(text(used + 1)) {
             used += 2;
             np.det = Det::Definite;
+            np.nth = Some(Nth::Some);
         }
         while lexicon.is(text(used), Class::Def) {
             used += 1;
@@ -380,15 +434,18 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             .clone()
             .filter(|(_, n)| look.is_none_or(|(_, m)| *n > m || (*n == m && !before_noun(&rest[used + n..]))))
         {
-            let many = plural(text(used + n - 1));
+            // "a chest of drawers" is one.
+            let many = plural(text(if phrase.contains(" of ") { used } else { used + n - 1 }));
             if n == 1 && nouns.is_empty() && stops_here(&rest[used..], begun || counted || used > start || listed) {
                 break;
             }
+            // "the window side": by the window.
+            let side = phrase == "window" && matches!(text(used + n), "side" | "front" | "wall");
             nouns.extend(phrase.split(' ').map(|p| (p.to_owned(), false)));
             if let Some(last) = nouns.last_mut() {
                 last.1 = many;
             }
-            used += n;
+            used += n + usize::from(side);
             noun_end = used;
             if many && longest_noun(&rest[used..]).is_none() {
                 break;
@@ -407,9 +464,26 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             continue;
         }
         let room = lexicon.room(w).is_some() || lexicon.room(&singular(w)).is_some();
+        // "on your left"
+        if matches!(w, "left" | "right")
+            && used > 0
+            && text(used - 1) == "your"
+            && !matches!(text(used + 1), "side" | "hand" | "wall")
+        {
+            np.kind = Kind::Place(Place::Side);
+            np.which = vec![w.to_owned()];
+            np.words = vec!["side".to_owned()];
+            return Some((np, used + 1));
+        }
         let place_here = place(w).filter(|_| {
             nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
-                && (begun || counted || used > start || !np.which.is_empty() || matches!(w, "walls" | "corners"))
+                // "six wall panels": no place.
+                && (np.count.is_none_or(|n| n <= 1) || w.ends_with('s'))
+                && (begun
+                    || counted
+                    || used > start
+                    || !np.which.is_empty()
+                    || matches!(w, "walls" | "corners" | "rows"))
         });
         if WHICH.contains(&w) && leads_to_place(&rest[used..]) {
             np.which.push(w.to_owned());
@@ -434,6 +508,26 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                 break;
             }
             continue;
+        }
+        // "a tool wall", "six wall panels": things.
+        let of_wall = np.det == Det::Indefinite && nouns.last().is_some_and(|n| lexicon.noun(&n.0).is_some())
+            || np.count.is_some_and(|n| n > 1) && rest.get(used + 1).is_some_and(|t| plural(&t.text));
+        if w == "wall" && of_wall {
+            nouns.push((w.to_owned(), false));
+            used += 1;
+            noun_end = used;
+            continue;
+        }
+        if lexicon.is(w, Class::Stop) && lexicon.is(w, Class::Abstract) && !nouns.is_empty() {
+            break;
+        }
+        // "a lamp shaped like …", "a board made …": after the noun a clause of its own begins.
+        let participle = noun_end > 0
+            && (w.ends_with("ed") || w.ends_with("ing"))
+            && !before_noun(&rest[used + 1..])
+            && nouns.iter().any(|n| lexicon.noun(&n.0).is_some());
+        if participle {
+            break;
         }
         let modifies = (begun || counted)
             && rest.get(used + 1).is_some_and(|n| {
@@ -471,6 +565,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             || w == "and"
             || w == "or"
             || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
+        let grammar = grammar || !nouns.is_empty() && super::chunk::fixed(&rest[used..]).is_some();
         if grammar && !(lexicon.is(w, Class::Space) && before_noun(&rest[used + 1..])) {
             break;
         }
@@ -545,6 +640,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             np.kind = Kind::Room;
             np.last = n;
             np.known = true;
+            // What may be either is a thing where it is not said like a room.
+            np.group = t.filter(|(m, _)| *m == n).map(|t| t.1);
         }
         (_, Some((m, group))) => {
             np.last = m;
@@ -559,6 +656,30 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
     }
     Some((np, noun_end))
+}
+
+/// "half the desks", "half of the desks": the words before the noun.
+fn half(rest: &[Token]) -> usize {
+    let of = usize::from(rest.first().is_some_and(|t| t.is("of")));
+    let the = rest.get(of).is_some_and(|t| get().is(&t.text, Class::Def));
+    if the && rest.get(of + 1).is_some_and(|t| plural(&t.text)) { of + 1 } else { 0 }
+}
+
+fn ordinal(word: &str) -> Option<Nth> {
+    const WORDS: [&str; 10] =
+        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+    if word == "last" {
+        return Some(Nth::Last);
+    }
+    WORDS.iter().position(|w| *w == word).map(Nth::At)
+}
+
+/// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
+fn names_something(rest: &[Token]) -> bool {
+    rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
+        Some(place) => place == Place::Row,
+        None => before_noun(rest),
+    })
 }
 
 /// Adds sizes given as "2 m wide" or "2 by 1 m".
@@ -589,7 +710,11 @@ fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
         }
         let phrase = phrase.join(" ");
         // "chest of drawers" is written in the plural.
-        let found = [phrase, plain].into_iter().find(|p| lexicon.noun(p).is_some());
+        let found = [phrase, plain].into_iter().find_map(|p| {
+            // "first-aid cabinet", "note-board"
+            let apart = p.replace('-', " ");
+            [p, apart].into_iter().find(|p| lexicon.noun(p).is_some())
+        });
         found.map(|p| (p, n))
     })
 }

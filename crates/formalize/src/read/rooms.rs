@@ -3,7 +3,7 @@
 
 use super::chunk::{Chunk, Piece};
 use super::lexicon::{Rel, Verb, get};
-use super::noun::{Det, Kind};
+use super::noun::{Det, Kind, Place};
 use super::scene::Room;
 use super::token::Token;
 use std::collections::BTreeMap;
@@ -22,7 +22,32 @@ pub struct Rooms {
 const MOST: usize = 12;
 
 /// Finds them.
-pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
+pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
+    let out = spoken(chunks, tokens);
+    // What could be a thing as well and is no room here is a thing.
+    let placed: Vec<bool> = (0..chunks.len()).map(|i| placed(chunks, i)).collect();
+    for (i, chunk) in chunks.iter_mut().enumerate() {
+        if let Piece::Np(np) = &mut chunk.piece
+            && np.kind == Kind::Room
+            && (np.group.is_some() || placed[i])
+            && !out.spoken.contains_key(&i)
+        {
+            np.kind = Kind::Thing;
+        }
+    }
+    out
+}
+
+/// "The cold store is in the corner": a room that stands somewhere in another is a thing there.
+fn placed(chunks: &[Chunk], i: usize) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    let corner = |k: usize| matches!(piece(k), Some(Piece::Np(np)) if matches!(np.kind, Kind::Place(Place::Corner | Place::Wall | Place::Middle)));
+    matches!(piece(i + 1), Some(Piece::Verb(Verb::Be)))
+        && matches!(piece(i + 2), Some(Piece::Rel(Rel::In | Rel::At | Rel::Against)))
+        && corner(i + 3)
+}
+
+fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     let mut out = Rooms::default();
     let lexicon = get();
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
@@ -32,15 +57,34 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
         let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
         let base = np.words[np.words.len() - n..].join(" ");
-        let named = out
-            .rooms
-            .iter()
-            .position(|r| r.name == base || r.name == np.name() || r.name.ends_with(&format!(" {base}")));
+        let named = out.rooms.iter().position(|r| {
+            let base_too = base != "room" || np.words.len() == 1;
+            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
+        });
         if let Some(room) = named {
             out.spoken.insert(i, room);
             continue;
         }
-        if kind.loose || base == "office building" {
+        // "the beer cellar, a vaulted room of 12 by 7 m": the same.
+        if i >= 2
+            && np.det == Det::Indefinite
+            && chunks[i - 1].piece == Piece::Comma
+            && let Some(room) = out.spoken.get(&(i - 2)).copied()
+        {
+            out.spoken.insert(i, room);
+            continue;
+        }
+        // "evacuation study", "case study"
+        if base == "study" && np.words.len() > 1 {
+            continue;
+        }
+        // "eye test cabin": a thing, where nothing says that it is a room.
+        if kind.loose && np.group.is_some() && np.words.len() > 1 {
+            continue;
+        }
+        // "the sewing room": of its own, where it is said like one.
+        let own_name = base == "room" && np.words.len() > 1 && !out.rooms.is_empty() && strong(chunks, i, false);
+        if (kind.loose || base == "office building") && !own_name {
             loose.push((i, np.name()));
             continue;
         }
@@ -52,10 +96,14 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             out.spoken.insert(i, room);
             continue;
         }
-        if out.rooms.len() < MOST && strong(chunks, i, out.rooms.is_empty()) {
+        let either = np.group.is_some();
+        if out.rooms.len() < MOST
+            && strong(chunks, i, out.rooms.is_empty() && !either)
+            && (!either || titled(chunks, i))
+        {
             out.spoken.insert(i, out.rooms.len());
             out.rooms.push(Room { name: np.name(), at: bytes(chunk), ..Room::default() });
-        } else {
+        } else if !either {
             weak.push((i, np.name()));
         }
     }
@@ -72,6 +120,12 @@ pub fn find(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             if out.rooms[0].name == *name {
                 out.spoken.insert(*i, 0);
             }
+        }
+    }
+    // "leads into the kitchen", before the kitchen is described.
+    for (i, name) in &weak {
+        if let Some(room) = out.rooms.iter().position(|r| r.name == *name) {
+            out.spoken.entry(*i).or_insert(room);
         }
     }
     // "the room", "the flat": the room last spoken of.
@@ -112,6 +166,16 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                     | Piece::Attr(_)
             ) | None
         );
+    // "Evacuation plan, gymnasium: …": a title before the room.
+    let title = matches!(after, Some(Piece::Comma))
+        && matches!(piece(i + 2), Some(Piece::Np(np)) if np.kind == Kind::Room)
+        && matches!(piece(i + 3), Some(Piece::Colon | Piece::Measure(_)));
+    if title {
+        return false;
+    }
+    if placed(chunks, i) {
+        return false;
+    }
     let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));
     let opens = start_of_clause(chunks, i) && matches!(before, Some(Piece::Rel(Rel::In)));
     let joined = matches!(before, Some(Piece::And | Piece::Comma))
@@ -125,6 +189,18 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                 .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
                 .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
+}
+
+/// Whether a word that may be a thing is said as a room: "Pantry: …", "a pantry of 3 by 2 m", "leads to the pantry".
+fn titled(chunks: &[Chunk], i: usize) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    let sized = |k: usize| matches!(piece(k), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area);
+    let bullet = i.checked_sub(1).and_then(piece) == Some(&Piece::Bullet);
+    sized(i + 1)
+        || sized(i + 2)
+        || !bullet && matches!(piece(i + 1), Some(Piece::Colon | Piece::Line))
+        || !bullet && matches!(piece(i + 1), Some(Piece::Stop)) && !matches!(piece(i + 2), None | Some(Piece::Line))
+        || (i.saturating_sub(3)..i).any(|k| matches!(piece(k), Some(Piece::Verb(Verb::Lead))))
 }
 
 /// "In the kitchen, …": the relation before it begins a clause.

@@ -34,6 +34,55 @@ pub struct Item {
     pub at: Range<usize>,
     /// Why it is there, if the request does not say so.
     pub inferred: Option<String>,
+    /// Not a thing of its own, but some of another: "the first exit", "two of them".
+    pub part: Option<Part>,
+}
+
+/// Some elements of an item that there are several of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The item.
+    pub of: usize,
+    /// Which of it.
+    pub pick: Pick,
+}
+
+/// Which of several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pick {
+    /// So many, from this one on: "one of them", "the second exit".
+    Run(usize, usize),
+    /// All from this one on: "the others".
+    Rest(usize),
+    /// The last one.
+    Last,
+    /// "half of the desks".
+    Half,
+    /// "every second counter".
+    Every(usize),
+    /// The one in the middle of a row.
+    Row(usize),
+}
+
+impl Pick {
+    /// The indices of so many elements that stand in so many rows.
+    pub fn indices(self, count: usize, rows: usize) -> Vec<usize> {
+        let last = count.max(1) - 1;
+        let all = 0..=last;
+        let some: Vec<usize> = match self {
+            Self::Run(from, n) => all.skip(from).take(n).collect(),
+            Self::Rest(from) => all.skip(from).collect(),
+            Self::Last => vec![],
+            Self::Half => all.take((count / 2).max(1)).collect(),
+            Self::Every(n) => all.skip(n.max(1) - 1).step_by(n.max(1)).collect(),
+            Self::Row(row) => {
+                let columns = count.div_ceil(rows.max(1)).max(1);
+                let row = row.min(rows.max(1) - 1);
+                vec![(row * columns + (columns - 1) / 2).min(last)]
+            }
+        };
+        if some.is_empty() { vec![last] } else { some }
+    }
 }
 
 impl Item {
@@ -54,15 +103,20 @@ impl Item {
 
     /// Takes over sizes; "long" and "wide" together are width and depth, "long" alone is the width.
     pub fn take_dims(&mut self, dims: &[(Dim, f64)]) {
+        // "6 m long, 1.2 m wide": what was taken for the width is the depth.
+        if let ([(Dim::Width, _)], Some(long), None) = (dims, self.size[0], self.size[2]) {
+            self.size[2] = Some(long);
+        }
         let wide = dims.iter().any(|(d, _)| *d == Dim::Width) || self.size[0].is_some();
         let rod = self.group == Group::Bed;
         for (dim, value) in dims {
             let axis = match dim {
                 Dim::Width => 0,
+                Dim::Elevation => continue,
                 Dim::Height | Dim::Ceiling => 1,
                 Dim::Depth => 2,
                 // A bed's length is how far it reaches into the room.
-                Dim::Length if rod || wide && dims.len() > 1 => 2,
+                Dim::Length if rod || wide => 2,
                 Dim::Length => 0,
                 Dim::Across => {
                     self.size[2] = self.size[2].or(Some(*value));
@@ -166,6 +220,8 @@ pub struct Scene {
     pub facts: Vec<Fact>,
     /// What must not be there, and where that is said.
     pub absent: Vec<(String, Range<usize>)>,
+    /// Items that were taken back: "no, forget the carpet".
+    pub gone: Vec<usize>,
 }
 
 /// More things than anybody asks for: what goes beyond is noted.
@@ -215,13 +271,51 @@ impl Scene {
             .items
             .iter()
             .enumerate()
+            .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         best.filter(|b| b.1 > 0).max().map(|b| b.2)
+    }
+
+    /// Leaves out what was taken back, and what was said of it.
+    pub fn forget(&mut self) {
+        let gone = std::mem::take(&mut self.gone);
+        let lost = |i: usize| gone.contains(&i) || self.items[i].part.as_ref().is_some_and(|p| gone.contains(&p.of));
+        let mut next = 0;
+        let new: Vec<Option<usize>> = (0..self.items.len())
+            .map(|i| {
+                let kept = !lost(i);
+                next += usize::from(kept);
+                kept.then(|| next - 1)
+            })
+            .collect();
+        let moved = |list: &[usize]| -> Vec<usize> { list.iter().filter_map(|i| new[*i]).collect() };
+        for fact in &mut self.facts {
+            fact.of = moved(&fact.of);
+            if let What::Rel(_, to) | What::Gap(_, _, to) | What::Path(_, to) = &mut fact.what {
+                let all = to.len();
+                *to = moved(to);
+                if to.len() < all {
+                    fact.of.clear();
+                }
+            }
+        }
+        self.facts.retain(|f| !f.of.is_empty());
+        let items = std::mem::take(&mut self.items);
+        for (mut item, _) in items.into_iter().zip(&new).filter(|(_, new)| new.is_some()) {
+            item.per = item.per.and_then(|(owner, n)| Some((new[owner]?, n)));
+            if let Some(part) = &mut item.part {
+                part.of = new[part.of].unwrap_or(part.of);
+            }
+            self.items.push(item);
+        }
     }
 
     /// How many there are of an item, as far as it is known: what is not said is taken as `usual`.
     pub fn count(&self, item: usize) -> usize {
         let it = &self.items[item];
+        if let Some(part) = &it.part {
+            return self.elements(part).len();
+        }
         let said = match (it.per, it.count) {
             (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => self.count(owner) * each,
             (_, Some(n)) => n,
@@ -235,6 +329,32 @@ impl Scene {
             (_, None) => 1,
         };
         said.clamp(1, MOST_COUNT)
+    }
+
+    /// The indices of some of an item.
+    pub fn elements(&self, part: &Part) -> Vec<usize> {
+        let rows = self.facts.iter().find_map(|f| match f.what {
+            What::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => Some(n),
+            _ => None,
+        });
+        part.pick.indices(self.count(part.of), rows.unwrap_or(1))
+    }
+
+    /// Some of an item, as an item.
+    pub fn part(&mut self, of: usize, pick: Pick, at: Range<usize>) -> usize {
+        let part = Part { of, pick };
+        if let Some(known) = self.items.iter().position(|i| i.part.as_ref() == Some(&part)) {
+            return known;
+        }
+        let many = self.elements(&part).len() > 1;
+        let item = Item { count: None, per: None, many, part: Some(part), at, ..self.items[of].clone() };
+        self.items.push(item);
+        self.items.len() - 1
+    }
+
+    /// The item that an item is some of, or itself.
+    pub fn whole(&self, item: usize) -> usize {
+        self.items[item].part.as_ref().map_or(item, |p| p.of)
     }
 
     /// A new thing.
@@ -258,6 +378,7 @@ impl Scene {
             size: [None; 3],
             at,
             inferred: None,
+            part: None,
         };
         item.take_dims(&np.dims);
         self.items.push(item);

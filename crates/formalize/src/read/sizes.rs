@@ -40,8 +40,51 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             *have = said.unwrap_or(*have);
         }
     }
+    for fact in scene.facts.iter().filter(|f| !f.not) {
+        for a in &fact.of {
+            let item = &scene.items[*a];
+            let large = ["wardrobe", "closet", "locker", "armoire", "safe", "trunk"];
+            let shelf = item.group == Group::Storage
+                && out[*a][1] > 0.7
+                && !item.words.last().is_some_and(|w| large.contains(&w.as_str()));
+            match &fact.what {
+                // What stores and hangs is no tall thing.
+                What::Rel(Rel::Above, _) | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _)
+                    if shelf && !item.look.features.iter().any(|f| f == "tall") =>
+                {
+                    out[*a][1] = item.size[1].unwrap_or(0.5);
+                    out[*a][2] = item.size[2].unwrap_or(out[*a][2].min(0.32));
+                }
+                // A hood above all of them is as long as they are.
+                What::Rel(Rel::Above, to) if to.len() > 1 && item.size[0].is_none() => {
+                    let all: f64 = to.iter().map(|b| out[*b][0] + 0.1).sum();
+                    out[*a][0] = out[*a][0].max(all);
+                }
+                // "a lamp" on a table is no standard lamp.
+                What::Rel(Rel::On, to)
+                    if item.size[1].is_none()
+                        && item.name() == "lamp"
+                        && to.iter().any(|b| matches!(scene.items[*b].group, Group::Table | Group::Storage)) =>
+                {
+                    out[*a] = [0.25, 0.45, 0.25];
+                }
+                // What is under another is no higher than that.
+                What::Rel(Rel::Under, to) => {
+                    let least = |b: &usize| {
+                        let under = matches!(scene.items[*b].group, Group::Table | Group::Bed | Group::Seat);
+                        if under { out[*b][1] - 0.08 } else { f64::INFINITY }
+                    };
+                    let most = to.iter().map(least).fold(f64::INFINITY, f64::min);
+                    if item.size[1].is_none() && most > 0.05 {
+                        out[*a][1] = out[*a][1].min(most);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
     // What stands on another needs its place there.
-    for b in 0..scene.items.len() {
+    for b in (0..scene.items.len()).filter(|b| scene.items[*b].part.is_none()) {
         let carries = matches!(
             scene.items[b].group,
             Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor
@@ -53,17 +96,21 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
         let mut area = 0.0;
         for fact in scene.facts.iter().filter(|f| !f.not) {
             let What::Rel(rel, to) = &fact.what else { continue };
-            if !to.contains(&b) {
+            if !to.iter().any(|t| scene.whole(*t) == b) {
                 continue;
             }
             for a in &fact.of {
                 let each = (scene.count(*a) as f64 / scene.count(b) as f64).ceil();
                 match rel {
+                    // A cushion is as large as its seat.
+                    Rel::On if scene.items[*a].group == Group::Soft && scene.items[b].group == Group::Seat => {}
                     Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
-                    Rel::InFrontOf | Rel::Along if scene.items[*a].group == Group::Seat && each > 1.0 => {
+                    Rel::InFrontOf | Rel::Along
+                        if scene.items[*a].group == Group::Seat && each > 1.0 && seats(scene, b) =>
+                    {
                         width = each * (out[*a][0] + 0.12)
                     }
-                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 => {
+                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 && seats(scene, b) => {
                         // Half of them at either long side, the ends left free.
                         width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
                     }
@@ -89,7 +136,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     for fact in &scene.facts {
         let What::Size(dim, op, v) = &fact.what else { continue };
         let axis = match dim {
-            Dim::Height | Dim::Ceiling => 1,
+            Dim::Height | Dim::Ceiling | Dim::Elevation => 1,
             Dim::Depth => 2,
             _ => 0,
         };
@@ -158,6 +205,48 @@ fn own_size(words: &[String]) -> Option<[f64; 3]> {
     })
 }
 
+/// Whether people sit at a thing, so that it is as long as they need.
+pub fn seats(scene: &Scene, item: usize) -> bool {
+    let head = scene.items[item].head();
+    ["table", "desk", "bar", "counter", "island", "worktop"].iter().any(|w| head.ends_with(w))
+}
+
+/// Makes what stands at walls narrower, where a room of a given size has not so much wall.
+pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
+    for (i, size) in sizes.iter_mut().enumerate() {
+        let item = &scene.items[i];
+        let n = scene.count(i) as f64;
+        let which = scene.facts.iter().find_map(|f| match &f.what {
+            What::Place(Rel::Against | Rel::Along | Rel::At | Rel::On, Place::Wall, which) if f.of == [i] && !f.not => {
+                Some(which)
+            }
+            _ => None,
+        });
+        let (Some(which), Some([w, _, d])) = (which, rooms.get(item.room)) else { continue };
+        if n < 2.0 || item.size[0].is_some() || item.opening() || item.part.is_some() {
+            continue;
+        }
+        let said = |words: &[&str]| which.iter().any(|w| words.contains(&w.as_str()));
+        let both = if said(&["each"]) { 2.0 } else { 1.0 };
+        let free = if said(&["long", "longer", "longest"]) {
+            w.max(*d) * both
+        } else if said(&["short", "shorter", "end"]) {
+            w.min(*d) * both
+        } else if said(&["north", "south", "back", "front", "rear", "far"]) {
+            *w
+        } else if said(&["east", "west", "left", "right"]) {
+            *d * both
+        } else {
+            // All around, but for what stands across the corners.
+            ((2.0 * (w + d) - 8.0 * size[2]) * 0.9).max(1.0)
+        };
+        let most = (free - 0.8) / n - 0.04;
+        if size[0] > most && most > 0.2 {
+            size[0] = (most * 20.0).floor() / 20.0;
+        }
+    }
+}
+
 /// Whether a thing takes floor.
 fn stands(scene: &Scene, item: usize) -> bool {
     let group = scene.items[item].group;
@@ -193,7 +282,7 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
             widest = widest.max(w + 1.0).max(d + 1.0);
             tallest = tallest.max(h + 0.2);
             let spread = spread(scene, i);
-            if stands(scene, i) {
+            if stands(scene, i) && item.part.is_none() {
                 need += n * (w + 0.35 + spread) * (d + 0.55 + spread);
             }
             if item.group == Group::Flat {
@@ -203,7 +292,7 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 .facts
                 .iter()
                 .any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
-            if at_wall || item.opening() {
+            if at_wall && !item.opening() || item.opening() && item.part.is_none() {
                 along += n * (w + 0.35);
             }
         }

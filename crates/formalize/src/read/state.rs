@@ -7,6 +7,7 @@ mod rows;
 
 use super::lexicon::{Group, Rel};
 use super::measure::{Dim, Op};
+use super::noun::Place;
 use super::scene::{Fact, Scene, Side, What};
 use crate::draft::{Note, Source, Statement};
 use crate::write::number;
@@ -83,7 +84,7 @@ impl Named<'_> {
     }
 
     fn array(&self, item: usize) -> bool {
-        self.counts[item] > 1 && !self.scene.items[item].opening()
+        self.counts[item] > 1 && !self.scene.items[item].opening() && self.scene.items[item].part.is_none()
     }
 
     /// Names of its elements, no more than a few.
@@ -119,6 +120,10 @@ impl Named<'_> {
         }
         if self.array(a) && !self.array(b) {
             let to = self.elements(b);
+            if to.len() == n {
+                let each = to.iter().enumerate().map(|(i, t)| f(&format!("{of}[{i}]"), t));
+                return each.collect::<Vec<_>>().join(" and ");
+            }
             let one = |x: &str| {
                 if to.len() == 1 {
                     f(x, &to[0])
@@ -177,9 +182,10 @@ impl Named<'_> {
         }
     }
 
-    /// Whether another fact says something of a thing.
+    /// Whether a fact says something of a thing, or of some of several.
     pub fn said(&self, item: usize, f: impl Fn(&What) -> bool) -> bool {
-        self.scene.facts.iter().any(|fact| !fact.not && fact.of.contains(&item) && f(&fact.what))
+        let of = |i: &usize| *i == item || self.scene.whole(*i) == item;
+        self.scene.facts.iter().any(|fact| !fact.not && fact.of.iter().any(of) && f(&fact.what))
     }
 
     /// The statements of one fact.
@@ -188,7 +194,17 @@ impl Named<'_> {
         let verb = if fact.soft { "prefer" } else { "assert" };
         for of in &fact.of {
             match &fact.what {
+                // On a wall between two things: as far as it can be, and near both.
+                What::Rel(Rel::Between, to) if !fact.not && matches!(self.group(*of), Group::Wall | Group::Screen) => {
+                    out.extend(self.between(*of, to).map(|t| format!("prefer {t};")));
+                    for to in to {
+                        out.push(format!("{verb} {};", self.every(*of, *to, &|a, b| format!("near({a}, {b}, 2)"))));
+                    }
+                }
                 What::Rel(rel, to) if *rel == Rel::Between => {
+                    // "in the corner between the window and the door": it tells which corner.
+                    let corner = self.said(*of, |w| matches!(w, What::Place(_, Place::Corner, _)));
+                    let verb = if corner { "prefer" } else { verb };
                     out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not)))
                 }
                 What::Rel(rel, to) => {
@@ -212,13 +228,20 @@ impl Named<'_> {
                 What::Clear(side, v) => out.push(format!("{verb} {};", self.clear(*of, *side, *v))),
                 What::Size(dim, op, v) => {
                     let axis = match dim {
-                        Dim::Height | Dim::Ceiling => "y",
+                        Dim::Height | Dim::Ceiling | Dim::Elevation => "y",
                         Dim::Depth => "z",
                         _ => "x",
                     };
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.size.{axis}"), *op, *v))));
                 }
                 What::Height(op, v) => {
+                    // What stands on the floor is meant otherwise: its top, or another thing altogether.
+                    let floor = matches!(self.group(*of), Group::Seat | Group::Table | Group::Bed | Group::Floor)
+                        && !self.said(*of, |w| {
+                            matches!(w, What::Place(_, Place::Wall | Place::Ceiling, _))
+                                || matches!(w, What::Rel(Rel::Mounted | Rel::Hang | Rel::Above | Rel::On, _))
+                        });
+                    let verb = if floor && *v > 0.05 { "prefer" } else { verb };
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.bottom"), *op, *v))))
                 }
                 What::Path(v, to) => {

@@ -44,6 +44,10 @@ impl Token {
     }
 }
 
+/// Words that may be shortened, with a full stop behind them.
+const ABBREVIATED: &[&str] =
+    &["no", "nos", "approx", "ca", "min", "max", "incl", "dia", "qty", "pcs", "ft", "dist", "ht"];
+
 /// The tokens of a text; at most `most`, and the byte where reading ended.
 pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
     let mut out: Vec<Token> = Vec::new();
@@ -59,16 +63,37 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
             at += len;
             continue;
         }
+        // "4 no., grey", "approx. 2 m": no end of a sentence.
+        if c == '.'
+            && out.last().is_some_and(|t| t.at.end == at && ABBREVIATED.contains(&t.text.as_str()))
+            && (!out.last().is_some_and(|t| t.is("no"))
+                || out.iter().rev().nth(1).is_some_and(|t| matches!(t.kind, Kind::Number(_))))
+            && !rest[1..].trim_start_matches([' ', '\t']).starts_with(|n: char| n.is_uppercase() || n == '\n')
+            && rest.len() > 1
+        {
+            at += 1;
+            continue;
+        }
         let fresh = out.last().is_none_or(|t| t.kind == Kind::Line);
         let (len, found) = if c == '\n' || c == '\r' {
             (1, if fresh { None } else { Some((Kind::Line, "\n".to_owned(), false)) })
         } else if c.is_whitespace() {
             (c.len_utf8(), None)
         } else if fresh && let Some(len) = bullet(rest) {
-            (len, Some((Kind::Bullet, String::new(), false)))
+            let number = if rest.starts_with(|c: char| c.is_ascii_digit()) { &rest[..len] } else { "" };
+            (len, Some((Kind::Bullet, number.to_owned(), false)))
         } else if c.is_ascii_digit() || (c == '.' && rest[1..].starts_with(|d: char| d.is_ascii_digit())) {
             let (len, value) = number(rest);
-            (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+            // "3D", "4K": a word.
+            let letters: String = rest[len..].chars().take_while(|c| c.is_alphabetic()).collect();
+            let lower = letters.to_lowercase();
+            let unit = super::number::unit(&lower).is_some() || lower.starts_with('x') || lower.starts_with("sq");
+            if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
+                (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+            } else {
+                let all = len + letters.len();
+                (all, Some((Kind::Word, rest[..all].to_lowercase(), false)))
+            }
         } else if c.is_alphabetic() {
             let (len, text, owner) = word(rest);
             (len, Some((Kind::Word, text, owner)))
@@ -90,22 +115,24 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
     (joined(out), at)
 }
 
-/// `-`, `*`, `•`, `1.`, `2)`, `a)` before a blank.
+/// `-`, `*`, `•`, `##`, `1.`, `2)`, `a)` before a blank.
 fn bullet(rest: &str) -> Option<usize> {
-    let sign = rest.chars().next().filter(|c| "-*•·–—+▪◦".contains(*c)).map(char::len_utf8);
     let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    // "2.1 The office", but not "2.1 m".
+    if digits > 0 && rest[digits..].starts_with('.') && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit)
+    {
+        let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+        let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
+        return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
+    }
+    let sign = rest.chars().next().filter(|c| "-*•·–—+▪◦".contains(*c)).map(char::len_utf8);
+    if rest.starts_with('#') {
+        let signs = rest.bytes().take_while(|b| *b == b'#').count();
+        return rest[signs..].starts_with([' ', '\t']).then_some(signs);
+    }
     let len = match sign {
         Some(len) => len,
         None if (1..3).contains(&digits) && rest[digits..].starts_with(['.', ')']) => digits + 1,
-        // "2.1 The office", but not "2.1 m".
-        None if digits > 0
-            && rest[digits..].starts_with('.')
-            && rest.as_bytes().get(digits + 1).is_some_and(u8::is_ascii_digit) =>
-        {
-            let len = rest.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
-            let capital = rest[len..].trim_start_matches([' ', '\t']).starts_with(char::is_uppercase);
-            return (capital && rest[len..].starts_with([' ', '\t'])).then_some(len);
-        }
         None if rest.as_bytes().get(1) == Some(&b')') && rest.as_bytes()[0].is_ascii_alphabetic() => 2,
         None => return None,
     };
@@ -155,7 +182,7 @@ fn word(rest: &str) -> (usize, String, bool) {
     }
 }
 
-/// "two-metre", "90-cm" and "6-seat" are two words: the number, and what it counts.
+/// "two-metre" and "90-cm" are two words: the number, and what it counts.
 fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut tokens = tokens.into_iter().peekable();
@@ -172,7 +199,10 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
             out.push(Token { kind: Kind::Sign('x'), ..t });
             continue;
         }
-        let halves = t.text.split_once('-').filter(|(n, _)| t.word() && super::number::small(n).is_some());
+        // "six-burner", "three-door": a look of one thing, and not so many of it.
+        let measured = |rest: &str| super::number::unit(rest.split('-').next().unwrap_or(rest)).is_some();
+        let halves =
+            t.text.split_once('-').filter(|(n, rest)| t.word() && super::number::small(n).is_some() && measured(rest));
         match halves {
             Some((first, second))
                 if super::number::small(second).is_none() && !super::lexicon::get().is_look(&t.text) =>

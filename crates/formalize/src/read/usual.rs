@@ -1,6 +1,7 @@
 //! What nobody says because everybody knows it: pictures hang on walls, lamps under the ceiling, a cup stands on a table;
 //! a rug may lie under anything.
 
+use super::chunk::Pattern;
 use super::lexicon::{Group, Rel};
 use super::noun::Place;
 use super::scene::What;
@@ -10,7 +11,7 @@ use crate::write::number;
 /// Adds it.
 pub fn usual(named: &Named, out: &mut Stated) {
     let scene = named.scene;
-    for a in 0..scene.items.len() {
+    for a in (0..scene.items.len()).filter(|a| scene.items[*a].part.is_none()) {
         let item = &scene.items[a];
         let room = named.room(a).to_owned();
         let held =
@@ -21,10 +22,17 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let on_wall = named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _)));
         let above = named.said(a, |w| matches!(w, What::Rel(Rel::Above, _)));
         let measured = named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..)));
+        let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
         let mounted = |p: &str| format!("assert {};", named.all(a, |x| format!("{p}({x}, {room})")));
         let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| scene.items[*t].group != Group::Ceiling));
         let elsewhere = held || placed || above && measured || named.said(a, beside);
         let hangs = item.group == Group::Ceiling && !elsewhere;
+        // "a mixer to the left of the counter", "a lamp beside the armchair" stand on the floor.
+        let apart = item.group == Group::Top
+            && named.said(a, |w| {
+                matches!(w, What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to)
+                    if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Top | Group::Screen) && carrier(named, *t).is_none()))
+            });
         match item.group {
             Group::Wall | Group::Drape
                 if !held && !on_wall && !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
@@ -40,12 +48,17 @@ pub fn usual(named: &Named, out: &mut Stated) {
             Group::Ceiling if above && measured && !placed => {
                 out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord")
             }
-            Group::Top if !held && !placed && !above => {
+            Group::Top if !held && !placed && !above && !apart => {
                 let near = named.scene.facts.iter().find_map(|f| match &f.what {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
                     _ => None,
                 });
-                let top = near.or_else(|| {
+                // "an espresso machine beside the cake display": on what that stands on.
+                let same = scene.facts.iter().find_map(|f| match &f.what {
+                    What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| carrier(named, *t)),
+                    _ => None,
+                });
+                let top = near.or(same).or_else(|| {
                     (0..scene.items.len())
                         .find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
                 });
@@ -77,7 +90,6 @@ pub fn usual(named: &Named, out: &mut Stated) {
             }
             _ => {}
         }
-        let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
         if above && lamp && !held && !placed && !measured && matches!(item.group, Group::Floor | Group::Top) {
             out.infer(mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
         } else if above
@@ -87,16 +99,35 @@ pub fn usual(named: &Named, out: &mut Stated) {
             && !item.opening()
         {
             let wall = matches!(item.group, Group::Storage | Group::Floor | Group::Table | Group::Top);
-            if wall && !measured {
+            if named.tall(a) {
+                // Said of its place on the plan.
+            } else if wall && !measured {
                 out.infer(mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
             } else {
                 out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
             }
         }
-        if above && measured && matches!(item.group, Group::Floor | Group::Storage | Group::Top) && !on_wall {
+        let hung = above && !named.tall(a);
+        if hung && measured && matches!(item.group, Group::Floor | Group::Storage | Group::Top) && !on_wall {
             out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
         }
-        let rows = named.grid(a).is_some();
+        let floor =
+            matches!(item.group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat)
+                || apart;
+        let raised = held && !named.said(a, |w| matches!(w, What::Rel(Rel::Under, _)))
+            || above && !named.tall(a)
+            || high
+            || named.said(a, |w| matches!(w, What::Pattern(Pattern::Stacked)))
+            || named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling | Place::Floor, _)))
+            || named.said(a, |w| {
+                matches!(w, What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _))
+                    || matches!(w, What::Place(Rel::On, Place::Wall, _))
+                        && !matches!(item.group, Group::Table | Group::Seat | Group::Bed)
+                        && !named.tall(a)
+            });
+        if floor && !raised && !(above && lamp) {
+            out.infer(mounted("onFloor"), "what nothing carries stands on the floor");
+        }
         let said = named.said(a, |w| matches!(w, What::Pattern(_)));
         if let Some(places) = named.rows(a).filter(|_| !said) {
             out.infer(format!("assert {places};"), "tables with their seats stand in rows");
@@ -104,8 +135,8 @@ pub fn usual(named: &Named, out: &mut Stated) {
         if let Some(places) = named.drawn_up(a) {
             out.infer(format!("assert {places};"), "seats are drawn up to their tables");
         }
-        if rows {
-            out.infer(format!("{}.rot <- rot(0, 0, 0);", named.name(a)), "rows stand straight");
+        if let Some(turned) = named.turned(a) {
+            out.infer(turned, "rows stand straight");
         }
         // At the height of the eyes, where nothing is said.
         let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
@@ -124,6 +155,16 @@ pub fn usual(named: &Named, out: &mut Stated) {
             out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
         }
     }
+}
+
+/// What a thing is said to stand on.
+fn carrier(named: &Named, item: usize) -> Option<usize> {
+    named.scene.facts.iter().find_map(|f| match &f.what {
+        What::Rel(Rel::On, to) if f.of.contains(&item) && !f.not => {
+            to.first().copied().filter(|t| named.scene.items[*t].group != Group::Flat)
+        }
+        _ => None,
+    })
 }
 
 /// Whether small things can stand on it.

@@ -51,6 +51,12 @@ fn rooms_and_their_sizes() {
         ("the office is 6x5m, ceiling 2.8. a desk in the middle", "office 6 2.8 5"),
         ("A living room (20 ft by 15 ft) with a sofa", "livingRoom 6.096 2.6 4.572"),
         ("My bedroom is 4 m wide and 5 m deep and has a bed.", "bedroom 4 2.6 5"),
+        ("The board room is 9.5 metres long and 6 metres wide. A table.", "boardRoom 6 2.8 9.5"),
+        ("Evacuation study, gymnasium: 20 m wide, 15 m long, 7 m high. A mat.", "gymnasium 20 7 15"),
+        ("At the end of the beer cellar, a vaulted room of twelve metres by seven, a kettle.", "cellar 12 2.8 7"),
+        ("A dining room, 4.2 m square, with a table", "diningRoom 4.2 2.6 4.2"),
+        ("2.1 Newsroom. The newsroom is to be 14 m by 9 m (ceiling 3.4 m). A desk.", "newsroom 14 3.4 9"),
+        ("Changing room, 7 m * 5 m\n- a bench", "changingRoom 7 2.8 5"),
         ("A shop, 48 square metres, with two shelves", "shop 7.407 3.2 6.481"),
     ] {
         let draft = read(request, &LITERAL).draft;

@@ -16,6 +16,11 @@ impl Reader<'_> {
             self.scene.rooms[room].area = Some(m.values[0]);
             return i + 1;
         }
+        if m.dims.contains(&Dim::Elevation) {
+            let of = self.subject(i);
+            self.say(&of, What::Height(m.op, m.values[0]));
+            return i + 1;
+        }
         let sized = m.values.len() > 1 || !m.dims.is_empty();
         if self.s.path && m.dims == [Dim::Width] || self.s.path && m.dims.is_empty() && self.path_follows(i) {
             return self.on_path(i, end, m);
@@ -54,6 +59,13 @@ impl Reader<'_> {
                     k += 1
                 }
                 Some(Piece::Verb(Verb::Keep)) => k += 1,
+                // "1.5 m is to be maintained between the rows"
+                Some(Piece::Verb(Verb::Be))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(Verb::Keep) | Piece::Word(_)))
+                        && matches!(self.piece(k + 2, end), Some(Piece::Rel(_))) =>
+                {
+                    k += 1
+                }
                 _ => break,
             }
         }
@@ -77,6 +89,7 @@ impl Reader<'_> {
                     self.say(&of, What::Height(m.op, m.values[0]));
                 } else if !of.is_empty() && !m.said {
                     for o in of {
+                        let o = self.scene.whole(o);
                         self.scene.items[o].take_dims(&[(Dim::Length, m.values[0])]);
                     }
                 } else {
@@ -127,6 +140,7 @@ impl Reader<'_> {
             [one] => {
                 let door = self.scene.items.iter().position(|it| it.group == Group::Door);
                 match door {
+                    _ if self.scene.items[*one].many => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                     Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
                     _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                 }
@@ -150,7 +164,7 @@ impl Reader<'_> {
         crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
         let limit = m.said;
         if of_room || self.near.is_empty() && self.main.is_empty() && !self.s.subject && self.before.is_empty() {
-            let room = self.room;
+            let room = self.s.rooms.last().copied().filter(|_| self.s.room_last).unwrap_or(self.room);
             // What was said first stands: "1 m by 1 m" later on is of something else.
             let size = self.scene.rooms[room].size;
             let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
@@ -177,6 +191,7 @@ impl Reader<'_> {
             self.say(&of, What::Size(dim, op, dims[0].1));
         } else {
             for o in of {
+                let o = self.scene.whole(o);
                 self.scene.items[o].take_dims(&dims);
             }
         }
@@ -185,10 +200,13 @@ impl Reader<'_> {
     /// "90 cm clear in front of it", "a metre free on either side".
     pub(super) fn on_free(&mut self, i: usize, end: usize) -> usize {
         let mut k = i + 1;
+        // "kept clear to a depth of 1.2 m"
         while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of)))
+            || matches!(self.piece(k, end), Some(Piece::Rel(Rel::To)))
+                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
             || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
         {
-            if let Some(Piece::Rel(Rel::Of)) = self.piece(k, end)
+            if let Some(Piece::Rel(Rel::Of | Rel::To)) = self.piece(k, end)
                 && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
             {
                 k += 1;
@@ -207,6 +225,19 @@ impl Reader<'_> {
             }
         }
         self.mark(i);
+        // "the exits are to be kept clear to a depth of 1.2 m"
+        let ends = matches!(self.piece(k, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+        if ends && self.s.subject && self.s.keep && !self.s.path {
+            let passage = self.main.iter().all(|o| self.scene.items[*o].opening());
+            let depth = match self.s.pending.take() {
+                Some(m) => Some(m.values[0]),
+                None => passage.then_some(CLEAR),
+            };
+            let of = self.main.clone();
+            if let Some(depth) = depth.filter(|_| !of.is_empty()) {
+                self.clear(&of, Rel::InFrontOf, depth);
+            }
+        }
         k
     }
 
@@ -233,7 +264,7 @@ impl Reader<'_> {
                 self.clear(to, rel, m.values[0])
             }
             Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than
-                if self.s.nothing && (of.is_empty() || of == to) =>
+                if self.s.nothing && (of.is_empty() || of == to || !self.s.subject) =>
             {
                 self.say(to, What::Alone(m.values[0]));
             }
@@ -292,8 +323,30 @@ impl Reader<'_> {
         self.say(of, What::Clear(side, depth));
     }
 
+    /// "Two doors: the main door …, the back door …": the two are those.
+    fn listed_one_by_one(&mut self) {
+        let start = self.s.at.start;
+        let new = |i: &usize| self.scene.items[*i].at.start >= start && self.scene.items[*i].part.is_none();
+        let mut items = (0..self.scene.items.len()).filter(new);
+        let Some(first) = items.next().filter(|i| self.scene.items[*i].many) else { return };
+        let item = &self.scene.items[first];
+        let colon = self
+            .chunks
+            .iter()
+            .find(|c| self.tokens[c.at.start].at.start >= item.at.end)
+            .is_some_and(|c| c.piece == Piece::Colon);
+        let (last, count) = (item.words.last().cloned(), item.count);
+        let others: Vec<usize> = items.collect();
+        let named: usize = others.iter().map(|o| self.scene.items[*o].count.unwrap_or(0)).sum();
+        let like = others.iter().all(|o| self.scene.items[*o].words.last() == last.as_ref());
+        if colon && like && !others.is_empty() && Some(named) == count {
+            self.scene.gone.push(first);
+        }
+    }
+
     /// What is left when a sentence ends: relations whose subject was in the one before.
     pub(super) fn finish(&mut self) {
+        self.listed_one_by_one();
         if !self.s.lead.is_empty() && !self.s.subject && !self.s.unknown && !self.before.is_empty() {
             self.main = self.before.clone();
             self.apply_lead();

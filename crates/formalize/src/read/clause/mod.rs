@@ -3,12 +3,13 @@
 use crate::read::chunk::{Chunk, Pattern, Piece};
 use crate::read::lexicon::{Group, Rel, Verb, get};
 use crate::read::measure::{Dim, Measure, Op};
-use crate::read::noun::{Det, Kind, Np, Place};
+use crate::read::noun::{Det, Kind, Np, Nth, Place};
 use crate::read::rooms::Rooms;
-use crate::read::scene::{MOST_ITEMS, Scene, Side, What};
+use crate::read::scene::{MOST_ITEMS, Pick, Scene, Side, What};
 use crate::read::token::Token;
 use std::ops::Range;
 
+mod after;
 mod measures;
 mod relations;
 mod things;
@@ -23,6 +24,8 @@ enum Expect {
     With(Vec<usize>, Join),
     /// "the sofa faces …".
     Object(Rel),
+    /// "nothing blocks …".
+    Blocked,
 }
 
 /// How things that come with another relate to it.
@@ -52,6 +55,8 @@ pub struct Reader<'a> {
     room: usize,
     /// The sentence before was about the room.
     about_room: bool,
+    /// It began with the room, whatever it went on to.
+    room_began: bool,
     /// What the sentence is about; of the one before, if this has no subject yet.
     main: Vec<usize>,
     /// What was spoken of before that.
@@ -60,6 +65,12 @@ pub struct Reader<'a> {
     near: Vec<usize>,
     /// Mentions in their order.
     recent: Vec<usize>,
+    /// Several of which some were spoken of one after the other, and how many by now: "one …, the other two …".
+    dealt: Option<(usize, usize)>,
+    /// What the things of the sentence before were said to be on.
+    carrier: Vec<usize>,
+    /// What something was said to be left or right of, in this sentence or the one before.
+    side: Option<(Rel, Vec<usize>)>,
     s: Sentence,
 }
 
@@ -71,6 +82,14 @@ struct Sentence {
     subject: bool,
     /// Relations that came before the subject.
     lead: Vec<(Rel, Lead)>,
+    /// They are denied: "not in front of the door: tables".
+    lead_not: bool,
+    /// On both sides: two of what comes.
+    lead_twice: bool,
+    /// How what comes stands.
+    lead_pattern: Option<Pattern>,
+    /// What a place says together with "of", in place of the relation before it.
+    turned: Option<Rel>,
     expect: Expect,
     soft: bool,
     not: bool,
@@ -91,6 +110,10 @@ struct Sentence {
     listed: bool,
     /// The sentence is about a room.
     of_room: bool,
+    /// And was from its beginning.
+    room_first: bool,
+    /// It is about rows.
+    rows: bool,
     /// A door may lead from one room to another here.
     doors: bool,
     /// The last noun phrase was of a room.
@@ -107,9 +130,18 @@ struct Sentence {
     centre: bool,
     /// What the last relation was to.
     object: Vec<usize>,
+    /// What "the" brought in.
+    definite: Vec<usize>,
+    /// The next chunk, where more than one was read.
+    skip: Option<usize>,
+    /// What "it" stood for last.
+    it: Vec<usize>,
     /// A group that has a relation, and the next that may share it.
     shared: Option<(Rel, Vec<usize>)>,
 }
+
+/// How much stays free where nothing may stand, in metres.
+const CLEAR: f64 = 0.9;
 
 /// What a relation at the start of a clause is to.
 #[derive(Clone, Debug)]
@@ -131,10 +163,14 @@ impl<'a> Reader<'a> {
             used: vec![false; tokens.len()],
             room: 0,
             about_room: true,
+            room_began: false,
             main: vec![],
             before: vec![],
             near: vec![],
             recent: vec![],
+            dealt: None,
+            carrier: vec![],
+            side: None,
             s,
         }
     }
@@ -144,9 +180,25 @@ impl<'a> Reader<'a> {
         let mut from = 0;
         while from < self.chunks.len() {
             let end = self.sentence_end(from);
-            self.sentence(from, end);
+            // "a rack behind the counter? No, …": taken back.
+            let last = if self.asked_back(end) { self.last_clause(from, end) } else { end };
+            if last > from {
+                self.sentence(from, last);
+            }
             from = end + 1;
         }
+    }
+
+    /// Whether a sentence ends as a question that the next one answers with "no".
+    fn asked_back(&self, end: usize) -> bool {
+        let first = |i: usize| self.chunks.get(i).map(|c| &self.tokens[c.at.start]);
+        first(end).is_some_and(|t| t.is("?")) && first(end + 1).is_some_and(|t| t.is("no") || t.is("nope"))
+    }
+
+    /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
+    fn last_clause(&self, from: usize, end: usize) -> usize {
+        let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;
+        (from + 1..end).rev().find(joined).map_or(from, |k| k - 1)
     }
 
     /// The chunk that ends a sentence: a full stop, or the end of a line that is one.
@@ -212,7 +264,9 @@ impl<'a> Reader<'a> {
         let at = self.bytes(from..end);
         self.s = Sentence { from: self.room, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
-        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft);
+        // What depends on a condition is no more than a wish.
+        let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
+        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft || conditional(c));
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
         self.s.path = words.iter().any(|c| {
             c.at.clone().any(|t| {
@@ -242,6 +296,7 @@ impl<'a> Reader<'a> {
         if self.heading(from, end) {
             return;
         }
+        let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
         let mut i = from;
@@ -249,8 +304,13 @@ impl<'a> Reader<'a> {
             i = self.step(i, end).max(i + 1);
         }
         self.finish();
+        self.carrier = std::mem::take(&mut self.s.object);
+        if self.side == side {
+            self.side = None;
+        }
         self.doors();
         self.about_room = self.s.of_room && !self.s.subject;
+        self.room_began = self.s.of_room && self.s.room_first;
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
@@ -277,16 +337,13 @@ impl<'a> Reader<'a> {
                 }
                 false
             }
-            _ if closed
-                && first > from
-                && np.det == Det::None
-                && np.count.is_none()
-                && np.look == crate::draft::Look::default() =>
-            {
+            _ if closed && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
                 let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
-                // "2. Desks. Eight desks …", but "- armchair" is a thing.
+                // "2. Desks. Eight desks …", "Entrance. Customers come in …", but "- armchair" is a thing.
                 let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
-                if stop && more {
+                let next = self.chunks.get(end + 1..self.sentence_end(end + 1)).unwrap_or(&[]);
+                let told = next.iter().any(|c| matches!(c.piece, Piece::Verb(_)));
+                if stop && more && (first > from || told) || self.numbered(from, end) {
                     self.mark(first);
                     return true;
                 }
@@ -294,6 +351,15 @@ impl<'a> Reader<'a> {
             }
             _ => false,
         }
+    }
+
+    /// "5. General" before "5.1 All doors …".
+    fn numbered(&self, from: usize, end: usize) -> bool {
+        let bullet = |i: usize| {
+            let c = self.chunks.get(i).filter(|c| c.piece == Piece::Bullet)?;
+            Some(self.tokens[c.at.start].text.as_str())
+        };
+        matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
@@ -315,14 +381,18 @@ impl<'a> Reader<'a> {
     fn room_dim(&mut self, room: usize, dim: Dim, value: f64) {
         let size = &mut self.scene.rooms[room].size;
         match dim {
-            Dim::Width => size[0] = Some(value),
+            Dim::Elevation => {}
+            Dim::Width => {
+                // "9 m long and 6 m wide": what was said first is how deep it is.
+                if let (Some(long), None) = (size[0], size[2]) {
+                    size[2] = Some(long);
+                }
+                size[0] = Some(value);
+            }
             Dim::Height | Dim::Ceiling => size[1] = Some(value),
             Dim::Depth => size[2] = Some(value),
             Dim::Length if size[0].is_some() && size[2].is_none() => size[2] = Some(value),
-            Dim::Length => {
-                // "6.5 m long and 5 m wide": the width comes later, and is then the depth.
-                size[0] = Some(value);
-            }
+            Dim::Length => size[0] = Some(value),
             Dim::Across => {
                 size[0] = Some(value);
                 size[2] = Some(value);
@@ -333,6 +403,9 @@ impl<'a> Reader<'a> {
     /// Reads one chunk, or what hangs together; the index of the next.
     fn step(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
+        if let Some(next) = self.choice(i, end) {
+            return next;
+        }
         match &chunks[i].piece {
             Piece::Np(np) => self.on_np(i, end, np),
             Piece::Rel(rel) => self.on_rel(i, end, *rel),
@@ -347,11 +420,15 @@ impl<'a> Reader<'a> {
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
+                let seat = |o: &usize| self.scene.items[*o].group == Group::Seat;
                 let with_back = self.np(i + 1, end).is_some_and(|n| {
                     n.kind == Kind::Thing
                         && n.count.is_none()
-                        && (get().part(&n.head()) || !n.known && n.det == Det::None && n.many)
+                        && (get().part(&n.head())
+                            || !n.known && n.det == Det::None && n.many
+                            || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
                 });
+                let with_back = with_back && !self.relates_after(i + 2, end);
                 if !with_back && !self.near.is_empty() {
                     self.s.expect = Expect::With(self.near.clone(), Join::Usual);
                 } else if with_back {
@@ -371,7 +448,26 @@ impl<'a> Reader<'a> {
             }
             Piece::Pattern(pattern) => {
                 self.mark(i);
+                // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
+                if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
+                    self.s.expect = Expect::Nothing;
+                    self.near = self.main.clone();
+                }
+                if !self.s.subject && !self.s.lead.is_empty() {
+                    // "against the wall, from left to right: a fryer, a grill, …"
+                    self.s.lead_pattern = Some(*pattern);
+                    return i + 1;
+                }
                 let of = self.subject(i);
+                let one = |l: &[usize]| l.len() == 1 && self.scene.count(l[0]) == 1 && !self.scene.items[l[0]].many;
+                let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
+                // "a bed along the wall and a dresser next to each other"
+                let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
+                let new = |o: &&usize| self.scene.items[**o].at.start >= self.s.at.start;
+                let of = match self.before.last().filter(new) {
+                    Some(other) if two && one(&of) => vec![*other, of[0]],
+                    _ => of,
+                };
                 let (soft, at) = (self.s.soft, self.s.at.clone());
                 self.scene.say(&of, What::Pattern(*pattern), soft, false, at);
                 i + 1
@@ -387,7 +483,13 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Colon => {
-                if let (Some(n), true) = (self.number_at(i + 1, end), self.near.len() == 1) {
+                // "Nobody has to squeeze: at least 1.2 m between …"
+                self.s.nothing = false;
+                if self.s.expect == Expect::Blocked {
+                    self.s.expect = Expect::Nothing;
+                }
+                let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
+                if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
                     let item = &mut self.scene.items[self.near[0]];
                     if item.many {
                         item.count = Some(n);
@@ -403,29 +505,102 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Not => {
-                self.s.not = true;
+                let nothing = self.tokens[chunks[i].at.start].is("nothing");
+                self.s.nothing |= nothing;
+                self.s.not = !nothing;
                 self.mark(i);
                 i + 1
             }
             Piece::Apart => {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
-                    self.among(&m);
+                    if self.s.rows { self.rows(&m) } else { self.among(&m) }
                 }
                 i + 1
             }
             Piece::Free => self.on_free(i, end),
             Piece::Soft | Piece::Word(_) => {
+                // "stools, two at each bench"
+                let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == Kind::Thing);
+                if let (Some(n), Some(Piece::Rel(_)), Some(owner)) =
+                    (self.number_at(i, end), self.piece(i + 1, end), owner)
+                {
+                    self.s.one = true;
+                    let owner = self.scene.find(owner, self.room);
+                    let of = self.main.last().copied().filter(|o| Some(*o) != owner);
+                    if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.scene.items[o]))
+                        && item.many
+                        && item.count.is_none()
+                    {
+                        item.per = Some((owner, n));
+                    }
+                    self.near = self.main.clone();
+                    self.mark(i);
+                }
+                // "the stools, six in number"
+                let at = chunks[i].at.end;
+                let in_number = self.tokens.get(at).is_some_and(|t| t.is("in"))
+                    && self.tokens.get(at + 1).is_some_and(|t| t.is("number"));
+                if let (Some(n), true, [item]) = (self.number_at(i, end), in_number, self.main.as_slice()) {
+                    let item = &mut self.scene.items[*item];
+                    if item.many && item.count.is_none() && n > 0 {
+                        item.count = Some(n);
+                        self.mark(i);
+                    }
+                }
+                // "carts stand by the door, ten in a row"
+                if let (Some(n), Some(Piece::Pattern(_)), [item]) =
+                    (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
+                {
+                    let item = &mut self.scene.items[*item];
+                    if item.many && item.count.is_none() && n > 1 {
+                        item.count = Some(n);
+                        self.mark(i);
+                    }
+                    self.near = self.main.clone();
+                }
                 self.s.centre |= matches!(
                     self.tokens[chunks[i].at.start].text.as_str(),
                     "center" | "centre" | "centred" | "centered"
                 );
-                if self.tokens[chunks[i].at.start].is("nothing") || self.tokens[chunks[i].at.start].is("nobody") {
-                    self.s.nothing = true;
+                match self.tokens[chunks[i].at.start].text.as_str() {
+                    // "stands centrally", but "centrally against the wall"
+                    "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+                        let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
+                        self.at_place(&of, Rel::In, Place::Middle, &[]);
+                        self.mark(i);
+                    }
+                    // "forget the carpet"
+                    "forget" | "scrap" | "skip" | "omit" | "cancel" => {
+                        let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
+                        if let Some(np) = np {
+                            self.scene.gone.extend(self.scene.find(np, self.room));
+                            let at = self.bytes(i + 1..i + 2);
+                            self.scene.absent.push((np.name(), at));
+                            self.mark(i);
+                            self.mark(i + 1);
+                            return i + 2;
+                        }
+                    }
+                    "nothing" | "nobody" => self.s.nothing = true,
+                    // "don't put anything between …"
+                    "anything" if std::mem::take(&mut self.s.not) => self.s.nothing = true,
+                    _ => {}
                 }
                 i + 1
             }
         }
+    }
+
+    /// "either a sofa or two armchairs by the window": nobody says which; where that ends.
+    fn choice(&self, i: usize, end: usize) -> Option<usize> {
+        let at = self.chunks[i].at.start;
+        let first = self.tokens.get(at).filter(|t| t.is("either"))?;
+        let next = self.tokens.get(at + 1)?;
+        let new = next.is("a") || next.is("an") || super::number::count(std::slice::from_ref(next)).is_some();
+        let to = (i + 1..end).find(|k| self.chunks[*k].piece == Piece::Comma).unwrap_or(end);
+        let or = self.tokens[at..self.chunks.get(to.checked_sub(1)?)?.at.end].iter().any(|t| t.is("or"));
+        (first.word() && new && or).then_some(to)
     }
 
     fn number_at(&self, i: usize, end: usize) -> Option<usize> {
@@ -470,6 +645,37 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Whether what stands here says where the noun before it is: so that is no part of another.
+    fn relates_after(&self, k: usize, end: usize) -> bool {
+        let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
+        let k = if of { k + 2 } else { k };
+        match self.piece(k, end) {
+            // "with a shade hanging over it", but "a mobile with stars hangs from the ceiling"
+            Some(Piece::Rel(rel)) => {
+                let finite = self.tokens[self.chunks[k].at.start].text.ends_with('s');
+                !finite && !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against)
+            }
+            Some(Piece::ToIts(_)) => true,
+            // "a rail of pans hanging above it", but "a mobile with stars hangs"
+            Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
+            _ => false,
+        }
+    }
+
+    /// Looks and the name of a part, and nothing else: "glass top"; where that ends.
+    fn part_here(&self, from: usize, end: usize) -> Option<usize> {
+        let first = self.chunks.get(from).filter(|_| from < end)?.at.start;
+        let to = (from..end).find(|k| {
+            matches!(self.chunks[*k].piece, Piece::Comma | Piece::Close | Piece::Stop | Piece::Line | Piece::And)
+        });
+        let to = to.unwrap_or(end);
+        let tokens = &self.tokens[first..self.chunks.get(to.checked_sub(1)?)?.at.end];
+        let (_, n) = crate::read::chunk::looks(tokens)?;
+        let part: Vec<&str> = tokens.get(n..).unwrap_or(&[]).iter().map(|t| t.text.as_str()).collect();
+        let part = part.join(" ");
+        (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
+    }
+
     /// "with armrests", "with a glass top": looks of the last thing.
     fn with_part(&mut self, i: usize, end: usize) -> usize {
         let from = i + 1;
@@ -502,6 +708,10 @@ impl Sentence {
             at,
             subject: false,
             lead: vec![],
+            lead_not: false,
+            lead_twice: false,
+            lead_pattern: None,
+            turned: None,
             expect: Expect::Nothing,
             soft: false,
             not: false,
@@ -515,6 +725,8 @@ impl Sentence {
             last: None,
             listed: false,
             of_room: false,
+            room_first: false,
+            rows: false,
             doors: false,
             room_last: false,
             unknown: false,
@@ -523,6 +735,9 @@ impl Sentence {
             one: false,
             centre: false,
             object: vec![],
+            it: vec![],
+            skip: None,
+            definite: vec![],
             shared: None,
         }
     }

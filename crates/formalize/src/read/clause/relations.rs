@@ -8,7 +8,11 @@ impl Reader<'_> {
         if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
             return i + 1;
         }
-        let negative = std::mem::take(&mut self.s.not) && self.s.pending.is_none();
+        let chunks = self.chunks;
+        if let Some(next) = self.clusters(i, end, rel) {
+            return next;
+        }
+        let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
                 // "between the rows"
@@ -26,7 +30,20 @@ impl Reader<'_> {
         if rel == Rel::Of && !matches!(object, Lead::Place(..)) && self.s.pending.is_none() {
             return next;
         }
-        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep;
+        // "at the foot of the bed": what place and "of" together say.
+        let rel = self.s.turned.take().unwrap_or(rel);
+        // "knives go on a magnetic strip on the wall": the strip is on the wall.
+        let led = match self.s.lead.last() {
+            Some((_, Lead::Items(items, _))) if !self.s.subject && self.s.verb && chunks[i - 1].np().is_some() => {
+                items.iter().all(|o| self.scene.items[*o].at.start >= self.s.at.start)
+            }
+            _ => false,
+        };
+        if led && let Some((_, Lead::Items(items, _))) = self.s.lead.pop() {
+            self.near = items;
+        }
+        let with = matches!(self.s.expect, Expect::With(..)) && !self.near.is_empty();
+        let before_subject = !self.s.subject && self.s.pending.is_none() && !self.s.keep && !led && !with;
         // "hangs from", "faces": said of what the sentence is about.
         let verbal = get().verb(&self.tokens[self.chunks[i].at.start..self.chunks[i].at.start + 1]).is_some()
             && !self.main.is_empty()
@@ -41,13 +58,21 @@ impl Reader<'_> {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
+                } else if self.s.nothing && !self.s.subject {
+                    self.nothing(i, rel, &items);
                 } else if before_subject
                     || of.is_empty()
                     || self.preposed(i, next, end)
                     || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
                 {
-                    self.s.lead.push((rel, Lead::Items(items, each)));
+                    self.s.lead_not |= negative;
+                    let twice = rel == Rel::Beside && self.sides(i);
+                    self.s.lead_twice |= twice;
+                    self.s.lead.push((if twice { Rel::Sides } else { rel }, Lead::Items(items, each)));
                 } else {
+                    if each && items.len() == 1 && self.s.one {
+                        self.one_each(&of, items[0]);
+                    }
                     if each && items.len() == 1 && !self.s.one {
                         let fresh: Vec<usize> = of
                             .iter()
@@ -60,13 +85,12 @@ impl Reader<'_> {
                         let (soft, at) = (self.s.soft, self.s.at.clone());
                         self.scene.say(&of, What::Rel(rel, items), soft, true, at);
                     } else {
-                        let sides = self.chunks[i]
-                            .at
-                            .clone()
-                            .any(|t| matches!(self.tokens[t].text.as_str(), "each" | "either" | "both"));
-                        if sides && rel == Rel::Beside {
+                        let rel = if self.sides(i) && rel == Rel::Beside {
                             self.double();
-                        }
+                            Rel::Sides
+                        } else {
+                            rel
+                        };
                         let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
                         self.drop_usual(&of);
                         self.relate(&of, rel, &items);
@@ -81,7 +105,7 @@ impl Reader<'_> {
                     match place {
                         Place::Row => self.rows(&m),
                         Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
-                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing), m.values[0])),
+                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
                     }
                 } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
                     self.s.lead.push((rel, Lead::Place(place, which)));
@@ -109,10 +133,19 @@ impl Reader<'_> {
         let np = self.np(k, end)?;
         match np.kind {
             Kind::Thing => {
-                let id = self.resolve(k, np, true)?;
+                // "between two tables": any two of those there are.
+                let two = np.count == Some(2) && np.det == Det::Number && rel == Rel::Between;
+                let known = self.scene.find(np, self.room).filter(|f| {
+                    let item = &self.scene.items[*f];
+                    two && item.many && item.words == np.words && item.room == self.room
+                });
+                let id = match known {
+                    Some(id) => id,
+                    None => self.resolve(k, np, true)?,
+                };
                 self.mark(k);
                 self.recent.push(id);
-                let mut items = vec![id];
+                let mut items = self.all_of(id, np);
                 let mut next = self.after_noun(k + 1, end, id);
                 let mut each = np.det == Det::Each && np.count.is_none();
                 // More objects: "between the sofa and the tv", "next to the fridge and the stove".
@@ -129,10 +162,12 @@ impl Reader<'_> {
             }
             Kind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
-                let items = self.their(word, np.det == Det::Each);
+                let contrast = self.other_side(rel).filter(|_| word == "it");
+                let items = contrast.unwrap_or_else(|| self.their(word, np.det == Det::Each));
                 if items.is_empty() {
                     return None;
                 }
+                self.s.it = items.clone();
                 self.mark(k);
                 Some((Lead::Items(items, np.det == Det::Each || word == "each"), k + 1))
             }
@@ -162,16 +197,34 @@ impl Reader<'_> {
                 }
                 None
             }
+            Kind::Place(Place::Row) if self.row(np).is_some() => {
+                self.mark(k);
+                let part = self.row(np)?;
+                Some((Lead::Items(vec![part], false), k + 1))
+            }
+            // "at its foot", "by its side"
+            Kind::Place(
+                place @ (Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
+            ) if np.det == Det::Own && !self.their("it", false).is_empty() => {
+                let items = self.their("it", false);
+                self.mark(k);
+                self.s.turned = Some(match place {
+                    Place::Foot | Place::Front => Rel::InFrontOf,
+                    Place::Back => Rel::Behind,
+                    _ => Rel::Beside,
+                });
+                Some((Lead::Items(items, false), k + 1))
+            }
             Kind::Place(place) => {
                 self.mark(k);
-                Some(self.place_object(k, end, place, np))
+                Some(self.place_object(k, end, rel, place, np))
             }
             Kind::Abstract => None,
         }
     }
 
     /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
-    pub(super) fn place_object(&mut self, k: usize, end: usize, place: Place, np: &Np) -> (Lead, usize) {
+    pub(super) fn place_object(&mut self, k: usize, end: usize, said: Rel, place: Place, np: &Np) -> (Lead, usize) {
         let mut which = np.which.clone();
         if np.det == Det::Each || np.many {
             which.push("each".into());
@@ -204,13 +257,24 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            if place == Place::Side && which.iter().any(|w| w == "each") {
+                            if matches!(said, Rel::At | Rel::In) {
+                                self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
+                            }
+                            if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
                                 self.double();
                             }
                             return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
                         }
                         next += 2;
                     }
+                }
+                // "in the middle of it": of the room spoken of.
+                Some((Kind::Pronoun, np))
+                    if self.about_room && !self.s.subject && np.words.first().is_some_and(|w| w == "it") =>
+                {
+                    self.mark(next);
+                    self.mark(next + 1);
+                    next += 2;
                 }
                 Some((Kind::Pronoun, np)) => {
                     let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);
@@ -229,6 +293,84 @@ impl Reader<'_> {
             }
         }
         (Lead::Place(place, which), next)
+    }
+
+    /// "in two islands of three": how things stand, and how many they are.
+    fn clusters(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
+        let np = self.np(i + 1, end).filter(|_| rel == Rel::In)?;
+        let n = np.count.filter(|n| *n > 1)?;
+        if !matches!(np.words.last()?.as_str(), "island" | "block" | "cluster" | "group" | "pod" | "pair" | "bank") {
+            return None;
+        }
+        let of = matches!(self.piece(i + 2, end), Some(Piece::Rel(Rel::Of)));
+        let each = if of { self.number_at(i + 3, end) } else { None };
+        if let (Some(each), [item]) = (each, self.main.as_slice()) {
+            let item = &mut self.scene.items[*item];
+            if item.many && item.count.is_none() {
+                item.count = Some(n * each);
+            }
+            self.mark(i + 1);
+        }
+        Some(i + 2 + if each.is_some() { 2 } else { 0 })
+    }
+
+    /// "the doors", where one was named after the other: all of them.
+    fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
+        let like = |o: &usize| {
+            let item = &self.scene.items[*o];
+            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.scene.gone.contains(o)
+        };
+        let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
+        let doors: Vec<usize> = (0..self.scene.items.len()).filter(like).collect();
+        if plain && doors.len() > 1 && !self.scene.items[id].many { doors } else { vec![id] }
+    }
+
+    /// "the first row", "the back row": the one in its middle, of what stands in rows here.
+    fn row(&mut self, np: &Np) -> Option<usize> {
+        let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
+        let row = match np.nth {
+            Some(Nth::At(n)) => n,
+            Some(Nth::Last) => usize::MAX,
+            _ if which(&["front", "first"]) => 0,
+            _ if which(&["back", "last", "rear"]) => usize::MAX,
+            _ => return None,
+        };
+        let rows = |f: &&crate::read::scene::Fact| {
+            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.scene.items[f.of[0]].room == self.room
+        };
+        let of = self.scene.facts.iter().rev().find(rows)?.of[0];
+        Some(self.scene.part(of, Pick::Row(row), self.s.at.clone()))
+    }
+
+    /// Whether a relation says "either side", "both sides".
+    pub(super) fn sides(&self, i: usize) -> bool {
+        let words = &self.tokens[self.chunks[i].at.clone()];
+        let both = words.iter().any(|t| t.is("left")) && words.iter().any(|t| t.is("right"));
+        both || words.iter().any(|t| matches!(t.text.as_str(), "each" | "either" | "both"))
+    }
+
+    /// "round lamps, one for each counter": as many as there are of the other.
+    pub(super) fn one_each(&mut self, of: &[usize], owner: usize) {
+        for o in of.iter().filter(|o| **o != owner) {
+            let item = &mut self.scene.items[*o];
+            if item.many && item.count.is_none() && item.per.is_none() {
+                item.per = Some((owner, 1));
+            }
+        }
+    }
+
+    /// "nothing in front of the door", "nothing between the door and the desk".
+    fn nothing(&mut self, i: usize, rel: Rel, items: &[usize]) {
+        match (rel, items) {
+            (Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around, _) => {
+                self.clear(items, rel, CLEAR)
+            }
+            (Rel::Near | Rel::Beside | Rel::At, _) => self.say(items, What::Alone(0.5)),
+            (Rel::Between, [a, rest @ ..]) if !rest.is_empty() => {
+                self.say(&[*a], What::Rel(Rel::Visible, rest.to_vec()))
+            }
+            _ => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
+        }
     }
 
     pub(super) fn measure_follows(&self, from: usize, end: usize) -> bool {
@@ -299,8 +441,9 @@ impl Reader<'_> {
             }
             let subject = self.near.clone();
             for list in [&self.before, &self.main] {
-                if many(list) && *list != subject {
-                    return list.clone();
+                let others: Vec<usize> = list.iter().copied().filter(|o| !subject.contains(o)).collect();
+                if many(&others) {
+                    return others;
                 }
             }
             if let Some(i) = self.recent.iter().rev().find(|i| self.scene.items[**i].many && !subject.contains(i)) {
@@ -313,6 +456,10 @@ impl Reader<'_> {
             return owner.clone();
         }
         let subject = self.near.clone();
+        // "a desk, a chair behind it, two chairs in front of it": the desk all the time.
+        if self.s.subject && word == "it" && !self.s.it.is_empty() && self.s.it.iter().all(|o| !subject.contains(o)) {
+            return self.s.it.clone();
+        }
         // "a long table, eight chairs around it"
         if self.s.subject
             && subject != self.main
@@ -348,10 +495,18 @@ impl Reader<'_> {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
         let many = text.contains(&"them");
         let object = if rel == Rel::Between {
-            let list = if self.main.len() > 1 || !self.s.subject { self.main.clone() } else { self.before.clone() };
             let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            let list = match &self.s.expect {
+                // "two sofas with a table between them"
+                Expect::With(owner, _) if pair(owner) => owner.clone(),
+                _ if self.main.len() > 1 || !self.s.subject => self.main.clone(),
+                _ => self.before.clone(),
+            };
             if pair(&list) {
                 list
+            } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &self.main[..], &self.s.object[..]) {
+                // "the chest is at the foot of the bed, but leave 60 cm between them"
+                vec![*one, *other]
             } else {
                 let own: &[usize] = if self.s.subject { &self.main } else { &[] };
                 let mut last: Vec<usize> = Vec::new();
@@ -363,6 +518,10 @@ impl Reader<'_> {
                 last.reverse();
                 last
             }
+        } else if let Some(to) = self.both_sides(i, end, rel) {
+            to
+        } else if let Some(to) = self.other_side(rel) {
+            to
         } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
             // "a table, and on it a bowl"
             self.main.clone()
@@ -373,18 +532,33 @@ impl Reader<'_> {
         } else if many {
             self.them()
         } else {
-            if self.before.is_empty() {
-                self.recent.last().map(|r| vec![*r]).unwrap_or_default()
-            } else {
-                self.before.clone()
+            match (self.before.as_slice(), self.carrier.as_slice()) {
+                ([], _) => self.recent.last().map(|r| vec![*r]).unwrap_or_default(),
+                // "on the counter are a till and a scale; under it …"
+                ([_, _, ..], [one]) => vec![*one],
+                (before, _) => before.to_vec(),
             }
         };
         if object.is_empty() {
             return;
         }
+        if !many && rel != Rel::Between {
+            self.s.it = object.clone();
+        }
         let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        // "to the left as you come in": in that part of the room.
+        let next = self.tokens.get(self.chunks[i].at.end);
+        if matches!(rel, Rel::LeftOf | Rel::RightOf)
+            && next.is_some_and(|t| matches!(t.text.as_str(), "as" | "when" | "once"))
+            && !of.is_empty()
+        {
+            let which = if rel == Rel::LeftOf { "left" } else { "right" };
+            return self.at_place(&of, Rel::At, Place::Side, &[which.to_owned()]);
+        }
         if let Some(m) = self.s.pending.take() {
-            if self.s.keep || self.s.nothing {
+            if rel == Rel::Between {
+                self.measured(&of, rel, &object, &m, false);
+            } else if self.s.keep || self.s.nothing {
                 self.clear(&object, rel, m.values[0]);
             } else {
                 self.measured(&of, rel, &object, &m, false);
@@ -398,12 +572,48 @@ impl Reader<'_> {
             let (soft, at) = (self.s.soft, self.s.at.clone());
             self.scene.say(&of, What::Rel(rel, object), soft, true, at);
         } else {
-            if text.contains(&"either") || text.contains(&"both") || text.contains(&"each") {
+            let sides = self.sides(i);
+            if sides {
                 self.double();
             }
+            if rel == Rel::Between {
+                // "two sofas with a table between them": one table.
+                for o in &of {
+                    let item = &mut self.scene.items[*o];
+                    if item.per.is_some_and(|(owner, n)| n == 1 && object.contains(&owner)) {
+                        (item.per, item.count, item.many) = (None, Some(1), false);
+                    }
+                }
+            }
             self.drop_usual(&of);
-            self.relate(&of, rel, &object);
+            self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
+    }
+
+    /// "one to the left and one to the right of the sofa": of the sofa both.
+    fn both_sides(&mut self, i: usize, end: usize, rel: Rel) -> Option<Vec<usize>> {
+        let bare = !self.chunks[i].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "its" | "their"));
+        let opposite = match rel {
+            Rel::LeftOf => Rel::RightOf,
+            Rel::RightOf => Rel::LeftOf,
+            _ => return None,
+        };
+        let k = (i + 1..end.min(i + 4)).find(|k| self.chunks[*k].piece == Piece::Rel(opposite))?;
+        let between = |c: &Chunk| c.piece == Piece::And || c.np().is_some_and(|n| n.kind == Kind::Pronoun);
+        if !bare || !self.chunks[i + 1..k].iter().all(between) || self.np(k + 1, end)?.kind != Kind::Thing {
+            return None;
+        }
+        match self.object(k + 1, end, rel)? {
+            (Lead::Items(items, _), _) => Some(items),
+            _ => None,
+        }
+    }
+
+    /// "to the right of the fireplace a bookcase, to its left a desk": of the fireplace both.
+    fn other_side(&self, rel: Rel) -> Option<Vec<usize>> {
+        let (said, to) = self.side.as_ref()?;
+        let contrast = matches!((said, rel), (Rel::LeftOf, Rel::RightOf) | (Rel::RightOf, Rel::LeftOf));
+        contrast.then(|| to.clone())
     }
 
     /// The usual relation of things to their owner gives way to the one in words.
@@ -436,6 +646,9 @@ impl Reader<'_> {
         }
         self.say(&of, What::Rel(rel, to.to_vec()));
         self.s.object = to.to_vec();
+        if matches!(rel, Rel::LeftOf | Rel::RightOf) {
+            self.side = Some((rel, to.to_vec()));
+        }
         if rel == Rel::On {
             self.s.shared = Some((rel, to.to_vec()));
         }
@@ -443,6 +656,16 @@ impl Reader<'_> {
     }
 
     pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        match (place, &self.s.expect) {
+            // "an island with stools along one side"
+            (Place::Side | Place::End, Expect::With(owner, _))
+                if !owner.is_empty() && matches!(rel, Rel::Along | Rel::At | Rel::On) && which.is_empty() =>
+            {
+                let owner = owner.clone();
+                return self.relate(of, Rel::Along, &owner);
+            }
+            _ => {}
+        }
         match place {
             Place::Row => self.say(of, What::Pattern(Pattern::Row)),
             Place::Circle => self.say(of, What::Pattern(Pattern::Circle)),
@@ -450,7 +673,7 @@ impl Reader<'_> {
                 // "on each side": of what was spoken of before.
                 let to = self.before.clone();
                 if !to.is_empty() {
-                    self.relate(of, Rel::Beside, &to);
+                    self.relate(of, Rel::Sides, &to);
                 }
             }
             _ => {

@@ -5,6 +5,17 @@ use super::*;
 impl Reader<'_> {
     pub(super) fn on_np(&mut self, i: usize, end: usize, np: &Np) -> usize {
         match np.kind {
+            // "the bedroom is a mess"
+            Kind::Thing
+                if !np.known
+                    && np.det == Det::Indefinite
+                    && i > 0
+                    && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be))
+                    && matches!(self.tokens[self.chunks[i - 1].at.start].text.as_str(), "is" | "are" | "was")
+                    && (self.s.subject || self.s.of_room) =>
+            {
+                i + 1
+            }
             Kind::Thing => self.on_things(i, end),
             Kind::Room => {
                 self.on_room(i, end, np);
@@ -12,12 +23,22 @@ impl Reader<'_> {
             }
             Kind::Pronoun => {
                 self.on_pronoun(i, end, np);
-                i + 1
+                self.s.skip.take().unwrap_or(i + 1)
             }
             Kind::Abstract => {
-                if np.det == Det::No || np.words.first().is_some_and(|w| w == "nothing") {
+                let anything = np.words.first().is_some_and(|w| w == "anything" || w == "something");
+                if np.det == Det::No
+                    || np.words.first().is_some_and(|w| w == "nothing")
+                    || anything && std::mem::take(&mut self.s.not)
+                {
                     self.s.nothing = true;
                     self.s.keep = true;
+                }
+                if let (true, [(Dim::Width, width), ..]) = (self.s.path, np.dims.as_slice()) {
+                    // "a 1.5 m wide path from the gate to the stage"
+                    let m = Measure { op: Op::Least, said: true, values: vec![*width], dims: vec![], area: false };
+                    self.mark(i);
+                    return self.on_path(i, end, &m);
                 }
                 if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor")
                     && let Some(m) = self.s.pending.take()
@@ -32,7 +53,7 @@ impl Reader<'_> {
     }
 
     /// A place with no relation before it: "the walls are white", "one corner".
-    pub(super) fn on_place_first(&mut self, i: usize, end: usize, place: Place, _np: &Np) -> usize {
+    pub(super) fn on_place_first(&mut self, i: usize, end: usize, place: Place, np: &Np) -> usize {
         let surface = matches!(place, Place::Wall | Place::Floor | Place::Ceiling);
         let mut k = i + 1;
         while matches!(self.piece(k, end), Some(Piece::Verb(Verb::Be) | Piece::Rel(Rel::In | Rel::Of))) {
@@ -47,6 +68,29 @@ impl Reader<'_> {
             }
             (i..=k).for_each(|c| self.mark(c));
             return k + 1;
+        }
+        self.s.rows |= place == Place::Row && !self.s.subject;
+        let before = i.checked_sub(1).map(|k| &self.chunks[k].piece);
+        // "Desks, five rows"
+        if let (Place::Row, Some(rows), false) = (place, np.count.filter(|n| *n > 1), self.near.is_empty()) {
+            let of = self.near.clone();
+            self.say(&of, What::Pattern(Pattern::Rows(rows)));
+            self.mark(i);
+            return i + 1;
+        }
+        // "the chairs occupy the corner", "cabin: rear right corner"
+        let there = matches!(place, Place::Corner | Place::Middle) || place == Place::Wall && !np.which.is_empty();
+        let verb = matches!(before, Some(Piece::Verb(_)));
+        let of = if self.near.is_empty() || verb { self.main.clone() } else { self.near.clone() };
+        if there
+            && !of.is_empty()
+            && matches!(before, Some(Piece::Verb(Verb::Be | Verb::Cover) | Piece::Colon | Piece::Comma))
+            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Rel(_) | Piece::And))
+        {
+            self.at_place(&of, if place == Place::Wall { Rel::Against } else { Rel::In }, place, &np.which);
+            self.s.expect = Expect::Nothing;
+            self.mark(i);
+            return i + 1;
         }
         self.near.clear();
         if place == Place::Ceiling {
@@ -69,6 +113,8 @@ impl Reader<'_> {
         if self.s.doors && named_before {
             return;
         }
+        let led = self.s.lead.iter().any(|(_, l)| matches!(l, Lead::Items(..)));
+        self.s.room_first |= !self.s.subject && !led;
         self.s.of_room = true;
         self.room = room;
         self.near.clear();
@@ -101,8 +147,13 @@ impl Reader<'_> {
 
     pub(super) fn connect(&mut self, from: usize, to: usize) {
         let start = self.s.at.start;
-        let said = self.scene.items.iter().rposition(|it| it.group == Group::Door && it.at.start >= start);
+        let said = self
+            .scene
+            .items
+            .iter()
+            .rposition(|it| it.group == Group::Door && it.at.start >= start && it.part.is_none());
         let again = self.recent.last().copied().filter(|r| self.scene.items[*r].group == Group::Door);
+        let again = again.map(|r| self.scene.whole(r));
         if let Some(door) = said.or(again) {
             let item = &mut self.scene.items[door];
             if item.room == to {
@@ -120,7 +171,10 @@ impl Reader<'_> {
                 Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
             )
         );
-        if let (Some(n), [item]) = (np.count, self.main.as_slice()) {
+        let each_next = self.each_next(i, end);
+        if let (Some(n), [item]) = (np.count.filter(|n| *n > 1 || word == "them"), self.main.as_slice())
+            && each_next.is_none()
+        {
             // "four of them"
             let it = &mut self.scene.items[*item];
             if it.many && it.count.is_none() {
@@ -128,15 +182,43 @@ impl Reader<'_> {
                 self.mark(i);
             }
         }
+        if let (Some(1), Some(k)) = (np.count, each_next)
+            && let (Some(owner), Some(of)) =
+                (self.np(k, end).and_then(|np| self.scene.find(np, self.room)), self.main.first().copied())
+        {
+            // "one for each counter"
+            self.one_each(&[of], owner);
+            self.mark(i);
+            self.mark(k);
+            self.s.skip = Some(k + 1);
+            return;
+        }
+        if !matches!(self.s.expect, Expect::Object(_))
+            && let Some(part) = self.dealt(i, end, np)
+        {
+            if self.main.first().is_some_and(|m| self.scene.items[*m].part.is_none()) {
+                self.before = std::mem::take(&mut self.main);
+            }
+            self.main = vec![part];
+            self.near = vec![part];
+            self.s.subject = true;
+            self.s.one = true;
+            self.s.expect = Expect::Nothing;
+            self.mark(i);
+            self.apply_lead();
+            return;
+        }
         let bare = !self.s.subject && !self.s.of_room && matches!(word, "it") && i > 0 && np.det == Det::None;
-        if bare && self.about_room {
+        // "It shall contain …", after a sentence that began with the room.
+        let contains = (i + 1..end.min(i + 4)).any(|k| self.piece(k, end) == Some(&Piece::Verb(Verb::Have)));
+        if bare && (self.about_room || self.room_began && contains) {
             self.s.of_room = true;
             self.s.room_last = true;
             self.s.rooms.push(self.room);
             self.mark(i);
             return;
         }
-        self.s.one |= np.count == Some(1) || word == "one";
+        self.s.one |= np.count.is_some() && word == "ones" || word == "one";
         let dir = if matches!(word, "them" | "they" | "these" | "those" | "both" | "all" | "ones") {
             self.them()
         } else {
@@ -161,6 +243,7 @@ impl Reader<'_> {
         match self.s.expect.clone() {
             Expect::Object(rel) if !self.main.is_empty() => {
                 let of = self.main.clone();
+                let dir = if dir == of { self.their(word, false) } else { dir };
                 self.relate(&of, rel, &dir);
                 self.s.expect = Expect::Nothing;
             }
@@ -173,6 +256,18 @@ impl Reader<'_> {
             _ => {}
         }
         self.mark(i);
+    }
+
+    /// "one for each counter", "one per desk": the chunk of the counter.
+    fn each_next(&self, i: usize, end: usize) -> Option<usize> {
+        let per = self.np(i + 1, end).filter(|n| n.det == Det::Each && n.kind == Kind::Thing);
+        if per.is_some() {
+            return Some(i + 1);
+        }
+        let word = matches!(self.piece(i + 1, end), Some(Piece::Word(_)))
+            && matches!(self.tokens[self.chunks[i + 1].at.start].text.as_str(), "for" | "per");
+        let each = self.np(i + 2, end).filter(|n| n.kind == Kind::Thing && n.det == Det::Each);
+        (word && each.is_some()).then_some(i + 2)
     }
 
     /// The one thing that "it" stands for.
@@ -211,6 +306,16 @@ impl Reader<'_> {
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
         let found = self.scene.find(np, self.room);
+        if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
+            return Some(part);
+        }
+        // "the window", in a room that has spoken of none: its own.
+        let plain = np.words.len() == 1 && matches!(np.group, Some(Group::Window)) && np.det != Det::Each;
+        let here = |f: &usize| {
+            let item = &self.scene.items[*f];
+            !plain || item.room == self.room || item.beyond == Some(self.room)
+        };
+        let found = found.filter(here);
         let exact = found.filter(|f| {
             let item = &self.scene.items[*f];
             item.words == np.words && (np.look.color.is_none() || item.look.color == np.look.color)
@@ -221,15 +326,94 @@ impl Reader<'_> {
             Det::Each | Det::No => found,
             Det::None if np.count.is_none() => {
                 let plain = object || self.s.keep || self.s.pending.is_some();
-                exact.or(found.filter(|_| plain))
+                let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
+                exact.filter(here).or(found.filter(|_| plain))
             }
-            Det::None | Det::Number => None,
-            Det::Indefinite => None,
+            // "to an exit": any of those there are.
+            Det::Indefinite if object && np.count.is_none() && np.look == crate::draft::Look::default() => {
+                exact.filter(|f| self.scene.items[*f].opening() && self.scene.items[*f].many)
+            }
+            Det::None | Det::Number | Det::Indefinite => None,
         };
         if np.other && np.det != Det::Definite {
             return self.introduce(i, np);
         }
         again.or_else(|| self.introduce(i, np))
+    }
+
+    /// "the first exit", "two of the chairs": some of what is known.
+    fn some_of(&mut self, i: usize, nth: Nth, count: Option<usize>, found: Option<usize>) -> Option<usize> {
+        let of = found.filter(|f| self.scene.items[*f].many)?;
+        let all = self.scene.count(of);
+        let pick = match nth {
+            Nth::At(n) if n < all => Pick::Run(n, 1),
+            Nth::At(_) => return None,
+            Nth::Last => Pick::Last,
+            Nth::Half => Pick::Half,
+            Nth::Every(n) => Pick::Every(n),
+            Nth::Some => return self.deal(i, of, count?),
+        };
+        let at = self.bytes(i..i + 1);
+        if nth == Nth::Half {
+            self.dealt = Some((of, (all / 2).max(1)));
+        }
+        Some(self.scene.part(of, pick, at))
+    }
+
+    /// The next so many of several, if there are so many.
+    fn deal(&mut self, i: usize, of: usize, n: usize) -> Option<usize> {
+        let all = self.scene.count(of);
+        let stated = self.scene.items[of].count.is_some() || self.scene.items[of].per.is_some();
+        if n == 0 || n >= all && stated {
+            return None;
+        }
+        let from = self.dealt.filter(|d| d.0 == of && d.1 + n <= all).map_or(0, |d| d.1);
+        self.dealt = Some((of, from + n));
+        let at = self.bytes(i..i + 1);
+        Some(self.scene.part(of, Pick::Run(from, n), at))
+    }
+
+    /// "one on the west wall and one on the east wall", "the other two": some of what was spoken of last.
+    fn dealt(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
+        let word = np.words.first().map_or("", String::as_str);
+        if np.other && matches!(np.det, Det::Definite | Det::Own) {
+            let (of, taken) = self.dealt?;
+            let at = self.bytes(i..i + 1);
+            let all = self.scene.count(of);
+            let n = np.count.unwrap_or(all.saturating_sub(taken));
+            if taken >= all {
+                return None;
+            }
+            self.dealt = Some((of, taken + n));
+            let whole = taken + n >= all;
+            return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
+        }
+        let n = np.count?;
+        let of_them = word == "them";
+        let bare = word == "ones" && np.det == Det::Number;
+        let goes_on = matches!(
+            self.piece(i + 1, end),
+            Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_) | Piece::With | Piece::Pattern(_))
+        );
+        if !(of_them || bare) || !goes_on || np.det == Det::Each {
+            return None;
+        }
+        let many = |o: &usize| self.scene.items[*o].many && self.scene.items[*o].part.is_none();
+        let known = |o: &usize| self.dealt.is_some_and(|d| d.0 == *o);
+        let last = self.recent.last().filter(|r| self.scene.items[**r].at.start >= self.s.at.start);
+        let of = [&self.main, &self.near]
+            .into_iter()
+            .flatten()
+            .chain(last)
+            .map(|o| self.scene.whole(*o))
+            .find(|o| many(o))
+            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o))))?;
+        // "one on each side": of one thing, so many for each.
+        let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
+        if each(i + 2) || self.scene.items[of].count.is_none() && self.scene.items[of].per.is_none() && !of_them {
+            return None;
+        }
+        self.deal(i, of, n)
     }
 
     pub(super) fn introduce(&mut self, i: usize, np: &Np) -> Option<usize> {
@@ -253,6 +437,9 @@ impl Reader<'_> {
         }
         let at = self.bytes(i..i + 1);
         let id = self.scene.add(np, self.room, at);
+        if np.row {
+            self.say(&[id], What::Pattern(Pattern::Row));
+        }
         if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.scene.items[id].opening() {
             self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
         }
@@ -269,9 +456,15 @@ impl Reader<'_> {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
         // What must not be there.
-        let denied = np.det == Det::No || self.s.not && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
+        let denied = np.det == Det::No
+            || self.s.not
+                && self.s.expect != Expect::Blocked
+                && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
         let limits = (i..end).any(|k| match &chunks[k].piece {
             Piece::Measure(_) => true,
+            Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
+                self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.scene.find(np, self.room).is_some()
+            }
             Piece::Verb(Verb::Be) => {
                 chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
                     && self.scene.find(np, self.room).is_some()
@@ -286,6 +479,7 @@ impl Reader<'_> {
         let mut k = i;
         let mut each = np.det == Det::Each;
         let new_from = self.scene.items.len();
+        let (mut joined, mut over) = (false, false);
         while let Some(np) = self.np(k, end) {
             if np.kind != Kind::Thing {
                 break;
@@ -296,17 +490,24 @@ impl Reader<'_> {
                 self.near = vec![id];
                 if id < new_from {
                     self.more_of(id, np);
+                } else if np.det == Det::Definite && !np.many {
+                    self.s.definite.push(id);
                 }
                 k = self.after_noun(k + 1, end, id);
+                k = self.for_each(k, end, id, &group);
             } else {
                 k += 1;
             }
             each |= np.det == Det::Each;
-            let next = self.list_next(k, end);
-            match next {
-                Some(n) => k = n,
-                None => break,
+            let Some(next) = self.list_next(k, end) else { break };
+            // "each with a monitor, a mouse and a chair, and a printer": the printer is of no desk.
+            let and = (k..next).any(|c| chunks[c].piece == Piece::And);
+            if and && joined && matches!(self.s.expect, Expect::With(..)) {
+                over = true;
+                break;
             }
+            joined |= and;
+            k = next;
         }
         if group.is_empty() {
             return k.max(i + 1);
@@ -314,24 +515,11 @@ impl Reader<'_> {
         self.s.room_last = false;
         self.recent.extend(&group);
         self.place_group(&group, new_from, each);
+        if over {
+            self.s.expect = Expect::Nothing;
+            self.s.each = false;
+        }
         k
-    }
-
-    /// What a second mention adds.
-    pub(super) fn more_of(&mut self, id: usize, np: &Np) {
-        let look = np.look.clone();
-        let item = &mut self.scene.items[id];
-        if item.count.is_none() && np.count.is_some() {
-            item.count = np.count;
-        }
-        item.take_dims(&np.dims);
-        if np.det != Det::None {
-            let fresh = crate::draft::Look {
-                features: look.features.into_iter().filter(|f| !item.look.features.contains(f)).collect(),
-                ..look
-            };
-            self.add_look(&[id], &fresh);
-        }
     }
 
     /// Where a list goes on: after "and" or a comma, if a noun phrase follows that is a thing.
@@ -345,106 +533,11 @@ impl Reader<'_> {
         }
         self.np(n, end).filter(|np| np.kind == Kind::Thing && np.det != Det::No)?;
         // "…, the table in the middle": a clause of its own is read on its own all the same; the list ends before a verb.
-        let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be);
+        // So does "… encircles the column, and the column is …".
+        let again =
+            matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
+        let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
         (!verb_before).then_some(n)
-    }
-
-    /// Looks, sizes and parts right after a noun: "(white, 2 m wide)", "of dark cedar", "in yellow steel", "with armrests".
-    pub(super) fn after_noun(&mut self, from: usize, end: usize, id: usize) -> usize {
-        let mut k = from;
-        let mut depth = 0;
-        loop {
-            match self.piece(k, end) {
-                Some(Piece::Open) => depth += 1,
-                Some(Piece::Close) => depth -= 1,
-                Some(Piece::Attr(look)) => {
-                    self.mark(k);
-                    self.add_look(&[id], look);
-                }
-                Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
-                    self.mark(k)
-                }
-                Some(Piece::Rel(Rel::Of))
-                    if self
-                        .np(k + 1, end)
-                        .is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Abstract) && n.det == Det::None) =>
-                {
-                    // "a bowl of mints", "a stack of books"
-                    let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.scene.items[id].look.features.push(format!("of {}", text.join(" ")));
-                    self.mark(k);
-                    self.mark(k + 1);
-                    k += 1;
-                }
-                Some(Piece::Measure(m))
-                    if !m.said
-                        && !m.area
-                        && (m.values.len() > 1 || !m.dims.is_empty())
-                        && !m.dims.contains(&Dim::Ceiling) =>
-                {
-                    let mut dims = Vec::new();
-                    crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
-                    self.scene.items[id].take_dims(&dims);
-                    self.mark(k);
-                }
-                Some(Piece::Comma)
-                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
-                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.contains(&Dim::Ceiling)) =>
-                    {}
-                Some(Piece::Comma | Piece::And) if depth > 0 => {}
-                Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}
-                Some(Piece::Np(np))
-                    if depth > 0
-                        && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) =>
-                {
-                    // "(white tops, grey steel frames)"
-                    self.add_look(&[id], &np.look.clone());
-                    let text: Vec<&str> = self.chunks[k].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.scene.items[id].look.features.push(text.join(" "));
-                    self.mark(k);
-                }
-                Some(Piece::With)
-                    if self
-                        .np(k + 1, end)
-                        .is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) =>
-                {
-                    let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
-                    if back {
-                        break;
-                    }
-                    self.near = vec![id];
-                    k = self.with_part(k, end);
-                    continue;
-                }
-                Some(Piece::Soft) if depth > 0 => self.mark(k),
-                Some(Piece::Word(_) | Piece::Measure(_)) if depth > 0 => {}
-                Some(Piece::Np(np)) if depth > 0 && np.kind == Kind::Abstract => {}
-                _ => break,
-            }
-            k += 1;
-        }
-        k
-    }
-
-    /// "no television and no whiteboard".
-    pub(super) fn deny(&mut self, i: usize, end: usize) -> usize {
-        let mut k = i;
-        while let Some(np) = self.np(k, end).filter(|n| n.kind == Kind::Thing) {
-            let at = self.bytes(k..k + 1);
-            self.scene.absent.push((np.name(), at));
-            self.mark(k);
-            k += 1;
-            while matches!(self.piece(k, end), Some(Piece::And | Piece::Comma)) {
-                k += 1;
-            }
-        }
-        // Where it must not be says nothing more.
-        while k < end && !matches!(self.chunks[k].piece, Piece::Comma | Piece::And) {
-            self.mark(k);
-            k += 1;
-        }
-        self.s.not = false;
-        k
     }
 
     /// What a group of things is in its sentence.
@@ -454,7 +547,10 @@ impl Reader<'_> {
             Expect::With(owner, join) if !owner.is_empty() => {
                 let per = self.s.each || owner.iter().any(|o| self.scene.items[*o].many);
                 if per && owner.len() == 1 {
-                    self.multiply(&fresh, owner[0]);
+                    // "six desks, with the printer in a corner": one printer.
+                    let definite = std::mem::take(&mut self.s.definite);
+                    let own: Vec<usize> = fresh.iter().copied().filter(|f| !definite.contains(f)).collect();
+                    self.multiply(&own, owner[0]);
                 }
                 self.join(&owner, &fresh, join);
                 self.s.expect = Expect::With(owner, join);
@@ -464,6 +560,12 @@ impl Reader<'_> {
                 let of = self.main.clone();
                 self.relate(&of, rel, group);
                 self.near = group.to_vec();
+            }
+            Expect::Blocked if self.s.nothing || !self.s.subject => self.clear(group, Rel::InFrontOf, CLEAR),
+            Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
+            Expect::Blocked => {
+                let (of, soft, at) = (self.main.clone(), self.s.soft, self.s.at.clone());
+                self.scene.say(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true, at);
             }
             expect => {
                 if let Expect::With(..) = expect {
@@ -500,8 +602,18 @@ impl Reader<'_> {
         let lead = std::mem::take(&mut self.s.lead);
         let of = self.main.clone();
         let fresh: Vec<usize> = of.clone();
+        if let Some(pattern) = self.s.lead_pattern.take() {
+            self.say(&of, What::Pattern(pattern));
+        }
+        if std::mem::take(&mut self.s.lead_twice) {
+            self.double();
+        }
         for (rel, to) in &lead {
             match to {
+                Lead::Items(items, _) if self.s.lead_not => {
+                    let (soft, at) = (self.s.soft, self.s.at.clone());
+                    self.scene.say(&of, What::Rel(*rel, items.clone()), soft, true, at);
+                }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
                         self.multiply(&fresh, items[0]);
@@ -533,14 +645,18 @@ impl Reader<'_> {
                 }
                 Group::Seat => Some(Rel::Near),
                 Group::Flat => Some(Rel::Under),
+                Group::Drape if matches!(owner_group, Group::Window | Group::Door) => Some(Rel::Near),
                 Group::Ceiling => Some(Rel::Above),
+                Group::Floor if self.scene.items[*t].words.last().is_some_and(|w| w == "lamp") => {
+                    Some(if owner_group == Group::Table { Rel::On } else { Rel::Beside })
+                }
                 Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),
                 _ => None,
             };
             let rel = match join {
                 Join::Usual => usual.map(|r| (r, false)),
                 Join::On => Some((Rel::On, false)),
-                Join::Beside => Some((Rel::Beside, true)),
+                Join::Beside => Some((Rel::Sides, true)),
                 Join::Around => Some((Rel::Around, true)),
                 Join::Above => Some((Rel::Above, true)),
             };

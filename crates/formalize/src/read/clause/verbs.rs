@@ -28,6 +28,7 @@ impl Reader<'_> {
                 self.s.expect = if of_room { Expect::Nothing } else { Expect::With(owner, join) };
                 self.s.listed = true;
             }
+            Verb::Block => self.s.expect = Expect::Blocked,
             Verb::Face => self.s.expect = Expect::Object(Rel::Facing),
             Verb::Light => {
                 let passive = self.tokens[self.chunks[i].at.start].is("lit") || self.chunks[i].at.len() > 1;

@@ -1,6 +1,6 @@
 //! Where in its room a thing stands: at which wall, in which corner, on which side.
 
-use super::Named;
+use super::{Named, Side};
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
 use crate::read::scene::What;
@@ -26,6 +26,33 @@ impl Named<'_> {
             self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
+        // What is no contact with the wall.
+        if place == Place::Wall && !opening {
+            let direction = which.iter().find_map(|w| direction(w));
+            let text = match rel {
+                Rel::Facing => direction.map(|(axis, sign)| {
+                    let test = if sign > 0.0 { ">= 0.9" } else { "<= -0.9" };
+                    self.all(a, |x| format!("{x}.front.{axis} {test}"))
+                }),
+                Rel::Parallel | Rel::Perpendicular => {
+                    let along = direction.map(|d| d.0).or_else(|| self.axis(a, which));
+                    let axis = along.map(|axis| if (axis == 'x') == (rel == Rel::Parallel) { 'x' } else { 'z' });
+                    Some(match axis {
+                        Some(axis) => self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")),
+                        None => self.all(a, |x| format!("max(abs({x}.front.x), abs({x}.front.z)) >= 0.99")),
+                    })
+                }
+                Rel::Near | Rel::Beside => Some(self.all(a, |x| format!("gap({x}, {room}) <= 0.6"))),
+                Rel::Far => Some(self.all(a, |x| format!("gap({x}, {room}) >= 0.5"))),
+                _ => None,
+            };
+            if let Some(text) = text {
+                say(text);
+            }
+            if matches!(rel, Rel::Facing | Rel::Parallel | Rel::Perpendicular | Rel::Near | Rel::Beside | Rel::Far) {
+                return;
+            }
+        }
         match place {
             Place::Wall if opening => {
                 if let Some(text) = self.side(a, which) {
@@ -35,7 +62,7 @@ impl Named<'_> {
             Place::Wall => {
                 let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
                     || matches!(rel, Rel::Mounted | Rel::Hang)
-                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed)
+                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed) && !self.tall(a)
                     || group == Group::Ceiling;
                 say(self.all(a, |x| {
                     if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }
@@ -44,10 +71,47 @@ impl Named<'_> {
                     say(text);
                 }
             }
-            Place::Corner if self.counts[a] <= 4 && !matches!(group, Group::Ceiling | Group::Top) => {
-                say(self.all(a, |x| format!("inCorner({x}, {room})")));
-                if let Some(text) = self.side(a, which) {
-                    say(text);
+            Place::Corner if !matches!(group, Group::Ceiling | Group::Top) => {
+                // A corner is for one: what comes when all are taken is near one at best.
+                let free = 4_usize.saturating_sub(self.corners_before(k, a));
+                let taken = self.elements(a);
+                let aside = self.scene.facts.iter().find_map(|f| match f.what {
+                    What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
+                    _ => None,
+                });
+                if let Some(v) = aside {
+                    // Free at its sides: as near the corner as that lets it be.
+                    say(self.all(a, |x| format!("againstWall({x}, {room})")));
+                    out.push(format!("prefer {};", self.all(a, |x| {
+                        format!("min(gap({x}.center - {x}.right * ({x}.size.x / 2 + {v}), {room}), gap({x}.center + {x}.right * ({x}.size.x / 2 + {v}), {room})) <= 0.3")
+                    })));
+                    if let Some(text) = self.side(a, which) {
+                        out.push(format!("{verb} {text};"));
+                    }
+                    return;
+                }
+                let (of, n) = (self.name(a), self.counts[a]);
+                if self.array(a) && !which.iter().any(|w| w == "each") {
+                    // Several in one corner: the others by the first.
+                    say(format!("inCorner({of}[0], {room})"));
+                    if let Some(text) = self.side(a, which) {
+                        say(text);
+                    }
+                    let [w, _, d] = self.sizes[a];
+                    let reach = ((n as f64).sqrt() * (w.max(d) + 0.2) * 10.0).ceil() / 10.0;
+                    say(format!("forall i in 1..{n}: near({of}[i], {of}[0], {})", number(reach)));
+                } else if self.counts[a] <= free {
+                    say(self.all(a, |x| format!("inCorner({x}, {room})")));
+                    if let Some(text) = self.side(a, which) {
+                        say(text);
+                    }
+                } else {
+                    if free > 0 {
+                        let each: Vec<String> =
+                            taken.iter().take(free).map(|x| format!("inCorner({x}, {room})")).collect();
+                        say(each.join(" and "));
+                    }
+                    out.push(format!("prefer {};", self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))));
                 }
             }
             Place::Corner => say(self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))),
@@ -82,19 +146,39 @@ impl Named<'_> {
         }
     }
 
+    /// How many things are said to be in corners of the same room before.
+    fn corners_before(&self, k: usize, a: usize) -> usize {
+        let same = |o: &usize| self.scene.items[*o].room == self.scene.items[a].room && *o != a;
+        let before = self.scene.facts[..k]
+            .iter()
+            .filter(|f| !f.not && !f.soft && matches!(f.what, What::Place(_, Place::Corner, _)));
+        before.flat_map(|f| f.of.iter().filter(|o| same(o))).map(|o| self.counts[*o]).sum()
+    }
+
+    /// Along which axis a "long" or "short" wall looks.
+    fn axis(&self, a: usize, which: &[String]) -> Option<char> {
+        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        which.iter().find_map(|w| {
+            let along_x = size[0] >= size[2];
+            match w.as_str() {
+                "side" => Some('x'),
+                "long" | "longer" | "longest" => Some(if along_x { 'z' } else { 'x' }),
+                "short" | "shorter" | "end" => Some(if along_x { 'x' } else { 'z' }),
+                _ => None,
+            }
+        })
+    }
+
     /// At which wall: its back is to it.
     fn wall(&self, k: usize, a: usize, which: &[String]) -> Option<String> {
-        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
         for w in which {
             match (direction(w), w.as_str()) {
                 (Some((axis, sign)), _) => {
                     let test = if sign > 0.0 { "<= -0.9" } else { ">= 0.9" };
                     return Some(self.all(a, |x| format!("{x}.front.{axis} {test}")));
                 }
-                (_, "long" | "longer" | "longest" | "short" | "shorter" | "side") => {
-                    let along_x = size[0] >= size[2];
-                    let long = w.starts_with("long");
-                    let axis = if w == "side" || along_x != long { "x" } else { "z" };
+                (_, "long" | "longer" | "longest" | "short" | "shorter" | "side" | "end") => {
+                    let axis = self.axis(a, which)?;
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
@@ -131,19 +215,24 @@ impl Named<'_> {
                         0.0
                     };
                     if *sign > 0.0 {
-                        format!("{x}.center.{axis} >= {room}.center.{axis} + {}", number(reach))
+                        format!("{x}.center.{axis} >= {room}.center.{axis}{}", shift(" + ", reach))
                     } else {
-                        format!("{x}.center.{axis} <= {room}.center.{axis} - {}", number(reach))
+                        format!("{x}.center.{axis} <= {room}.center.{axis}{}", shift(" - ", reach))
                     }
                 })
                 .collect();
-            each.join(" and ").replace(" + 0 ", " ").replace(" - 0 ", " ")
+            each.join(" and ")
         }))
     }
 }
 
+/// What is added, if it is anything.
+fn shift(sign: &str, by: f64) -> String {
+    if by == 0.0 { String::new() } else { format!("{sign}{}", number(by)) }
+}
+
 /// Compass and plan: north and back are +z, east and right +x.
-fn direction(word: &str) -> Option<(char, f64)> {
+pub(super) fn direction(word: &str) -> Option<(char, f64)> {
     let word = word.strip_suffix("ern").unwrap_or(word);
     Some(match word {
         "north" | "back" | "rear" | "far" | "upper" | "top" | "farthest" | "furthest" => ('z', 1.0),

@@ -1,15 +1,17 @@
 //! One thing and another: on, beside, in front of, around, between.
 
 use super::{Named, indexed};
+use crate::read::chunk::Pattern;
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
 use crate::read::scene::What;
+use crate::read::sizes;
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
 const NEAR: f64 = 1.0;
 /// How far a seat is from its table.
-const DRAWN_UP: f64 = 0.4;
+pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far "around" reaches, for what is no seat.
 pub(super) const AROUND: f64 = 1.2;
 
@@ -33,7 +35,10 @@ impl Named<'_> {
         match rel {
             Rel::Around => self.around(a, b, verb, out),
             Rel::At if seat_at => self.around(a, b, verb, out),
-            Rel::At => out.push(format!("{verb} {};", pairs(&far(if ga == Group::Seat { DRAWN_UP } else { NEAR })))),
+            Rel::At => {
+                let d = if ga == Group::Seat { DRAWN_UP } else { self.reach(a, b) };
+                out.push(format!("{verb} {};", pairs(&far(d))));
+            }
             Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::On => {
                 if matches!(gb, Group::Wall | Group::Door | Group::Window) {
@@ -63,8 +68,12 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&call("under"))));
                 out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
             }
-            Rel::Beside => {
-                let both = self.counts[a] == 2 * m;
+            // What stands on the floor and is tall is above nothing: it is by it on the plan.
+            Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
+            Rel::Beside | Rel::Sides if ga == Group::Drape => out.push(format!("{verb} {};", pairs(&far(0.3)))),
+            Rel::Beside | Rel::Sides => {
+                let both = rel == Rel::Sides && self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {
                     let side = |x: &str, i: usize, y: &str| {
                         format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" })
@@ -84,7 +93,7 @@ impl Named<'_> {
                     out.push(format!("{verb} {text};"));
                 } else if self.counts[a] > 2 && m == 1 {
                     // Three things have no room at two sides.
-                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                    out.push(format!("{verb} {};", pairs(&far(self.reach(a, b)))));
                 } else {
                     out.push(format!("{verb} {};", pairs(&call("beside"))));
                 }
@@ -92,14 +101,16 @@ impl Named<'_> {
             Rel::InFrontOf | Rel::Behind => {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
                 if ga == Group::Seat && matches!(gb, Group::Table) {
-                    let d = if self.said(a, |w| matches!(w, What::Gap(..))) { None } else { Some(DRAWN_UP) };
+                    // Rows of chairs before a lectern are not drawn up to it.
+                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.scene, b);
+                    let d = if away { None } else { Some(DRAWN_UP) };
                     if let Some(d) = d {
                         out.push(format!("{verb} {};", pairs(&far(d))));
                     }
                     out.push(format!("{verb} {};", pairs(&call("facing"))));
                 }
             }
-            Rel::Near => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
             Rel::Against | Rel::Along => {
                 out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
             }
@@ -108,6 +119,9 @@ impl Named<'_> {
                 let to = to.first().map_or("", String::as_str);
                 out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
                 out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+            }
+            Rel::Opposite if self.array(a) && self.array(b) => {
+                out.push(format!("prefer {};", pairs(&call("facing"))));
             }
             Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
             Rel::Opposite => {
@@ -147,6 +161,33 @@ impl Named<'_> {
         }
     }
 
+    /// Whether a thing stands on the floor and is as high as people.
+    pub fn tall(&self, item: usize) -> bool {
+        let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
+        let lamp = self.scene.items[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
+        let [w, h, d] = self.sizes[item];
+        !lamp
+            && matches!(self.group(item), Group::Floor | Group::Storage | Group::Bed | Group::Table | Group::Seat)
+            && !up
+            && h >= 1.2
+            && w * d >= 0.15
+    }
+
+    /// How far "near" reaches: a metre, and as far as a group of so many extends.
+    fn reach(&self, a: usize, b: usize) -> f64 {
+        let (n, m) = (self.counts[a], self.counts[b].max(1));
+        let each = if self.array(b) { n.div_ceil(m) } else { n };
+        let [w, _, d] = self.sizes[a];
+        let at_wall = self.said(a, |s| matches!(s, What::Place(_, Place::Wall, _)));
+        let extent = match each {
+            0..=2 => 0.0,
+            // Along a wall to both sides; else in a half circle.
+            n if at_wall => n as f64 * (w + 0.1) / 2.0,
+            n => (n as f64 * (w + 0.3) * (d + 0.6)).sqrt(),
+        };
+        (NEAR.max(extent) * 10.0).ceil() / 10.0
+    }
+
     /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
     fn hangs(&self, item: usize) -> bool {
         self.said(item, |w| {
@@ -166,10 +207,10 @@ impl Named<'_> {
             What::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
             _ => None,
         });
-        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3);
-        if m == 1 && n > 1 {
+        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
+        if m == 1 && n > 1 && self.array(a) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
-        } else if m > 1 && n % m == 0 && n > m && n / m <= 8 {
+        } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
             // Each table has its own: at its four sides in turn.
             let k = n / m;
             let sides: &[&str] = match k {
@@ -191,6 +232,18 @@ impl Named<'_> {
                 self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))
             ));
         }
+    }
+
+    /// How far from a thing so many stand around it, where there is not room for all at its sides.
+    pub(super) fn ring(&self, a: usize, b: usize) -> f64 {
+        let n = (self.counts[a].div_ceil(self.counts[b].max(1))) as f64;
+        let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
+        let circle = self.said(a, |s| matches!(s, What::Pattern(Pattern::Circle)));
+        let round = n * (w.max(d) + 0.25);
+        let open = if circle { round / std::f64::consts::TAU - bw.min(bd) / 2.0 + 0.5 } else { 0.0 };
+        let over = (n * (w + 0.15) - 2.0 * (bw + bd)).max(0.0) / std::f64::consts::TAU;
+        let far = open.max(if over > 0.0 { over + 0.5 } else { 0.0 });
+        (far * 10.0).ceil() / 10.0
     }
 
     pub(super) fn between(&self, a: usize, to: &[usize]) -> Option<String> {
@@ -220,7 +273,7 @@ fn predicate(rel: Rel) -> &'static str {
         Rel::On => "on",
         Rel::Under => "under",
         Rel::Above => "above",
-        Rel::Beside => "beside",
+        Rel::Beside | Rel::Sides => "beside",
         Rel::LeftOf => "leftOf",
         Rel::RightOf => "rightOf",
         Rel::InFrontOf => "inFrontOf",

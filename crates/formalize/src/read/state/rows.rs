@@ -1,11 +1,12 @@
 //! Things in rows and circles, and seats at tables that stand so.
 
-use super::relations::AROUND;
+use super::relations::{AROUND, DRAWN_UP};
 use super::{Named, indexed};
 use crate::read::chunk::Pattern;
 use crate::read::grid::{self, Grid};
 use crate::read::lexicon::{Group, Rel};
 use crate::read::measure::Op;
+use crate::read::noun::Place;
 use crate::read::scene::What;
 use crate::write::number;
 
@@ -13,6 +14,21 @@ impl Named<'_> {
     pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
         let of = self.name(a);
         let n = self.counts[a];
+        let elements = self.elements(a);
+        if self.scene.items[a].part.is_some() && elements.len() > 1 {
+            // Some of several: each with the next.
+            let each = |f: &dyn Fn(&str, &str) -> String| {
+                elements.windows(2).map(|w| f(&w[1], &w[0])).collect::<Vec<_>>().join(" and ")
+            };
+            return Some(match pattern {
+                Pattern::SideBySide => each(&|x, y| format!("beside({x}, {y})")),
+                Pattern::FaceToFace => each(&|x, y| format!("facing({x}, {y}) and facing({y}, {x})")),
+                Pattern::BackToBack => each(&|x, y| format!("behind({x}, {y}) and behind({y}, {x})")),
+                Pattern::Circle => each(&|x, y| format!("near({x}, {y}, {})", number(AROUND))),
+                Pattern::Stacked => each(&|x, y| format!("on({x}, {y})")),
+                _ => each(&|x, y| format!("aligned({x}, {y})")),
+            });
+        }
         if !self.array(a) {
             // Several single things: "range, grill, fryer, left to right".
             let place = all.iter().position(|i| *i == a)?;
@@ -25,9 +41,14 @@ impl Named<'_> {
             });
         }
         Some(match pattern {
+            Pattern::BackToBack if self.grid(a).is_some_and(|g| g.backs) => {
+                let k = self.grid(a)?.columns;
+                format!("forall i in 0..{}: behind({of}[{k} + i], {of}[i])", n - k)
+            }
             Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
                 return self.rows(a);
             }
+            Pattern::Row if self.wall_row(a).is_some() => self.wall_row(a)?.0,
             Pattern::Row | Pattern::LeftToRight => {
                 format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
             }
@@ -41,7 +62,10 @@ impl Named<'_> {
             Pattern::Circle => {
                 let around = self.centre_of(a);
                 match around {
-                    Some(b) => format!("around({of}, {}, {})", self.name(b), number(AROUND)),
+                    Some(b) => {
+                        let drawn = if self.group(a) == Group::Seat { DRAWN_UP } else { AROUND };
+                        format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
+                    }
                     None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
                 }
             }
@@ -56,6 +80,62 @@ impl Named<'_> {
             ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
         })
+    }
+
+    /// A row at a wall: where each stands from the first, and how they are turned.
+    pub fn wall_row(&self, a: usize) -> Option<(String, f64)> {
+        let n = self.counts[a];
+        let floor = matches!(self.group(a), Group::Seat | Group::Storage | Group::Floor | Group::Table | Group::Bed);
+        let row = self.said(a, |w| matches!(w, What::Pattern(Pattern::Row)));
+        if !self.array(a) || !floor || !row {
+            return None;
+        }
+        let size = *self.room_sizes.get(self.scene.items[a].room)?;
+        let which = self.scene.facts.iter().find_map(|f| match &f.what {
+            What::Place(Rel::Against | Rel::Along | Rel::At, Place::Wall, which) if f.of == [a] && !f.not => {
+                Some(which)
+            }
+            _ => None,
+        })?;
+        let elsewhere = |w: &What| match w {
+            What::Place(_, place, _) => !matches!(place, Place::Wall | Place::Row),
+            What::Rel(rel, _) => {
+                matches!(rel, Rel::On | Rel::In | Rel::Around | Rel::Under | Rel::Between | Rel::Opposite)
+            }
+            _ => false,
+        };
+        if self.said(a, elsewhere) {
+            return None;
+        }
+        let gap = self.scene.facts.iter().find_map(|f| match f.what {
+            What::Among(_, v) if f.of == [a] => Some(v),
+            _ => None,
+        });
+        let step = self.sizes[a][0] + gap.unwrap_or(0.1);
+        let said = which.iter().find_map(|w| super::places::direction(w));
+        let along_x = size[0] >= size[2];
+        let (axis, sign) = match said {
+            Some(side) => side,
+            None if which.iter().any(|w| w.starts_with("short") || w == "side") == along_x => ('x', -1.0),
+            None if which.iter().any(|w| w == "opposite" || w == "other" || w == "same") => return None,
+            None => ('z', 1.0),
+        };
+        let length = if axis == 'z' { size[0] } else { size[2] };
+        if step * n as f64 + 0.3 > length {
+            return None;
+        }
+        let (of, step) = (self.name(a), number(step));
+        let (along, across) = if axis == 'z' { ("x", "z") } else { ("z", "x") };
+        let text = format!(
+            "forall i in 1..{n}: {of}[i].pos.{along} = {of}[0].pos.{along} + i * {step} and {of}[i].pos.{across} = {of}[0].pos.{across}"
+        );
+        let turned = match (axis, sign > 0.0) {
+            ('z', true) => 180.0,
+            ('z', false) => 0.0,
+            (_, true) => 270.0,
+            (_, false) => 90.0,
+        };
+        Some((text, turned))
     }
 
     /// The rows of an array, measured from its first element.
@@ -99,12 +179,15 @@ impl Named<'_> {
             }
             _ => None,
         })?;
-        self.grid(b)?;
+        let grid = self.grid(b)?;
         let (n, m) = (self.counts[a], self.counts[b]);
         if self.group(a) != Group::Seat || m < 2 || n % m != 0 {
             return None;
         }
         let k = n / m;
+        if k > 4 && rel == Rel::Around && !grid.backs {
+            return Some(self.ring_of_seats(a, b, k));
+        }
         let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
         let places = grid::seats(k, rel != Rel::Behind);
         if places.len() < k || two_behind {
@@ -113,21 +196,56 @@ impl Named<'_> {
         let (of, to) = (self.name(a), self.name(b));
         let [w, _, d] = self.sizes[b];
         let seat = self.sizes[a][2];
-        let each: Vec<String> = (0..k)
-            .map(|j| {
+        let places = |sign: f64| -> String {
+            let one = |j: usize| {
                 let (at, (share, turned)) = (indexed(of, k, j), places[j]);
-                let [x, z] = [share[0] * (w / 2.0 + seat / 2.0 + 0.1), share[1] * (d / 2.0 + seat / 2.0 + 0.1)];
+                let away = |half: f64, share: f64| sign * share * (half + seat / 2.0 + 0.1);
+                let turned = if sign > 0.0 { turned } else { (turned + 180.0).rem_euclid(360.0) };
                 format!(
                     "{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)",
-                    number(x),
-                    number(z),
+                    number(away(w / 2.0, share[0])),
+                    number(away(d / 2.0, share[1])),
                     number(turned)
                 )
                 .replace("+ -", "- ")
                 .replace(" + 0 ", " ")
-            })
-            .collect();
-        Some(format!("forall i in 0..{m}: {}", each.join(" and ")))
+            };
+            (0..k).map(one).collect::<Vec<_>>().join(" and ")
+        };
+        let columns = grid.columns;
+        Some(if grid.backs {
+            format!("(forall i in 0..{columns}: {}) and forall i in {columns}..{m}: {}", places(1.0), places(-1.0))
+        } else {
+            format!("forall i in 0..{m}: {}", places(1.0))
+        })
+    }
+
+    /// So many seats around each of several tables: evenly in a circle, turned to it.
+    fn ring_of_seats(&self, a: usize, b: usize, k: usize) -> String {
+        let (of, to, m) = (self.name(a), self.name(b), self.counts[b]);
+        let ([w, _, d], seat) = (self.sizes[b], self.sizes[a]);
+        let reach = (w.max(d) / 2.0 + seat[2] / 2.0 + 0.1).max(k as f64 * (seat[0] + 0.12) / std::f64::consts::TAU);
+        let (reach, angle) = (number(reach), number(360.0 / k as f64));
+        let each = format!("{of}[{k} * i + j]");
+        format!(
+            "forall i in 0..{m}: forall j in 0..{k}: {each}.pos.x = {to}[i].pos.x + {reach} * sin({angle}deg * j) and {each}.pos.z = {to}[i].pos.z + {reach} * cos({angle}deg * j) and {each}.rot = rot(0, 180deg + {angle}deg * j, 0)"
+        )
+    }
+
+    /// How the rows of an array are turned.
+    pub fn turned(&self, a: usize) -> Option<String> {
+        if let Some((_, turned)) = self.wall_row(a) {
+            return Some(format!("{}.rot <- rot(0, {}, 0);", self.name(a), number(turned)));
+        }
+        let (grid, of) = (self.grid(a)?, self.name(a));
+        Some(if grid.backs {
+            let (k, n) = (grid.columns, self.counts[a]);
+            format!(
+                "assert (forall i in 0..{k}: {of}[i].rot = rot(0, 0, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, 180, 0);"
+            )
+        } else {
+            format!("{of}.rot <- rot(0, 0, 0);")
+        })
     }
 
     /// How an array in rows stands, if nothing else says where.

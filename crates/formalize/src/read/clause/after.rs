@@ -1,0 +1,233 @@
+//! What is said right after a noun: looks, sizes, parts, how many there are, for each of what; and what must not be there.
+
+use super::*;
+
+impl Reader<'_> {
+    /// What a second mention adds.
+    pub(super) fn more_of(&mut self, id: usize, np: &Np) {
+        let look = np.look.clone();
+        let item = &mut self.scene.items[id];
+        if item.count.is_none() && np.count.is_some() {
+            item.count = np.count;
+        }
+        item.take_dims(&np.dims);
+        if np.det != Det::None {
+            let fresh = crate::draft::Look {
+                features: look.features.into_iter().filter(|f| !item.look.features.contains(f)).collect(),
+                ..look
+            };
+            self.add_look(&[id], &fresh);
+        }
+    }
+
+    /// "one chair per desk", "ten tables, four chairs each": so many for each.
+    pub(super) fn for_each(&mut self, k: usize, end: usize, id: usize, group: &[usize]) -> usize {
+        let Some(np) = self.np(k, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
+        let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[k].at.start].is("per") {
+            self.scene.find(np, self.room)
+        } else {
+            let ends = matches!(self.piece(k + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+            let many = |o: &&usize| **o != id && self.scene.items[**o].many;
+            let lists = || group.iter().rev().chain(self.main.iter()).chain(self.before.iter());
+            let each = np.kind == Kind::Pronoun && np.words.first().is_some_and(|w| w == "each");
+            if each && ends { lists().find(many).copied() } else { None }
+        };
+        let Some(owner) = owner.filter(|o| *o != id) else { return k };
+        self.mark(k);
+        self.multiply(&[id], owner);
+        self.join(&[owner], &[id], Join::Usual);
+        k + 1
+    }
+
+    /// Looks, sizes and parts right after a noun: "(white, 2 m wide)", "of dark cedar", "in yellow steel", "with armrests".
+    pub(super) fn after_noun(&mut self, from: usize, end: usize, id: usize) -> usize {
+        let mut k = from;
+        let mut depth = 0;
+        loop {
+            if let Some(next) = self.count_after(k, end, id, from) {
+                k = next;
+                continue;
+            }
+            match self.piece(k, end) {
+                Some(Piece::Open) => depth += 1,
+                Some(Piece::Close) => depth -= 1,
+                Some(Piece::Attr(look)) => {
+                    self.mark(k);
+                    self.add_look(&[id], look);
+                }
+                Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
+                    self.mark(k)
+                }
+                Some(Piece::Rel(Rel::Of))
+                    if self
+                        .np(k + 1, end)
+                        .is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Abstract) && n.det == Det::None) =>
+                {
+                    // "a bowl of mints", "a stack of books"
+                    let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+                    let heap =
+                        self.scene.items[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
+                    match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
+                        // "a stack of beer mats"
+                        Some(np) => {
+                            let words = np.words.clone();
+                            self.scene.items[id].words.splice(0..0, words);
+                        }
+                        None => self.scene.items[id].look.features.push(format!("of {}", text.join(" "))),
+                    }
+                    self.mark(k);
+                    self.mark(k + 1);
+                    k += 1;
+                }
+                Some(Piece::Measure(m))
+                    if !m.said
+                        && !m.area
+                        && (m.values.len() > 1 || !m.dims.is_empty())
+                        && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation)) =>
+                {
+                    let mut dims = Vec::new();
+                    crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
+                    let whole = self.scene.whole(id);
+                    self.scene.items[whole].take_dims(&dims);
+                    self.mark(k);
+                }
+                Some(Piece::Comma) if self.part_here(k + 1, end).is_some() => {
+                    // "a desk, glass top, …"
+                    let to = self.part_here(k + 1, end).unwrap_or(k + 1);
+                    let range = self.chunks[k + 1].at.start..self.chunks[to - 1].at.end;
+                    let tokens = &self.tokens[range];
+                    if let Some((look, _)) = crate::read::chunk::looks(tokens) {
+                        self.add_look(&[id], &crate::draft::Look { features: vec![], ..look });
+                    }
+                    let text: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    (k + 1..to).for_each(|c| self.mark(c));
+                    k = to;
+                    continue;
+                }
+                Some(Piece::Comma)
+                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
+                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation))) =>
+                    {}
+                Some(Piece::Comma | Piece::And) if depth > 0 => {}
+                Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}
+                Some(Piece::Np(np))
+                    if depth > 0
+                        && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) =>
+                {
+                    // "(white tops, grey steel frames)"
+                    self.add_look(&[id], &np.look.clone());
+                    let text: Vec<&str> = self.chunks[k].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.mark(k);
+                }
+                Some(Piece::With)
+                    if self
+                        .np(k + 1, end)
+                        .is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) =>
+                {
+                    let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
+                    if back {
+                        break;
+                    }
+                    self.near = vec![id];
+                    k = self.with_part(k, end);
+                    continue;
+                }
+                // "palms in black pots", "a picture in a gold frame"
+                Some(Piece::Rel(Rel::In))
+                    if matches!(self.scene.items[id].group, Group::Floor | Group::Wall)
+                        && self.np(k + 1, end).is_some_and(|n| {
+                            matches!(n.head().as_str(), "pot" | "planter" | "tub" | "frame" | "flower pot" | "case")
+                                && matches!(n.det, Det::None | Det::Indefinite)
+                                && n.count.is_none()
+                        }) =>
+                {
+                    let text: Vec<&str> = (self.chunks[k].at.start..self.chunks[k + 1].at.end)
+                        .map(|t| self.tokens[t].text.as_str())
+                        .collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.mark(k);
+                    self.mark(k + 1);
+                    k += 1;
+                }
+                // "a lamp shaped like a moon"
+                Some(Piece::Word(_))
+                    if self.tokens[self.chunks[k].at.start].is("shaped")
+                        && (k + 1..end.min(k + 4)).any(|n| self.np(n, end).is_some()) =>
+                {
+                    let np = (k + 1..end).find(|n| self.np(*n, end).is_some()).unwrap_or(k);
+                    let words = self.tokens[self.chunks[k].at.start..self.chunks[np].at.end].iter();
+                    let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
+                    self.scene.items[id].look.features.push(text.join(" "));
+                    (k..=np).for_each(|c| self.mark(c));
+                    k = np;
+                }
+                Some(Piece::Soft) if depth > 0 => self.mark(k),
+                Some(Piece::Word(_) | Piece::Measure(_)) if depth > 0 => {}
+                Some(Piece::Np(np)) if depth > 0 && np.kind == Kind::Abstract => {}
+                _ => break,
+            }
+            k += 1;
+        }
+        k
+    }
+
+    /// How many there are, said after the noun: "(6)", "x 2", "bookcases - four", "shelving / 8 / …".
+    pub(super) fn count_after(&mut self, k: usize, end: usize, id: usize, first: usize) -> Option<usize> {
+        let text = |i: usize| (i < end).then(|| self.tokens[self.chunks[i].at.start].text.as_str());
+        if self.piece(k, end) == Some(&Piece::Comma) && matches!(text(k + 1), Some("x" | "×")) {
+            return self.count_after(k + 1, end, id, first);
+        }
+        let n = self.number_at(k + 1, end)?;
+        let after = self.piece(k + 2, end);
+        let alone = matches!(after, None | Some(Piece::Comma | Piece::Close | Piece::Line | Piece::Stop));
+        let said = match self.piece(k, end)? {
+            Piece::Open => alone || matches!(text(k + 2), Some("no" | "nos" | "off" | "pcs" | "pieces")),
+            Piece::Comma => alone && k == first,
+            Piece::Word(_) => matches!(text(k), Some("x" | "×")) && alone,
+            _ => false,
+        };
+        // "heat lamps over the pass - four": of the lamps.
+        let definite = self.chunks[first - 1].np().is_some_and(|np| !matches!(np.det, Det::None | Det::Number));
+        let subject = self.main.first().copied().filter(|_| definite && self.s.subject).unwrap_or(id);
+        let item = &mut self.scene.items[subject];
+        let free = item.part.is_none()
+            && item.per.is_none()
+            && if definite { item.many && item.count.is_none() } else { item.count.is_none_or(|c| c == 1) };
+        if !said || !free || n == 0 {
+            return None;
+        }
+        item.count = Some(n.min(crate::read::scene::MOST_COUNT));
+        item.many = n > 1;
+        self.mark(k + 1);
+        Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
+    }
+
+    /// "no television and no whiteboard".
+    pub(super) fn deny(&mut self, i: usize, end: usize) -> usize {
+        let mut k = i;
+        while let Some(np) = self.np(k, end).filter(|n| n.kind == Kind::Thing) {
+            let at = self.bytes(k..k + 1);
+            // "no blorbing" rules out nothing that could be there.
+            if np.known || !np.words.last().is_some_and(|w| w.ends_with("ing")) {
+                self.scene.absent.push((np.name(), at));
+                self.mark(k);
+            }
+            k += 1;
+            while matches!(self.piece(k, end), Some(Piece::And | Piece::Comma)) {
+                k += 1;
+            }
+        }
+        // Where it must not be says nothing more; one that must not be there is none that must not be at all.
+        if matches!(self.piece(k, end), Some(Piece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near))) {
+            self.scene.absent.pop();
+        }
+        while k < end && !matches!(self.chunks[k].piece, Piece::Comma | Piece::And) {
+            self.mark(k);
+            k += 1;
+        }
+        self.s.not = false;
+        k
+    }
+}
