@@ -15,6 +15,8 @@ use std::path::Path;
 const ROUNDS: usize = 10;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
 const TRIAL: [u64; 2] = [6_000_000, 400_000];
+/// Work after which no other trial begins.
+const MOST: u64 = 400_000_000;
 /// Of what is violated in the best layout, where the search can name nothing better, one in so many is given up at a time.
 const PART: usize = 3;
 /// How often a room grows whose size nobody gave, and by how much.
@@ -30,6 +32,7 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
     // From where the next trial begins: less is asked of it, so little has to move.
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
+    let mut spent = 0;
     for _ in 0..ROUNDS {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return false };
@@ -51,7 +54,8 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         if outcome.converged {
             return true;
         }
-        if outcome.end == End::Asked {
+        spent += outcome.work;
+        if outcome.end == End::Asked || spent > MOST {
             return false;
         }
         if enlarge(draft, &crowded(draft, program, &outcome), &mut grown) {

@@ -585,12 +585,14 @@ impl Reader<'_> {
         }
     }
 
-    /// So many of these for each of the owner's.
+    /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
     pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
+        let seat = self.scene.items[owner].group == Group::Seat;
         for f in fresh {
             let item = &mut self.scene.items[*f];
             let own = item.count.unwrap_or(1);
-            if *f != owner && item.per.is_none() {
+            let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
+            if *f != owner && item.per.is_none() && !(seat && large) {
                 item.per = Some((owner, own));
                 item.many = true;
             }
