@@ -1,6 +1,7 @@
 //! Statements that are given up: what must hold becomes what is wished for, and a note says why.
 
-use crate::draft::{Draft, Note, Source};
+use crate::draft::{Draft, Note, Opening, OpeningKind, Source, Statement};
+use crate::write::{clear_space, number};
 use scenelang_lang::program::{ConstraintKind, Program};
 use std::collections::BTreeMap;
 
@@ -51,6 +52,43 @@ impl Draft {
             self.note(&source, reason);
         }
         !statements.is_empty()
+    }
+
+    /// Turns the space that a door is given to open, if nobody asked for it, into a wish. Whether there is such a door.
+    pub fn squeeze(&mut self, name: &str) -> bool {
+        let is_door = |o: &&Opening| o.kind == OpeningKind::Door && o.name == name;
+        let Some(door) = self.openings.iter().find(is_door) else { return false };
+        let asked = |s: &Statement| {
+            let code = code(&s.text);
+            code.contains(&format!("clear({name},"))
+        };
+        if self.statements.iter().any(asked) {
+            return false;
+        }
+        let depth = number(clear_space(door));
+        self.statements.push(Statement {
+            text: format!("prefer clear({name}, front, {depth}) and clear({name}, behind, {depth});"),
+            source: Source::Inferred("a door opens freely, where there is room for it".to_owned()),
+        });
+        true
+    }
+
+    /// Lets a thing stand in another room than the one it belongs to, which becomes a wish. Whether there is such a thing.
+    pub fn let_out(&mut self, name: &str) -> bool {
+        let rooms = &self.rooms;
+        let found = self.things.iter_mut().find(|thing| thing.name == name);
+        let Some((thing, room)) = found.and_then(|thing| rooms.get(thing.room?).map(|room| (thing, room))) else {
+            return false;
+        };
+        let text = match thing.count {
+            0 | 1 => format!("prefer inside({name}, {});", room.name),
+            _ => format!("prefer forall each in {name}: inside(each, {});", room.name),
+        };
+        let source = thing.source.clone();
+        thing.room = None;
+        self.note(&source, "no layout was found in which it is in its room, so that is a wish");
+        self.statements.push(Statement { text, source });
+        true
     }
 
     /// Notes that words of the request became no statement, or none that must hold.

@@ -175,7 +175,7 @@ impl Writer<'_> {
                 let asked = [
                     (!raised).then(|| format!("{name}.pos.y = 0")),
                     (!cleared).then(|| {
-                        let depth = number(size[0].clamp(0.7, 1.2));
+                        let depth = number(clear_space(opening));
                         format!("clear({name}, front, {depth}) and clear({name}, behind, {depth})")
                     }),
                 ];
@@ -346,4 +346,9 @@ pub fn number(metres: f64) -> String {
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// How far in front of a door and behind it nothing stands (metres): as far as it is wide, within reason.
+pub(crate) fn clear_space(door: &Opening) -> f64 {
+    door.size[0].clamp(0.7, 1.2)
 }

@@ -62,6 +62,10 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
             last = None;
             continue;
         }
+        if squeeze(draft, program, &outcome) || let_out(draft, program, &outcome) {
+            last = Some(outcome.layout);
+            continue;
+        }
         let given_up = in_the_way(draft, program, &outcome);
         if !draft.wish(given_up, REASON) {
             return false;
@@ -89,10 +93,13 @@ fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
             What::Bounds(a) | What::Support(a) => names.push(a),
         }
     }
-    let base = |name: &str| name.split('[').next().unwrap_or(name).to_owned();
-    let kinds: Vec<String> = names.into_iter().map(base).collect();
-    let mut rooms: Vec<usize> =
-        draft.things.iter().filter(|thing| kinds.contains(&thing.name)).filter_map(|thing| thing.room).collect();
+    let kinds: Vec<&str> = names.into_iter().map(base).collect();
+    let mut rooms: Vec<usize> = draft
+        .things
+        .iter()
+        .filter(|thing| kinds.contains(&thing.name.as_str()))
+        .filter_map(|thing| thing.room)
+        .collect();
     rooms.sort_unstable();
     rooms.dedup();
     rooms
@@ -118,6 +125,39 @@ fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool {
         arrange_rooms(draft);
     }
     any
+}
+
+/// Lets doors open less freely than nobody asked for, where that is violated. Whether there was such a door.
+fn squeeze(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
+    let violated = outcome.unsatisfied.iter().filter_map(|u| match u.what {
+        What::Stated(constraint) => Some(constraint),
+        _ => None,
+    });
+    let mut any = false;
+    for constraint in violated.map(|c| &program.constraints[c]).filter(|c| c.kind == ConstraintKind::Assert) {
+        if let ([object], true) = (&constraint.formula.objects()[..], constraint.text.contains("clear(")) {
+            any |= draft.squeeze(&program.objects[object.0 as usize].name);
+        }
+    }
+    any
+}
+
+/// Lets things out of their rooms where the search names that as what is in the way. Whether there was such a thing.
+fn let_out(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
+    let stated = Stated::new(draft, program);
+    let mut any = false;
+    for &index in outcome.in_the_way.iter().filter(|c| stated.of(**c).is_none()) {
+        let constraint = &program.constraints[index];
+        if let ([object, ..], true) = (&constraint.formula.objects()[..], constraint.text.contains("inside(")) {
+            any |= draft.let_out(base(&program.objects[object.0 as usize].name));
+        }
+    }
+    any
+}
+
+/// The name of an array, of a member of it.
+fn base(name: &str) -> &str {
+    name.split('[').next().unwrap_or(name)
 }
 
 /// Statements of the draft to give up: what the search names; else some of what is violated; else one that speaks of what
@@ -207,6 +247,15 @@ mod tests {
         assert!(holds, "{draft:?}");
         let (_, fixed) = tried(&format!("A games room, 3 by 2 m, {things}."));
         assert_eq!([fixed.rooms[0].size[0], fixed.rooms[0].size[2]], [3.0, 2.0]);
+    }
+
+    #[test]
+    fn a_door_of_a_closet_opens_less_freely_before_what_was_said_is_given_up() {
+        let (holds, draft) = tried("A closet, 1 by 1.2 m, with a door and a shelf, 90 cm wide and 40 cm deep.");
+        assert!(holds);
+        let asserted = draft.statements.iter().filter(|s| s.text.starts_with("prefer"));
+        assert!(asserted.map(|s| s.text.as_str()).all(|t| t.contains("clear(door")), "{:?}", draft.statements);
+        assert!(write(&draft).contains("prefer clear(door, front"), "{}", write(&draft));
     }
 
     #[test]
