@@ -27,6 +27,10 @@ const SEARCHING: f64 = 0.8;
 const JUDGED: u32 = 4;
 /// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
 const WAYS_JUDGED: u32 = 14;
+/// The part of the budget that the quick search has.
+const QUICK: f64 = 0.85;
+/// More objects than these are not placed one by one after a quick search: that alone would take longer than the search.
+const MANY: usize = 150;
 
 /// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
 ///
@@ -211,7 +215,9 @@ impl<'r, 'a> Run<'r, 'a> {
             }
             return ControlFlow::Continue(());
         }
-        if (search.is_late() || search.state.work >= self.options.budget) && search.best.is_some() {
+        let many = self.setup.frame.program.objects.len() > MANY;
+        let spent = search.state.work as f64 >= QUICK * self.options.budget as f64;
+        if search.best.is_some() && (search.is_late() || many && spent) {
             return ControlFlow::Continue(());
         }
         if quickly == Quickly::Not {
@@ -263,7 +269,7 @@ impl<'r, 'a> Run<'r, 'a> {
             self.setup.frame.objects().for_each(|id| search.state.banish(id));
             return Quickly::Not;
         };
-        let budget = self.options.budget;
+        let budget = (self.options.budget as f64 * QUICK) as u64;
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
             quick.search(&mut search.chance, 0, &limit, &given);

@@ -12,11 +12,13 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 /// How often a program is tried.
-const ROUNDS: usize = 10;
+const ROUNDS: usize = 12;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
 const TRIAL: [u64; 2] = [6_000_000, 400_000];
+/// How much more a trial from nothing may take once there is a layout.
+const PATIENCE: u64 = 3;
 /// Work after which no other trial begins.
-const MOST: u64 = 400_000_000;
+const MOST: u64 = 600_000_000;
 /// Of what is violated in the best layout, where the search can name nothing better, one in so many is given up at a time.
 const PART: usize = 3;
 /// How often a room grows whose size nobody gave, and by how much.
@@ -32,14 +34,14 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
     // From where the next trial begins: less is asked of it, so little has to move.
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
-    let mut spent = 0;
+    let (mut spent, mut patience) = (0, 1);
     for _ in 0..ROUNDS {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return false };
         let start = furnish(program, scenelang_solve::draws(program, 0), last.as_ref(), &judge).layout;
         let [least, each] = TRIAL;
         let options = scenelang_solve::Options {
-            budget: least + each * program.objects.len() as u64,
+            budget: patience * (least + each * program.objects.len() as u64),
             polish: 0.0,
             stop: stop.clone(),
             judge,
@@ -52,7 +54,12 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
             ControlFlow::Continue(())
         });
         if outcome.converged {
-            return true;
+            if last.take().is_none() {
+                return true;
+            }
+            // Whoever solves it begins from nothing.
+            patience = PATIENCE;
+            continue;
         }
         spent += outcome.work;
         if outcome.end == End::Asked || spent > MOST {
