@@ -93,7 +93,7 @@ pub struct Understood {
     pub reading: Reading,
     /// The program.
     pub program: String,
-    /// What went wrong with the model.
+    /// What went wrong with the model, or when it was tried.
     pub diagnostics: Vec<String>,
 }
 
@@ -103,28 +103,32 @@ pub struct Understood {
 /// The model failed, and the reader understood nothing.
 pub fn understand(request: &str, literal: bool, tried: bool, model: Option<&mut Asked>) -> Result<Understood, String> {
     let options = Options { literal };
-    let (mut reading, diagnostics) = match model {
+    let (mut reading, mut diagnostics) = match model {
         None => (read(request, &options), Vec::new()),
         Some(model) => {
             let formalized = model.formalize(request, &options).map_err(|error| error.to_string())?;
             (formalized.reading(), formalized.diagnostics)
         }
     };
-    if tried {
-        try_out(&mut reading);
+    if tried && !try_out(&mut reading) {
+        diagnostics.push(
+            "no layout was found in which all of it holds; `scenelang solve` looks longer, and says what is in the way"
+                .to_owned(),
+        );
     }
     Ok(Understood { program: write(&reading.draft), reading, diagnostics })
 }
 
-/// Tries whether there is a layout, and gives up what is in the way.
-pub fn try_out(reading: &mut Reading) {
+/// Tries whether there is a layout, and gives up what is in the way. Whether there is one, or nothing to try.
+pub fn try_out(reading: &mut Reading) -> bool {
     if reading.understood == 0 {
-        return;
+        return true;
     }
     let progress = Progress::new("trying whether there is a layout");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
-    rehearse(&mut reading.draft, &interrupt::stop(), &mut follow);
+    let holds = rehearse(&mut reading.draft, &interrupt::stop(), &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
+    holds
 }
 
 /// What went wrong with the model, and what it took, for people.

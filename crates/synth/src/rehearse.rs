@@ -134,7 +134,7 @@ fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool {
     any
 }
 
-/// Lets doors open less freely than nobody asked for, where that is violated. Whether there was such a door.
+/// Lets doors open less freely, where nobody asked for the space that they lack. Whether there was such a door.
 fn squeeze(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
     let violated = outcome.unsatisfied.iter().filter_map(|u| match u.what {
         What::Stated(constraint) => Some(constraint),
