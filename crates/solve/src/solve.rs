@@ -8,7 +8,7 @@ use crate::quick::Quick;
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::sound::sound;
-use crate::state::{Change, State};
+use crate::state::State;
 use crate::steps::Steps;
 use crate::{diagnose, finish, regions, relax, stay, tidy, wishes};
 use rand_chacha::ChaCha8Rng;
@@ -130,15 +130,15 @@ enum Quickly {
 }
 
 /// The layout of a quick search as that of the search proper.
-fn show<'a>(quick: &Quick<'a>, state: &mut State<'a>) {
-    let changes = quick.changes(state);
+fn show(quick: &Quick<'_>, state: &mut State<'_>) {
+    let changes = quick.changes();
     if state.attempt(&changes, f64::INFINITY).is_some() {
         state.keep();
     }
 }
 
 /// How long it takes to judge a layout in which ways over the floor are looked for.
-fn judging<'a>(state: &mut State<'a>, quick: &Quick<'a>) -> Duration {
+fn judging(state: &mut State<'_>, quick: &Quick<'_>) -> Duration {
     show(quick, state);
     let begun = Instant::now();
     state.look_at_ways();
@@ -210,9 +210,6 @@ impl<'r, 'a> Run<'r, 'a> {
         if quickly == Quickly::Holds {
             stay::put_back(search, &self.setup.given);
             search.note();
-            if self.setup.frame.terms.iter().any(|t| !t.is_hard()) {
-                self.finish(search, progress)?;
-            }
             return ControlFlow::Continue(());
         }
         let many = self.setup.frame.program.objects.len() > MANY;
@@ -248,25 +245,16 @@ impl<'r, 'a> Run<'r, 'a> {
 
     /// The quick search, where it can judge all that must hold.
     fn quick(&self, search: &mut Search<'_>) -> Quickly {
-        // Far apart, so that nothing has to be judged; what rules say of poses is so from here on.
-        const APART: f64 = 1e3;
-        let homes: Vec<Change> = self
-            .setup
-            .frame
-            .objects()
-            .map(|id| {
-                let given = self.setup.given.iter().find(|(o, _)| *o == id).and_then(|(_, pose)| *pose);
-                let home = search.state.home(id);
-                Change::Object(id, given.unwrap_or(home.at(APART * f64::from(id.0 + 1), 0.0, 0.0)))
-            })
-            .collect();
-        if search.state.attempt(&homes, f64::INFINITY).is_some() {
-            search.state.keep();
-        }
         let mut given = vec![false; self.setup.frame.program.objects.len()];
-        self.setup.given.iter().for_each(|(id, _)| given[id.0 as usize] = true);
-        let Some(mut quick) = Quick::new(&search.state) else {
-            self.setup.frame.objects().for_each(|id| search.state.banish(id));
+        let mut world = search.state.world.clone();
+        for id in self.setup.frame.objects() {
+            let known = self.setup.given.iter().find(|(o, _)| *o == id);
+            given[id.0 as usize] = known.is_some();
+            let pose = known.and_then(|(_, pose)| *pose).unwrap_or_else(|| search.state.home(id).at(0.0, 0.0, 0.0));
+            let [pos, rot, scale] = pose.constant();
+            world.place(id, pos, rot, scale);
+        }
+        let Some(mut quick) = Quick::new(&self.setup.frame, &world, search.state.numbering) else {
             return Quickly::Not;
         };
         let budget = (self.options.budget as f64 * QUICK) as u64;
@@ -279,6 +267,11 @@ impl<'r, 'a> Run<'r, 'a> {
         let (mut solved, mut holds) = (false, false);
         while !holds && quick.work < budget {
             solved = quick.search(&mut search.chance, budget - quick.work, &limit, &given);
+            if solved {
+                let wishes =
+                    ((self.options.budget as f64 * self.options.polish) as u64).min(budget - quick.work.min(budget));
+                quick.grant_wishes(&mut search.chance, wishes, &limit, !self.setup.given.is_empty());
+            }
             if solved && self.setup.given.is_empty() {
                 quick.tidy(&mut search.chance, &limit);
             }

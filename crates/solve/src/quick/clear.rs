@@ -36,9 +36,9 @@ impl Space {
 }
 
 impl Clear {
-    /// What a formula says, if it is a `clear` of constant depth.
-    pub fn of(formula: &Formula, doors: &[usize], world: &World<f64>) -> Option<Self> {
-        let Node::Native(Native::Clear, args) = formula.root_node() else { return None };
+    /// What a node of a formula says, if it is a `clear` of constant depth.
+    pub fn of(node: &Node, formula: &Formula, doors: &[usize], world: &World<f64>) -> Option<Self> {
+        let Node::Native(Native::Clear, args) = node else { return None };
         let [Arg::Object(owner), Arg::Side(side), Arg::Value(depth)] = args[..] else { return None };
         let Node::Number(depth) = *formula.node(depth) else { return None };
         let door = matches!(side, Side::Front | Side::Behind) && doors.contains(&(owner.0 as usize));
@@ -73,6 +73,11 @@ impl Quick<'_> {
     /// What a `clear` costs, and whether it holds.
     pub(super) fn clear(&mut self, clear: &Clear) -> (f64, bool) {
         self.work += 4 + self.count() as u64 / 8;
+        self.lack_of_space(clear)
+    }
+
+    /// The same, not counted as work.
+    pub(super) fn lack_of_space(&self, clear: &Clear) -> (f64, bool) {
         let Some(space) = self.space(clear) else { return (0.0, true) };
         let contact = self.tolerances.contact;
         let (mut cost, mut holds) = (0.0, true);

@@ -8,6 +8,9 @@ use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::{self, Block, Flat, INPUTS};
 use std::marker::PhantomData;
 
+/// What a rule without code takes.
+const WITHOUT_CODE: u64 = 30;
+
 /// What moved in a trial: an object, where it was.
 pub(super) type Moved = (usize, [f64; INPUTS], Span);
 
@@ -29,7 +32,15 @@ impl Quick<'_> {
         self.slots.put(ObjectId(i as u32), inputs);
         let ([w, h, d], [x, y, z, _, sin, cos]) = (self.size[i], inputs);
         let (rx, rz) = ((cos.abs() * w + sin.abs() * d) / 2.0, (sin.abs() * w + cos.abs() * d) / 2.0);
-        self.span[i] = Span { min: [x - rx, y, z - rz], max: [x + rx, y + h, z + rz] };
+        let span = Span { min: [x - rx, y, z - rz], max: [x + rx, y + h, z + rz] };
+        self.span[i] = if self.away[i] { Span::NONE } else { span };
+        self.has_moved(i);
+    }
+
+    fn has_moved(&mut self, i: usize) {
+        if self.follows {
+            self.instance.moved(i);
+        }
     }
 
     /// Begins a trial: an object goes somewhere; what its rules tie to it and what stands on it goes along.
@@ -66,11 +77,23 @@ impl Quick<'_> {
         }
     }
 
-    fn obey(&mut self, rule: usize, depth: usize) {
+    pub(super) fn obey(&mut self, rule: usize, depth: usize) {
         let CodedRule { owner, sets, value } = &self.rules[rule];
         let owner = *owner;
-        let found = value.run(&mut self.slots);
         let mut next = self.slots.get(ObjectId(owner as u32));
+        let Some(value) = value else {
+            self.follow();
+            self.work += WITHOUT_CODE;
+            let Some([pos, rot, _]) = self.frame.rules.list[rule].apply(&self.instance.world) else { return };
+            let yaw = crate::pose::round_turn(rot.value().y);
+            let (sin, cos) = scenelang_layout::rotation::sin_cos(yaw);
+            next = [pos.0[0], pos.0[1], pos.0[2], yaw, sin, cos];
+            if next != self.inputs(owner) {
+                self.carry(owner, next, depth);
+            }
+            return;
+        };
+        let found = value.run(&mut self.slots);
         match *sets {
             Sets::Pos => next[..3].copy_from_slice(&found),
             Sets::Axis(axis, per) => next[axis] -= found[0] / per,
@@ -99,6 +122,7 @@ impl Quick<'_> {
         while let Some((i, inputs, span)) = self.moved.pop() {
             self.slots.put(ObjectId(i as u32), inputs);
             self.span[i] = span;
+            self.has_moved(i);
         }
     }
 
@@ -122,6 +146,13 @@ impl Quick<'_> {
             }
             for at in 0..self.terms_of[i].len() {
                 let t = self.terms_of[i][at];
+                if self.stamp[t] != self.now {
+                    self.stamp[t] = self.now;
+                    delta -= self.weight[t] * self.cost[t];
+                }
+            }
+            for at in 0..if self.wishing { self.wishes_of[i].len() } else { 0 } {
+                let t = self.wishes_of[i][at];
                 if self.stamp[t] != self.now {
                     self.stamp[t] = self.now;
                     delta -= self.weight[t] * self.cost[t];
@@ -173,6 +204,16 @@ impl Quick<'_> {
                 }
             }
         }
+        for &(i, ..) in moved {
+            for at in 0..if self.wishing { self.wishes_of[i].len() } else { 0 } {
+                let t = self.wishes_of[i][at];
+                if !alone && std::mem::replace(&mut self.stamp[t], self.now) == self.now {
+                    continue;
+                }
+                let found = self.term(t);
+                delta += self.note(t, found);
+            }
+        }
         delta += self.others_above(moved) + self.onlookers(moved) + self.ways_change(moved);
         (delta <= limit).then_some(delta)
     }
@@ -197,6 +238,7 @@ impl Quick<'_> {
                 let clear = *clear;
                 return self.clear(&clear);
             }
+            Judge::Mixed(_) => return self.mixed(t),
             Judge::Way(_) | Judge::Turn | Judge::Absent => return (0.0, true),
         };
         self.work += 3 + code.steps() as u64 / 8;
@@ -224,11 +266,23 @@ impl Quick<'_> {
     fn support(&self, i: usize) -> (f64, bool) {
         let tolerance = self.tolerances.support;
         let target = tolerance.min(self.tolerances.contact);
-        let mut off = (self.span[i].min[1] - self.floor).abs();
+        let mut off = self.above_floor(i).abs();
         if off > target {
             off = self.nearest_top(i).map_or(off, |(_, top)| off.min(top));
         }
         self.physical(tolerance - off, target)
+    }
+
+    /// How far its base is above the nearest floor of where it is.
+    fn above_floor(&self, i: usize) -> f64 {
+        let base = self.span[i].min[1];
+        if let Some(floor) = self.floor {
+            return base - floor;
+        }
+        let [x, _, z, ..] = self.inputs(i);
+        let under = self.rooms.iter().filter(|room| room.depth([x, z]) >= -self.tolerances.contact);
+        let nearest = under.map(|room| base - room.floor).min_by(|a, b| a.abs().total_cmp(&b.abs()));
+        nearest.unwrap_or(base)
     }
 
     /// Of the things with tops below (or above) its feet the one with those nearest to its base, and how far they are.
@@ -268,7 +322,7 @@ impl Quick<'_> {
     /// What it stands on, if that is not a floor.
     fn find_seat(&self, i: usize) -> Option<usize> {
         let (support, target) = (self.tolerances.support, self.tolerances.contact);
-        let raised = self.rests[i] && self.span[i].min[1] > self.floor + support;
+        let raised = self.rests[i] && self.above_floor(i) > support;
         self.nearest_top(i).filter(|(_, off)| raised && *off <= support.max(target)).map(|(j, _)| j)
     }
 
@@ -360,14 +414,10 @@ impl Quick<'_> {
         for at in 0..self.onlookers.len() {
             let t = self.onlookers[at];
             let own = |o: &ObjectId| moved.iter().any(|(m, ..)| *m == o.0 as usize);
-            if self.frame.terms[t].objects.iter().any(own) {
+            if !self.counts(t) || self.frame.terms[t].objects.iter().any(own) {
                 continue;
             }
-            let touches = |span: &Span| match &self.judges[t] {
-                Judge::Clear(clear) => self.space_span(clear).is_some_and(|space| space.meets(span)),
-                _ => false,
-            };
-            if moved.iter().any(|(m, _, old)| touches(old) || touches(&self.span[*m])) {
+            if self.is_seen(t, moved) {
                 let found = self.term(t);
                 sum += self.note(t, found) - self.weight[t] * self.cost[t];
             }
@@ -383,7 +433,7 @@ impl Quick<'_> {
                 self.hits[j].retain(|k| *k != i);
                 self.set(self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32)), 0.0, true);
             }
-            let on_something = self.rests[i] && self.span[i].min[1] > self.floor + self.tolerances.support;
+            let on_something = self.rests[i] && !self.away[i] && self.above_floor(i) > self.tolerances.support;
             let raised = on_something || self.container[i].is_some();
             self.raised_count = self.raised_count + usize::from(raised) - usize::from(self.raised[i]);
             self.raised[i] = raised;
@@ -403,16 +453,24 @@ impl Quick<'_> {
         self.moved.clear();
     }
 
+    /// Whether a check holds, as last judged.
+    pub(super) fn does_hold(&self, check: usize) -> bool {
+        self.holds[check]
+    }
+
     pub(super) fn set(&mut self, check: usize, cost: f64, holds: bool) {
         self.cost[check] = cost;
+        self.holds[check] = holds;
+        // A preference that fails is no violation, unless it is demanded.
+        let fine = holds || self.demanded != Some(check) && self.frame.terms.get(check).is_some_and(|t| !t.is_hard());
         let at = self.bad_at[check];
-        if holds && at != u32::MAX {
+        if fine && at != u32::MAX {
             self.bad.swap_remove(at as usize);
             self.bad_at[check] = u32::MAX;
             if let Some(&last) = self.bad.get(at as usize) {
                 self.bad_at[last] = at;
             }
-        } else if !holds && at == u32::MAX {
+        } else if !fine && at == u32::MAX {
             self.bad_at[check] = self.bad.len() as u32;
             self.bad.push(check);
         }

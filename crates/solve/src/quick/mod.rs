@@ -5,6 +5,7 @@
 //! the evaluator itself.
 
 mod clear;
+mod exact;
 mod judge;
 mod moves;
 mod rooms;
@@ -12,20 +13,22 @@ mod run;
 mod setup;
 mod tidy;
 mod ways;
+mod wishes;
 
 use crate::checks::Numbering;
 use crate::frame::{Frame, Hold};
 use crate::merit::Truths;
 use crate::pose::Pose;
 use crate::rules::Sets;
-use crate::state::{Change, State};
+use crate::state::Change;
 use clear::Clear;
+use exact::{Instance, Mixed};
 use judge::Moved;
 use rooms::{Field, Room, Stretch, Wall};
-use scenelang_lang::program::{NodeId, ObjectId, RegionId};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, RegionId};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
-use scenelang_verify::{Tolerances, Truth, rules};
+use scenelang_verify::{Tolerances, Truth, World, rules};
 use std::sync::Arc;
 use ways::Way;
 
@@ -42,17 +45,19 @@ enum Judge {
     Way(usize),
     /// By its code.
     Code(Coded),
+    /// By its code as far as that goes, and by the evaluator.
+    Mixed(Mixed),
     /// It speaks of the turn of one object only, whose yaws are chosen so that it holds.
     Turn,
-    /// Not here.
+    /// Not here: it speaks of sizes, which do not change.
     Absent,
 }
 
-/// What a rule sets, as code.
+/// What a rule sets, as code; without code it is asked of the evaluator.
 struct CodedRule {
     owner: usize,
     sets: Sets,
-    value: CodedValue,
+    value: Option<CodedValue>,
 }
 
 /// The upright box around an object.
@@ -63,6 +68,9 @@ struct Span {
 }
 
 impl Span {
+    /// That of what is not there: it meets nothing.
+    const NONE: Self = Self { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+
     /// Whether two share more than a face.
     fn meets(&self, other: &Self) -> bool {
         (0..3).all(|k| self.min[k] < other.max[k] - TOUCHING && other.min[k] < self.max[k] - TOUCHING)
@@ -95,6 +103,11 @@ pub(crate) struct Quick<'a> {
     followers: Vec<Vec<usize>>,
     /// By object: its terms, cheap ones first.
     terms_of: Vec<Vec<usize>>,
+    /// By object: preferences that speak of it.
+    wishes_of: Vec<Vec<usize>>,
+    /// Whether preferences count, and which of them is demanded.
+    wishing: bool,
+    demanded: Option<usize>,
     size: Vec<[f64; 3]>,
     /// By object: what it is made of.
     blocks: Vec<Arc<[Block]>>,
@@ -111,7 +124,12 @@ pub(crate) struct Quick<'a> {
     /// By object: whether P-BOUNDS speaks of it and no term says the same.
     bounded: Vec<bool>,
     rooms: Vec<Room>,
-    floor: f64,
+    /// The floor of all rooms, if they share one.
+    floor: Option<f64>,
+    /// By object: floors that it may stand on.
+    levels: Vec<Vec<f64>>,
+    /// By object: others that the program asks it to go onto, perhaps.
+    carriers: Vec<Vec<usize>>,
     homes: Vec<Home>,
     /// By object: rooms that it must be in and that are no rectangles.
     outlines: Vec<Vec<usize>>,
@@ -125,6 +143,11 @@ pub(crate) struct Quick<'a> {
     onlookers: Vec<usize>,
     /// Terms that ask for ways, each with its way.
     walks: Vec<(usize, usize)>,
+    /// Terms that ask for paths beside other things.
+    paths: Vec<usize>,
+    /// The instance that terms without code are judged on; whether there are such.
+    instance: Instance,
+    follows: bool,
     /// Objects that have no place yet, and how many those are.
     away: Vec<bool>,
     away_count: usize,
@@ -142,6 +165,7 @@ pub(crate) struct Quick<'a> {
     related: Vec<Vec<usize>>,
     movable: Vec<usize>,
     cost: Vec<f64>,
+    holds: Vec<bool>,
     weight: Vec<f64>,
     /// What is violated, and by check where it stands in that list.
     bad: Vec<usize>,
@@ -174,22 +198,18 @@ impl Truths<f64> for Ran<'_> {
 }
 
 impl<'a> Quick<'a> {
-    /// For a layout; `None`: something that must hold cannot be judged here.
-    pub fn new(state: &State<'a>) -> Option<Self> {
-        let frame = state.frame;
-        let world = &state.world;
+    /// For an instance in which every object has a pose, though it need not be its place; `None`: one of them is not
+    /// upright, or cannot be where it belongs.
+    pub fn new(frame: &'a Frame<'a>, world: &World<f64>, numbering: Numbering) -> Option<Self> {
         let n = frame.program.objects.len();
         let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
-        let plain =
-            |id: &ObjectId| state.pose(*id).is_upright() && !frame.tilts[id.0 as usize] && world.object(*id).is_ok();
-        if n == 0 || !frame.objects().all(|id| plain(&id)) {
+        let pose = |id: ObjectId| world.object(id).map(Pose::of);
+        if n == 0 || !frame.objects().all(|id| pose(id).is_ok_and(|pose| pose.is_upright())) {
             return None;
         }
         let rooms: Vec<Room> = world.prisms().map(|(id, prism)| Room::new(id, prism)).collect::<Option<_>>()?;
-        let floor = rooms.first().map_or(0.0, |room| room.floor);
-        if rooms.iter().any(|room| room.floor != floor) {
-            return None;
-        }
+        let level = rooms.first().map_or(0.0, |room| room.floor);
+        let floor = rooms.iter().all(|room| room.floor == level).then_some(level);
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
         let mut coder = Coder::new(frame.program, world, &still);
         let mut judges = Vec::with_capacity(frame.terms.len());
@@ -197,28 +217,43 @@ impl<'a> Quick<'a> {
         for term in &frame.terms {
             let formula = &term.formula;
             let room = |region: RegionId| rooms.iter().position(|room| room.id == region);
-            judges.push(if !term.is_hard() || term.sizes_only {
+            judges.push(if term.sizes_only {
                 Judge::Absent
             } else if let Some((id, room)) = setup::inside(formula).and_then(|(id, r)| Some((id, room(r)?))) {
                 Judge::Inside(id.0 as usize, room)
-            } else if let Some(clear) = Clear::of(formula, &doors, world) {
+            } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
                 Judge::Clear(clear)
-            } else if let Some(way) = Way::of(formula, world) {
+            } else if let Some(way) = Way::of(formula, world).filter(|_| term.is_hard() && floor.is_some()) {
                 ways.push(way);
                 Judge::Way(ways.len() - 1)
-            } else if let Some(code) = coder.truth(formula) {
-                Judge::Code(code)
-            } else if setup::turned(formula).is_some() {
-                Judge::Turn
             } else {
-                return None;
+                let (code, missing) = coder.partly(formula);
+                if missing.is_empty() {
+                    Judge::Code(code)
+                } else if term.is_hard() && setup::turned(formula).is_some() {
+                    Judge::Turn
+                } else {
+                    let clear = |node: &Node, formula: &Formula| Clear::of(node, formula, &doors, world);
+                    Judge::Mixed(Mixed::new(formula, code, &missing, clear, n))
+                }
             });
         }
         let mut rules = Vec::new();
         for rule in &frame.rules.list {
-            rules.push(CodedRule { owner: rule.owner.0 as usize, sets: rule.sets, value: coder.value(&rule.formula)? });
+            let value = coder.value(&rule.formula);
+            rules.push(CodedRule { owner: rule.owner.0 as usize, sets: rule.sets, value });
         }
-        let size: Vec<[f64; 3]> = frame.objects().map(|id| state.pose(id).scale.into()).collect();
+        let follows = judges.iter().any(|judge| matches!(judge, Judge::Mixed(_)));
+        let follows = follows || rules.iter().any(|rule| rule.value.is_none());
+        let looks_around = |judge: &Judge| match judge {
+            Judge::Clear(_) => true,
+            Judge::Mixed(mixed) => mixed.looks_around(),
+            _ => false,
+        };
+        let walks = |judge: &Judge| matches!(judge, Judge::Mixed(mixed) if mixed.walks());
+        let terms = |which: &dyn Fn(&Judge) -> bool| (0..judges.len()).filter(|&t| which(&judges[t])).collect();
+        let (onlookers, paths) = (terms(&looks_around), terms(&walks));
+        let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();
         let mut collide = vec![false; n * n];
@@ -232,10 +267,13 @@ impl<'a> Quick<'a> {
         };
         let mut quick = Self {
             tolerances: world.options.tolerances,
-            numbering: state.numbering,
+            numbering,
             slots: coder.slots(),
             followers: Vec::new(),
             terms_of: Vec::new(),
+            wishes_of: Vec::new(),
+            wishing: false,
+            demanded: None,
             blocks: bodies().map(coded::blocks).collect(),
             feet: bodies().map(|body| setup::feet(&coded::blocks(body), world.options.tolerances.support)).collect(),
             surface: bodies().zip(&size).map(|(body, size)| body.surface.unwrap_or(size[1])).collect(),
@@ -252,6 +290,8 @@ impl<'a> Quick<'a> {
                 .map(|id| scope.is_some_and(|s| s.bounds(id)) && !rooms.is_empty() && !holds_inside(id))
                 .collect(),
             floor,
+            levels: Vec::new(),
+            carriers: frame.objects().map(|id| setup::carriers(frame, id)).collect(),
             yaws: Vec::new(),
             turns: Vec::new(),
             field: Vec::new(),
@@ -259,10 +299,11 @@ impl<'a> Quick<'a> {
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
-            cost: vec![0.0; state.numbering.len()],
-            weight: vec![1.0; state.numbering.len()],
+            cost: vec![0.0; numbering.len()],
+            holds: vec![true; numbering.len()],
+            weight: vec![1.0; numbering.len()],
             bad: Vec::new(),
-            bad_at: vec![u32::MAX; state.numbering.len()],
+            bad_at: vec![u32::MAX; numbering.len()],
             hits: vec![Vec::new(); n],
             raised: vec![false; n],
             raised_count: 0,
@@ -271,7 +312,10 @@ impl<'a> Quick<'a> {
             outlines: Vec::new(),
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
-            onlookers: (0..judges.len()).filter(|&t| matches!(judges[t], Judge::Clear(_))).collect(),
+            onlookers,
+            paths,
+            instance: Instance::new(world.clone()),
+            follows,
             walks: judges
                 .iter()
                 .enumerate()
@@ -283,7 +327,7 @@ impl<'a> Quick<'a> {
             away_count: 0,
             moved: Vec::new(),
             fresh: Vec::new(),
-            stamp: vec![0; state.numbering.len()],
+            stamp: vec![0; numbering.len()],
             now: 0,
             work: 0,
             rooms,
@@ -291,15 +335,22 @@ impl<'a> Quick<'a> {
             judges,
             frame,
         };
+        // What the program fixes is so from here on.
+        for rule in 0..quick.rules.len() {
+            quick.obey(rule, 0);
+        }
+        quick.moved.clear();
         quick.followers = frame.objects().map(|id| quick.followers_of(id)).collect();
-        quick.terms_of = (0..n).map(|i| quick.sorted_terms(i)).collect();
+        quick.terms_of = (0..n).map(|i| quick.sorted_terms(i, true)).collect();
+        quick.wishes_of = (0..n).map(|i| quick.sorted_terms(i, false)).collect();
         for id in frame.objects() {
-            let domain = quick.yaws_of(state, id)?;
+            let domain = quick.yaws_of(world, id)?;
             let told = frame.terms_of[id.0 as usize].iter().any(|&t| matches!(quick.judges[t], Judge::Turn));
             quick.turns.push(!frame.fixed(id).rot && !told);
             quick.yaws.push(domain);
             let field = quick.field_of(id);
             quick.field.push(field);
+            quick.levels.push(quick.levels_of(id));
             quick.outlines.push(quick.outlines_of(id));
             quick.homes.push(quick.home_of(id, field, world)?);
         }
@@ -310,10 +361,11 @@ impl<'a> Quick<'a> {
     }
 
     /// The layout as changes of the search proper.
-    pub fn changes(&self, state: &State<'_>) -> Vec<Change> {
+    pub fn changes(&self) -> Vec<Change> {
         let pose = |id: ObjectId| {
             let [x, y, z, yaw, ..] = self.slots.get(id);
-            Pose { rot: Vec3::new(0.0, yaw, 0.0), pos: Vec3::new(x, y, z), ..state.pose(id) }
+            let scale = self.size[id.0 as usize].into();
+            Pose { rot: Vec3::new(0.0, yaw, 0.0), pos: Vec3::new(x, y, z), scale }
         };
         self.frame.objects().map(|id| Change::Object(id, pose(id))).collect()
     }

@@ -70,9 +70,17 @@ impl Quick<'_> {
         }
         let mut pose = self.on_the_ground(i, chance);
         if self.rests[i] {
-            pose[1] = self.floor;
+            pose[1] = self.level(i, chance);
         }
         pose
+    }
+
+    /// A floor that it may stand on.
+    fn level(&self, i: usize, chance: &mut ChaCha8Rng) -> f64 {
+        match self.levels[i][..] {
+            [level] => level,
+            ref levels => levels[chance.below(levels.len())],
+        }
     }
 
     /// Somewhere in what holds it, at its bottom.
@@ -152,6 +160,7 @@ impl Quick<'_> {
         let now = self.inputs(i);
         let fixed = self.frame.fixed(ObjectId(i as u32));
         let terms = self.terms_of[i].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX);
+        let terms = terms.chain(self.wishes_of[i].iter().copied().filter(|&t| self.counts(t) && self.cost[t] > 0.0));
         let terms: Vec<usize> = terms.filter(|&t| matches!(self.judges[t], Judge::Code(_))).take(6).collect();
         for t in terms {
             let missing = self.missing(t, i, now);
@@ -246,7 +255,7 @@ impl Quick<'_> {
             }
         }
         let stands = matches!(self.homes[i], Home::Stands(_));
-        if stands && (!self.frame.fixed(ObjectId(i as u32)).pos[1] || !self.bases[i].is_empty()) {
+        if stands && !self.carriers[i].is_empty() {
             self.on_others(i, chance, out);
         }
     }
@@ -280,13 +289,12 @@ impl Quick<'_> {
         pose
     }
 
-    /// On what it has to do with, or on the floor.
+    /// On the floor, or on what the program may ask it to go onto.
     fn on_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let mut low = self.anywhere(i, chance);
-        low[1] = self.floor;
+        low[1] = self.level(i, chance);
         out.push(low);
-        let pool = if self.bases[i].is_empty() { &self.related[i] } else { &self.bases[i] };
-        for &j in pool.iter().take(3).filter(|&&j| !self.away[j]) {
+        for &j in self.carriers[i].iter().take(3).filter(|&&j| !self.away[j]) {
             let Flat { at, half, .. } = self.flat(j);
             let top = self.span[j].min[1] + self.surface[j];
             for _ in 0..2 {
@@ -343,9 +351,9 @@ impl Quick<'_> {
         let pose = if self.turns[i] || self.yaws[i].contains(&wall.yaw) { turned(now, wall.yaw) } else { now };
         let mut pose = self.along(i, wall, pose, 0.0, chance);
         let room = self.rooms.iter().find(|room| room.depth([pose[0], pose[2]]) >= -1e-6);
-        let ceiling = room.map_or(self.floor + 2.5, |room| room.ceiling);
+        let (floor, ceiling) = room.map_or((0.0, 2.5), |room| (room.floor, room.ceiling));
         if chance.below(2) == 0 {
-            pose[1] = within(chance, self.floor, ceiling - self.size[i][1]);
+            pose[1] = within(chance, floor, ceiling - self.size[i][1]);
         }
         pose
     }
@@ -356,7 +364,7 @@ impl Quick<'_> {
         let pose = if self.turns[i] || self.yaws[i].contains(&yaw) { turned(now, yaw) } else { now };
         let depth = self.reach_along(i, &pose, stretch.wall.inward);
         let mut pose = self.along(i, &stretch.wall, pose, depth + stretch.behind, chance);
-        pose[1] = self.floor;
+        pose[1] = stretch.floor;
         pose
     }
 }

@@ -129,13 +129,15 @@ pub(super) struct Stretch {
     pub wall: Wall,
     /// How far behind the wall's face the middle of the door is (metres).
     pub behind: f64,
+    /// Height of the floor.
+    pub floor: f64,
 }
 
 /// The stretches of the walls of one room, or of those that two share.
 pub(super) fn stretches(world: &World<f64>, first: &Room, second: Option<&Room>) -> Vec<Stretch> {
     let Some(second) = second else {
         let behind = world.options.eta / 2.0;
-        return first.walls.iter().map(|&wall| Stretch { wall, behind }).collect();
+        return first.walls.iter().map(|&wall| Stretch { wall, behind, floor: first.floor }).collect();
     };
     let mut found = Vec::new();
     for wall in &first.walls {
@@ -150,7 +152,7 @@ pub(super) fn stretches(world: &World<f64>, first: &Room, second: Option<&Room>)
             let to = wall.shadow(other.from).min(wall.length);
             if to > from {
                 let part = Wall { from: wall.point(from, 0.0), length: to - from, ..*wall };
-                found.push(Stretch { wall: part, behind: apart / 2.0 });
+                found.push(Stretch { wall: part, behind: apart / 2.0, floor: first.floor });
             }
         }
     }

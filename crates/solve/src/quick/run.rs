@@ -26,8 +26,8 @@ const FULL: [f64; 2] = [0.5, 0.9];
 const EXCHANGES: usize = 2;
 /// How many moves of a whole array.
 const TOGETHER: usize = 4;
-/// Where objects wait that have no place yet (metres, for each of them anew).
-const AWAY: f64 = 1e3;
+/// How many places are tried, each with a look for the paths of a term that asks for them beside other things.
+const PATHS: usize = 4;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
 /// What is left of the weight of a way when a better plan is found.
@@ -53,6 +53,7 @@ impl Quick<'_> {
         let late = || limit.is_over();
         let mut kept_in_place = given;
         let end = self.work + budget;
+        self.wishing = false;
         let patience = self.patience();
         let mut turn = 0;
         let mut best = usize::MAX;
@@ -65,7 +66,7 @@ impl Quick<'_> {
             let (mut idle, mut least) = (0, usize::MAX);
             turn += 1;
             let patience = (patience * luby(turn)) as usize;
-            while !self.bad.is_empty() && self.work < end && !late() && idle < patience {
+            while !self.is_done(&late) && self.work < end && !late() && idle < patience {
                 self.step(chance, &mut poses);
                 idle = if self.bad.len() < least { 0 } else { idle + 1 };
                 least = least.min(self.bad.len());
@@ -74,8 +75,8 @@ impl Quick<'_> {
                     kept = (0..self.count()).map(|i| self.inputs(i)).collect();
                 }
             }
-            if self.bad.is_empty() || self.movable.is_empty() {
-                return self.bad.is_empty();
+            if self.movable.is_empty() || self.bad.is_empty() && !late() {
+                return self.is_done(&late);
             }
             if self.work >= end || late() {
                 break;
@@ -85,6 +86,11 @@ impl Quick<'_> {
             self.put(i, inputs);
         }
         false
+    }
+
+    /// Whether all holds, paths that terms ask for beside other things included.
+    pub(super) fn is_done(&mut self, late: &dyn Fn() -> bool) -> bool {
+        self.bad.is_empty() && (self.paths.is_empty() || self.find_paths(late))
     }
 
     /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
@@ -117,16 +123,15 @@ impl Quick<'_> {
         let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
         self.away.fill(false);
         self.forget_ways();
+        self.trust_paths();
         for &i in &waiting {
             self.away[i] = true;
-            let mut pose = self.inputs(i);
-            pose[0] = AWAY * (i + 1) as f64;
-            self.put(i, pose);
-        }
-        for &i in &waiting {
             for k in self.dependants(i) {
                 self.away[k] = true;
             }
+        }
+        for i in 0..self.count() {
+            self.put(i, self.inputs(i));
         }
         self.away_count = self.away.iter().filter(|a| **a).count();
         self.judge_all();
@@ -162,8 +167,14 @@ impl Quick<'_> {
     /// Gives an object its first place.
     fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>, late: &dyn Fn() -> bool) {
         self.away[i] = false;
+        let mut movers = Vec::new();
         for k in self.dependants(i) {
-            self.away[k] = false;
+            movers.clear();
+            self.movers(k, 0, &mut movers);
+            self.away[k] = movers.iter().any(|mover| self.away[*mover]);
+        }
+        for k in std::iter::once(i).chain(self.dependants(i)) {
+            self.put(k, self.inputs(k));
         }
         self.away_count = self.away.iter().filter(|a| **a).count();
         let pose = self.anywhere(i, chance);
@@ -207,8 +218,9 @@ impl Quick<'_> {
     }
 
     /// Judges everything anew.
-    fn judge_all(&mut self) {
+    pub(super) fn judge_all(&mut self) {
         self.cost.fill(0.0);
+        self.holds.fill(true);
         self.bad.clear();
         self.bad_at.fill(u32::MAX);
         self.hits.iter_mut().for_each(Vec::clear);
@@ -230,7 +242,7 @@ impl Quick<'_> {
     }
 
     /// One object of something violated goes to the best of many poses, or changes places with another.
-    fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+    pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
         if let Some(Judge::Way(way)) = self.judges.get(check)
@@ -242,6 +254,13 @@ impl Quick<'_> {
             if self.cost[check] < before {
                 self.weight[check] = (self.weight[check] * FORGIVEN).max(1.0);
             }
+            return;
+        }
+        if matches!(self.judges.get(check), Some(Judge::Mixed(mixed)) if mixed.walks())
+            && self.bad.iter().all(|c| self.paths.contains(c))
+            && chance.below(2) == 0
+        {
+            self.clear_path(check, chance, poses);
             return;
         }
         let Some(i) = self.culprit(check, chance) else {
@@ -302,6 +321,27 @@ impl Quick<'_> {
             for at in 0..self.bad.len() {
                 self.weight[self.bad[at]] += STUBBORN * chance.unit();
             }
+        }
+    }
+
+    /// Looks for a place for an object where all else holds and a term has the path that it asks for.
+    fn clear_path(&mut self, t: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+        let own = self.culprit(t, chance).filter(|_| chance.below(2) == 0);
+        let i = own.unwrap_or(self.movable[chance.below(self.movable.len())]);
+        self.poses(i, chance, poses);
+        let before = self.inputs(i);
+        for _ in 0..PATHS {
+            let pose = poses[chance.below(poses.len())];
+            self.go(i, pose);
+            if self.judge(1e-9).is_none() {
+                self.undo();
+                continue;
+            }
+            self.keep();
+            if self.find_paths_of(t) {
+                return;
+            }
+            self.settle(i, before);
         }
     }
 

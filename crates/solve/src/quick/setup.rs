@@ -3,7 +3,7 @@
 use super::rooms::{Field, Room, Stretch, stretches};
 use super::{CodedRule, Home, Judge, Quick};
 use crate::frame::{Frame, Hold};
-use crate::state::State;
+use crate::pose::Pose;
 use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, ObjectProperty, RegionId};
 use scenelang_verify::coded::Block;
 use scenelang_verify::{Scratch, Value, World};
@@ -19,28 +19,35 @@ impl Quick<'_> {
         let fixed = self.frame.fixed(id);
         let moves = |owner: ObjectId| all.iter().any(|&r| self.rules[r].owner == owner.0 as usize);
         let news = |rule: &CodedRule| {
-            rule.value.reads().any(|(o, input)| if o == id { input > 2 || !fixed.pos[input] } else { moves(o) })
+            let Some(value) = &rule.value else { return true };
+            value.reads().any(|(o, input)| if o == id { input > 2 || !fixed.pos[input] } else { moves(o) })
         };
         all.iter().copied().filter(|&r| self.rules[r].owner != id.0 as usize || news(&self.rules[r])).collect()
     }
 
-    pub(super) fn sorted_terms(&self, i: usize) -> Vec<usize> {
+    /// Terms that speak of an object, cheap ones first: those that must hold, or preferences.
+    pub(super) fn sorted_terms(&self, i: usize, hard: bool) -> Vec<usize> {
         let mut list: Vec<usize> = self.frame.terms_of[i].to_vec();
-        list.retain(|&t| matches!(self.judges[t], Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)));
+        list.retain(|&t| self.frame.terms[t].is_hard() == hard && self.is_judged_alone(t));
         list.sort_by_key(|&t| (self.frame.terms[t].objects.len(), self.frame.terms[t].formula.nodes.len()));
         list
     }
 
+    /// Whether a term is judged as soon as one of its objects moves.
+    pub(super) fn is_judged_alone(&self, t: usize) -> bool {
+        matches!(self.judges[t], Judge::Code(_) | Judge::Mixed(_) | Judge::Inside(..) | Judge::Clear(_))
+    }
+
     /// Quarter turns, and whatever turns its terms name, as far as the terms that speak of its turn alone allow them.
-    pub(super) fn yaws_of(&self, state: &State<'_>, id: ObjectId) -> Option<Vec<f64>> {
-        let now = state.pose(id).rot.y;
+    pub(super) fn yaws_of(&self, world: &World<f64>, id: ObjectId) -> Option<Vec<f64>> {
+        let now = Pose::of(world.object(id).ok()?);
         if self.frame.fixed(id).rot {
-            return Some(vec![now]);
+            return Some(vec![self.inputs(id.0 as usize)[3]]);
         }
         let terms: Vec<usize> = self.frame.terms_of[id.0 as usize]
             .iter()
             .copied()
-            .filter(|&t| matches!(self.judges[t], Judge::Turn))
+            .filter(|&t| matches!(self.judges[t], Judge::Turn) || self.is_about_tilt(t, id))
             .collect();
         let mut yaws = vec![0.0, 90.0, 180.0, 270.0];
         for &t in &terms {
@@ -58,10 +65,10 @@ impl Quick<'_> {
         if terms.is_empty() {
             return Some(yaws);
         }
-        let mut world = state.world.clone();
+        let mut world = world.clone();
         let mut scratch = Scratch::new();
         yaws.retain(|yaw| {
-            let [pos, rot, scale] = state.pose(id).facing(*yaw).constant();
+            let [pos, rot, scale] = now.facing(*yaw).constant();
             world.place(id, pos, rot, scale);
             let holds = |t: &usize, scratch: &mut Scratch<f64>| {
                 matches!(scratch.evaluate(&self.frame.terms[*t].formula, &world), Ok(Value::Truth(v)) if v.holds)
@@ -69,6 +76,28 @@ impl Quick<'_> {
             terms.iter().all(|t| holds(t, &mut scratch))
         });
         (!yaws.is_empty()).then_some(yaws)
+    }
+
+    /// Whether a term says how an object is turned that need not be upright: here it is.
+    fn is_about_tilt(&self, t: usize, id: ObjectId) -> bool {
+        self.frame.tilts[id.0 as usize]
+            && self.frame.terms[t].is_hard()
+            && turned(&self.frame.terms[t].formula) == Some(id)
+    }
+
+    /// Floors that it may stand on.
+    pub(super) fn levels_of(&self, id: ObjectId) -> Vec<f64> {
+        let named = rooms_named(self.frame, id).filter_map(|region| self.room(region)).map(|room| room.floor);
+        let mut levels: Vec<f64> = named.collect();
+        if levels.is_empty() {
+            levels.extend(self.rooms.iter().map(|room| room.floor));
+        }
+        if levels.is_empty() {
+            levels.push(0.0);
+        }
+        levels.sort_by(f64::total_cmp);
+        levels.dedup();
+        levels
     }
 
     /// The regions that it must be in, all at once.
@@ -149,6 +178,26 @@ impl Quick<'_> {
         let index = |region: RegionId| self.rooms.iter().position(|room| room.id == region && room.outline.is_some());
         named.filter_map(index).collect()
     }
+}
+
+/// Others that the program may ask an object to go onto: those whose height is compared with its own.
+pub(super) fn carriers(frame: &Frame<'_>, id: ObjectId) -> Vec<usize> {
+    use ObjectProperty::{Bottom, Pos, Surface, Top};
+    let mut found = Vec::new();
+    for &t in &frame.terms_of[id.0 as usize] {
+        let nodes = &frame.terms[t].formula.nodes;
+        let own = |node: &Node| matches!(node, Node::Object(Bottom | Pos, o) if *o == id);
+        if nodes.iter().any(own) {
+            found.extend(nodes.iter().filter_map(|node| match node {
+                Node::Object(Surface | Top, o) if *o != id => Some(o.0 as usize),
+                _ => None,
+            }));
+        }
+    }
+    found.extend(frame.sources[id.0 as usize].iter().map(|o| o.0 as usize));
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 /// The regions that hard terms say an object is in.

@@ -100,7 +100,9 @@ impl Way {
 impl Quick<'_> {
     fn is_in_the_way(&self, j: usize) -> bool {
         let span = &self.span[j];
-        !self.doors.contains(&j) && span.min[1] < self.floor + IN_THE_WAY[1] && span.max[1] > self.floor + IN_THE_WAY[0]
+        // Corridors are planned only where all rooms share a floor.
+        let floor = self.floor.unwrap_or(0.0);
+        !self.doors.contains(&j) && span.min[1] < floor + IN_THE_WAY[1] && span.max[1] > floor + IN_THE_WAY[0]
     }
 
     fn door_places(&self) -> Vec<[f64; 3]> {

@@ -263,39 +263,57 @@ impl<'w> Coder<'w> {
         }
     }
 
-    /// The code of a truth; `None`: it has none.
+    /// The code of a truth; `None`: not all of it has code.
     pub fn truth(&mut self, formula: &Formula) -> Option<Coded> {
+        let (code, missing) = self.partly(formula);
+        missing.is_empty().then_some(code)
+    }
+
+    /// The code of as many truths that a truth is made of as have code, and the others. Those are truths that are not
+    /// themselves made of others.
+    pub fn partly(&mut self, formula: &Formula) -> (Coded, Vec<NodeId>) {
         let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
         let _ = self.scratch.evaluate_with(formula, &self.world, &mut boxes);
         let mut open = vec![formula.root];
-        let mut found: Vec<(NodeId, Truth<Term>)> = Vec::new();
+        let mut seen = vec![false; formula.nodes.len()];
+        let (mut found, mut missing) = (Vec::new(), Vec::new());
         while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id.0 as usize], true) {
+                continue;
+            }
             match formula.node(id) {
                 Node::And(parts) | Node::Or(parts) | Node::AtLeast(_, parts) => open.extend(parts.iter()),
                 Node::Not(part) => open.push(*part),
                 Node::Iff(a, b) => open.extend([a, b]),
                 _ => match self.scratch.value(id) {
                     Ok(Value::Truth(truth)) => found.push((id, truth)),
-                    _ => return None,
+                    _ => missing.push(id),
                 },
             }
         }
         let mut code = Draft::new(self.objects);
         let mut atoms = vec![None; formula.nodes.len()];
         for (node, truth) in found {
-            let margin = self.emit(&mut code, truth.margin)?;
-            let contrary = truth.holds.is_contrary();
-            let fact = look(|tape| tape.facts[truth.holds.index()].clone());
-            let verdict = match fact {
-                Fact::True => Verdict::Known(truth.holds == Claim::TRUE),
-                Fact::Atom { term, bound, strict } => {
-                    Verdict::Bound { slot: self.emit(&mut code, term)?, bound: f64::from_bits(bound), strict, contrary }
-                }
-                _ => return None,
-            };
-            atoms[node.0 as usize] = Some(Atom { margin, verdict, unit: truth.unit });
+            atoms[node.0 as usize] = self.atom(&mut code, truth);
+            if atoms[node.0 as usize].is_none() {
+                missing.push(node);
+            }
         }
-        Some(Coded { code: code.code, atoms })
+        (Coded { code: code.code, atoms }, missing)
+    }
+
+    fn atom(&mut self, code: &mut Draft, truth: Truth<Term>) -> Option<Atom> {
+        let margin = self.emit(code, truth.margin)?;
+        let contrary = truth.holds.is_contrary();
+        let fact = look(|tape| tape.facts[truth.holds.index()].clone());
+        let verdict = match fact {
+            Fact::True => Verdict::Known(truth.holds == Claim::TRUE),
+            Fact::Atom { term, bound, strict } => {
+                Verdict::Bound { slot: self.emit(code, term)?, bound: f64::from_bits(bound), strict, contrary }
+            }
+            _ => return None,
+        };
+        Some(Atom { margin, verdict, unit: truth.unit })
     }
 
     /// The code of a number, a vector or a rotation; `None`: it has none.
