@@ -250,7 +250,12 @@ impl<'r, 'a> Run<'r, 'a> {
         for id in self.setup.frame.objects() {
             let known = self.setup.given.iter().find(|(o, _)| *o == id);
             given[id.0 as usize] = known.is_some();
-            let pose = known.and_then(|(_, pose)| *pose).unwrap_or_else(|| search.state.home(id).at(0.0, 0.0, 0.0));
+            let fixed = self.setup.frame.fixed(id).pos;
+            let pose = known.and_then(|(_, pose)| *pose).unwrap_or_else(|| {
+                let mut home = search.state.home(id);
+                (0..3).filter(|&axis| !fixed[axis]).for_each(|axis| home.pos[axis] = 0.0);
+                home
+            });
             let [pos, rot, scale] = pose.constant();
             world.place(id, pos, rot, scale);
         }
@@ -277,11 +282,24 @@ impl<'r, 'a> Run<'r, 'a> {
             }
             show(&quick, &mut search.state);
             holds = solved && search.state.hard().0 == 0;
+            if std::env::var_os("DRV").is_some() {
+                let f = search.state.failing();
+                eprintln!("round: work {} solved {solved} holds {holds}", quick.work);
+                quick.report(&f);
+            }
             // What was thought a way may be none: one looks for a wider one, from here.
             if !solved || holds || limit.is_over() || !quick.doubt(&search.state.failing()) {
                 break;
             }
             given.fill(true);
+        }
+        if std::env::var_os("DRV").is_some() {
+            let f = search.state.failing();
+            quick.report(&f);
+            eprintln!(
+                "solved {solved} holds {holds} failing {:?}",
+                f.iter().map(|c| search.state.numbering.check(*c)).collect::<Vec<_>>()
+            );
         }
         search.state.work += quick.work;
         if holds {

@@ -10,7 +10,7 @@ use super::{Judge, Quick, Span};
 use crate::merit::{Merit, Truths};
 use scenelang_lang::program::{Arg, Formula, Measure, Native, Node, NodeId, ObjectId, Unit};
 use scenelang_layout::Vec3;
-use scenelang_verify::coded::{Coded, Slots};
+use scenelang_verify::coded::{Coded, Slots, atoms};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Scratch, Truth, Value, World, cone};
 use std::marker::PhantomData;
@@ -93,6 +93,11 @@ impl Mixed {
         Self { code, leaves, looks, price }
     }
 
+    /// One of which nothing is code.
+    pub fn whole(formula: &Formula, objects: usize) -> Self {
+        Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, objects)
+    }
+
     /// Whether it asks for paths.
     pub fn walks(&self) -> bool {
         self.leaves.iter().any(|(_, leaf)| matches!(leaf, Leaf::Path(..)))
@@ -133,7 +138,7 @@ impl Instance {
 }
 
 /// Truths of code that has run, and those that were found otherwise.
-struct Found<'r> {
+pub(super) struct Found<'r> {
     code: &'r Coded,
     slots: &'r Slots,
     others: &'r [(NodeId, Truth<f64>)],
@@ -161,10 +166,29 @@ impl Quick<'_> {
         }
     }
 
+    /// From now on a term is asked of the evaluator.
+    pub(super) fn ask_evaluator(&mut self, t: usize) {
+        let mixed = Mixed::whole(&self.frame.terms[t].formula, self.count());
+        if mixed.looks_around() && !self.onlookers.contains(&t) {
+            self.onlookers.push(t);
+        }
+        self.judges[t] = Judge::Mixed(mixed);
+        if !std::mem::replace(&mut self.follows, true) {
+            (0..self.count()).for_each(|i| self.instance.moved(i));
+        }
+    }
+
     /// What a term costs of which some truths have no code, and whether it holds.
     pub(super) fn mixed(&mut self, t: usize) -> (f64, bool) {
+        let mut found = (0.0, true);
+        self.mixed_with(t, |merit| found = merit.both());
+        found
+    }
+
+    /// Judges such a term, and asks something of what came of it.
+    pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Merit<'_, f64, Found<'_>>)) {
         self.follow();
-        let Judge::Mixed(mixed) = &self.judges[t] else { return (0.0, true) };
+        let Judge::Mixed(mixed) = &self.judges[t] else { return };
         let formula = &self.frame.terms[t].formula;
         self.work += mixed.price;
         let mut truths = std::mem::take(&mut self.instance.truths);
@@ -186,9 +210,8 @@ impl Quick<'_> {
         }
         mixed.code.run(&mut self.slots);
         let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
-        let found = Merit { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData }.both();
+        ask(&Merit { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
         self.instance.truths = truths;
-        found
     }
 
     /// Whether something that moved may change what a term sees.

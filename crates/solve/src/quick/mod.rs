@@ -360,6 +360,22 @@ impl<'a> Quick<'a> {
         Some(quick)
     }
 
+    pub fn report(&self, more: &[usize]) {
+        for &c in self.bad.iter().chain(more) {
+            let check = self.numbering.check(c);
+            let text = if let crate::checks::Check::Term(t) = check {
+                format!(
+                    "{:?} {:?}",
+                    self.frame.terms[t].objects.iter().map(|o| self.frame.name(*o)).collect::<Vec<_>>(),
+                    self.frame.terms[t].formula.root_node()
+                )
+            } else {
+                String::new()
+            };
+            eprintln!("bad {check:?} cost {} {text}", self.cost[c]);
+        }
+        eprintln!("work {} bad {}", self.work, self.bad.len());
+    }
     /// The layout as changes of the search proper.
     pub fn changes(&self) -> Vec<Change> {
         let pose = |id: ObjectId| {

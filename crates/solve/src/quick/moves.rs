@@ -13,6 +13,8 @@ use std::marker::PhantomData;
 /// A step to see how a margin changes: metres, and degrees.
 const PROBE: f64 = 1e-3;
 const TURN: f64 = 0.05;
+/// How many violated terms an object is moved for.
+const TERMS: usize = 6;
 /// A little more than what is missing, so that rounding does not take it away (metres).
 const EASE: f64 = 1e-4;
 /// How often a place of a rotated room is drawn before one outside is taken.
@@ -159,9 +161,16 @@ impl Quick<'_> {
     fn satisfying(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let now = self.inputs(i);
         let fixed = self.frame.fixed(ObjectId(i as u32));
-        let terms = self.terms_of[i].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX);
-        let terms = terms.chain(self.wishes_of[i].iter().copied().filter(|&t| self.counts(t) && self.cost[t] > 0.0));
-        let terms: Vec<usize> = terms.filter(|&t| matches!(self.judges[t], Judge::Code(_))).take(6).collect();
+        // Those of what goes along by rules, too.
+        let mut owners = vec![i];
+        owners.extend(self.followers[i].iter().map(|&rule| self.rules[rule].owner).filter(|owner| *owner != i));
+        let mut terms: Vec<usize> = Vec::new();
+        for &owner in &owners {
+            terms.extend(self.terms_of[owner].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX));
+            terms.extend(self.wishes_of[owner].iter().copied().filter(|&t| self.counts(t) && self.cost[t] > 0.0));
+        }
+        terms.retain(|&t| matches!(self.judges[t], Judge::Code(_) | Judge::Mixed(_)));
+        terms.truncate(TERMS);
         for t in terms {
             let missing = self.missing(t, i, now);
             let mut slopes = [0.0; 3];
@@ -222,20 +231,18 @@ impl Quick<'_> {
 
     /// What a term lacks with an object somewhere (metres).
     fn missing(&mut self, t: usize, i: usize, pose: Inputs) -> f64 {
-        let id = ObjectId(i as u32);
-        let old = self.slots.get(id);
-        self.slots.put(id, pose);
-        let Judge::Code(code) = &self.judges[t] else { return 0.0 };
-        code.run(&mut self.slots);
-        let merit = Merit {
-            formula: &self.frame.terms[t].formula,
-            values: &Ran { code, slots: &self.slots },
-            tolerances: &self.tolerances,
-            numbers: PhantomData,
-        };
+        self.go(i, pose);
         let mut missing: Vec<f64> = Vec::new();
-        merit.residuals(&mut missing);
-        self.slots.put(id, old);
+        if let Judge::Code(code) = &self.judges[t] {
+            code.run(&mut self.slots);
+            let values = Ran { code, slots: &self.slots };
+            let formula = &self.frame.terms[t].formula;
+            let merit = Merit { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData };
+            merit.residuals(&mut missing);
+        } else {
+            self.mixed_with(t, |merit| merit.residuals(&mut missing));
+        }
+        self.undo();
         missing.into_iter().sum()
     }
 

@@ -122,7 +122,9 @@ impl Quick<'_> {
         let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
         let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
         self.away.fill(false);
-        self.forget_ways();
+        if !waiting.is_empty() {
+            self.forget_ways();
+        }
         self.trust_paths();
         for &i in &waiting {
             self.away[i] = true;
@@ -155,7 +157,8 @@ impl Quick<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.plan_all(late);
+        self.judge_ways();
+        self.plan_missing(late);
     }
 
     /// Objects that go wherever rules put them when this one moves.
@@ -399,11 +402,11 @@ impl Quick<'_> {
 
     /// Who has to move for an object to move: itself, or those that rules set its place by; into `out`.
     fn movers(&self, i: usize, depth: usize, out: &mut Vec<usize>) {
-        if self.is_movable(i) {
-            if !out.contains(&i) {
-                out.push(i);
-            }
-        } else if depth < 8 {
+        if self.is_movable(i) && !out.contains(&i) {
+            out.push(i);
+        }
+        // Part of where it is may be set by others.
+        if depth < 8 {
             self.bases[i].iter().for_each(|&base| self.movers(base, depth + 1, out));
         }
     }

@@ -8,7 +8,7 @@ use super::{Judge, Quick, Span};
 use crate::merit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_lang::program::{Arg, Formula, Native, Node};
+use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId};
 use scenelang_verify::World;
 use scenelang_verify::coded::Flat;
 use std::cmp::Reverse;
@@ -38,7 +38,10 @@ const EASE: f64 = 1e-3;
 /// A way that is asked for.
 #[derive(Clone, Debug)]
 pub(super) struct Way {
+    /// Where it begins, and the goal that it is planned to.
     ends: [usize; 2],
+    /// All goals that will do.
+    goals: Vec<usize>,
     radius: f64,
     /// Bends of the corridor; `None`: none is planned yet; empty: there is none.
     path: Option<Vec<[f64; 2]>>,
@@ -57,15 +60,25 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// What a formula says, if it is a `reachable` of constant width.
+    /// What a formula says, if it is a `reachable` of constant width, or asks for one of several that share an end.
     pub fn of(formula: &Formula, world: &World<f64>) -> Option<Self> {
-        let Node::Native(Native::Reachable, args) = formula.root_node() else { return None };
-        let [Arg::Object(a), Arg::Object(b), Arg::Value(width)] = args[..] else { return None };
-        let Node::Number(width) = *formula.node(width) else { return None };
+        let one = |node: NodeId| {
+            let Node::Native(Native::Reachable, args) = formula.node(node) else { return None };
+            let [Arg::Object(a), Arg::Object(b), Arg::Value(width)] = args[..] else { return None };
+            let Node::Number(width) = *formula.node(width) else { return None };
+            Some(([a.0 as usize, b.0 as usize], width))
+        };
+        let all: Vec<([usize; 2], f64)> = match formula.root_node() {
+            Node::Or(parts) => parts.iter().map(|&part| one(part)).collect::<Option<_>>()?,
+            _ => vec![one(formula.root)?],
+        };
+        let &(ends, width) = all.first()?;
+        let from = ends.into_iter().find(|end| all.iter().all(|(ends, w)| ends.contains(end) && *w == width))?;
+        let goals: Vec<usize> = all.iter().map(|(ends, _)| if ends[0] == from { ends[1] } else { ends[0] }).collect();
         let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
-        let ends = [a.0 as usize, b.0 as usize];
         Some(Self {
-            ends,
+            ends: [from, *goals.first()?],
+            goals,
             radius,
             path: None,
             doors: Vec::new(),
@@ -249,16 +262,33 @@ impl Quick<'_> {
         }
     }
 
-    /// Plans all ways anew, until it is late.
-    pub(super) fn plan_all(&mut self, late: &dyn Fn() -> bool) {
-        (0..self.ways.len()).take_while(|_| !late()).for_each(|way| self.plan_again(way));
+    /// Plans the ways that have no plan, until it is late.
+    pub(super) fn plan_missing(&mut self, late: &dyn Fn() -> bool) {
+        let all = (0..self.ways.len()).take_while(|_| !late());
+        all.for_each(|way| {
+            if self.ways[way].bends().is_empty() {
+                self.plan_again(way);
+            }
+        });
+    }
+
+    /// Judges all ways that have a plan by where everything is now.
+    pub(super) fn judge_ways(&mut self) {
+        for at in 0..self.walks.len() {
+            let (t, way) = self.walks[at];
+            if !self.ways[way].bends().is_empty() {
+                let (cost, holds) = self.way(way);
+                self.set(t, cost, holds);
+            }
+        }
     }
 
     /// Plans a way anew.
     pub(super) fn plan_again(&mut self, index: usize) {
-        let path = self.plan(index);
+        let (path, goal) = self.plan(index);
         let doors = self.door_places();
         let way = &mut self.ways[index];
+        way.ends[1] = goal;
         (way.path, way.doors) = (Some(path), doors);
         way.steps = way.bends().windows(2).map(|pair| step(pair[0], pair[1])).collect();
         way.bounds = way.surround();
@@ -267,43 +297,49 @@ impl Quick<'_> {
         self.set(term, cost, holds);
     }
 
-    /// Ways that were thought free are not: from now on they are planned wider. Whether that is all that fails.
+    /// What was thought to hold does not: ways are planned wider from now on, and terms are asked of the evaluator.
+    /// Whether that is all that fails.
     pub fn doubt(&mut self, failing: &[usize]) -> bool {
         const MORE: f64 = 0.01;
         const MOST: f64 = 0.05;
-        let way = |t: &usize| match self.judges.get(*t) {
-            Some(Judge::Way(way)) => Some(*way),
-            _ => None,
-        };
-        let Some(ways) = failing.iter().map(way).collect::<Option<Vec<usize>>>() else { return false };
-        for way in ways {
-            let way = &mut self.ways[way];
-            way.doubt = (way.doubt + MORE).min(MOST);
-            way.path = None;
+        for &check in failing {
+            match self.judges.get(check) {
+                Some(Judge::Way(way)) => {
+                    let way = &mut self.ways[*way];
+                    way.doubt = (way.doubt + MORE).min(MOST);
+                    way.path = None;
+                }
+                Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)) => self.ask_evaluator(check),
+                _ => return false,
+            }
         }
         true
     }
 
-    /// The corridor between two things that asks for the least to be moved; empty: there is none.
-    fn plan(&mut self, index: usize) -> Vec<[f64; 2]> {
-        let Some(grid) = Grid::new(self) else { return Vec::new() };
+    /// The corridor to a goal that asks for the least to be moved, and the goal; empty: there is none.
+    fn plan(&mut self, index: usize) -> (Vec<[f64; 2]>, usize) {
+        let way = &self.ways[index];
+        let none = (Vec::new(), way.ends[1]);
+        let Some(grid) = Grid::new(self) else { return none };
         self.work += WORK * grid.count() as u64;
         let way = &self.ways[index];
         let radius = way.width();
-        let [from, to] = way.ends.map(|end| self.around(end, way.radius + NEAR / 2.0, radius));
+        let around = |end: usize| self.around(end, way.radius + NEAR / 2.0, radius);
+        let from = around(way.ends[0]);
+        let to: Vec<(usize, [f64; 2])> =
+            way.goals.iter().flat_map(|&goal| around(goal).into_iter().map(move |p| (goal, p))).collect();
         let cost = self.cost_of_cells(&grid, radius);
-        let cells = grid.shortest(&cost, &from, &to);
-        let ([first, ..], [.., last]) = (&cells[..], &cells[..]) else { return Vec::new() };
-        let nearest = |places: &[[f64; 2]], cell: usize| {
-            let far = |p: &[f64; 2]| (p[0] - grid.middle(cell)[0]).hypot(p[1] - grid.middle(cell)[1]);
-            places.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b)))
-        };
-        let ends = [nearest(&from, *first), nearest(&to, *last)];
-        let mut path: Vec<[f64; 2]> = ends[0].into_iter().collect();
+        let cells = grid.shortest(&cost, &from, to.iter().map(|(_, p)| *p));
+        let ([first, ..], [.., last]) = (&cells[..], &cells[..]) else { return none };
+        let far = |p: &[f64; 2], cell: usize| (p[0] - grid.middle(cell)[0]).hypot(p[1] - grid.middle(cell)[1]);
+        let begin = from.iter().copied().min_by(|a, b| far(a, *first).total_cmp(&far(b, *first)));
+        let end = to.iter().copied().min_by(|a, b| far(&a.1, *last).total_cmp(&far(&b.1, *last)));
+        let goal = end.map_or(way.ends[1], |(goal, _)| goal);
+        let mut path: Vec<[f64; 2]> = begin.into_iter().collect();
         path.extend(cells.iter().map(|c| grid.middle(*c)));
-        path.extend(ends[1]);
+        path.extend(end.map(|(_, p)| p));
         self.push_aside(&mut path, radius);
-        simplified(&path)
+        (simplified(&path), goal)
     }
 
     /// Places on the floor so far from a thing.
@@ -455,7 +491,7 @@ impl Grid {
     }
 
     /// The cheapest way from one of some places to one of others.
-    fn shortest(&self, cost: &[f64], from: &[[f64; 2]], to: &[[f64; 2]]) -> Vec<usize> {
+    fn shortest(&self, cost: &[f64], from: &[[f64; 2]], to: impl Iterator<Item = [f64; 2]>) -> Vec<usize> {
         const UNSEEN: u32 = u32::MAX;
         let mut far = vec![f64::INFINITY; cost.len()];
         let mut before = vec![UNSEEN; cost.len()];
@@ -471,7 +507,7 @@ impl Grid {
                 (m[0] - at[0]).hypot(m[1] - at[1]) <= reach
             })
         };
-        for c in to.iter().flat_map(beside) {
+        for c in to.flat_map(|p| beside(&p)) {
             is_end[c] = true;
         }
         for c in from.iter().flat_map(beside).filter(|&c| cost[c].is_finite()) {

@@ -49,6 +49,7 @@ impl Quick<'_> {
             self.weight[t] = self.weight_of_wish(t);
         }
         self.judge_all();
+        self.judge_ways();
         for _ in 0..PASSES {
             let before = self.wishes_cost();
             for &t in &wishes {
@@ -70,7 +71,7 @@ impl Quick<'_> {
         let late = || limit.is_over();
         let before: Vec<Inputs> = (0..self.count()).map(|i| self.inputs(i)).collect();
         let (cost, reluctance) = (self.wishes_cost(), self.reluctance.clone());
-        let weights = self.weight.clone();
+        let (weights, ways) = (self.weight.clone(), self.ways.clone());
         self.weight[t] = DEMANDED;
         self.demanded = Some(t);
         let (now, holds) = (self.cost[t], self.does_hold(t));
@@ -92,8 +93,9 @@ impl Quick<'_> {
             for (i, inputs) in before.into_iter().enumerate() {
                 self.put(i, inputs);
             }
+            self.ways = ways;
             self.judge_all();
-            self.plan_all(&late);
+            self.judge_ways();
         }
     }
 }

@@ -101,7 +101,7 @@ struct Code {
 }
 
 /// The code of a formula whose root is a truth.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Coded {
     code: Code,
     /// By node: those truths that are not made of others.
@@ -162,7 +162,7 @@ impl Coded {
     }
     /// A truth that is not made of others, as of the last run.
     pub fn truth(&self, node: NodeId, slots: &Slots) -> Option<Truth<f64>> {
-        let atom = self.atoms[node.0 as usize]?;
+        let atom = (*self.atoms.get(node.0 as usize)?)?;
         let holds = match atom.verdict {
             Verdict::Known(holds) => holds,
             Verdict::Bound { slot, bound, strict, contrary } => {
@@ -274,21 +274,11 @@ impl<'w> Coder<'w> {
     pub fn partly(&mut self, formula: &Formula) -> (Coded, Vec<NodeId>) {
         let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
         let _ = self.scratch.evaluate_with(formula, &self.world, &mut boxes);
-        let mut open = vec![formula.root];
-        let mut seen = vec![false; formula.nodes.len()];
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        while let Some(id) = open.pop() {
-            if std::mem::replace(&mut seen[id.0 as usize], true) {
-                continue;
-            }
-            match formula.node(id) {
-                Node::And(parts) | Node::Or(parts) | Node::AtLeast(_, parts) => open.extend(parts.iter()),
-                Node::Not(part) => open.push(*part),
-                Node::Iff(a, b) => open.extend([a, b]),
-                _ => match self.scratch.value(id) {
-                    Ok(Value::Truth(truth)) => found.push((id, truth)),
-                    _ => missing.push(id),
-                },
+        for id in atoms(formula) {
+            match self.scratch.value(id) {
+                Ok(Value::Truth(truth)) => found.push((id, truth)),
+                _ => missing.push(id),
             }
         }
         let mut code = Draft::new(self.objects);
@@ -416,6 +406,25 @@ impl<'w> Coder<'w> {
             (first + constants.len() - 1) as u32
         })
     }
+}
+
+/// The truths that a truth is made of, which are not themselves made of others.
+pub fn atoms(formula: &Formula) -> Vec<NodeId> {
+    let mut open = vec![formula.root];
+    let mut seen = vec![false; formula.nodes.len()];
+    let mut found = Vec::new();
+    while let Some(id) = open.pop() {
+        if std::mem::replace(&mut seen[id.0 as usize], true) {
+            continue;
+        }
+        match formula.node(id) {
+            Node::And(parts) | Node::Or(parts) | Node::AtLeast(_, parts) => open.extend(parts.iter()),
+            Node::Not(part) => open.push(*part),
+            Node::Iff(a, b) => open.extend([a, b]),
+            _ => found.push(id),
+        }
+    }
+    found
 }
 
 /// Code that is being written.
