@@ -239,7 +239,7 @@ impl Quick<'_> {
                 return self.clear(&clear);
             }
             Judge::Mixed(_) => return self.mixed(t),
-            Judge::Way(_) | Judge::Turn | Judge::Absent => return (0.0, true),
+            Judge::Way(_) | Judge::Shared(_) | Judge::Turn | Judge::Absent => return (0.0, true),
         };
         self.work += 3 + code.steps() as u64 / 8;
         code.run(&mut self.slots);

@@ -5,6 +5,7 @@
 //! the evaluator itself.
 
 mod clear;
+mod corridors;
 mod exact;
 mod judge;
 mod moves;
@@ -30,7 +31,7 @@ use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
 use scenelang_verify::{Tolerances, Truth, World, rules};
 use std::sync::Arc;
-use ways::Way;
+use ways::{Asked, Way};
 
 /// Overlaps of less than this are rounding (metres).
 const TOUCHING: f64 = 1e-7;
@@ -41,8 +42,10 @@ enum Judge {
     Inside(usize, usize),
     /// The space beside an object is free.
     Clear(Clear),
-    /// There is a way.
+    /// There are ways.
     Way(usize),
+    /// It asks for one of the ways that another term answers for.
+    Shared(usize),
     /// By its code.
     Code(Coded),
     /// By its code as far as that goes, and by the evaluator.
@@ -141,6 +144,8 @@ pub(crate) struct Quick<'a> {
     reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
     onlookers: Vec<usize>,
+    /// Whether ways are looked at yet.
+    walking: bool,
     /// Terms that ask for ways, each with its way.
     walks: Vec<(usize, usize)>,
     /// Terms that ask for paths beside other things.
@@ -213,7 +218,7 @@ impl<'a> Quick<'a> {
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
         let mut coder = Coder::new(frame.program, world, &still);
         let mut judges = Vec::with_capacity(frame.terms.len());
-        let mut ways = Vec::new();
+        let mut asked = Vec::new();
         for term in &frame.terms {
             let formula = &term.formula;
             let room = |region: RegionId| rooms.iter().position(|room| room.id == region);
@@ -223,9 +228,11 @@ impl<'a> Quick<'a> {
                 Judge::Inside(id.0 as usize, room)
             } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
                 Judge::Clear(clear)
-            } else if let Some(way) = Way::of(formula, world).filter(|_| term.is_hard() && floor.is_some()) {
-                ways.push(way);
-                Judge::Way(ways.len() - 1)
+            } else if let Some(way) =
+                Asked::of(judges.len(), formula).filter(|_| term.is_hard() && floor.is_some() && !rooms.is_empty())
+            {
+                asked.push(way);
+                Judge::Absent
             } else {
                 let (code, missing) = coder.partly(formula);
                 if missing.is_empty() {
@@ -237,6 +244,12 @@ impl<'a> Quick<'a> {
                     Judge::Mixed(Mixed::new(formula, code, &missing, clear, n))
                 }
             });
+        }
+        let mut ways = Vec::new();
+        for (index, (way, terms)) in Asked::together(&asked, world).into_iter().enumerate() {
+            terms.iter().for_each(|&t| judges[t] = Judge::Shared(index));
+            judges[terms[0]] = Judge::Way(index);
+            ways.push(way);
         }
         let mut rules = Vec::new();
         for rule in &frame.rules.list {
@@ -312,6 +325,7 @@ impl<'a> Quick<'a> {
             outlines: Vec::new(),
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
+            walking: false,
             onlookers,
             paths,
             instance: Instance::new(world.clone()),

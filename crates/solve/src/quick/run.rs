@@ -28,6 +28,9 @@ const EXCHANGES: usize = 2;
 const TOGETHER: usize = 4;
 /// How many places are tried, each with a look for the paths of a term that asks for them beside other things.
 const PATHS: usize = 4;
+/// How many moves with whatever has to go along, and of how many objects at most.
+const ALONG: usize = 4;
+const COMPANY: usize = 40;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
 /// What is left of the weight of a way when a better plan is found.
@@ -44,6 +47,8 @@ enum Choice {
     Exchange(usize, bool),
     /// It goes there with all of its array.
     Together(Inputs),
+    /// It goes there with whatever has to stay where it is in relation to it.
+    Along(Inputs),
 }
 
 impl Quick<'_> {
@@ -66,16 +71,26 @@ impl Quick<'_> {
             let (mut idle, mut least) = (0, usize::MAX);
             turn += 1;
             let patience = (patience * luby(turn)) as usize;
-            while !self.is_done(&late) && self.work < end && !late() && idle < patience {
+            while self.work < end && !late() && idle < patience {
+                if self.bad.is_empty() && !self.walking {
+                    // Corridors are worth planning where all else is in its place.
+                    self.walking = true;
+                    self.plan_missing(&late);
+                    (idle, least) = (0, usize::MAX);
+                }
+                if self.is_done(&late) {
+                    break;
+                }
                 self.step(chance, &mut poses);
-                idle = if self.bad.len() < least { 0 } else { idle + 1 };
-                least = least.min(self.bad.len());
-                if self.bad.len() < best {
-                    best = self.bad.len();
+                let bad = self.bad.len() + if self.walking { 0 } else { self.ways.len() };
+                idle = if bad < least { 0 } else { idle + 1 };
+                least = least.min(bad);
+                if bad < best {
+                    best = bad;
                     kept = (0..self.count()).map(|i| self.inputs(i)).collect();
                 }
             }
-            if self.movable.is_empty() || self.bad.is_empty() && !late() {
+            if self.movable.is_empty() || self.bad.is_empty() && self.walking && !late() {
                 return self.is_done(&late);
             }
             if self.work >= end || late() {
@@ -122,7 +137,8 @@ impl Quick<'_> {
         let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
         let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
         self.away.fill(false);
-        if !waiting.is_empty() {
+        let is_warm = waiting.is_empty();
+        if !is_warm {
             self.forget_ways();
         }
         self.trust_paths();
@@ -157,8 +173,11 @@ impl Quick<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.judge_ways();
-        self.plan_missing(late);
+        self.walking = is_warm || self.ways.is_empty();
+        if self.walking {
+            self.judge_ways();
+            self.plan_missing(late);
+        }
     }
 
     /// Objects that go wherever rules put them when this one moves.
@@ -310,7 +329,22 @@ impl Quick<'_> {
                 self.undo();
             }
         }
+        for _ in 0..ALONG {
+            let pose = poses[chance.below(poses.len())];
+            if pose == now || !self.go_along(i, pose) {
+                self.undo();
+                continue;
+            }
+            if let Some(delta) = self.judge(best.0) {
+                best.0 = delta;
+                choice = Some(Choice::Along(pose));
+            }
+            self.undo();
+        }
         match choice {
+            Some(Choice::Along(pose)) => {
+                self.go_along(i, pose);
+            }
             Some(Choice::Alone(pose)) => self.go(i, pose),
             Some(Choice::Exchange(j, turn)) => self.exchange(i, j, turn),
             Some(Choice::Together(pose)) => self.go_together(i, &group, pose),
@@ -358,6 +392,37 @@ impl Quick<'_> {
                 self.go(k, carried(&old, &pose, &self.inputs(k)));
             }
         }
+    }
+
+    /// An object goes somewhere, and with it go others whose relation to it would be broken, and others whose relation to
+    /// those would. Whether there are such.
+    fn go_along(&mut self, i: usize, pose: Inputs) -> bool {
+        let old = self.inputs(i);
+        self.go(i, pose);
+        let pose = self.inputs(i);
+        let mut looked = 0;
+        while looked < self.moved.len() && self.moved.len() < COMPANY {
+            let k = self.moved[looked].0;
+            looked += 1;
+            for at in 0..self.terms_of[k].len() {
+                let t = self.terms_of[k][at];
+                let objects = &self.frame.terms[t].objects;
+                if !(2..=3).contains(&objects.len()) || self.bad_at[t] != u32::MAX {
+                    continue;
+                }
+                let stays = |o: &&ObjectId| !self.moved.iter().any(|(m, ..)| *m == o.0 as usize);
+                let others: Vec<usize> = objects.iter().filter(stays).map(|o| o.0 as usize).collect();
+                if others.is_empty() || self.term(t).1 {
+                    continue;
+                }
+                for other in others {
+                    if self.is_movable(other) {
+                        self.go(other, carried(&old, &pose, &self.inputs(other)));
+                    }
+                }
+            }
+        }
+        self.moved.len() > 1
     }
 
     /// Its array; or that with others that have to do with it, and with those, but for what is beyond one of them.

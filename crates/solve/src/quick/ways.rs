@@ -1,7 +1,10 @@
-//! `reachable` on boxes: for each way that is asked for a corridor is planned through what can be moved, and what then
-//! stands in it costs. So a search learns what to move out of the way; whether there is a way is asked of the
+//! `reachable` on boxes: for the ways that are asked for corridors are planned through what can be moved, and what then
+//! stands in them costs. So a search learns what to move out of the way; whether there is a way is asked of the
 //! evaluator in the end.
+//!
+//! Ways of one width that begin at the same thing are planned and judged together: they share most of their corridors.
 
+use super::corridors::{NEAR, step};
 use super::judge::Moved;
 use super::moves::Inputs;
 use super::{Judge, Quick, Span};
@@ -11,57 +14,24 @@ use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId};
 use scenelang_verify::World;
 use scenelang_verify::coded::Flat;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// What reaches no higher above the floor is stepped over, what begins higher is walked under (metres).
 const IN_THE_WAY: [f64; 2] = [0.05, 2.0];
-/// How near to a thing is there (metres).
-const NEAR: f64 = 0.05;
-/// A grid has about so many cells, none smaller than this (metres).
-const CELLS: f64 = 10_000.0;
-const CELL: f64 = 0.05;
-/// How many metres of detour one takes rather than move a thing, and per metre that it reaches in.
-const DETOUR: [f64; 2] = [3.0, 15.0];
-/// The same for what cannot be moved.
-const BARRED: f64 = 300.0;
-/// Work that a plan takes, per cell.
-const WORK: u64 = 4;
-/// How often the bends of a plan are pushed away from what is beside them, and how much room they are to keep (metres).
-const PUSHES: usize = 12;
-const SPARE: f64 = 0.02;
-/// Bends of less than this are none (metres).
-const STRAIGHT: f64 = 0.015;
 /// A little more than what is missing (metres).
 const EASE: f64 = 1e-3;
 
-/// A way that is asked for.
+/// What a term asks for: a way of a width between two things, or from one of them to any of several.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
-    /// Where it begins, and the goal that it is planned to.
+pub(super) struct Asked {
+    pub term: usize,
     ends: [usize; 2],
-    /// All goals that will do.
     goals: Vec<usize>,
-    radius: f64,
-    /// Bends of the corridor; `None`: none is planned yet; empty: there is none.
-    path: Option<Vec<[f64; 2]>>,
-    /// Where doors were when it was planned.
-    doors: Vec<[f64; 3]>,
-    /// Its steps, as rectangles without width.
-    steps: Vec<Flat>,
-    /// What stands in the corridor, and what that costs.
-    lacks: Vec<(usize, f64)>,
-    /// What it costs that ends are not where it begins.
-    off: f64,
-    /// What surrounds the corridor.
-    bounds: Span,
-    /// How much wider than asked for it is planned, since what was planned proved too narrow (metres).
-    doubt: f64,
+    width: f64,
 }
 
-impl Way {
+impl Asked {
     /// What a formula says, if it is a `reachable` of constant width, or asks for one of several that share an end.
-    pub fn of(formula: &Formula, world: &World<f64>) -> Option<Self> {
+    pub fn of(term: usize, formula: &Formula) -> Option<Self> {
         let one = |node: NodeId| {
             let Node::Native(Native::Reachable, args) = formula.node(node) else { return None };
             let [Arg::Object(a), Arg::Object(b), Arg::Value(width)] = args[..] else { return None };
@@ -73,66 +43,130 @@ impl Way {
             _ => vec![one(formula.root)?],
         };
         let &(ends, width) = all.first()?;
-        let from = ends.into_iter().find(|end| all.iter().all(|(ends, w)| ends.contains(end) && *w == width))?;
+        let shared = |end: &usize| all.iter().all(|(ends, w)| ends.contains(end) && *w == width);
+        let from = ends.into_iter().find(shared)?;
         let goals: Vec<usize> = all.iter().map(|(ends, _)| if ends[0] == from { ends[1] } else { ends[0] }).collect();
-        let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
-        Some(Self {
-            ends: [from, *goals.first()?],
-            goals,
+        Some(Self { term, ends: [from, goals[0]], goals, width })
+    }
+
+    /// Ways by where they begin: things at which many do come first.
+    pub fn together(all: &[Self], world: &World<f64>) -> Vec<(Way, Vec<usize>)> {
+        let mut found: Vec<(Way, Vec<usize>)> = Vec::new();
+        let asks = |end: usize, width: f64| {
+            all.iter()
+                .filter(|a| a.width == width && (a.ends[0] == end || a.goals == [a.ends[1]] && a.ends[1] == end))
+                .count()
+        };
+        for asked in all {
+            let [a, b] = asked.ends;
+            let turned = asked.goals.len() == 1 && asks(b, asked.width) > asks(a, asked.width);
+            let (from, goals) = if turned { (b, vec![a]) } else { (a, asked.goals.clone()) };
+            let radius = ((asked.width - world.options.tolerances.contact) / 2.0).max(0.0);
+            match found.iter_mut().find(|(way, _)| way.from == from && way.radius == radius) {
+                Some((way, terms)) => {
+                    way.targets.push(goals);
+                    terms.push(asked.term);
+                }
+                None => found.push((Way::new(from, goals, radius), vec![asked.term])),
+            }
+        }
+        found
+    }
+}
+
+/// A corridor from where ways begin, or from another corridor of theirs, to a goal.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    pub goal: usize,
+    /// Whether it begins where the ways do.
+    pub is_rooted: bool,
+    /// Empty: there is none.
+    pub bends: Vec<[f64; 2]>,
+}
+
+/// Ways of one width that begin at the same thing.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    pub from: usize,
+    /// What is to be reached: for each, things of which one will do.
+    pub targets: Vec<Vec<usize>>,
+    pub radius: f64,
+    /// By target; `None`: nothing is planned yet.
+    branches: Option<Vec<Branch>>,
+    /// Where doors were when it was planned.
+    doors: Vec<[f64; 3]>,
+    /// The steps of all corridors, as rectangles without width.
+    steps: Vec<Flat>,
+    /// What stands in the corridors, and what that costs.
+    lacks: Vec<(usize, f64)>,
+    /// What it costs that ends are not where corridors begin, and that some targets have none.
+    off: f64,
+    /// What surrounds the corridors.
+    bounds: Span,
+    /// How much wider than asked for it is planned, since what was planned proved too narrow (metres).
+    doubt: f64,
+}
+
+impl Way {
+    fn new(from: usize, goals: Vec<usize>, radius: f64) -> Self {
+        Self {
+            from,
+            targets: vec![goals],
             radius,
-            path: None,
+            branches: None,
             doors: Vec::new(),
             steps: Vec::new(),
             lacks: Vec::new(),
             off: 0.0,
             bounds: Span::default(),
             doubt: 0.0,
-        })
+        }
     }
-    fn width(&self) -> f64 {
+    /// Half the width that is planned for.
+    pub fn width(&self) -> f64 {
         self.radius + self.doubt
     }
-    fn bends(&self) -> &[[f64; 2]] {
-        self.path.as_deref().unwrap_or_default()
+    fn is_planned(&self) -> bool {
+        self.branches.is_some()
+    }
+    fn branches(&self) -> &[Branch] {
+        self.branches.as_deref().unwrap_or_default()
     }
     /// Its ends, each with where the corridor begins there.
     fn stands(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
-        let bends = self.bends();
-        self.ends.into_iter().zip([bends.first(), bends.last()]).filter_map(|(end, at)| Some((end, *at?)))
+        let begins =
+            self.branches().iter().filter(|b| b.is_rooted).filter_map(|b| Some((self.from, *b.bends.first()?)));
+        begins.chain(self.branches().iter().filter_map(|b| Some((b.goal, *b.bends.last()?))))
     }
-    /// What surrounds the corridor, at any height.
+    fn has_end(&self, i: usize) -> bool {
+        self.from == i || self.branches().iter().any(|b| b.goal == i)
+    }
+    /// Targets without a corridor.
+    fn unreached(&self) -> impl Iterator<Item = &Vec<usize>> {
+        self.targets.iter().zip(self.branches()).filter(|(_, b)| b.bends.is_empty()).map(|(goals, _)| goals)
+    }
+    /// What surrounds the corridors, at any height.
     fn surround(&self) -> Span {
         let r = self.width();
-        let bends = self.bends();
-        let least = |k: usize| bends.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min) - r;
-        let most = |k: usize| bends.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max) + r;
+        let bends = || self.branches().iter().flat_map(|b| &b.bends);
+        let least = |k: usize| bends().map(|p| p[k]).fold(f64::INFINITY, f64::min) - r;
+        let most = |k: usize| bends().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max) + r;
         Span { min: [least(0), f64::NEG_INFINITY, least(1)], max: [most(0), f64::INFINITY, most(1)] }
     }
 }
 
 impl Quick<'_> {
-    fn is_in_the_way(&self, j: usize) -> bool {
+    pub(super) fn is_in_the_way(&self, j: usize) -> bool {
         let span = &self.span[j];
         // Corridors are planned only where all rooms share a floor.
         let floor = self.floor.unwrap_or(0.0);
         !self.doors.contains(&j) && span.min[1] < floor + IN_THE_WAY[1] && span.max[1] > floor + IN_THE_WAY[0]
     }
 
-    fn door_places(&self) -> Vec<[f64; 3]> {
-        let place = |&j: &usize| {
-            let [x, _, z, yaw, ..] = self.inputs(j);
-            [x, z, yaw]
-        };
-        self.doors.iter().map(place).collect()
-    }
-
-    /// What a way costs, and whether nothing stands in its corridor.
+    /// What ways cost, and whether nothing stands in their corridors.
     fn way(&mut self, index: usize) -> (f64, bool) {
         self.work += 4 + self.count() as u64 / 2;
         let way = &self.ways[index];
-        if way.bends().is_empty() {
-            return (merit::BASE + 1.0, false);
-        }
         let lacks = (0..self.count()).map(|j| (j, self.reaches_in(way, j))).filter(|(_, lack)| *lack > 0.0).collect();
         let off = self.off_ends(way);
         let way = &mut self.ways[index];
@@ -141,10 +175,11 @@ impl Quick<'_> {
         (cost, cost == 0.0)
     }
 
-    /// What it costs that ends are not where the corridor begins.
+    /// What it costs that ends are not where corridors begin, and that some have none.
     fn off_ends(&self, way: &Way) -> f64 {
         let off = way.stands().map(|(end, at)| self.flat(end).distance(at) - way.radius - NEAR);
-        off.map(|off| if off > 0.0 { merit::cost(false, off) } else { 0.0 }).sum()
+        let off: f64 = off.map(|off| if off > 0.0 { merit::cost(false, off) } else { 0.0 }).sum();
+        off + (merit::BASE + 1.0) * way.unreached().count() as f64
     }
 
     /// How the ways that a trial concerns change.
@@ -155,8 +190,8 @@ impl Quick<'_> {
             let (t, index) = self.walks[at];
             let way = &self.ways[index];
             let near = |(m, _, old): &Moved| way.bounds.meets(old) || way.bounds.meets(&self.span[*m]);
-            let has_end = moved.iter().any(|(m, ..)| way.ends.contains(m));
-            if way.bends().is_empty() || !(through_door || has_end || moved.iter().any(near)) {
+            let has_end = moved.iter().any(|(m, ..)| way.has_end(*m));
+            if !way.is_planned() || !(through_door || has_end || moved.iter().any(near)) {
                 continue;
             }
             let found = if through_door && way.doors != self.door_places() {
@@ -178,10 +213,10 @@ impl Quick<'_> {
     pub(super) fn ways_keep(&mut self, moved: &[Moved]) {
         for index in 0..self.ways.len() {
             let way = &self.ways[index];
-            if way.bends().is_empty() {
+            if !way.is_planned() {
                 continue;
             }
-            let off = if moved.iter().any(|(m, ..)| way.ends.contains(m)) { self.off_ends(way) } else { way.off };
+            let off = if moved.iter().any(|(m, ..)| way.has_end(*m)) { self.off_ends(way) } else { way.off };
             let new: Vec<(usize, f64)> = moved.iter().map(|(m, ..)| (*m, self.reaches_in(way, *m))).collect();
             let way = &mut self.ways[index];
             way.off = off;
@@ -211,8 +246,9 @@ impl Quick<'_> {
         let way = &self.ways[index];
         let mut found: Vec<usize> = way.lacks.iter().map(|(j, _)| *j).collect();
         found.extend(way.stands().filter(|(j, p)| self.flat(*j).distance(*p) > way.radius + NEAR).map(|(j, _)| j));
-        if way.bends().is_empty() {
-            found.extend(way.ends);
+        if way.unreached().next().is_some() {
+            found.push(way.from);
+            found.extend(way.unreached().flatten());
         }
         found.retain(|j| self.is_movable(*j));
         (!found.is_empty()).then(|| found[chance.below(found.len())])
@@ -220,7 +256,7 @@ impl Quick<'_> {
 
     /// Whether a way has no plan, or doors have moved since.
     pub(super) fn is_stale(&self, index: usize) -> bool {
-        self.ways[index].bends().is_empty() || self.ways[index].doors != self.door_places()
+        !self.ways[index].is_planned() || self.ways[index].doors != self.door_places()
     }
 
     /// Out of the corridors that an object stands in, and back to those that begin at it; into `out`.
@@ -257,7 +293,7 @@ impl Quick<'_> {
     /// No way is planned.
     pub(super) fn forget_ways(&mut self) {
         for way in &mut self.ways {
-            (way.path, way.off) = (None, 0.0);
+            (way.branches, way.off) = (None, 0.0);
             way.lacks.clear();
         }
     }
@@ -266,7 +302,7 @@ impl Quick<'_> {
     pub(super) fn plan_missing(&mut self, late: &dyn Fn() -> bool) {
         let all = (0..self.ways.len()).take_while(|_| !late());
         all.for_each(|way| {
-            if self.ways[way].bends().is_empty() {
+            if !self.ways[way].is_planned() {
                 self.plan_again(way);
             }
         });
@@ -276,7 +312,7 @@ impl Quick<'_> {
     pub(super) fn judge_ways(&mut self) {
         for at in 0..self.walks.len() {
             let (t, way) = self.walks[at];
-            if !self.ways[way].bends().is_empty() {
+            if self.ways[way].is_planned() {
                 let (cost, holds) = self.way(way);
                 self.set(t, cost, holds);
             }
@@ -285,12 +321,11 @@ impl Quick<'_> {
 
     /// Plans a way anew.
     pub(super) fn plan_again(&mut self, index: usize) {
-        let (path, goal) = self.plan(index);
+        let branches = self.corridors(index);
         let doors = self.door_places();
         let way = &mut self.ways[index];
-        way.ends[1] = goal;
-        (way.path, way.doors) = (Some(path), doors);
-        way.steps = way.bends().windows(2).map(|pair| step(pair[0], pair[1])).collect();
+        way.steps = branches.iter().flat_map(|b| b.bends.windows(2)).map(|pair| step(pair[0], pair[1])).collect();
+        (way.branches, way.doors) = (Some(branches), doors);
         way.bounds = way.surround();
         let (term, _) = self.walks[index];
         let (cost, holds) = self.way(index);
@@ -304,246 +339,15 @@ impl Quick<'_> {
         const MOST: f64 = 0.05;
         for &check in failing {
             match self.judges.get(check) {
-                Some(Judge::Way(way)) => {
+                Some(Judge::Way(way) | Judge::Shared(way)) => {
                     let way = &mut self.ways[*way];
                     way.doubt = (way.doubt + MORE).min(MOST);
-                    way.path = None;
+                    way.branches = None;
                 }
                 Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)) => self.ask_evaluator(check),
                 _ => return false,
             }
         }
         true
-    }
-
-    /// The corridor to a goal that asks for the least to be moved, and the goal; empty: there is none.
-    fn plan(&mut self, index: usize) -> (Vec<[f64; 2]>, usize) {
-        let way = &self.ways[index];
-        let none = (Vec::new(), way.ends[1]);
-        let Some(grid) = Grid::new(self) else { return none };
-        self.work += WORK * grid.count() as u64;
-        let way = &self.ways[index];
-        let radius = way.width();
-        let around = |end: usize| self.around(end, way.radius + NEAR / 2.0, radius);
-        let from = around(way.ends[0]);
-        let to: Vec<(usize, [f64; 2])> =
-            way.goals.iter().flat_map(|&goal| around(goal).into_iter().map(move |p| (goal, p))).collect();
-        let cost = self.cost_of_cells(&grid, radius);
-        let cells = grid.shortest(&cost, &from, to.iter().map(|(_, p)| *p));
-        let ([first, ..], [.., last]) = (&cells[..], &cells[..]) else { return none };
-        let far = |p: &[f64; 2], cell: usize| (p[0] - grid.middle(cell)[0]).hypot(p[1] - grid.middle(cell)[1]);
-        let begin = from.iter().copied().min_by(|a, b| far(a, *first).total_cmp(&far(b, *first)));
-        let end = to.iter().copied().min_by(|a, b| far(&a.1, *last).total_cmp(&far(&b.1, *last)));
-        let goal = end.map_or(way.ends[1], |(goal, _)| goal);
-        let mut path: Vec<[f64; 2]> = begin.into_iter().collect();
-        path.extend(cells.iter().map(|c| grid.middle(*c)));
-        path.extend(end.map(|(_, p)| p));
-        self.push_aside(&mut path, radius);
-        (simplified(&path), goal)
-    }
-
-    /// Places on the floor so far from a thing.
-    fn around(&self, j: usize, far: f64, radius: f64) -> Vec<[f64; 2]> {
-        /// Between two of them (metres).
-        const STEP: f64 = 0.07;
-        let flat = self.flat(j);
-        let [w, d] = flat.half;
-        let beyond = [w + far, d + far];
-        let mut places = Vec::new();
-        for axis in [0, 1] {
-            let count = (2.0 * beyond[1 - axis] / STEP).ceil().min(100.0) as usize;
-            for (k, side) in (0..=count).flat_map(|k| [(k, -1.0), (k, 1.0)]) {
-                let mut local = [0.0; 2];
-                local[axis] = side * beyond[axis];
-                local[1 - axis] = beyond[1 - axis] * (2.0 * k as f64 / count as f64 - 1.0);
-                // Rounded off at the corners.
-                places.push(flat.away(flat.point(local), far));
-            }
-        }
-        places.retain(|p| self.is_floor(*p, radius, 0.0));
-        places
-    }
-
-    /// What it costs to walk through each cell, per metre; infinite where there is no floor.
-    fn cost_of_cells(&self, grid: &Grid, radius: f64) -> Vec<f64> {
-        let mut cost: Vec<f64> = (0..grid.count())
-            .map(|c| if self.is_floor(grid.middle(c), radius, grid.cell) { 1.0 } else { f64::INFINITY })
-            .collect();
-        for j in (0..self.count()).filter(|&j| self.is_in_the_way(j)) {
-            let flat = self.flat(j);
-            let [base, per] = if self.is_movable(j) { DETOUR } else { [BARRED; 2] };
-            let base = base * (1.0 + self.reluctance[j]);
-            for c in grid.around(&self.span[j], radius) {
-                let lack = radius - flat.distance(grid.middle(c));
-                if lack > 0.0 {
-                    cost[c] += base / radius.max(0.1) + per * lack;
-                }
-            }
-        }
-        cost
-    }
-
-    /// Whether a disc fits on the floor there, in a room or in a doorway.
-    fn is_floor(&self, p: [f64; 2], radius: f64, ease: f64) -> bool {
-        self.rooms.iter().any(|room| room.depth(p) >= radius) || self.in_doorway(p, radius, ease)
-    }
-
-    fn in_doorway(&self, p: [f64; 2], radius: f64, ease: f64) -> bool {
-        self.doors.iter().any(|&j| {
-            let flat = self.flat(j);
-            let [u, v] = flat.local(p);
-            let play = flat.half[0] - radius;
-            play >= 0.0 && u.abs() <= play + ease && v.abs() <= flat.half[1] + self.doorway + radius + ease
-        })
-    }
-
-    /// Pushes the bends of a corridor away from what is beside them.
-    fn push_aside(&self, path: &mut [[f64; 2]], radius: f64) {
-        let wanted = radius + SPARE;
-        let beside: Vec<Flat> = (0..self.count()).filter(|&j| self.is_in_the_way(j)).map(|j| self.flat(j)).collect();
-        for _ in 0..PUSHES {
-            for at in 1..path.len().saturating_sub(1) {
-                let here = path[at];
-                let mut next = here;
-                for flat in &beside {
-                    let off = flat.distance(here);
-                    if off > 0.0 && off < wanted {
-                        let away = flat.away(here, wanted);
-                        (0..2).for_each(|k| next[k] += (away[k] - here[k]) / 2.0);
-                    }
-                }
-                // Not far from its neighbours either.
-                (0..2).for_each(|k| next[k] += 0.1 * ((path[at - 1][k] + path[at + 1][k]) / 2.0 - here[k]));
-                if self.is_floor(next, radius, 0.0) || !self.is_floor(here, radius, 0.0) {
-                    path[at] = next;
-                }
-            }
-        }
-        for p in path.iter_mut() {
-            for &j in &self.doors {
-                let flat = self.flat(j);
-                let [u, v] = flat.local(*p);
-                let play = flat.half[0] - radius;
-                if play >= 0.0 && v.abs() <= flat.half[1] + self.doorway && u.abs() <= flat.half[0] {
-                    *p = flat.point([u.clamp(-play, play), v]);
-                }
-            }
-        }
-    }
-}
-
-/// Without bends that hardly are any (Douglas and Peucker's way).
-fn simplified(path: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let (Some(&first), Some(&last)) = (path.first(), path.last()) else { return Vec::new() };
-    let line = step(first, last);
-    let off = |p: &[f64; 2]| line.distance(*p);
-    let farthest = (1..path.len().saturating_sub(1)).max_by(|&a, &b| off(&path[a]).total_cmp(&off(&path[b])));
-    match farthest.filter(|&k| off(&path[k]) > STRAIGHT) {
-        Some(bend) => {
-            let mut out = simplified(&path[..=bend]);
-            out.pop();
-            out.extend(simplified(&path[bend..]));
-            out
-        }
-        None => vec![first, last],
-    }
-}
-
-/// A segment as a rectangle without width.
-fn step(from: [f64; 2], to: [f64; 2]) -> Flat {
-    let way = [to[0] - from[0], to[1] - from[1]];
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt().max(1e-12);
-    let at = [0, 1].map(|k| (from[k] + to[k]) / 2.0);
-    Flat { at, turn: [way[0] / length, way[1] / length], half: [0.0, length / 2.0] }
-}
-
-/// Square cells over all rooms.
-struct Grid {
-    from: [f64; 2],
-    cell: f64,
-    size: [usize; 2],
-}
-
-impl Grid {
-    fn new(quick: &Quick<'_>) -> Option<Self> {
-        let field = quick.rooms.iter().map(|room| room.field).reduce(super::Field::join)?;
-        let [w, d] = [0, 1].map(|k| field.max[k] - field.min[k]);
-        let cell = (w * d / CELLS).sqrt().max(CELL);
-        let size = [w, d].map(|m| (m / cell).ceil().max(1.0) as usize);
-        (w.is_finite() && d.is_finite()).then_some(Self { from: field.min, cell, size })
-    }
-    fn count(&self) -> usize {
-        self.size[0] * self.size[1]
-    }
-    fn middle(&self, c: usize) -> [f64; 2] {
-        let at = [c % self.size[0], c / self.size[0]];
-        [0, 1].map(|k| self.from[k] + (at[k] as f64 + 0.5) * self.cell)
-    }
-    /// Cells whose middle may be so near to a span.
-    fn around(&self, span: &Span, reach: f64) -> impl Iterator<Item = usize> + use<> {
-        let index = |k: usize, value: f64| {
-            (((value - self.from[k]) / self.cell).floor().max(0.0) as usize).min(self.size[k] - 1)
-        };
-        let (x0, x1) = (index(0, span.min[0] - reach), index(0, span.max[0] + reach));
-        let (z0, z1) = (index(1, span.min[2] - reach), index(1, span.max[2] + reach));
-        let row = self.size[0];
-        (z0..=z1).flat_map(move |z| (x0..=x1).map(move |x| z * row + x))
-    }
-
-    /// The cheapest way from one of some places to one of others.
-    fn shortest(&self, cost: &[f64], from: &[[f64; 2]], to: impl Iterator<Item = [f64; 2]>) -> Vec<usize> {
-        const UNSEEN: u32 = u32::MAX;
-        let mut far = vec![f64::INFINITY; cost.len()];
-        let mut before = vec![UNSEEN; cost.len()];
-        let mut is_end = vec![false; cost.len()];
-        let mut open = BinaryHeap::new();
-        // Costs as whole micrometres: they can be compared, and are alike on every machine.
-        let whole = |metres: f64| (metres * 1e6) as u64;
-        let beside = |p: &[f64; 2]| {
-            let point = Span { min: [p[0], 0.0, p[1]], max: [p[0], 0.0, p[1]] };
-            let (at, reach) = (*p, self.cell);
-            self.around(&point, reach).filter(move |&c| {
-                let m = self.middle(c);
-                (m[0] - at[0]).hypot(m[1] - at[1]) <= reach
-            })
-        };
-        for c in to.flat_map(|p| beside(&p)) {
-            is_end[c] = true;
-        }
-        for c in from.iter().flat_map(beside).filter(|&c| cost[c].is_finite()) {
-            far[c] = 0.0;
-            open.push(Reverse((0, c)));
-        }
-        while let Some(Reverse((key, c))) = open.pop() {
-            if key > whole(far[c]) {
-                continue;
-            }
-            if is_end[c] {
-                let mut path = vec![c];
-                let mut at = c;
-                while before[at] != UNSEEN {
-                    at = before[at] as usize;
-                    path.push(at);
-                }
-                path.reverse();
-                return path;
-            }
-            let (x, z) = ((c % self.size[0]) as i64, (c / self.size[0]) as i64);
-            for (dx, dz) in [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)] {
-                let (i, j) = (x + dx, z + dz);
-                if i < 0 || j < 0 || i >= self.size[0] as i64 || j >= self.size[1] as i64 {
-                    continue;
-                }
-                let next = j as usize * self.size[0] + i as usize;
-                let length = if dx != 0 && dz != 0 { std::f64::consts::SQRT_2 } else { 1.0 } * self.cell;
-                let there = far[c] + length * (cost[c] + cost[next]) / 2.0;
-                if there < far[next] {
-                    far[next] = there;
-                    before[next] = c as u32;
-                    open.push(Reverse((whole(there), next)));
-                }
-            }
-        }
-        Vec::new()
     }
 }
