@@ -75,7 +75,8 @@ fn scenes() -> Vec<(String, PathBuf)> {
 /// A scene solved as `scenelang solve` does, furniture included.
 fn solved(path: &Path, budget: u64) -> Outcome {
     let compiled = compile_file(&path.display().to_string(), path, Options::default());
-    let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{}: {:#?}", path.display(), compiled.diagnostics));
+    let program =
+        compiled.program.as_ref().unwrap_or_else(|| panic!("{}: {:#?}", path.display(), compiled.diagnostics));
     // What is in the way of a layout is another search, which is not counted here.
     let options = scenelang_solve::Options { budget, diagnose: false, ..Default::default() };
     let start = furnish(program, draws(program, options.seed), None, &options.judge).layout;
@@ -109,13 +110,13 @@ fn the_solver_does_as_much_work_as_the_table_says() {
             Some(other) if row.is_near(other) => {}
             Some(other) => {
                 let share = row.work as f64 / other.work.max(1) as f64 * 100.0;
-                write!(said, "now   {}table {}      {share:.0} % of the work\n", row.write(), other.write()).unwrap();
+                writeln!(said, "now   {}table {}      {share:.0} % of the work", row.write(), other.write()).unwrap();
             }
-            None => write!(said, "now   {}      not in the table\n", row.write()).unwrap(),
+            None => writeln!(said, "now   {}      not in the table", row.write()).unwrap(),
         }
     }
     for row in known.iter().filter(|row| found.iter().all(|other| other.name != row.name)) {
-        write!(said, "table {}      there is no such scene\n", row.write()).unwrap();
+        writeln!(said, "table {}      there is no such scene", row.write()).unwrap();
     }
     assert!(
         said.is_empty(),
