@@ -14,12 +14,19 @@ import random
 import judge
 import scene
 from contradictory import PLANTS, certified, contradictory
+from equations import EQUATIONS
 from families import FAMILIES
+from furnished import EVERY
 from hidden import floor_of
+from homes import HOMES
+from offices import OFFICES
 
 SIZES = (10, 14, 20, 28, 40, 56, 80)
 COVERS = (30, 40, 50)
-NEW = ("free-yaw", "l-room", "two-rooms", "stacking", "seating", "rows", "paths", "soft")
+# Furnished rooms; in every second problem of a family the ways go to each thing, in the others to one of each group.
+ROOMS = {**OFFICES, **HOMES}
+ROOM_SIZES = (10, 14, 20, 28, 36, 48, 60)
+NEW = ("free-yaw", "l-room", "two-rooms", "stacking", "seating", "rows", "paths", "soft", *EQUATIONS, *ROOMS)
 SAMPLE = (("random-feasible", 10), ("tight-packing", 10), ("contradictory", 10), ("paper", 40)) + tuple((f, 12) for f in NEW)
 
 
@@ -29,10 +36,15 @@ def make(family, n, cover, seed, plant=None, k=None):
         rng = random.Random(f"{family} {n} {cover} {plant} {k} {seed} {attempt}")
         if family == "contradictory":
             hidden = contradictory(rng, n, plant)
+        elif family in ROOMS:
+            hidden = ROOMS[family](rng, n, EVERY if seed % 2 else None)
         else:
-            hidden = FAMILIES[family](rng, n, cover / 100, **({"k": k} if k else {}))
+            hidden = {**FAMILIES, **EQUATIONS}[family](rng, n, cover / 100, **({"k": k} if k else {}))
+        if hidden is None:
+            continue
         facts = hidden.facts
-        facts["id"] = "-".join(str(v) for v in (family, f"n{n}", plant or f"d{cover}", k and f"k{k}", f"s{seed}") if v)
+        share = None if family in ROOMS or family in EQUATIONS else f"d{cover}"
+        facts["id"] = "-".join(str(v) for v in (family, f"n{n}", plant or share, k and f"k{k}", f"s{seed}") if v)
         facts["family"] = family
         if sound(facts, hidden, n):
             return facts, hidden
@@ -67,6 +79,8 @@ def suite(family, count=None):
         plan = [(n, 60 if k == 5 else 40, 0, None, k) for n, k in ((160, 3), (160, 5), (320, 3))]
     elif family == "paper":
         plan = [(40, (30, 35, 40)[s % 3], s) for s in range(100)]
+    elif family in ROOMS or family in EQUATIONS:
+        plan = [(ROOM_SIZES[s % len(ROOM_SIZES)], 40, s) for s in range(20)]
     else:
         plan = [(SIZES[s % len(SIZES)], COVERS[s % len(COVERS)], s) for s in range(20)]
     return plan[:count]
@@ -101,7 +115,7 @@ def lines(document):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--out", required=True)
-    every = (*FAMILIES, "contradictory", "stress")
+    every = (*FAMILIES, *EQUATIONS, *ROOMS, "contradictory", "stress")
     parser.add_argument("--family", action="append", choices=every)
     parser.add_argument("--count", type=int, help="only the first so many of each family")
     parser.add_argument("--size", type=int, help="one problem of so many objects")

@@ -11,7 +11,7 @@ from walk import Floor
 WALL = 0.03  # thickness of the walls of a room
 STEP = 0.05  # lower than this above something's base, nothing is in the way before it
 MEANS, WRITES = {}, {}
-DEGREES = {"heading", "turned", "parallel", "yaw"}
+DEGREES = {"heading", "turned", "parallel", "yaw", "same_turn", "looks"}
 
 
 class Place:
@@ -21,6 +21,7 @@ class Place:
         self.facts, self.boxes = facts, boxes
         self.regions = {r["id"]: r for r in facts["regions"]}
         self.doors = [c["a"] for c in facts["constraints"] if c["kind"] == "connects"]
+        self.walked = {}  # floors that were looked at: what one way found out of them the next one need not
 
     def rooms(self):
         return [r for r in self.facts["regions"] if not r.get("zone")]
@@ -29,6 +30,13 @@ class Place:
         """Footprints of what blocks the way of someone on the floor."""
         standing = ((i, b) for i, b in self.boxes.items() if i not in self.doors)
         return [b.corners for _, b in standing if b.bottom < 2.0 and b.top > STEP]
+
+    def floor(self, width):
+        """The floor for someone of a width."""
+        key = (width, tuple((i, b.pos, b.yaw) for i, b in self.boxes.items()))
+        if key not in self.walked:
+            self.walked[key] = Floor(self.floors(), self.obstacles(), width / 2)
+        return self.walked[key]
 
     def floors(self):
         through = [self.boxes[d] for d in self.doors]
@@ -87,6 +95,36 @@ def _(place, c):
     a, b = pair(place, c)
     i = "xyz".index(c["axis"])
     return c["value"] - abs(a.pos[i] - b.pos[i])
+
+
+@kind("fixed", "{a}.pos.{axis} = {value}")
+def _(place, c):
+    return -abs(place.boxes[c["a"]].pos["xyz".index(c["axis"])] - c["value"])
+
+
+def equation(c):
+    """One place by another, as one writes it: nothing is added where nothing is between them."""
+    off = "" if not c["by"] else f" {'+' if c['by'] > 0 else '-'} {number(abs(c['by']))}"
+    return f"{c['a']}.pos.{c['axis']} = {c['b']}.pos.{c['axis']}{off}"
+
+
+@kind("equal", equation)
+def _(place, c):
+    a, b = pair(place, c)
+    i = "xyz".index(c["axis"])
+    return -abs(a.pos[i] - b.pos[i] - c["by"])
+
+
+@kind("centred", "{a}.center.{axis} = {b}.center.{axis}")
+def _(place, c):
+    a, b = pair(place, c)
+    i = "xyz".index(c["axis"])
+    return -abs(a.middle[i] - b.middle[i])
+
+
+@kind("same_turn", "{a}.rot = {b}.rot")
+def _(place, c):
+    return -between_angles(*(b.yaw for b in pair(place, c)))
 
 
 @kind("distance", "distance({a}, {b}) {op} {value}")
@@ -166,6 +204,12 @@ def _(place, c):
     a, b = pair(place, c)
     off = minus(b.at, a.at)
     return dot(off, a.front) - 0.8660254 * math.hypot(*off)
+
+
+@kind("looks", "angle({a}.front, vec3({b}.center.x - {a}.center.x, 0, {b}.center.z - {a}.center.z)) <= {value}")
+def _(place, c):
+    a, b = pair(place, c)
+    return c["value"] - between_angles(a.yaw, math.degrees(math.atan2(*minus(b.at, a.at))))
 
 
 @kind("aligned", "aligned({a}, {b})")
@@ -265,5 +309,5 @@ def _(place, c):
 def _(place, c):
     """No length is to be had: 1 where there is a way, -1 where there is none. A way may be 4 mm narrower than asked for."""
     a, b = pair(place, c)
-    floor = Floor(place.floors(), place.obstacles(), (c["value"] - 0.004) / 2)
+    floor = place.floor(c["value"] - 0.004)
     return 1.0 if floor.joined(a.corners, b.corners, 0.002) else -1.0

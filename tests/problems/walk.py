@@ -21,6 +21,8 @@ def walls_of(floors):
             pieces = [(0.0, 1.0)]
             for other in floors[:i] + floors[i + 1:]:
                 cut = shadow(a, b, other)
+                if cut[0] >= cut[1]:
+                    continue
                 pieces = [p for lo, hi in pieces for p in ((lo, min(hi, cut[0])), (max(lo, cut[1]), hi)) if p[1] - p[0] > 1e-9]
             out += [tuple((a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])) for t in piece) for piece in pieces]
     return out

@@ -30,4 +30,5 @@ mod support;
 mod trace;
 mod view;
 mod watch;
+mod work;
 mod workspace;
