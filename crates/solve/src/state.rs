@@ -237,6 +237,17 @@ impl<'a> State<'a> {
     /// no time any more count as barred.
     pub fn look_at_ways(&mut self) {
         if std::mem::replace(&mut self.walks_stale, false) {
+            let begun = std::time::Instant::now();
+            let n = self.frame.walks.len();
+            struct D(std::time::Instant, usize);
+            impl Drop for D {
+                fn drop(&mut self) {
+                    if std::env::var_os("DRV").is_some() {
+                        eprintln!("WALKS {} in {:?}", self.1, self.0.elapsed());
+                    }
+                }
+            }
+            let _d = D(begun, n);
             for &term in &self.frame.walks {
                 if self.limit.is_over() {
                     self.walks_stale = true;

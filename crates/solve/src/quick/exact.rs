@@ -173,9 +173,21 @@ impl Quick<'_> {
             self.onlookers.push(t);
         }
         self.judges[t] = Judge::Mixed(mixed);
+        self.begin_to_follow();
+    }
+
+    /// From now on the instance follows the layout.
+    pub(super) fn begin_to_follow(&mut self) {
         if !std::mem::replace(&mut self.follows, true) {
             (0..self.count()).for_each(|i| self.instance.moved(i));
         }
+    }
+
+    /// Whether a term that asks for paths holds, by the evaluator.
+    pub(super) fn evaluate_path(&mut self, t: usize) -> bool {
+        self.work += PATH;
+        let formula = &self.frame.terms[t].formula;
+        matches!(self.instance.scratch.evaluate(formula, &self.instance.world), Ok(Value::Truth(truth)) if truth.holds)
     }
 
     /// What a term costs of which some truths have no code, and whether it holds.

@@ -31,6 +31,8 @@ const PATHS: usize = 4;
 /// How many moves with whatever has to go along, and of how many objects at most.
 const ALONG: usize = 4;
 const COMPANY: usize = 40;
+/// How often the evaluator is asked whether there are ways, where all else holds: once in so many times.
+const CONFIRMED: usize = 30;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
 /// What is left of the weight of a way when a better plan is found.
@@ -71,10 +73,16 @@ impl Quick<'_> {
             let (mut idle, mut least) = (0, usize::MAX);
             turn += 1;
             let patience = (patience * luby(turn)) as usize;
+            if std::env::var_os("DRV").is_some() {
+                eprintln!("begin turn {turn} work {} patience {patience} bad {}", self.work, self.bad.len());
+            }
             while self.work < end && !late() && idle < patience {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
                     self.walking = true;
+                    if std::env::var_os("DRV").is_some() {
+                        eprintln!("walking at {} turn {turn}", self.work);
+                    }
                     self.plan_missing(&late);
                     (idle, least) = (0, usize::MAX);
                 }
@@ -82,6 +90,10 @@ impl Quick<'_> {
                     break;
                 }
                 self.step(chance, &mut poses);
+                if std::env::var_os("DRV").is_some() && idle % 500 == 499 {
+                    eprintln!("idle {idle} work {}", self.work);
+                    self.report(&[]);
+                }
                 let bad = self.bad.len() + if self.walking { 0 } else { self.ways.len() };
                 idle = if bad < least { 0 } else { idle + 1 };
                 least = least.min(bad);
@@ -173,7 +185,7 @@ impl Quick<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.walking = is_warm || self.ways.is_empty();
+        self.walking = is_warm && self.bad.is_empty() || self.ways.is_empty();
         if self.walking {
             self.judge_ways();
             self.plan_missing(late);
@@ -283,6 +295,12 @@ impl Quick<'_> {
             && chance.below(2) == 0
         {
             self.clear_path(check, chance, poses);
+            return;
+        }
+        if self.bad.iter().all(|c| matches!(self.judges.get(*c), Some(Judge::Way(_))))
+            && chance.below(CONFIRMED) == 0
+            && self.confirm_ways()
+        {
             return;
         }
         let Some(i) = self.culprit(check, chance) else {

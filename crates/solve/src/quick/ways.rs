@@ -332,6 +332,23 @@ impl Quick<'_> {
         self.set(term, cost, holds);
     }
 
+    /// Asks the evaluator whether there are the ways that are thought barred: a plan is only a plan. Whether there are.
+    pub(super) fn confirm_ways(&mut self) -> bool {
+        self.begin_to_follow();
+        self.follow();
+        for check in self.bad.clone() {
+            let Some(Judge::Way(way)) = self.judges.get(check) else { return false };
+            let way = *way;
+            for t in 0..self.judges.len() {
+                if matches!(self.judges[t], Judge::Way(w) | Judge::Shared(w) if w == way) && !self.evaluate_path(t) {
+                    return false;
+                }
+            }
+            self.set(check, 0.0, true);
+        }
+        true
+    }
+
     /// What was thought to hold does not: ways are planned wider from now on, and terms are asked of the evaluator.
     /// Whether that is all that fails.
     pub fn doubt(&mut self, failing: &[usize]) -> bool {

@@ -83,6 +83,14 @@ impl Quick<'_> {
             steps -= 1;
         }
         let done = self.is_done(&late);
+        if std::env::var_os("DRV").is_some() {
+            eprintln!(
+                "demand {t} {:?} steps left {steps} done {done} holds {} work {}",
+                self.frame.terms[t].formula.root_node(),
+                self.does_hold(t),
+                self.work
+            );
+        }
         self.demanded = None;
         self.weight = weights;
         self.reluctance = reluctance;
