@@ -1,6 +1,7 @@
 //! Where an object could go: anywhere, a little aside, turned, up against another thing or a wall, and to where a
 //! violated constraint would hold.
 
+use super::judge::carried;
 use super::{Home, Judge, Quick, Ran, Stretch, Wall};
 use crate::merit::Merit;
 use crate::pool::Chance;
@@ -15,6 +16,9 @@ const PROBE: f64 = 1e-3;
 const TURN: f64 = 0.05;
 /// How many violated terms an object is moved for.
 const TERMS: usize = 6;
+/// How many others that an object has to do with are looked at for analogies, and how many of these are tried.
+const RELATED: usize = 6;
+const ANALOGIES: usize = 6;
 /// A little more than what is missing, so that rounding does not take it away (metres).
 const EASE: f64 = 1e-4;
 /// How often a place of a rotated room is drawn before one outside is taken.
@@ -51,6 +55,12 @@ impl Quick<'_> {
             out.push(pose);
         }
         self.beside_others(i, chance, out);
+        let first = out.len();
+        self.by_analogy(i, out);
+        for _ in ANALOGIES..out.len() - first {
+            let drop = first + chance.below(out.len() - first);
+            out.swap_remove(drop);
+        }
         self.out_of_the_way(i, out);
         for _ in 0..3 {
             self.at_a_wall(i, chance, out);
@@ -244,6 +254,28 @@ impl Quick<'_> {
         }
         self.undo();
         missing.into_iter().sum()
+    }
+
+    /// Where it would go on with a row, and where it would stand as another of its array does to what that belongs to.
+    pub(super) fn by_analogy(&self, i: usize, out: &mut Vec<Inputs>) {
+        let placed = |j: &usize| *j != i && !self.away[*j];
+        let array = |k: usize| self.frame.siblings[k].iter().map(|o| o.0 as usize);
+        let known = |k: usize| self.related[k].iter().copied().filter(placed).take(RELATED);
+        for j in known(i) {
+            let here = self.inputs(j);
+            for m in known(j).filter(|m| array(j).any(|k| k == *m)) {
+                let before = self.inputs(m);
+                let mut pose = here;
+                (0..3).step_by(2).for_each(|k| pose[k] += here[k] - before[k]);
+                pose[1] = self.inputs(i)[1];
+                out.push(pose);
+            }
+            for s in array(i).filter(placed).take(RELATED) {
+                for a in known(s).filter(|a| *a != j && array(j).any(|k| k == *a)) {
+                    out.push(carried(&self.inputs(a), &here, &self.inputs(s)));
+                }
+            }
+        }
     }
 
     /// Up against what it overlaps, has to do with, or meets by chance.

@@ -33,6 +33,9 @@ const ALONG: usize = 4;
 const COMPANY: usize = 40;
 /// How often the evaluator is asked whether there are ways, where all else holds: once in so many times.
 const CONFIRMED: usize = 30;
+/// How much more work ways are worth than all else, and what that takes at least.
+const WALKING: u64 = 5;
+const SOON: u64 = 150_000;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
 /// What is left of the weight of a way when a better plan is found.
@@ -71,6 +74,7 @@ impl Quick<'_> {
             self.skew = true;
             kept_in_place = &[];
             let (mut idle, mut least) = (0, usize::MAX);
+            let (begun, mut walking_since) = (self.work, self.work);
             turn += 1;
             let patience = (patience * luby(turn)) as usize;
             if std::env::var_os("DRV").is_some() {
@@ -80,6 +84,7 @@ impl Quick<'_> {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
                     self.walking = true;
+                    walking_since = self.work;
                     if std::env::var_os("DRV").is_some() {
                         eprintln!("walking at {} turn {turn}", self.work);
                     }
@@ -87,6 +92,11 @@ impl Quick<'_> {
                     (idle, least) = (0, usize::MAX);
                 }
                 if self.is_done(&late) {
+                    break;
+                }
+                // An arrangement that is soon found, but bars ways, is better left than mended for long.
+                let share = WALKING * (walking_since - begun).max(SOON);
+                if self.walking && (self.work - walking_since) as f64 > luby(turn) * share as f64 {
                     break;
                 }
                 self.step(chance, &mut poses);
@@ -226,6 +236,7 @@ impl Quick<'_> {
                 }
             } else {
                 self.poses(i, chance, poses);
+                self.by_analogy(i, poses);
             }
             for &pose in poses.iter() {
                 self.go(i, pose);
@@ -347,8 +358,16 @@ impl Quick<'_> {
                 self.undo();
             }
         }
-        for _ in 0..ALONG {
-            let pose = poses[chance.below(poses.len())];
+        let mut along: Vec<Inputs> = (0..ALONG).map(|_| poses[chance.below(poses.len())]).collect();
+        if self.walking {
+            self.out_of_the_way(i, &mut along);
+            along.extend((0..ALONG).map(|_| {
+                // Far away, but turned as it is: a whole row may go there.
+                let pose = self.anywhere(i, chance);
+                [pose[0], now[1], pose[2], now[3], now[4], now[5]]
+            }));
+        }
+        for pose in along {
             if pose == now || !self.go_along(i, pose) {
                 self.undo();
                 continue;
