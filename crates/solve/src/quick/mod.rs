@@ -140,6 +140,8 @@ pub(crate) struct Quick<'a> {
     doors: Vec<usize>,
     doorway: f64,
     ways: Vec<Way>,
+    /// How often a move with whatever has to go along paid, and how often it was tried.
+    along: [f64; 2],
     /// By object: how unwilling it proved to get out of the way.
     reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
@@ -336,6 +338,7 @@ impl<'a> Quick<'a> {
                 .filter_map(|(t, judge)| if let Judge::Way(way) = judge { Some((t, *way)) } else { None })
                 .collect(),
             ways,
+            along: [0.0; 2],
             reluctance: vec![0.0; n],
             away: vec![false; n],
             away_count: 0,

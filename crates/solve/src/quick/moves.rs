@@ -56,7 +56,9 @@ impl Quick<'_> {
         }
         self.beside_others(i, chance, out);
         let first = out.len();
-        self.by_analogy(i, out);
+        if !self.frame.siblings[i].is_empty() && chance.below(3) == 0 {
+            self.by_analogy(i, out);
+        }
         for _ in ANALOGIES..out.len() - first {
             let drop = first + chance.below(out.len() - first);
             out.swap_remove(drop);

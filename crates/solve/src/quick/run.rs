@@ -28,9 +28,9 @@ const EXCHANGES: usize = 2;
 const TOGETHER: usize = 4;
 /// How many places are tried, each with a look for the paths of a term that asks for them beside other things.
 const PATHS: usize = 4;
-/// How many moves with whatever has to go along, and of how many objects at most.
+/// How many moves with whatever has to go along, and of how many objects at most: at first, and once ways are looked at.
 const ALONG: usize = 4;
-const COMPANY: usize = 40;
+const COMPANY: [usize; 2] = [12, 40];
 /// How often the evaluator is asked whether there are ways, where all else holds: once in so many times.
 const CONFIRMED: usize = 30;
 /// How much more work ways are worth than all else, and what that takes at least.
@@ -96,7 +96,10 @@ impl Quick<'_> {
                 }
                 // An arrangement that is soon found, but bars ways, is better left than mended for long.
                 let share = WALKING * (walking_since - begun).max(SOON);
-                if self.walking && (self.work - walking_since) as f64 > luby(turn) * share as f64 {
+                if !self.ways.is_empty()
+                    && self.walking
+                    && (self.work - walking_since) as f64 > luby(turn) * share as f64
+                {
                     break;
                 }
                 self.step(chance, &mut poses);
@@ -358,8 +361,13 @@ impl Quick<'_> {
                 self.undo();
             }
         }
-        let mut along: Vec<Inputs> = (0..ALONG).map(|_| poses[chance.below(poses.len())]).collect();
-        if self.walking {
+        // As often as it pays.
+        let [pays, tried] = self.along;
+        let often = (pays + 1.0) / (tried + 5.0) > 0.3 * chance.unit();
+        let count = if often { ALONG } else { 0 };
+        self.along[1] += f64::from(u8::from(often));
+        let mut along: Vec<Inputs> = (0..count).map(|_| poses[chance.below(poses.len())]).collect();
+        if self.walking && !self.ways.is_empty() {
             self.out_of_the_way(i, &mut along);
             along.extend((0..ALONG).map(|_| {
                 // Far away, but turned as it is: a whole row may go there.
@@ -380,6 +388,7 @@ impl Quick<'_> {
         }
         match choice {
             Some(Choice::Along(pose)) => {
+                self.along[0] += 1.0;
                 self.go_along(i, pose);
             }
             Some(Choice::Alone(pose)) => self.go(i, pose),
@@ -438,7 +447,8 @@ impl Quick<'_> {
         self.go(i, pose);
         let pose = self.inputs(i);
         let mut looked = 0;
-        while looked < self.moved.len() && self.moved.len() < COMPANY {
+        let most = COMPANY[usize::from(self.walking && !self.ways.is_empty())];
+        while looked < self.moved.len() && self.moved.len() < most {
             let k = self.moved[looked].0;
             looked += 1;
             for at in 0..self.terms_of[k].len() {
