@@ -172,7 +172,11 @@ pub fn mend(damaged: &Damaged<'_>, which: &Which, options: &MendOptions) -> Resu
     if failing.is_empty() {
         return Ok(Mended { failing, alternatives: Vec::new() });
     }
-    let mut alternatives = moves::all(&judge, options, false);
+    let first = moves::first(&judge);
+    let mut alternatives: Vec<Alternative> = first.into_iter().collect();
+    if alternatives.iter().all(|a| a.how != How::Moves) {
+        alternatives.extend(moves::all(&judge, options, false));
+    }
     if alternatives.is_empty() {
         alternatives.extend(wish::drops(&judge, options));
     }
