@@ -196,9 +196,9 @@ impl<'a> Mender<'a> {
 
     /// A move of objects one after the other, until all rows hold and nothing is broken, or as near to that as it gets.
     fn in_turn(&mut self, rows: &[RowRef]) -> Option<Judged> {
+        self.limit = self.stage.work + BUDGET;
         let mut at: Option<Judged> = None;
         for _ in 0..STEPS {
-            self.limit = self.stage.work + BUDGET;
             let does = at.as_ref().map(|a| &a.does);
             let (done, left): (Vec<RowRef>, Vec<RowRef>) =
                 rows.iter().partition(|row| does.is_some_and(|d| d.mends.contains(row)));
@@ -275,17 +275,8 @@ impl<'a> Mender<'a> {
     fn deciding(&mut self, goals: &[Goal]) -> Vec<ObjectId> {
         let mut found: Vec<(ObjectId, usize)> = Vec::new();
         for goal in goals {
-            let mut own = self.stage.deciding(*goal);
-            let mut i = 0;
-            while i < own.len() {
-                let again = own[..i].contains(&own[i]);
-                if again {
-                    own.remove(i);
-                } else {
-                    i += 1;
-                }
-            }
-            for id in own {
+            let own = self.stage.deciding(*goal);
+            for id in own.iter().enumerate().filter(|(i, id)| !own[..*i].contains(id)).map(|(_, id)| *id) {
                 match found.iter_mut().find(|(o, _)| *o == id) {
                     Some((_, times)) => *times += 1,
                     None => found.push((id, 1)),
@@ -320,9 +311,15 @@ impl<'a> Mender<'a> {
                 keep(&mut best, Some(judged));
             }
         }
+        let most = attempt.limit;
         for far in [false, true] {
+            // Of the work a part is kept for places farther off.
+            attempt.limit = if far { most } else { most - most.saturating_sub(self.stage.work) / 2 };
             for _ in 0..ROUNDS {
-                if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) || self.stage.has_spent(attempt.limit) {
+                if self.stage.has_spent(attempt.limit) {
+                    break;
+                }
+                if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
                     return best;
                 }
                 let found = self.judged(&attempt, &riders, far);

@@ -54,6 +54,8 @@ pub(super) struct Stage<'a> {
     moved: World<f64>,
     /// The same with derivatives, made when they are first asked for.
     dual: Option<World<Slope>>,
+    /// Objects that are elsewhere there, or unknown.
+    elsewhere: Vec<ObjectId>,
     /// Objects that are elsewhere on the stage than in the layout.
     off: Vec<ObjectId>,
     scope: Scope,
@@ -76,6 +78,7 @@ impl<'a> Stage<'a> {
             base,
             moved: base.clone(),
             dual: None,
+            elsewhere: Vec::new(),
             off: Vec::new(),
             scope: Scope::new(base),
             index: Index::new(program),
@@ -164,7 +167,12 @@ impl<'a> Stage<'a> {
         let cone = self.cone(goal);
         let pivot = self.moved.object(object).ok()?.pos.0;
         let dual = self.dual.get_or_insert_with(|| self.base.constant());
-        for &id in self.off.iter().chain(riders).chain([&object]) {
+        // What was elsewhere the last time may be back in its place.
+        let mut elsewhere = std::mem::take(&mut self.elsewhere);
+        elsewhere.extend(self.off.iter().chain(riders).chain([&object]));
+        elsewhere.sort_unstable();
+        elsewhere.dedup();
+        for &id in &elsewhere {
             let Ok(thing) = self.moved.object(id) else { continue };
             let [mut pos, mut rot, scale]: [V3<Slope>; 3] =
                 [&thing.pos, &thing.rot, &thing.scale].map(|v| V3::constant(&v.value()));
@@ -179,15 +187,9 @@ impl<'a> Stage<'a> {
             dual.place(id, pos, rot, scale);
         }
         let found = truth(self.program, &self.scope, dual, &mut self.slopes, goal, cone.as_deref());
-        // What is unknown only here must not be so the next time.
-        for &id in riders.iter().chain([&object]) {
-            let Ok(thing) = self.moved.object(id) else { continue };
-            let [pos, rot, scale] = [&thing.pos, &thing.rot, &thing.scale].map(|v| V3::constant(&v.value()));
-            dual.place(id, pos, rot, scale);
-            if !self.off.contains(&id) {
-                self.off.push(id);
-            }
-        }
+        let kept = |id: &ObjectId| *id == object || riders.contains(id) || self.off.contains(id);
+        elsewhere.retain(kept);
+        self.elsewhere = elsewhere;
         Some(found?.margin.slope)
     }
 
