@@ -150,7 +150,7 @@ impl<'a> Mender<'a> {
 
     /// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
     fn opposing(&mut self, row: RowRef) -> Vec<RowRef> {
-        self.limit = self.stage.work + BUDGET / 4;
+        self.limit = self.stage.work + BUDGET;
         let mut smallest: Option<Judged> = None;
         for object in self.blamed(&[row]) {
             let limit = self.share();
@@ -311,10 +311,12 @@ impl<'a> Mender<'a> {
                 keep(&mut best, Some(judged));
             }
         }
-        let most = attempt.limit;
+        let half = attempt.limit.saturating_sub(self.stage.work) / 2;
         for far in [false, true] {
-            // Of the work a part is kept for places farther off.
-            attempt.limit = if far { most } else { most - most.saturating_sub(self.stage.work) / 2 };
+            if far {
+                // However dear it was to look around, something is left for places farther off.
+                attempt.limit = attempt.limit.max(self.stage.work + half);
+            }
             for _ in 0..ROUNDS {
                 if self.stage.has_spent(attempt.limit) {
                     break;
@@ -376,7 +378,7 @@ impl<'a> Mender<'a> {
         };
         let mut found = Vec::new();
         for (i, (cost, step)) in (if far { search.far() } else { search.near() }).into_iter().take(JUDGED).enumerate() {
-            if i > 0 && self.stage.has_spent(*limit) {
+            if i > 0 && self.stage.has_spent(self.limit) {
                 break;
             }
             let along: Vec<Step> = riders.iter().filter_map(|id| self.stage.along(&step, *id)).collect();
