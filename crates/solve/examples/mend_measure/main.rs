@@ -1,9 +1,13 @@
 //! Measures mending: solved scenes are damaged, by turns an object displaced and a bound tightened, and mended.
 //!
 //! `mend_measure FOLDER [N]` takes N scenes (200) of those that `tests/problems/generate.py -o FOLDER` wrote. Beside each
-//! that is not mended it says whether the solver finds a layout at all.
+//! that is not mended it says whether the solver finds a layout at all. At the end a table compares the moves that
+//! `check` offers with those of `repair`.
 
+mod compare;
 mod damage;
+
+use compare::{Agreement, Compared, compare, table};
 
 use damage::{Damage, damaged, scenes};
 use scenelang_solve::mend::{Damaged, How, MendOptions, Which, mend};
@@ -19,6 +23,7 @@ fn main() {
     let files = scenes(Path::new(&folder));
     let step = (files.len() / most.max(1)).max(1);
     let (mut times, mut moved, mut unsolvable) = (Vec::new(), Vec::new(), 0);
+    let (mut layouts, mut rows): (Vec<Compared>, Vec<Compared>) = (Vec::new(), Vec::new());
     for (i, scene) in files.iter().step_by(step).take(most).enumerate() {
         let name = scene.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
         let damage = if i % 2 == 0 { Damage::Displaced } else { Damage::Tightened };
@@ -34,6 +39,14 @@ fn main() {
         let best = found.alternatives.iter().find(|a| a.how == How::Moves);
         let (n, cost) = (best.map(|b| b.moves.len()), best.map_or(0.0, |b| b.cost));
         println!("{name:36} {:32} moved {n:?} cost {cost:5.2} {took:8.1} ms", damaged.what);
+        if let Some(compared) = compare(program, layout) {
+            let differs = |c: &Compared| c.breaks > 0 || !matches!(c.agreement, Agreement::Same | Agreement::Neither);
+            for c in std::iter::once(&compared.layout).chain(&compared.rows).filter(|c| differs(c)) {
+                println!("{:36} {:?}, check breaks {}, repair {}", "", c.agreement, c.breaks, c.repair_breaks);
+            }
+            layouts.push(compared.layout);
+            rows.extend(compared.rows);
+        }
         match n {
             Some(n) => {
                 moved.push(n);
@@ -59,4 +72,5 @@ fn main() {
         let (objects, ms) = (moved.get(at(moved.len(), p)), times.get(at(times.len(), p)));
         println!("{p:3} %: {} objects, {:.1} ms", objects.unwrap_or(&0), ms.unwrap_or(&0.0));
     }
+    print!("{}", table(&layouts, &rows));
 }

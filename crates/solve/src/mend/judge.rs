@@ -8,7 +8,7 @@ use scenelang_layout::Layout;
 use scenelang_verify::check::Judged;
 use scenelang_verify::explain::RowRef;
 use scenelang_verify::report::model::Kind;
-use scenelang_verify::{Detail, Explain, Options, check};
+use scenelang_verify::{Detail, Explain, Options, Verdict, check};
 
 /// What is to be mended, and what fails besides.
 pub(super) struct Judge<'a> {
@@ -19,6 +19,8 @@ pub(super) struct Judge<'a> {
     pub limit: Limit,
     /// Rows that fail and are to hold.
     pub targets: Vec<RowRef>,
+    /// The layout, judged.
+    pub verdict: Verdict,
     /// All rows that fail.
     failing: FxHashSet<RowRef>,
 }
@@ -48,6 +50,7 @@ impl<'a> Judge<'a> {
             limit: Limit::new(options.time, &options.stop),
             targets: failing.iter().copied().filter(wanted).collect(),
             failing: failing.into_iter().collect(),
+            verdict,
         })
     }
 

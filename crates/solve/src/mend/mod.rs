@@ -4,9 +4,10 @@
 //! little as will do; a wish is given up, or a demand becomes one. Whatever is offered has been judged as a whole: what
 //! was to be mended holds, and what held before still does. A pinned property stays at what the program assigns.
 //!
-//! Moves are looked for in three circles, each within a budget that counts work: places for one object after the other
-//! (`moves`), the repair loop from the layout as it is, and a new solution altogether (`whole`). What a wider circle finds
-//! is then taken back as far as all still holds (`least`).
+//! Moves are looked for in circles, each within a budget that counts work: first what `check` offers for the same rows
+//! (`scenelang_verify::explain::smallest_move`), so that the two agree; only where that breaks something or is nothing,
+//! places for one object after the other (`moves`), the repair loop from the layout as it is, and a new solution
+//! altogether (`whole`). What a wider circle finds is then taken back as far as all still holds (`least`).
 //!
 //! Absent here: reading and writing of files. Edits of the program are offered as edits of its text.
 
@@ -172,7 +173,11 @@ pub fn mend(damaged: &Damaged<'_>, which: &Which, options: &MendOptions) -> Resu
     if failing.is_empty() {
         return Ok(Mended { failing, alternatives: Vec::new() });
     }
-    let mut alternatives = moves::all(&judge, options, false);
+    let first = moves::first(&judge);
+    let mut alternatives: Vec<Alternative> = first.into_iter().collect();
+    if alternatives.iter().all(|a| a.how != How::Moves) {
+        alternatives.extend(moves::all(&judge, options, false));
+    }
     if alternatives.is_empty() {
         alternatives.extend(wish::drops(&judge, options));
     }

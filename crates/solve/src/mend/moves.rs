@@ -5,13 +5,15 @@
 //! step, several are taken care of one by one, and what stands in the way is moved aside.
 
 use super::judge::Judge;
-use super::room::{self, Equations, Fixtures, Room};
+use super::room::{self, Equations, Fixtures, Room, describe};
 use super::{Alternative, MendOptions, least, whole};
 use crate::pool::{self, Breadth};
 use crate::pose::Pose;
 use crate::search::{STEPS, Snapshot};
 use crate::state::{Change, overlap_in_plan};
 use scenelang_lang::program::ObjectId;
+use scenelang_layout::Vec3;
+use scenelang_verify::explain::smallest_move;
 use std::collections::BTreeSet;
 
 /// The part of the budget that the search for places may take.
@@ -44,6 +46,26 @@ struct Node {
     cost: f64,
     /// Objects that were chosen to be moved so far.
     chosen: Vec<ObjectId>,
+}
+
+/// What `check` offers for the same rows; `None`: that does not mend them all, or breaks a demand.
+pub(super) fn first(judge: &Judge<'_>) -> Option<Alternative> {
+    let mend = smallest_move(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets)?;
+    let mut layout = judge.layout.clone();
+    for step in &mend.steps {
+        let name = &judge.program.objects[step.object.0 as usize].name;
+        let (_, placement) = layout.objects.iter_mut().find(|(n, _)| n == name)?;
+        placement.pos += Vec3::from(step.by);
+        if step.turn != 0.0 {
+            placement.rot.y = (placement.rot.y + step.turn).rem_euclid(360.0);
+        }
+    }
+    let broken = judge.judge(&layout)?;
+    let mut alternative = describe(judge, layout, &broken);
+    for moved in &mut alternative.moves {
+        moved.with = mend.steps.iter().find(|s| s.object == moved.object).and_then(|s| s.with);
+    }
+    Some(alternative)
 }
 
 /// All that was found; the best first. With `careless`, wishes may break.

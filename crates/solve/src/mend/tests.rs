@@ -1,16 +1,20 @@
 //! Solved scenes of the sample problems, damaged: all that can be solved are mended, by few moves, the same each time. And
 //! what is offered for a small scene.
 
+use super::judge::row;
 use super::{Alternative, Damaged, How, MendOptions, Mended, Text, Which, mend};
 use crate::problem::{Options, Placed, Problem};
 use crate::solve::solve;
 use scenelang_base::{SourceFile, SourceMap};
+use scenelang_lang::Program;
 use scenelang_lang::compile::compile_main;
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Disk;
-use scenelang_layout::{Layout, file};
-use scenelang_verify::check::Subject;
-use scenelang_verify::explain::RowRef;
+use scenelang_layout::{Layout, Vec3, file};
+use scenelang_verify::check::{Judged, Subject};
+use scenelang_verify::explain::{RowRef, Step};
 use scenelang_verify::report::model::Kind;
+use scenelang_verify::{Explain, check};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -52,6 +56,50 @@ fn damaged_samples_are_mended_by_few_moves() {
     assert!(moved.len() >= 18, "{moved:?}");
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(moved[moved.len() / 2] <= 2, "{moved:?}");
+}
+
+/// The rows that fail.
+fn failing(program: &Program, layout: &Layout, explain: Explain) -> Vec<Judged> {
+    let mut options = scenelang_verify::Options::default();
+    options.detail.explain = explain;
+    let verdict = check(program, layout, &options);
+    verdict.rows.into_iter().filter(|row| row.satisfied != Some(true)).collect()
+}
+
+#[test]
+fn check_and_repair_offer_the_same_moves_and_these_break_nothing() {
+    const ROWS: usize = 3;
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/problems/sample");
+    let mut same = 0;
+    for (i, scene) in scenes(&folder).iter().enumerate() {
+        for damage in [Damage::Displaced, Damage::Tightened] {
+            let Some(hurt) = damaged(scene, damage, i as u64) else { continue };
+            let asked = Damaged { program: &hurt.program, layout: &hurt.layout, text: None };
+            let rows = failing(&hurt.program, &hurt.layout, Explain::default());
+            let before: Vec<RowRef> = rows.iter().map(row).collect();
+            for judged in rows.iter().filter(|r| r.kind != Kind::Prefer).take(ROWS) {
+                let name = format!("{}, {}: {}", scene.display(), hurt.what, judged.text);
+                let offered = judged.explanation.as_ref().and_then(|e| e.mend.as_ref());
+                // What breaks something says so, and is not what repair offers.
+                let Some(offered) = offered.filter(|m| m.breaks.is_empty()) else { continue };
+                let found = mend(&asked, &Which::Rows(vec![row(judged)]), &MendOptions::default()).unwrap();
+                let best = &found.alternatives[0];
+                assert_eq!(best.how, How::Moves, "{name}");
+                let mut steps: Vec<&Step> = offered.steps.iter().collect();
+                steps.sort_by_key(|step| step.object);
+                let objects = |ids: &mut dyn Iterator<Item = ObjectId>| ids.collect::<Vec<_>>();
+                let ours = objects(&mut steps.iter().map(|s| s.object));
+                assert_eq!(ours, objects(&mut best.moves.iter().map(|m| m.object)), "{name}");
+                for (step, m) in steps.iter().zip(&best.moves) {
+                    assert!((m.to.pos - m.from.pos - Vec3::from(step.by)).amax() < 1e-3, "{name}");
+                }
+                let after = failing(&hurt.program, &best.layout, Explain::First(0));
+                assert!(after.iter().all(|r| before.contains(&row(r)) && row(r) != row(judged)), "{name}");
+                same += 1;
+            }
+        }
+    }
+    assert!(same >= 20, "{same}");
 }
 
 const SCENE: &str = "\

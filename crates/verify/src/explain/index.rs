@@ -51,6 +51,11 @@ impl Index {
         found
     }
 
+    /// Whether a constraint speaks of an object.
+    pub fn mentions(&self, object: ObjectId, constraint: usize) -> bool {
+        self.rows[object.0 as usize].binary_search(&(constraint as u32)).is_ok()
+    }
+
     /// What judging a constraint costs.
     pub fn cost(&self, constraint: usize) -> usize {
         self.cost[constraint]

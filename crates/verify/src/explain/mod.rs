@@ -23,9 +23,11 @@ pub use places::{Place, facing_in_words, move_in_words};
 
 use crate::check::{Judged, Subject, Verdict};
 use crate::report::model::Kind;
+use crate::tolerances::Options;
 use crate::world::World;
+use moves::Mender;
 use scenelang_lang::program::{ObjectId, Program};
-use stage::Stage;
+use scenelang_layout::Layout;
 
 /// A row that costs more than this to judge is dear: it is tried less often.
 const DEAR: usize = 100;
@@ -82,6 +84,7 @@ impl Judged {
 
 /// Completes the explanations of the first rows that fail.
 pub(crate) fn complete(program: &Program, world: &World<f64>, verdict: &mut Verdict, how_many: Explain) {
+    let failing = failing(verdict);
     let fails = |row: &&mut Judged| row.satisfied == Some(false);
     let (hard, soft): (Vec<_>, Vec<_>) =
         verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != Kind::Prefer);
@@ -90,20 +93,39 @@ pub(crate) fn complete(program: &Program, world: &World<f64>, verdict: &mut Verd
         Explain::First(n) => n,
     };
     let purse = if how_many == Explain::All { usize::MAX } else { PURSE };
-    let mut stage: Option<Stage<'_>> = None;
+    let mut mender: Option<Mender<'_>> = None;
     for row in hard.into_iter().chain(soft).take(most) {
-        let stage = stage.get_or_insert_with(|| Stage::new(program, world, purse));
+        let mender = mender.get_or_insert_with(|| Mender::new(program, world, failing.clone(), purse));
         let explanation = row.explanation.get_or_insert_default();
         explanation.objects = row.objects.iter().filter_map(|id| Place::of(program, world, *id)).collect();
-        if stage.has_spent(usize::MAX) {
+        if mender.is_spent() {
             continue;
         }
-        let found = moves::mend(stage, RowRef { kind: row.kind, subject: row.subject }, &row.objects);
+        let found = mender.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
         explanation.searched = found.searched;
         explanation.opposing = found.opposing;
         explanation.mend = found.mend;
         explanation.pinned = found.pinned;
     }
+}
+
+/// The smallest move after which `rows` of a verdict hold: what [`check`](crate::check()) offers for one of them. It may
+/// break something; then [`Mend::breaks`] says so.
+pub fn smallest_move(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    verdict: &Verdict,
+    rows: &[RowRef],
+) -> Option<Mend> {
+    let world = World::new(program, layout, options);
+    Mender::new(program, &world, failing(verdict), usize::MAX).mend(rows)
+}
+
+/// What must hold and does not.
+fn failing(verdict: &Verdict) -> Vec<RowRef> {
+    let fails = verdict.rows.iter().filter(|row| row.satisfied == Some(false) && row.kind != Kind::Prefer);
+    fails.map(Judged::row).collect()
 }
 
 /// The name of an object.

@@ -1,12 +1,18 @@
-//! The smallest move that mends a row: of one object, with what it carries, or of one after the other.
+//! The smallest move that mends rows: of one object, with what it carries, or of one after the other. Whoever offers a
+//! move asks here, so that all offer the same one.
 //!
-//! What is offered has been judged: after it the row holds. Of several moves the one is offered that breaks least, and
-//! of these the smallest.
+//! What is offered has been judged: after it the rows hold. Of several moves the one is offered that breaks least; of
+//! these the one that mends most, since what displaced an object broke all that speaks of it; of these the smallest.
+//!
+//! What a move would break becomes a goal in its turn, and the search begins again. So what one object can mend without
+//! harm is found first; others are moved only where that is not enough.
 
 use super::RowRef;
 use super::search::{Freedom, Search};
 use super::stage::{Consequences, Goal, Stage, row_of};
-use scenelang_lang::program::ObjectId;
+use crate::report::model::Kind;
+use crate::world::World;
+use scenelang_lang::program::{ObjectId, Program};
 
 /// What looking for a move may cost, in small comparisons.
 const BUDGET: usize = 120_000;
@@ -16,6 +22,8 @@ const OBJECTS: usize = 4;
 const JUDGED: usize = 8;
 /// So many steps a move has at most, what goes along not counted.
 const STEPS: usize = 4;
+/// So often what a move would break becomes a goal.
+const ROUNDS: usize = 5;
 /// So many rows are named that pull the other way.
 const OPPOSING: usize = 3;
 
@@ -59,98 +67,174 @@ struct Judged {
     cost: f64,
     steps: Vec<Step>,
     does: Consequences,
+    /// Of what is wanted, how much does not hold.
+    open: usize,
 }
 
 impl Judged {
-    /// Less harm first, then the smaller one.
+    /// How much that must hold is broken or left as it is; then how many wishes are broken.
+    fn harm(&self) -> (usize, usize) {
+        let (hard, soft) = self.does.harm();
+        (hard + self.open, soft)
+    }
+
+    /// Less harm first, then what mends more, then the smaller one.
     fn better_than(&self, other: &Self) -> bool {
-        let key = |j: &Self| (j.does.harm(), j.cost);
-        key(self).0 < key(other).0 || key(self).0 == key(other).0 && self.cost < other.cost
+        let hard = |j: &Self| j.does.mends.iter().filter(|row| row.kind != Kind::Prefer).count();
+        let key = |j: &Self| (j.harm(), std::cmp::Reverse(hard(j)));
+        key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
     }
 }
 
-/// The smallest move after which a row holds.
-pub(super) fn mend(stage: &mut Stage<'_>, row: RowRef, objects: &[ObjectId]) -> Found {
-    stage.set(&[]);
-    let mut found = Found::default();
-    let mut all = stage.deciding(Goal::Row(row));
-    all.extend(objects);
-    let mut pins: Vec<usize> = Vec::new();
-    for &id in &all {
-        match stage.pins(id, row) {
-            [Some(a), Some(b)] => pins.extend([a, b]),
-            _ => found.searched = true,
-        }
+/// Keeps the better one.
+fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
+    if let Some(new) = new.filter(|new| best.as_ref().is_none_or(|b| new.better_than(b))) {
+        *best = Some(new);
     }
-    if !found.searched {
-        pins.sort_unstable();
-        pins.dedup();
-        found.pinned = pins.into_iter().map(|i| row_of(stage.program, i)).collect();
-        return found;
-    }
-    let mut mender = Mender { limit: stage.work + BUDGET, stage, row, smallest: None };
-    let best = mender.whole();
-    let smallest = mender.smallest.take();
-    mender.stage.set(&[]);
-    if let Some(smallest) = smallest {
-        found.opposing = opposing(&smallest.does, row, smallest.cost);
-    }
-    found.mend = best.map(|best| {
-        let mends = best.does.mends.into_iter().filter(|r| *r != row).collect();
-        Mend { steps: best.steps, breaks: best.does.breaks, mends }
-    });
-    found
 }
 
-/// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
-fn opposing(does: &Consequences, row: RowRef, moved: f64) -> Vec<RowRef> {
-    let mut broken: Vec<RowRef> = does.breaks.iter().copied().filter(|r| *r != row).take(OPPOSING).collect();
-    if broken.is_empty() {
-        // It must fall by a good part of the move, or it hardly pulls.
-        let pulls = |(r, by): &&(RowRef, f64)| *r != row && r.kind.rule().is_none() && *by >= 0.5 * moved;
-        broken.extend(does.falls.iter().filter(pulls).map(|(r, _)| *r).take(1));
-    }
-    broken
-}
-
-struct Mender<'s, 'a> {
-    stage: &'s mut Stage<'a>,
-    row: RowRef,
+/// Looks for moves in one layout.
+pub(super) struct Mender<'a> {
+    stage: Stage<'a>,
+    /// What must hold and does not.
+    failing: Vec<RowRef>,
+    /// What one object can do about all of that; `None`: nobody has asked yet.
+    whole: Option<Option<Judged>>,
+    /// The work up to which something may be looked for.
     limit: usize,
-    /// The smallest move seen that mends the row, whatever it breaks.
-    smallest: Option<Judged>,
 }
 
-impl Mender<'_, '_> {
-    /// The best move, of one object or of several.
-    fn whole(&mut self) -> Option<Judged> {
-        let goal = Goal::Row(self.row);
-        let mut best = self.one(goal, &[]).or_else(|| self.parts(goal, Vec::new()))?;
-        if self.smallest.is_none() {
-            self.smallest = Some(best.clone());
-        }
-        // What is broken may be mended in turn, by moving something else.
-        for _ in 1..STEPS {
-            let Some(&broken) = best.does.breaks.first() else { break };
-            let steps = best.steps.clone();
-            self.stage.set(&steps);
-            let next = self.one(Goal::Row(broken), &steps);
-            let keeps = |next: &Judged| next.does.mends.contains(&self.row) && next.does.harm() < best.does.harm();
-            match next.filter(keeps) {
-                Some(next) => best = next,
-                None => break,
+impl<'a> Mender<'a> {
+    /// Whoever tries out what is dear has so much to spend.
+    pub fn new(program: &'a Program, world: &'a World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
+        let stage = Stage::new(program, world, purse);
+        Self { stage, failing, whole: None, limit: 0 }
+    }
+
+    /// Whether nothing is left for dear rows.
+    pub fn is_spent(&self) -> bool {
+        self.stage.has_spent(usize::MAX)
+    }
+
+    /// What there is to say of a row that fails.
+    pub fn explain(&mut self, row: RowRef, objects: &[ObjectId]) -> Found {
+        let mut found = Found::default();
+        self.stage.set(&[]);
+        let mut all = self.stage.deciding(Goal::Row(row));
+        all.extend(objects);
+        let mut pins: Vec<usize> = Vec::new();
+        for &id in &all {
+            match self.stage.pins(id, &[row]) {
+                [Some(a), Some(b)] => pins.extend([a, b]),
+                _ => found.searched = true,
             }
         }
-        Some(best)
+        found.mend = self.mend(&[row]).filter(|_| !self.is_spent());
+        if found.searched {
+            found.opposing = self.opposing(row);
+        } else if found.mend.is_none() {
+            pins.sort_unstable();
+            pins.dedup();
+            found.pinned = pins.into_iter().map(|i| row_of(self.stage.program, i)).collect();
+        }
+        self.stage.set(&[]);
+        found
+    }
+
+    /// The smallest move after which rows hold.
+    pub fn mend(&mut self, rows: &[RowRef]) -> Option<Mend> {
+        let best = self.together(rows).or_else(|| self.in_turn(rows))?;
+        let mends = best.does.mends.into_iter().filter(|r| rows != [*r]).collect();
+        Some(Mend { steps: best.steps, breaks: best.does.breaks, mends })
+    }
+
+    /// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
+    fn opposing(&mut self, row: RowRef) -> Vec<RowRef> {
+        self.limit = self.stage.work + BUDGET;
+        let mut smallest: Option<Judged> = None;
+        for object in self.blamed(&[row]) {
+            let limit = self.share();
+            let (steps, rows) = (&[], [row]);
+            let try_out = Attempt { object, goals: vec![Goal::Row(row)], rows: &rows, steps, free: &rows, limit };
+            for judged in self.nearest(&try_out) {
+                if smallest.as_ref().is_none_or(|s| judged.cost < s.cost) {
+                    smallest = Some(judged);
+                }
+            }
+        }
+        let Some(smallest) = smallest else { return Vec::new() };
+        let does = smallest.does;
+        let mut broken: Vec<RowRef> = does.breaks.iter().copied().filter(|r| *r != row).take(OPPOSING).collect();
+        if broken.is_empty() {
+            // It must fall by a good part of the move, or it hardly pulls.
+            let pulls = |(r, by): &&(RowRef, f64)| *r != row && r.kind.rule().is_none() && *by >= 0.5 * smallest.cost;
+            broken.extend(does.falls.iter().filter(pulls).map(|(r, _)| *r).take(1));
+        }
+        broken
+    }
+
+    /// A move of one object that mends all that fails, if that is what rows need.
+    fn together(&mut self, rows: &[RowRef]) -> Option<Judged> {
+        if self.failing.len() < 2 || rows.iter().any(|row| !self.failing.contains(row)) {
+            return None;
+        }
+        if self.whole.is_none() {
+            let failing = self.failing.clone();
+            self.limit = self.stage.work + BUDGET;
+            let goals: Vec<Goal> = failing.iter().map(|row| Goal::Row(*row)).collect();
+            let mut best = None;
+            for object in self.blamed(&failing) {
+                let limit = self.share();
+                let (goals, rows, free) = (goals.clone(), failing.as_slice(), failing.as_slice());
+                let found = self.object(&Attempt { object, goals, rows, steps: &[], free, limit });
+                keep(&mut best, found.filter(|j| j.harm() == (0, 0)));
+            }
+            self.whole = Some(best);
+        }
+        self.whole.clone().flatten()
+    }
+
+    /// A move of objects one after the other, until all rows hold and nothing is broken, or as near to that as it gets.
+    fn in_turn(&mut self, rows: &[RowRef]) -> Option<Judged> {
+        self.limit = self.stage.work + BUDGET;
+        let mut at: Option<Judged> = None;
+        for _ in 0..STEPS {
+            let does = at.as_ref().map(|a| &a.does);
+            let (done, left): (Vec<RowRef>, Vec<RowRef>) =
+                rows.iter().partition(|row| does.is_some_and(|d| d.mends.contains(row)));
+            let next = left.iter().copied().chain(does.into_iter().flat_map(|d| d.breaks.iter().copied())).next();
+            let Some(next) = next else { break };
+            let steps = at.as_ref().map_or(Vec::new(), |a| a.steps.clone());
+            let mut found = self.one(next, &done, &steps);
+            if found.is_none() && at.is_none() {
+                found = self.parts(Goal::Row(next), next, Vec::new());
+            }
+            let Some(mut found) = found else { break };
+            found.open = rows.iter().filter(|row| !found.does.mends.contains(row)).count();
+            let was = at.as_ref().map_or((usize::MAX, 0), Judged::harm);
+            if found.harm() >= was {
+                break;
+            }
+            at = Some(found);
+        }
+        at.filter(|found| found.open == 0)
     }
 
     /// Mends the parts of a conjunction one after the other.
-    fn parts(&mut self, goal: Goal, mut steps: Vec<Step>) -> Option<Judged> {
+    fn parts(&mut self, goal: Goal, row: RowRef, mut steps: Vec<Step>) -> Option<Judged> {
         let mut last = None;
         while steps.len() < STEPS && !self.stage.has_spent(self.limit) {
             self.stage.set(&steps);
             let Some(&part) = self.stage.failing_parts(goal).first() else { break };
-            let judged = self.one(part, &steps).or_else(|| self.parts(part, steps.clone()))?;
+            let mut best = None;
+            for object in self.deciding(&[part]) {
+                let limit = self.share();
+                let free = [row];
+                let goals = vec![part];
+                let found = self.object(&Attempt { object, goals, rows: &[], steps: &steps, free: &free, limit });
+                keep(&mut best, found);
+            }
+            let judged = best.or_else(|| self.parts(part, row, steps.clone()))?;
             steps.clone_from(&judged.steps);
             last = Some(judged);
         }
@@ -159,102 +243,178 @@ impl Mender<'_, '_> {
         last.filter(|_| holds)
     }
 
-    /// The best move of one object that makes a goal hold, after some steps.
-    fn one(&mut self, goal: Goal, steps: &[Step]) -> Option<Judged> {
-        let mut objects = self.stage.deciding(goal);
-        objects.dedup();
-        let mut candidates: Vec<(f64, Step)> = Vec::new();
-        for &object in objects.iter().take(OBJECTS) {
-            let [pos, turn] = self.stage.pins(object, self.row);
-            let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
-            let earlier = steps.iter().find(|s| s.object == object).copied();
-            let from = earlier.unwrap_or(Step { object, by: [0.0; 3], turn: 0.0, with: None });
-            // Each object has its share, so that a dear row does not spend all on the first one.
-            let share = self.limit.saturating_sub(self.stage.work) / (OBJECTS + 1);
-            let limit = self.stage.work + share.max(1);
-            self.stage.set(steps);
-            if let Some(search) = Search::new(self.stage, goal, from, limit) {
-                candidates.extend(search.run(freedom));
-            }
-        }
-        candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    /// The best move of one object that mends a row, after some steps, and keeps what these have mended.
+    fn one(&mut self, row: RowRef, done: &[RowRef], steps: &[Step]) -> Option<Judged> {
+        self.stage.set(steps);
         let mut best: Option<Judged> = None;
-        for (i, (cost, step)) in candidates.into_iter().take(JUDGED).enumerate() {
-            if i > 0 && self.stage.has_spent(self.limit) {
-                break;
+        for object in self.deciding(&[Goal::Row(row)]) {
+            // All that fails and speaks of it, if one move mends that.
+            let mut group = vec![row];
+            if row.kind != Kind::Prefer {
+                let others = self.failing.iter().copied();
+                group.extend(others.filter(|r| *r != row && !done.contains(r) && self.stage.is_about(r, object)));
             }
-            let most = best.as_ref().map(|b| b.does.harm());
-            for judged in self.judged(steps, cost, step, goal, most) {
-                if best.as_ref().is_none_or(|b| judged.better_than(b)) {
-                    best = Some(judged);
+            let share = self.share();
+            let groups = if group.len() > 1 { vec![group, vec![row]] } else { vec![group] };
+            for (i, group) in groups.iter().enumerate() {
+                let limit = if i + 1 < groups.len() { self.stage.work + (share - self.stage.work) / 2 } else { share };
+                let rows: Vec<RowRef> = group.iter().chain(done).copied().collect();
+                let goals = group.iter().map(|row| Goal::Row(*row)).collect();
+                let found = self.object(&Attempt { object, goals, rows: &rows, steps, free: group, limit });
+                let harmless = found.as_ref().is_some_and(|j| j.harm() == (0, 0));
+                keep(&mut best, found.filter(|_| harmless || i + 1 == groups.len()));
+                if harmless {
+                    break;
                 }
-            }
-            if best.as_ref().is_some_and(|b| b.does.harm() == (0, 0)) {
-                break;
             }
         }
         best
     }
 
-    /// A step by itself and, if that leaves something without support, with what it carries.
-    fn judged(
-        &mut self,
-        steps: &[Step],
-        cost: f64,
-        step: Step,
-        goal: Goal,
-        most: Option<(usize, usize)>,
-    ) -> Vec<Judged> {
-        let mut all: Vec<Step> = steps.iter().filter(|s| s.object != step.object).copied().collect();
-        all.push(step);
-        let carried = self.stage.carried_by(step.object);
-        // With something on it, the harm of moving it alone says little.
-        let first = most.filter(|_| carried.is_empty());
-        let mut out: Vec<Judged> = self.consequences(all.clone(), cost, goal, first).into_iter().collect();
-        if !carried.is_empty() {
-            let along = carried.into_iter().filter(|id| self.stage.pins(*id, self.row)[0].is_none());
-            let along: Vec<Step> = along.filter_map(|id| self.along(&step, id)).collect();
-            if !along.is_empty() {
-                all.retain(|s| along.iter().all(|a| a.object != s.object));
-                all.extend(along);
-                out.extend(self.consequences(all, cost, goal, most));
-            }
-        }
-        if steps.is_empty() && goal == Goal::Row(self.row) {
-            for judged in &out {
-                if self.smallest.as_ref().is_none_or(|s| judged.cost < s.cost) {
-                    self.smallest = Some(judged.clone());
+    /// The objects that decide goals as things are on the stage, those that decide most of them first.
+    fn deciding(&mut self, goals: &[Goal]) -> Vec<ObjectId> {
+        let mut found: Vec<(ObjectId, usize)> = Vec::new();
+        for goal in goals {
+            let own = self.stage.deciding(*goal);
+            for id in own.iter().enumerate().filter(|(i, id)| !own[..*i].contains(id)).map(|(_, id)| *id) {
+                match found.iter_mut().find(|(o, _)| *o == id) {
+                    Some((_, times)) => *times += 1,
+                    None => found.push((id, 1)),
                 }
             }
         }
-        out
+        found.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+        found.into_iter().map(|(id, _)| id).take(OBJECTS).collect()
     }
 
-    /// The step of an object that goes along with another.
-    fn along(&self, leader: &Step, object: ObjectId) -> Option<Step> {
-        let place = |id: ObjectId| self.stage.layout().object(id).ok().map(|thing| thing.pos.0);
-        let (pivot, pos) = (place(leader.object)?, place(object)?);
-        let (sin, cos) = scenelang_layout::rotation::sin_cos(leader.turn);
-        let (x, z) = (pos[0] - pivot[0], pos[2] - pivot[2]);
-        let [bx, by, bz] = leader.by;
-        let by = [bx + cos * x + sin * z - x, by, bz + cos * z - sin * x - z];
-        Some(Step { object, by, turn: leader.turn, with: Some(leader.object) })
+    /// The same of rows, in the layout.
+    fn blamed(&mut self, rows: &[RowRef]) -> Vec<ObjectId> {
+        self.stage.set(&[]);
+        let goals: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
+        self.deciding(&goals)
     }
 
-    /// What steps do, if the goal holds after them and the harm is no more than `most`.
-    fn consequences(
-        &mut self,
-        steps: Vec<Step>,
-        cost: f64,
-        goal: Goal,
-        most: Option<(usize, usize)>,
-    ) -> Option<Judged> {
-        self.stage.set(&steps);
-        if !self.stage.truth(goal)?.holds {
-            return None;
+    /// The work that one object may take: a dear row must not spend all on the first one.
+    fn share(&self) -> usize {
+        let share = self.limit.saturating_sub(self.stage.work) / (OBJECTS + 1);
+        self.stage.work + share.max(1)
+    }
+
+    /// The best move of an object: from where it is first, then from places farther off.
+    fn object(&mut self, attempt: &Attempt<'_>) -> Option<Judged> {
+        let mut best = None;
+        let riders = self.riders(attempt);
+        let mut attempt = attempt.clone();
+        if !riders.is_empty() {
+            // Alone it leaves something without support, most likely.
+            for judged in self.judged(&attempt, &[], false) {
+                keep(&mut best, Some(judged));
+            }
         }
-        let moved: Vec<ObjectId> = steps.iter().map(|s| s.object).collect();
-        let does = self.stage.consequences(&moved, most)?;
-        Some(Judged { cost, steps, does })
+        let half = attempt.limit.saturating_sub(self.stage.work) / 2;
+        for far in [false, true] {
+            if far {
+                // However dear it was to look around, something is left for places farther off.
+                attempt.limit = attempt.limit.max(self.stage.work + half);
+            }
+            for _ in 0..ROUNDS {
+                if self.stage.has_spent(attempt.limit) {
+                    break;
+                }
+                if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
+                    return best;
+                }
+                let found = self.judged(&attempt, &riders, far);
+                let before = attempt.goals.len();
+                for judged in &found {
+                    let broken = judged.does.breaks.iter().map(|row| Goal::Row(*row));
+                    let new: Vec<Goal> = broken.filter(|goal| !attempt.goals.contains(goal)).collect();
+                    attempt.goals.extend(new);
+                }
+                for judged in found {
+                    keep(&mut best, Some(judged));
+                }
+                if attempt.goals.len() == before {
+                    break;
+                }
+            }
+            if !far {
+                self.stage.set(attempt.steps);
+                let kept = self.stage.kept(attempt.object);
+                let new: Vec<Goal> = kept.into_iter().filter(|goal| !attempt.goals.contains(goal)).collect();
+                attempt.goals.extend(new);
+            }
+        }
+        best
     }
+
+    /// What rests on an object and may go along.
+    fn riders(&self, attempt: &Attempt<'_>) -> Vec<ObjectId> {
+        let carried = self.stage.carried_by(attempt.object).into_iter();
+        carried.filter(|id| self.stage.pins(*id, attempt.free)[0].is_none()).collect()
+    }
+
+    /// The smallest moves of an object, whatever they break.
+    fn nearest(&mut self, attempt: &Attempt<'_>) -> Vec<Judged> {
+        let riders = self.riders(attempt);
+        let mut found = self.judged(attempt, &[], false);
+        if !riders.is_empty() {
+            found.extend(self.judged(attempt, &riders, false));
+        }
+        found
+    }
+
+    /// Moves of an object with what goes along, by what they do; up to the first that does no harm. With
+    /// `far`, places farther off are tried.
+    fn judged(&mut self, attempt: &Attempt<'_>, riders: &[ObjectId], far: bool) -> Vec<Judged> {
+        let Attempt { object, goals, rows, steps, free, limit } = attempt;
+        let [pos, turn] = self.stage.pins(*object, free);
+        let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
+        let earlier = steps.iter().find(|s| s.object == *object).copied();
+        let from = earlier.unwrap_or(Step { object: *object, by: [0.0; 3], turn: 0.0, with: None });
+        self.stage.set(steps);
+        let Some(search) = Search::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for (i, (cost, step)) in (if far { search.far() } else { search.near() }).into_iter().take(JUDGED).enumerate() {
+            if i > 0 && self.stage.has_spent(self.limit) {
+                break;
+            }
+            let along: Vec<Step> = riders.iter().filter_map(|id| self.stage.along(&step, *id)).collect();
+            let moves = |s: &Step| s.object == *object || along.iter().any(|a| a.object == s.object);
+            let mut all: Vec<Step> = steps.iter().filter(|s| !moves(s)).copied().collect();
+            all.push(step);
+            all.extend(along);
+            self.stage.set(&all);
+            if !goals.iter().all(|goal| self.stage.truth(*goal).is_some_and(|t| t.holds)) {
+                continue;
+            }
+            let moved: Vec<ObjectId> = all.iter().map(|s| s.object).collect();
+            let does = self.stage.consequences(&moved);
+            let open = rows.iter().filter(|row| !does.mends.contains(row)).count();
+            let judged = Judged { cost, steps: all, does, open };
+            let harmless = judged.harm() == (0, 0);
+            found.push(judged);
+            if harmless {
+                break;
+            }
+        }
+        found
+    }
+}
+
+/// What is to be done about goals by moving an object.
+#[derive(Clone)]
+struct Attempt<'t> {
+    object: ObjectId,
+    goals: Vec<Goal>,
+    /// The rows that a move has to mend.
+    rows: &'t [RowRef],
+    /// What has been moved already.
+    steps: &'t [Step],
+    /// Assignments among these rows do not keep it where it is.
+    free: &'t [RowRef],
+    /// The work up to which it may be looked for.
+    limit: usize,
 }

@@ -1,18 +1,27 @@
-//! Moves of one object after which a goal holds, the smallest first: down the margin's slope, and along straight lines.
+//! Moves of one object after which all goals hold, the smallest first: down the slopes of the margins, along straight
+//! lines and, where that leads nowhere, from places farther off.
 
 use super::DEAR;
 use super::moves::Step;
 use super::stage::{Goal, Stage};
-use scenelang_lang::program::ObjectId;
+use scenelang_lang::program::{ObjectId, Unit};
 
-/// Steps down a slope.
-const DESCENT: usize = 24;
+/// Sweeps over the goals that fail, each with a step down its slope.
+const SWEEPS: usize = 30;
 /// No step down a slope is longer (metres).
 const STRIDE: f64 = 1.0;
 /// No move goes farther (metres).
 const FARTHEST: f64 = 8.0;
 /// How far beyond the edge of what holds to aim (metres or degrees).
 const BEYOND: f64 = 1e-5;
+/// From so many places farther off the slopes are followed.
+const STARTS: usize = 10;
+/// So many objects that the goals speak of are looked at for places beside them.
+const RELATED: usize = 6;
+/// How far around an object places are tried (metres).
+const RINGS: [f64; 6] = [0.15, 0.4, 0.8, 1.2, 1.6, 2.2];
+/// What a metre counts beside what is missing.
+const PULL: f64 = 0.05;
 
 /// How an object may be moved.
 #[derive(Clone, Copy, Debug)]
@@ -26,58 +35,59 @@ pub(super) struct Freedom {
 /// A move: metres along x, y, z, and degrees.
 type Move = [f64; 4];
 
-/// Looks for moves of one object.
+/// Looks for moves of one object, with what goes along with it.
 pub(super) struct Search<'s, 'a> {
     stage: &'s mut Stage<'a>,
-    goal: Goal,
-    object: ObjectId,
+    /// What is to hold, the cheapest first.
+    goals: Vec<Goal>,
     /// Where the object has been moved to already.
     from: Step,
+    /// What goes along.
+    riders: &'s [ObjectId],
+    freedom: Freedom,
     /// Metres that a degree moves the farthest point of its footprint.
     per_degree: f64,
     /// How hard it is to move: 1 for what is small, up to 2 for what is large.
     weight: f64,
     /// What must not be exceeded, in [`Stage::work`].
     limit: usize,
-    /// Whether asking whether the goal holds is dear.
+    /// Whether asking whether the goals hold is dear.
     dear: bool,
 }
 
 impl<'s, 'a> Search<'s, 'a> {
-    pub fn new(stage: &'s mut Stage<'a>, goal: Goal, from: Step, limit: usize) -> Option<Self> {
+    pub fn new(
+        stage: &'s mut Stage<'a>,
+        goals: &[Goal],
+        (from, riders): (Step, &'s [ObjectId]),
+        freedom: Freedom,
+        limit: usize,
+    ) -> Option<Self> {
         let half = stage.layout().object(from.object).ok()?.body.obb.half;
         let per_degree = half.x.hypot(half.z).max(0.1).to_radians();
         let volume = 8.0 * half.x * half.y * half.z;
         let weight = 1.0 + volume / (1.0 + volume);
-        let dear = stage.cost(goal) > DEAR;
-        Some(Self { stage, goal, object: from.object, from, per_degree, weight, limit, dear })
+        let mut goals = goals.to_vec();
+        goals.sort_by_key(|goal| stage.cost(*goal));
+        let dear = goals.iter().any(|goal| stage.cost(*goal) > DEAR);
+        Some(Self { stage, goals, from, riders, freedom, per_degree, weight, limit, dear })
     }
 
     /// How far the farthest point of the object travels at most (metres); of what is large it counts up to twice, since
     /// one would rather move the nightstand than the bed.
-    pub fn cost(&self, step: &Step) -> f64 {
+    fn cost(&self, step: &Step) -> f64 {
         let [x, y, z] = step.by;
         (x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree) * self.weight
     }
 
-    /// All that was found, rounded to what can be said; the smallest first.
-    pub fn run(mut self, freedom: Freedom) -> Vec<(f64, Step)> {
-        const PLANE: [bool; 4] = [true, false, true, false];
-        const SPACE: [bool; 4] = [true, true, true, false];
-        const TURN: [bool; 4] = [false, false, false, true];
-        let masks: &[[bool; 4]] = match (freedom.pos, freedom.turn, self.dear) {
-            (true, _, true) => &[PLANE],
-            (true, true, false) => &[PLANE, SPACE, TURN, [true; 4]],
-            (true, false, false) => &[PLANE, SPACE],
-            (false, true, _) => &[TURN],
-            (false, false, _) => &[],
-        };
+    /// What was found from where the object is, rounded to what can be said; the smallest first.
+    pub fn near(mut self) -> Vec<(f64, Step)> {
         let mut found: Vec<Move> = Vec::new();
-        for mask in masks {
-            found.extend(self.descend(*mask));
+        for mask in self.masks() {
+            found.extend(self.descend([0.0; 4], *mask));
         }
         let mut lines: Vec<Move> = Vec::new();
-        if freedom.pos {
+        if self.freedom.pos {
             for axis in [0, 2, 1] {
                 for sign in [1.0, -1.0] {
                     let mut line = [0.0; 4];
@@ -92,11 +102,50 @@ impl<'s, 'a> Search<'s, 'a> {
         for line in lines {
             found.extend(self.along(line));
         }
-        if freedom.turn && !self.dear {
+        if self.freedom.turn && !self.dear {
             found.extend([90.0, -90.0, 180.0].map(|turn| [0.0, 0.0, 0.0, turn]).into_iter().filter(|m| self.holds(m)));
         }
+        self.in_words(found)
+    }
+
+    /// What was found from places farther off.
+    pub fn far(mut self) -> Vec<(f64, Step)> {
+        let mut ranked: Vec<(f64, Move)> = Vec::new();
+        for start in self.starts() {
+            if self.spent() {
+                break;
+            }
+            let missing = self.missing(&start);
+            ranked.push((missing + PULL * self.cost(&self.step(&start)), start));
+        }
+        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let Some(mask) = self.masks().iter().max_by_key(|m| m.iter().filter(|f| **f).count()).copied() else {
+            return Vec::new();
+        };
+        let starts = ranked.into_iter().take(STARTS);
+        let found: Vec<Move> = starts.filter_map(|(_, start)| self.descend(start, mask)).collect();
+        self.in_words(found)
+    }
+
+    fn masks(&self) -> &'static [[bool; 4]] {
+        const PLANE: [bool; 4] = [true, false, true, false];
+        const SPACE: [bool; 4] = [true, true, true, false];
+        const TURN: [bool; 4] = [false, false, false, true];
+        match (self.freedom.pos, self.freedom.turn, self.dear) {
+            (true, _, true) => &[PLANE],
+            (true, true, false) => &[PLANE, SPACE, TURN, [true; 4]],
+            (true, false, false) => &[PLANE, SPACE],
+            (false, true, _) => &[TURN],
+            (false, false, _) => &[],
+        }
+    }
+
+    /// Moves in few and round numbers, the smallest first.
+    fn in_words(mut self, found: Vec<Move>) -> Vec<(f64, Step)> {
         // What was found is put into words even if nothing more may be looked for.
-        self.limit += if self.dear { 24 * self.stage.cost(self.goal) } else { 0 };
+        if self.dear {
+            self.limit += 24 * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
+        }
         let tidy: Vec<Move> = found.into_iter().map(|m| self.tidied(m)).collect();
         let mut out: Vec<(f64, Step)> = Vec::new();
         for step in tidy.iter().map(|m| self.step(m)) {
@@ -108,9 +157,66 @@ impl<'s, 'a> Search<'s, 'a> {
         out
     }
 
+    /// Places around where the object is, and beside and on top of what the goals speak of; turned by quarters.
+    fn starts(&mut self) -> Vec<Move> {
+        let Ok(thing) = self.stage.layout().object(self.from.object) else { return Vec::new() };
+        let (here, own) = (thing.pos.0, thing.body.obb.half);
+        let here: [f64; 3] = std::array::from_fn(|i| here[i] + self.from.by[i]);
+        let mut places = vec![[0.0; 3]];
+        if self.freedom.pos {
+            for radius in RINGS {
+                for (x, z) in [
+                    (1.0, 0.0),
+                    (-1.0, 0.0),
+                    (0.0, 1.0),
+                    (0.0, -1.0),
+                    (0.7, 0.7),
+                    (0.7, -0.7),
+                    (-0.7, 0.7),
+                    (-0.7, -0.7),
+                ] {
+                    places.push([radius * x, 0.0, radius * z]);
+                }
+            }
+            let reach = own.x.min(own.z);
+            for other in self.stage.spoken_of(&self.goals, self.from.object).into_iter().take(RELATED) {
+                let Ok(thing) = self.stage.world().object(other) else { continue };
+                let (at, sides, half) = (thing.pos.0, [0, 2].map(|i| thing.axes.0[i].0), thing.body.obb.half);
+                places.push([at[0] - here[0], at[1] + 2.0 * half.y - here[1], at[2] - here[2]]);
+                for (side, half) in sides.into_iter().zip([half.x, half.z]) {
+                    for far in [0.02, 0.5].into_iter().flat_map(|gap| [half + reach + gap, -half - reach - gap]) {
+                        places.push([at[0] + far * side[0] - here[0], 0.0, at[2] + far * side[2] - here[2]]);
+                    }
+                }
+            }
+        }
+        let turns: &[f64] = if self.freedom.turn { &[0.0, 90.0, -90.0, 180.0] } else { &[0.0] };
+        places.iter().flat_map(|[x, y, z]| turns.iter().map(move |turn| [*x, *y, *z, *turn])).collect()
+    }
+
+    /// How much is missing after a move, in metres.
+    fn missing(&mut self, m: &Move) -> f64 {
+        self.put(m);
+        let mut sum = 0.0;
+        for i in 0..self.goals.len() {
+            let goal = self.goals[i];
+            if self.stage.cost(goal) > DEAR {
+                continue;
+            }
+            sum += match self.stage.truth(goal) {
+                Some(t) if t.holds => 0.0,
+                Some(t) if t.margin.is_finite() => {
+                    0.1 + -t.margin * if t.unit == Unit::Degree { self.per_degree } else { 1.0 }
+                }
+                _ => 1.0,
+            };
+        }
+        sum
+    }
+
     fn step(&self, m: &Move) -> Step {
         let by = std::array::from_fn(|i| self.from.by[i] + m[i]);
-        Step { object: self.object, by, turn: self.from.turn + m[3], with: None }
+        Step { object: self.from.object, by, turn: self.from.turn + m[3], with: None }
     }
 
     /// So often a length is halved: to the tenth of a millimetre or, where that is dear, to some centimetres.
@@ -122,49 +228,76 @@ impl<'s, 'a> Search<'s, 'a> {
         self.stage.has_spent(self.limit)
     }
 
-    fn try_out(&mut self, m: &Move) -> Option<(bool, f64)> {
+    fn put(&mut self, m: &Move) {
         let step = self.step(m);
-        self.stage.put(&step);
-        self.stage.truth(self.goal).map(|t| (t.holds, t.margin))
+        self.stage.put_with(&step, self.riders);
     }
 
     fn holds(&mut self, m: &Move) -> bool {
-        !self.spent() && self.try_out(m).is_some_and(|(holds, _)| holds)
+        if self.spent() {
+            return false;
+        }
+        self.put(m);
+        (0..self.goals.len()).all(|i| self.stage.truth(self.goals[i]).is_some_and(|t| t.holds))
     }
 
-    /// Follows the slope of the margin until the goal holds: each step goes as far as the slope says it takes.
-    fn descend(&mut self, mask: [bool; 4]) -> Option<Move> {
-        let mut at: Move = [0.0; 4];
+    /// Follows the slopes of what fails until all goals hold: each step goes as far as the slope says it takes.
+    fn descend(&mut self, start: Move, mask: [bool; 4]) -> Option<Move> {
+        let mut at = start;
         let mut blind = 0.1;
-        for _ in 0..DESCENT {
-            if self.spent() {
-                return None;
+        for _ in 0..SWEEPS {
+            let mut fine = true;
+            for i in 0..self.goals.len() {
+                if self.spent() {
+                    return None;
+                }
+                let goal = self.goals[i];
+                // What is dear is looked at only where all else holds.
+                if !fine && self.stage.cost(goal) > DEAR {
+                    break;
+                }
+                self.put(&at);
+                let truth = self.stage.truth(goal)?;
+                if truth.holds {
+                    continue;
+                }
+                fine = false;
+                let mut parts = self.stage.failing_parts(goal);
+                if parts.len() <= 1 {
+                    parts = vec![goal];
+                }
+                for part in parts {
+                    let margin = if part == goal { truth.margin } else { self.stage.truth(part)?.margin };
+                    if part != goal && margin >= 0.0 {
+                        continue;
+                    }
+                    let slope = self.stage.slope(part, (self.from.object, self.riders))?;
+                    // A degree counts as the way it moves the object's outline.
+                    let unit = [1.0, 1.0, 1.0, self.per_degree];
+                    let way: Move = std::array::from_fn(|i| if mask[i] { slope[i] / unit[i] } else { 0.0 });
+                    let square: f64 = way.iter().map(|c| c * c).sum();
+                    if square < 1e-12 {
+                        return None;
+                    }
+                    let far = if margin.is_finite() { (BEYOND - margin) / square.sqrt() } else { blind };
+                    // A goal without a measure says where to go, not how far.
+                    blind *= 2.0;
+                    let far = far.min(STRIDE.max(blind / 4.0)) / square.sqrt();
+                    at = std::array::from_fn(|i| at[i] + way[i] * far / unit[i]);
+                    if at[..3].iter().any(|c| c.abs() > FARTHEST) || at[3].abs() > 360.0 {
+                        return None;
+                    }
+                    self.put(&at);
+                }
             }
-            let (holds, margin) = self.try_out(&at)?;
-            if holds {
+            if fine {
                 return Some(self.shortened(at));
-            }
-            let slope = self.stage.slope(self.goal, self.object)?;
-            // A degree counts as the way it moves the object's outline.
-            let unit = [1.0, 1.0, 1.0, self.per_degree];
-            let way: Move = std::array::from_fn(|i| if mask[i] { slope[i] / unit[i] } else { 0.0 });
-            let square: f64 = way.iter().map(|c| c * c).sum();
-            if square < 1e-12 {
-                return None;
-            }
-            let far = if margin.is_finite() { (BEYOND - margin) / square.sqrt() } else { blind };
-            // A goal without a measure says where to go, not how far.
-            blind *= 2.0;
-            let far = far.min(STRIDE.max(blind / 4.0)) / square.sqrt();
-            at = std::array::from_fn(|i| at[i] + way[i] * far / unit[i]);
-            if at[..3].iter().any(|c| c.abs() > FARTHEST) || at[3].abs() > 360.0 {
-                return None;
             }
         }
         None
     }
 
-    /// The first place along a line where the goal holds.
+    /// The first place along a line where the goals hold.
     fn along(&mut self, line: Move) -> Option<Move> {
         let at = |t: f64| line.map(|c| c * t);
         let (first, factor) = if self.dear { (0.1, 2.0) } else { (0.02, 1.5) };
@@ -175,6 +308,11 @@ impl<'s, 'a> Search<'s, 'a> {
                 return None;
             }
         }
+        Some(at(self.least(low, high, &at)))
+    }
+
+    /// The least number between two with which a move does, `high` being one.
+    fn least(&mut self, mut low: f64, mut high: f64, at: &dyn Fn(f64) -> Move) -> f64 {
         for _ in 0..self.halvings() {
             let middle = (low + high) / 2.0;
             if self.holds(&at(middle)) {
@@ -183,12 +321,12 @@ impl<'s, 'a> Search<'s, 'a> {
                 low = middle;
             }
         }
-        Some(at(high))
+        high
     }
 
     /// The directions of the object's own sides, where they are not the world's.
     fn own_axes(&self) -> Vec<Move> {
-        let Ok(thing) = self.stage.world().object(self.object) else { return Vec::new() };
+        let Ok(thing) = self.stage.world().object(self.from.object) else { return Vec::new() };
         let sides = [0, 2].map(|axis| thing.axes.0[axis].0);
         let flat = |[x, _, z]: [f64; 3]| {
             let length = x.hypot(z);
@@ -197,22 +335,24 @@ impl<'s, 'a> Search<'s, 'a> {
         sides.into_iter().filter_map(flat).flat_map(|m| [m, m.map(|c| -c)]).collect()
     }
 
-    /// A shorter move on the way to one after which the goal holds.
+    /// A shorter move on the way to one after which the goals hold; then with less of each of its numbers.
     fn shortened(&mut self, whole: Move) -> Move {
-        let at = |t: f64| whole.map(|c| c * t);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..self.halvings() {
-            let middle = (low + high) / 2.0;
-            if self.holds(&at(middle)) {
-                high = middle;
-            } else {
-                low = middle;
+        let part = self.least(0.0, 1.0, &|t| whole.map(|c| c * t));
+        let mut m = whole.map(|c| c * part);
+        if self.goals.len() == 1 {
+            return m;
+        }
+        for axis in [0, 2, 1, 3] {
+            if m[axis] != 0.0 {
+                let less = |t: f64| std::array::from_fn(|i| if i == axis { m[i] * t } else { m[i] });
+                let part = self.least(0.0, 1.0, &less);
+                m[axis] *= part;
             }
         }
-        at(high)
+        m
     }
 
-    /// The same in fewer and rounder numbers, as far as the goal still holds.
+    /// The same in fewer and rounder numbers, as far as the goals still hold.
     fn tidied(&mut self, mut m: Move) -> Move {
         let mut order = [0, 1, 2, 3];
         order.sort_by(|&i, &j| m[i].abs().total_cmp(&m[j].abs()).then(i.cmp(&j)));

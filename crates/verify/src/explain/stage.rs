@@ -54,6 +54,8 @@ pub(super) struct Stage<'a> {
     moved: World<f64>,
     /// The same with derivatives, made when they are first asked for.
     dual: Option<World<Slope>>,
+    /// Objects that are elsewhere there, or unknown.
+    elsewhere: Vec<ObjectId>,
     /// Objects that are elsewhere on the stage than in the layout.
     off: Vec<ObjectId>,
     scope: Scope,
@@ -76,6 +78,7 @@ impl<'a> Stage<'a> {
             base,
             moved: base.clone(),
             dual: None,
+            elsewhere: Vec::new(),
             off: Vec::new(),
             scope: Scope::new(base),
             index: Index::new(program),
@@ -109,6 +112,27 @@ impl<'a> Stage<'a> {
         }
     }
 
+    /// The same, and with it what goes along.
+    pub fn put_with(&mut self, step: &Step, riders: &[ObjectId]) {
+        self.put(step);
+        for &rider in riders {
+            if let Some(step) = self.along(step, rider) {
+                self.put(&step);
+            }
+        }
+    }
+
+    /// The step of an object that goes along with another.
+    pub fn along(&self, leader: &Step, object: ObjectId) -> Option<Step> {
+        let place = |id: ObjectId| self.base.object(id).ok().map(|thing| thing.pos.0);
+        let (pivot, pos) = (place(leader.object)?, place(object)?);
+        let (sin, cos) = scenelang_layout::rotation::sin_cos(leader.turn);
+        let (x, z) = (pos[0] - pivot[0], pos[2] - pivot[2]);
+        let [bx, by, bz] = leader.by;
+        let by = [bx + cos * x + sin * z - x, by, bz + cos * z - sin * x - z];
+        Some(Step { object, by, turn: leader.turn, with: Some(leader.object) })
+    }
+
     /// Puts everything back, then these elsewhere.
     pub fn set(&mut self, steps: &[Step]) {
         for object in std::mem::take(&mut self.off) {
@@ -137,34 +161,92 @@ impl<'a> Stage<'a> {
         truth(self.program, &self.scope, &self.moved, &mut self.scratch, goal, cone.as_deref())
     }
 
-    /// The same with the margin's derivatives by moves of an object.
-    pub fn slope(&mut self, goal: Goal, object: ObjectId) -> Option<[f64; 4]> {
+    /// The derivatives of a goal's margin by moves of an object, with what goes along with it.
+    pub fn slope(&mut self, goal: Goal, (object, riders): (ObjectId, &[ObjectId])) -> Option<[f64; 4]> {
         self.pay(3 * self.cost(goal));
         let cone = self.cone(goal);
+        let pivot = self.moved.object(object).ok()?.pos.0;
         let dual = self.dual.get_or_insert_with(|| self.base.constant());
-        for &id in &self.off {
-            if let Ok(thing) = self.moved.object(id) {
-                let [pos, rot, scale] = [&thing.pos, &thing.rot, &thing.scale].map(|v| V3::constant(&v.value()));
-                dual.place(id, pos, rot, scale);
+        // What was elsewhere the last time may be back in its place.
+        let mut elsewhere = std::mem::take(&mut self.elsewhere);
+        elsewhere.extend(self.off.iter().chain(riders).chain([&object]));
+        elsewhere.sort_unstable();
+        elsewhere.dedup();
+        for &id in &elsewhere {
+            let Ok(thing) = self.moved.object(id) else { continue };
+            let [mut pos, mut rot, scale]: [V3<Slope>; 3] =
+                [&thing.pos, &thing.rot, &thing.scale].map(|v| V3::constant(&v.value()));
+            if id == object || riders.contains(&id) {
+                let [x, z] = [0, 2].map(|i| (thing.pos.0[i] - pivot[i]).to_radians());
+                for i in 0..3 {
+                    pos.0[i].slope[i] = 1.0;
+                }
+                (pos.0[0].slope[3], pos.0[2].slope[3]) = (z, -x);
+                rot.0[1].slope[3] = 1.0;
+            }
+            dual.place(id, pos, rot, scale);
+        }
+        let found = truth(self.program, &self.scope, dual, &mut self.slopes, goal, cone.as_deref());
+        let kept = |id: &ObjectId| *id == object || riders.contains(id) || self.off.contains(id);
+        elsewhere.retain(kept);
+        self.elsewhere = elsewhere;
+        Some(found?.margin.slope)
+    }
+
+    /// The objects that goals speak of, one apart.
+    pub fn spoken_of(&self, goals: &[Goal], but: ObjectId) -> Vec<ObjectId> {
+        let mut all = Vec::new();
+        for goal in goals {
+            match *goal {
+                Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
+                    all.extend(self.program.constraints[index].formula.objects());
+                }
+                Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => all.extend([a, b]),
+                Goal::Row(RowRef { subject: Subject::Object(a), .. }) => all.push(a),
             }
         }
-        let thing = self.moved.object(object).ok()?;
-        let [pos, rot, scale] = [thing.pos, thing.rot, thing.scale];
-        let mut turning = V3::constant(&rot.value());
-        turning.0[1] = Dual::unknown(rot.0[1], 3);
-        dual.place(
-            object,
-            V3(std::array::from_fn(|i| Dual::unknown(pos.0[i], i))),
-            turning,
-            V3::constant(&scale.value()),
-        );
-        let found = truth(self.program, &self.scope, dual, &mut self.slopes, goal, cone.as_deref());
-        // What is elsewhere only here must go back when the stage is set anew.
-        dual.place(object, V3::constant(&pos.value()), V3::constant(&rot.value()), V3::constant(&scale.value()));
-        if !self.off.contains(&object) {
-            self.off.push(object);
+        all.retain(|id| *id != but);
+        let mut known = rustc_hash::FxHashSet::default();
+        all.retain(|id| known.insert(*id));
+        all
+    }
+
+    /// Whether a row speaks of an object.
+    pub fn is_about(&self, row: &RowRef, object: ObjectId) -> bool {
+        match row.subject {
+            Subject::Statement(index) => self.index.mentions(object, index),
+            Subject::Pair(a, b) => a == object || b == object,
+            Subject::Object(a) => a == object,
         }
-        Some(found?.margin.slope)
+    }
+
+    /// Cheap rows that hold and speak of an object.
+    pub fn kept(&mut self, object: ObjectId) -> Vec<Goal> {
+        let mut rows: Vec<RowRef> =
+            self.index.touched_by(&[object]).into_iter().map(|i| row_of(self.program, i)).collect();
+        if self.base.options.physics {
+            let own = Subject::Object(object);
+            rows.push(RowRef { kind: Kind::Support, subject: own });
+            if !self.program.regions.is_empty() && self.scope.bounds(object) {
+                rows.push(RowRef { kind: Kind::Bounds, subject: own });
+            }
+        }
+        rows.retain(|row| self.cost(Goal::Row(*row)) <= DEAR && self.before(*row).is_some_and(|t| t.holds));
+        rows.into_iter().map(Goal::Row).collect()
+    }
+
+    /// The verdict on a row in the layout.
+    fn before(&mut self, row: RowRef) -> Option<Truth<f64>> {
+        if let Some(known) = self.before.get(&row) {
+            return *known;
+        }
+        // Who asks first does not pay for others: what may be tried must not depend on what was asked before.
+        let (work, goal) = (self.work, Goal::Row(row));
+        self.pay(self.cost(goal));
+        self.work = work;
+        let found = truth(self.program, &self.scope, self.base, &mut self.scratch, goal, None);
+        self.before.insert(row, found);
+        found
     }
 
     /// What judging a goal costs, in small comparisons.
@@ -236,12 +318,12 @@ impl<'a> Stage<'a> {
         failing.into_iter().map(|(_, part)| Goal::Part(index, part)).collect()
     }
 
-    /// The assignments that keep an object where it is and as it is turned, except that in a row of its own.
-    pub fn pins(&self, object: ObjectId, except: RowRef) -> [Option<usize>; 2] {
+    /// The assignments that keep an object where it is and as it is turned, except those in some rows.
+    pub fn pins(&self, object: ObjectId, except: &[RowRef]) -> [Option<usize>; 2] {
         let pin = |property: Pinned| {
             let own = |p: &&scenelang_lang::program::Pin| p.owner == Owner::Object(object) && p.property == property;
             let pins = self.program.pins.iter().filter(own).map(|p| p.constraint);
-            pins.into_iter().find(|&c| except != row_of(self.program, c))
+            pins.into_iter().find(|&c| !except.contains(&row_of(self.program, c)))
         };
         [pin(Pinned::Pos), pin(Pinned::Rot)]
     }
@@ -267,24 +349,11 @@ impl<'a> Stage<'a> {
         found.split_off(1)
     }
 
-    /// What the moves on the stage do to all rows that they touch, these objects being the ones moved; `None` as soon as
-    /// the harm is more than `most`.
-    pub fn consequences(&mut self, moved: &[ObjectId], most: Option<(usize, usize)>) -> Option<Consequences> {
+    /// What the moves on the stage do to all rows that they touch, these objects being the ones moved.
+    pub fn consequences(&mut self, moved: &[ObjectId]) -> Consequences {
         let mut out = Consequences::default();
         for row in self.touched(moved) {
-            if most.is_some_and(|most| out.harm() > most) {
-                return None;
-            }
-            let before = match self.before.get(&row) {
-                Some(known) => *known,
-                None => {
-                    let goal = Goal::Row(row);
-                    self.pay(self.cost(goal));
-                    let found = truth(self.program, &self.scope, self.base, &mut self.scratch, goal, None);
-                    self.before.insert(row, found);
-                    found
-                }
-            };
+            let before = self.before(row);
             let (Some(before), Some(after)) = (before, self.truth(Goal::Row(row))) else { continue };
             match (before.holds, after.holds) {
                 (true, false) => out.breaks.push(row),
@@ -299,7 +368,7 @@ impl<'a> Stage<'a> {
         out.breaks.sort_by_key(order);
         out.mends.sort_by_key(order);
         out.falls.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        Some(out)
+        out
     }
 
     /// The rows that moving these objects can change: cheap ones first.
