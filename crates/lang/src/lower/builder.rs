@@ -180,12 +180,8 @@ fn hash(node: &Node) -> u64 {
         Node::Call(f, _) => f.hash(&mut h),
         Node::Compare(c, u, ..) => (c, u).hash(&mut h),
         Node::AtLeast(n, _) => n.hash(&mut h),
-        Node::Native(n, args) => {
-            n.hash(&mut h);
-            args.iter().for_each(|a| hash_arg(*a, &mut h));
-        }
-        Node::Measure(m, args) => {
-            m.hash(&mut h);
+        Node::BuiltIn(b, args) => {
+            b.hash(&mut h);
             args.iter().for_each(|a| hash_arg(*a, &mut h));
         }
         Node::SamePolygon(id, _) => id.hash(&mut h),

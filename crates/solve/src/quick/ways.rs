@@ -8,9 +8,9 @@ use super::{Judge, Quick, Span};
 use crate::merit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_lang::program::{Arg, Formula, Native, Node};
-use scenelang_verify::World;
+use scenelang_lang::program::Formula;
 use scenelang_verify::coded::Flat;
+use scenelang_verify::{Surroundings, World, surroundings};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -59,11 +59,11 @@ pub(super) struct Way {
 impl Way {
     /// What a formula says, if it is a `reachable` of constant width.
     pub fn of(formula: &Formula, world: &World<f64>) -> Option<Self> {
-        let Node::Native(Native::Reachable, args) = formula.root_node() else { return None };
-        let [Arg::Object(a), Arg::Object(b), Arg::Value(width)] = args[..] else { return None };
-        let Node::Number(width) = *formula.node(width) else { return None };
+        let Surroundings::Path { from, to, width: Some(width) } = surroundings(formula, formula.root_node()) else {
+            return None;
+        };
         let radius = ((width - world.options.tolerances.contact) / 2.0).max(0.0);
-        let ends = [a.0 as usize, b.0 as usize];
+        let ends = [from.0 as usize, to.0 as usize];
         Some(Self {
             ends,
             radius,

@@ -1,13 +1,13 @@
 //! Formulas and measurements in words: what was compared, and what was found.
 
+use crate::builtins::Call;
 use crate::eval::{Scratch, Value};
 use crate::explain;
-use crate::natives::{self, Call};
 use crate::world::World;
 use scenelang_base::Label;
 use scenelang_lang::program::{
-    Arg, Arith, Axis, Comparison, Formula, Function, Measure, Node, NodeId, ObjectId, ObjectProperty, Program,
-    RegionProperty, Unit,
+    Arg, Arith, Axis, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Program, RegionProperty,
+    Unit,
 };
 use scenelang_layout::Vec3;
 
@@ -54,10 +54,10 @@ pub(super) fn measured(
             let must = if holds { "against" } else { "must be" };
             format!("{what} is {}, {must} {}", side(*a), side(*b))
         }
-        Node::Native(native, args) => {
-            let values: Vec<_> = (0..deciding.0).map(|i| scratch.get(NodeId(i))).collect();
-            let call = Call { args, values: &values, world, node: deciding };
-            natives::explain(*native, &call, program).unwrap_or_default()
+        Node::BuiltIn(built_in, args) => {
+            let values = scratch.values();
+            let call = Call { built_in: *built_in, args, values, world, node: deciding };
+            call.words(program).unwrap_or_default()
         }
         Node::SamePolygon(region, _) => {
             format!("the outline of `{}` is another polygon", program.regions[region.0 as usize].name)
@@ -217,11 +217,9 @@ fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> 
             list(args, out)?;
             out.push(')');
         }
-        Node::Measure(measure, args) => {
-            out.push_str(match measure {
-                Measure::Gap => "gap(",
-                Measure::WalkDistance => "walkDistance(",
-            });
+        Node::BuiltIn(built_in, args) => {
+            out.push_str(built_in.name());
+            out.push('(');
             for (i, arg) in args.iter().enumerate() {
                 out.push_str(if i > 0 { ", " } else { "" });
                 match arg {
