@@ -8,6 +8,7 @@
 
 use crate::ast::Allow;
 pub use crate::natives::BuiltIn;
+pub use crate::wording::Wording;
 use scenelang_base::{Span, TextRange};
 use smol_str::SmolStr;
 
@@ -168,6 +169,8 @@ pub struct Constraint {
     pub requirements: Vec<String>,
     /// Assignments to variables that the formula was made with: indices into [`Program::definitions`], sorted.
     pub definitions: Vec<usize>,
+    /// How to say what comparisons of the formula measured, by node; of the others their own text says it.
+    pub wordings: Vec<Wording>,
 }
 
 /// What kind of constraint it is.

@@ -358,7 +358,9 @@ impl<'a> Lowerer<'a, '_> {
                     return Ok(Val::Truth(t));
                 }
                 let unit = if ta == Ty::Degree || tc == Ty::Degree { Unit::Degree } else { Unit::Metre };
-                self.f.b.add(Node::Compare(op, unit, a, c), range)
+                let node = self.f.b.add(Node::Compare(op, unit, a, c), range);
+                self.say(left, node);
+                node
             }
             (Val::Vec(a), Val::Vec(c)) | (Val::Rot(a), Val::Rot(c)) => {
                 let same = b.add(Node::Same(a, c), range);

@@ -61,7 +61,7 @@ pub(super) fn judge_one(
             row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
             row.objects = objects(constraint, deciding);
             if !truth.holds || world.options.detail.sentences {
-                row.measured = measured(program, world, &constraint.formula, scratch, deciding, truth.holds);
+                row.measured = measured(program, world, constraint, scratch, deciding, truth.holds);
             }
             if !truth.holds {
                 row.related = declarations(program, world, &row.objects);
