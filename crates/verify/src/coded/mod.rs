@@ -513,6 +513,7 @@ impl Oracle<Term> for Boxes<'_, '_> {
 mod tests {
     use super::*;
     use crate::Options;
+    use scenelang_lang::program::Arg;
     use scenelang_lang::{Options as Reading, compile_text};
     use scenelang_layout::{Layout, Placement};
     use std::path::Path;

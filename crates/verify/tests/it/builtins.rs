@@ -130,9 +130,10 @@ fn proofs_allow_what_is_exact() {
                     if truth.holds { (call.clone(), not) } else { (not, call.clone()) }
                 }
                 Value::Number(n) if n.is_infinite() => (format!("{call} > 1000"), format!("{call} <= 1000")),
-                Value::Number(n) => {
-                    (format!("{call} >= {n:.12} - 1e-5 and {call} <= {n:.12} + 1e-5"), format!("{call} <= {n:.12} - 100"))
-                }
+                Value::Number(n) => (
+                    format!("{call} >= {n:.12} - 1e-5 and {call} <= {n:.12} + 1e-5"),
+                    format!("{call} <= {n:.12} - 100"),
+                ),
                 other => panic!("{call} yields {other:?}"),
             };
             exact.push(stated);
@@ -161,7 +162,7 @@ fn what_looks_at_its_arguments_alone_is_changed_by_nothing_else() {
         let calls = calls(&hidden, &mut dice);
         let program = stating(&hidden, &calls);
         let world = World::<f64>::new(&program, &hidden.layout, &Options::default());
-        for (at, (built_in, call)) in calls.iter().enumerate() {
+        for (at, (built_in, _)) in calls.iter().enumerate() {
             let (formula, node) = alone(&program, at);
             let arguments = formula.objects();
             let mut layout: Layout = hidden.layout.clone();
@@ -180,5 +181,8 @@ fn what_looks_at_its_arguments_alone_is_changed_by_nothing_else() {
         }
     }
     assert!(changed.is_subset(&declared), "changed {changed:?}, but declared {declared:?}");
-    assert!(declared.is_subset(&changed), "declared {declared:?}, but changed {changed:?}: more than is so, or too few cases");
+    assert!(
+        declared.is_subset(&changed),
+        "declared {declared:?}, but changed {changed:?}: more than is so, or too few cases"
+    );
 }
