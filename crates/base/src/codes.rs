@@ -131,6 +131,7 @@ codes! {
     W0303 "an assertion without any object"
     W0304 "something that says nothing"
     W0305 "kept out of a region"
+    W0306 "a template that cannot be used"
     W0401 "implied by other statements"
     W0402 "a statement that always holds"
     W0501 "parts that do not fill the box"

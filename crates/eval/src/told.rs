@@ -156,7 +156,7 @@ fn regions(formula: &Formula) -> BTreeSet<usize> {
     for node in &formula.nodes {
         match node {
             Node::Region(_, id) | Node::SamePolygon(id, _) => add(id),
-            Node::Native(_, args) | Node::Measure(_, args) => {
+            Node::BuiltIn(_, args) => {
                 args.iter().for_each(|a| {
                     if let Arg::Region(id) = a {
                         add(id)

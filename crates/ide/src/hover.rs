@@ -120,8 +120,9 @@ pub(crate) fn head_of(signature: &Signature) -> String {
 
 pub(crate) fn documentation(stmt: &Stmt) -> String {
     let mut out = String::new();
-    if !stmt.doc.trim().is_empty() {
-        let _ = write!(out, "\n\n{}", stmt.doc.trim());
+    let doc = scenelang_lang::wording::description(&stmt.doc);
+    if !doc.trim().is_empty() {
+        let _ = write!(out, "\n\n{}", doc.trim());
     }
     for (sentence, _) in &stmt.requirements {
         let _ = write!(out, "\n\n_asked for by “{sentence}”_");

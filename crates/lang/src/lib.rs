@@ -22,6 +22,7 @@ pub mod sources;
 pub mod syntax;
 pub mod token;
 pub mod types;
+pub mod wording;
 
 pub use compile::{Compiled, Options, compile_file, compile_main, compile_text, compile_with};
 pub use program::Program;

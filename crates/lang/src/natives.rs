@@ -1,7 +1,9 @@
-//! Signatures of built-in functions and predicates, as data: name, parameters, result, what it says.
+//! Signatures of built-in functions, predicates and measures, as data: name, parameters, result, what it says.
 //!
-//! What they compute is not here: values are computed by the evaluator, which holds one entry for each of these.
+//! What they compute is not here. Functions are computed by the evaluator; what needs geometry is a [`BuiltIn`], whose
+//! meaning is a file of `scenelang_verify::builtins`.
 
+use crate::program::{Arg, ObjectId, RegionId};
 use crate::types::Ty;
 use scenelang_base::suggest::nearest;
 
@@ -20,63 +22,173 @@ pub struct Signature {
     pub names: &'static str,
     /// One sentence.
     pub doc: &'static str,
+    /// What computes it, if it needs geometry.
+    pub built_in: Option<BuiltIn>,
 }
 
-macro_rules! signatures {
-    ($($name:ident($($param:ident),* $(; $rest:ident)?) -> $result:ident, $names:literal, $doc:literal;)*) => {
-        &[$(Signature {
-            name: stringify!($name),
-            params: &[$(Ty::$param),*],
-            variadic: { let rest: &[&str] = &[$(stringify!($rest))?]; !rest.is_empty() },
-            result: Ty::$result,
-            names: $names,
-            doc: $doc,
-        }),*]
+/// What a built-in says of its arguments that others than the evaluator act upon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Nothing.
+    Plain,
+    /// The object given first is in the region or the object given second. An assertion of it at top level allows that an
+    /// object and what contains it overlap.
+    Containment,
+    /// The object given first is a door in the walls of the regions that follow. An assertion of it at top level allows
+    /// that it stands in them.
+    Door,
+}
+
+macro_rules! built_ins {
+    (
+        functions {
+            $($function:ident($($param:ident),* $(; $rest:ident)?) -> $of:ident, $labels:literal, $says:literal;)*
+        }
+        geometry {
+            $($variant:ident $name:ident $role:ident {
+                $(($($ty:ident),*) -> $result:ident, $names:literal, $doc:literal;)*
+            })*
+        }
+    ) => {
+        /// A built-in predicate or measure: what needs geometry. A predicate yields a truth, a measure a number in metres.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum BuiltIn {
+            $(
+                #[doc = concat!("`", stringify!($name), "`")]
+                $variant,
+            )*
+        }
+
+        impl BuiltIn {
+            /// Each of them, in the order of the table.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Its name in programs.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($name),)*
+                }
+            }
+            /// What it yields: `Ty::Bool` or `Ty::Number`.
+            pub const fn result(self) -> Ty {
+                match self {
+                    $(Self::$variant => [$(Ty::$result),*][0],)*
+                }
+            }
+            /// What it says that others act upon.
+            pub const fn role(self) -> Role {
+                match self {
+                    $(Self::$variant => Role::$role,)*
+                }
+            }
+        }
+
+        /// Every signature.
+        pub const BUILT_INS: &[Signature] = &[
+            $(Signature {
+                name: stringify!($function),
+                params: &[$(Ty::$param),*],
+                variadic: { let rest: &[&str] = &[$(stringify!($rest))?]; !rest.is_empty() },
+                result: Ty::$of,
+                names: $labels,
+                doc: $says,
+                built_in: None,
+            },)*
+            $($(Signature {
+                name: stringify!($name),
+                params: &[$(Ty::$ty),*],
+                variadic: false,
+                result: Ty::$result,
+                names: $names,
+                doc: $doc,
+                built_in: Some(BuiltIn::$variant),
+            },)*)*
+        ];
     };
 }
 
-/// Every built-in.
-pub const BUILT_INS: &[Signature] = signatures! {
-    vec3(Number, Number, Number) -> Vector3, "x, y, z", "The vector (x, y, z).";
-    rot(Degree, Degree, Degree) -> Rotation, "x, y, z", "The rotation about x, then z, then y, about the fixed world axes.";
-    rand(Literal, Literal) -> Literal, "lo, hi", "A number drawn uniformly from [lo, hi], once, fixed by the seed.";
-    polygon(Vector3, Vector3, Vector3; Vector3) -> Polygon, "a, b, c, …", "A floor polygon; the heights of its points are ignored.";
+built_ins! {
+    functions {
+        vec3(Number, Number, Number) -> Vector3, "x, y, z", "The vector (x, y, z).";
+        rot(Degree, Degree, Degree) -> Rotation, "x, y, z", "The rotation about x, then z, then y, about the fixed world axes.";
+        rand(Literal, Literal) -> Literal, "lo, hi", "A number drawn uniformly from [lo, hi], once, fixed by the seed.";
+        polygon(Vector3, Vector3, Vector3; Vector3) -> Polygon, "a, b, c, …", "A floor polygon; the heights of its points are ignored.";
 
-    abs(Literal) -> Literal, "x", "The magnitude of x.";
-    min(Literal, Literal; Literal) -> Literal, "x, y, …", "The least of the numbers.";
-    max(Literal, Literal; Literal) -> Literal, "x, y, …", "The greatest of the numbers.";
-    sqrt(Number) -> Number, "x", "The square root of x, which must not be negative.";
-    sin(Degree) -> Number, "angle", "The sine.";
-    cos(Degree) -> Number, "angle", "The cosine.";
-    length(Vector3) -> Number, "v", "The length of v.";
-    normalize(Vector3) -> Vector3, "v", "The unit vector along v, which must not be zero.";
-    cross(Vector3, Vector3) -> Vector3, "a, b", "The vector product.";
-    dot(Vector3, Vector3) -> Number, "a, b", "The scalar product.";
-    angle(Vector3, Vector3) -> Degree, "a, b", "The angle between two directions, 0 to 180.";
-    angle(Rotation, Rotation) -> Degree, "a, b", "The angle between two orientations, 0 to 180.";
-    distance(Object, Object) -> Number, "a, b", "The distance between the centres, in metres.";
-    distance(Object, Region) -> Number, "a, r", "The distance between the centres, in metres.";
-    distance(Object, Vector3) -> Number, "a, p", "The distance from the centre to the point, in metres.";
-    distance(Region, Object) -> Number, "r, a", "The distance between the centres, in metres.";
-    distance(Region, Region) -> Number, "r, s", "The distance between the centres, in metres.";
-    distance(Region, Vector3) -> Number, "r, p", "The distance from the centre to the point, in metres.";
-    distance(Vector3, Object) -> Number, "p, a", "The distance from the point to the centre, in metres.";
-    distance(Vector3, Region) -> Number, "p, r", "The distance from the point to the centre, in metres.";
-    distance(Vector3, Vector3) -> Number, "p, q", "The distance between two points, in metres.";
-    gap(Object, Object) -> Number, "a, b", "The distance between the surfaces: 0 when touching, negative when overlapping.";
-    gap(Object, Region) -> Number, "a, r", "The horizontal distance from an object to the nearest wall, negative outside.";
-    gap(Vector3, Region) -> Number, "p, r", "The horizontal distance from a point to the nearest wall, negative outside.";
-    walkDistance(Object, Object) -> Number, "a, b", "The length of the shortest walk from a to b for a person 0.5 m wide.";
+        abs(Literal) -> Literal, "x", "The magnitude of x.";
+        min(Literal, Literal; Literal) -> Literal, "x, y, …", "The least of the numbers.";
+        max(Literal, Literal; Literal) -> Literal, "x, y, …", "The greatest of the numbers.";
+        sqrt(Number) -> Number, "x", "The square root of x, which must not be negative.";
+        sin(Degree) -> Number, "angle", "The sine.";
+        cos(Degree) -> Number, "angle", "The cosine.";
+        length(Vector3) -> Number, "v", "The length of v.";
+        normalize(Vector3) -> Vector3, "v", "The unit vector along v, which must not be zero.";
+        cross(Vector3, Vector3) -> Vector3, "a, b", "The vector product.";
+        dot(Vector3, Vector3) -> Number, "a, b", "The scalar product.";
+        angle(Vector3, Vector3) -> Degree, "a, b", "The angle between two directions, 0 to 180.";
+        angle(Rotation, Rotation) -> Degree, "a, b", "The angle between two orientations, 0 to 180.";
+        distance(Object, Object) -> Number, "a, b", "The distance between the centres, in metres.";
+        distance(Object, Region) -> Number, "a, r", "The distance between the centres, in metres.";
+        distance(Object, Vector3) -> Number, "a, p", "The distance from the centre to the point, in metres.";
+        distance(Region, Object) -> Number, "r, a", "The distance between the centres, in metres.";
+        distance(Region, Region) -> Number, "r, s", "The distance between the centres, in metres.";
+        distance(Region, Vector3) -> Number, "r, p", "The distance from the centre to the point, in metres.";
+        distance(Vector3, Object) -> Number, "p, a", "The distance from the point to the centre, in metres.";
+        distance(Vector3, Region) -> Number, "p, r", "The distance from the point to the centre, in metres.";
+        distance(Vector3, Vector3) -> Number, "p, q", "The distance between two points, in metres.";
+    }
+    geometry {
+        Gap gap Plain {
+            (Object, Object) -> Number, "a, b", "The distance between the surfaces: 0 when touching, negative when overlapping.";
+            (Object, Region) -> Number, "a, r", "The horizontal distance from an object to the nearest wall, negative outside.";
+            (Vector3, Region) -> Number, "p, r", "The horizontal distance from a point to the nearest wall, negative outside.";
+        }
+        WalkDistance walkDistance Plain {
+            (Object, Object) -> Number, "a, b", "The length of the shortest walk from a to b for a person 0.5 m wide.";
+        }
+        Inside inside Containment {
+            (Object, Region) -> Bool, "a, r", "The box of a lies in the region.";
+            (Object, Object) -> Bool, "a, b", "The box of a lies within the box of b.";
+        }
+        Collides collides Plain {
+            (Object, Object) -> Bool, "a, b", "The solids overlap by more than 1 mm.";
+        }
+        Connects connects Door {
+            (Object, Region) -> Bool, "door, r", "The door sits in a wall of r and leads outside.";
+            (Object, Region, Region) -> Bool, "door, r, s", "The door sits in the wall that r and s share.";
+        }
+        Reachable reachable Plain {
+            (Object, Object, Number) -> Bool, "a, b, width", "A disc of that width can move on the floor from a to b.";
+        }
+        Visible visible Plain {
+            (Object, Object) -> Bool, "a, b", "No other object stands between the centres.";
+        }
+        Clear clear Plain {
+            (Object, Side, Number) -> Bool, "a, side, depth", "The space on that side of a is free to that depth.";
+        }
+    }
+}
 
-    inside(Object, Region) -> Bool, "a, r", "The box of a lies in the region.";
-    inside(Object, Object) -> Bool, "a, b", "The box of a lies within the box of b.";
-    collides(Object, Object) -> Bool, "a, b", "The solids overlap by more than 1 mm.";
-    connects(Object, Region) -> Bool, "door, r", "The door sits in a wall of r and leads outside.";
-    connects(Object, Region, Region) -> Bool, "door, r, s", "The door sits in the wall that r and s share.";
-    reachable(Object, Object, Number) -> Bool, "a, b, width", "A disc of that width can move on the floor from a to b.";
-    visible(Object, Object) -> Bool, "a, b", "No other object stands between the centres.";
-    clear(Object, Side, Number) -> Bool, "a, side, depth", "The space on that side of a is free to that depth.";
-};
+impl BuiltIn {
+    /// Its signatures.
+    pub fn signatures(self) -> impl Iterator<Item = &'static Signature> {
+        BUILT_INS.iter().filter(move |s| s.built_in == Some(self))
+    }
+    /// Whether it is a predicate; else it is a measure.
+    pub const fn is_predicate(self) -> bool {
+        matches!(self.result(), Ty::Bool)
+    }
+    /// The built-in of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|b| b.name() == name)
+    }
+    /// The object that it says is in a region, and the region.
+    pub fn contained(self, args: &[Arg]) -> Option<(ObjectId, RegionId)> {
+        match (self.role(), args) {
+            (Role::Containment, [Arg::Object(object), Arg::Region(region)]) => Some((*object, *region)),
+            _ => None,
+        }
+    }
+}
 
 /// The words that `clear` takes for a side.
 pub const SIDES: &[(&str, crate::program::Side)] = {

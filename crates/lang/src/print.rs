@@ -83,8 +83,7 @@ impl Printed<'_> {
             Node::Iff(a, b) => self.joined(" iff ", &[*a, *b], out),
             Node::Count(list) => self.call("count", list, out),
             Node::AtLeast(n, list) => self.call(&format!("atLeast {n} of"), list, out),
-            Node::Native(n, args) => self.native(&lower_first(&format!("{n:?}")), args, out),
-            Node::Measure(m, args) => self.native(&lower_first(&format!("{m:?}")), args, out),
+            Node::BuiltIn(b, args) => self.built_in(b.name(), args, out),
             Node::SamePolygon(region, points) => {
                 write!(out, "{}.vertices = ", self.region(*region))?;
                 self.call("polygon", points, out)
@@ -117,7 +116,7 @@ impl Printed<'_> {
         out.write_char(')')
     }
 
-    fn native(&self, name: &str, args: &[Arg], out: &mut String) -> fmt::Result {
+    fn built_in(&self, name: &str, args: &[Arg], out: &mut String) -> fmt::Result {
         write!(out, "{name}(")?;
         for (i, arg) in args.iter().enumerate() {
             if i > 0 {

@@ -7,6 +7,8 @@
 //! Lengths are metres, angles degrees.
 
 use crate::ast::Allow;
+pub use crate::natives::BuiltIn;
+pub use crate::wording::Wording;
 use scenelang_base::{Span, TextRange};
 use smol_str::SmolStr;
 
@@ -167,6 +169,8 @@ pub struct Constraint {
     pub requirements: Vec<String>,
     /// Assignments to variables that the formula was made with: indices into [`Program::definitions`], sorted.
     pub definitions: Vec<usize>,
+    /// How to say what comparisons of the formula measured, by node; of the others their own text says it.
+    pub wordings: Vec<Wording>,
 }
 
 /// What kind of constraint it is.
@@ -312,7 +316,7 @@ impl Formula {
         for node in &self.nodes {
             match node {
                 Node::Object(_, id) => out.push(*id),
-                Node::Native(_, args) | Node::Measure(_, args) => {
+                Node::BuiltIn(_, args) => {
                     out.extend(args.iter().filter_map(|a| match a {
                         Arg::Object(id) => Some(*id),
                         _ => None,
@@ -370,10 +374,8 @@ pub enum Node {
     Count(Box<[NodeId]>),
     /// At least n hold: the n-th greatest margin (n = 0 or less: +∞; more than there are: −∞), truth by counting.
     AtLeast(u32, Box<[NodeId]>),
-    /// A built-in predicate (truth).
-    Native(Native, Box<[Arg]>),
-    /// A built-in measure (number, metres).
-    Measure(Measure, Box<[Arg]>),
+    /// A built-in predicate (truth) or measure (number, metres).
+    BuiltIn(BuiltIn, Box<[Arg]>),
     /// The region's floor polygon is the one given, up to start vertex and winding, 1 mm per vertex (x and z).
     SamePolygon(RegionId, Box<[NodeId]>),
 }
@@ -400,7 +402,7 @@ impl Node {
             | Self::Count(list)
             | Self::AtLeast(_, list)
             | Self::SamePolygon(_, list) => list.iter().for_each(|c| f(*c)),
-            Self::Native(_, args) | Self::Measure(_, args) => {
+            Self::BuiltIn(_, args) => {
                 for a in args {
                     if let Arg::Value(c) = a {
                         f(*c);
@@ -439,8 +441,7 @@ impl Node {
             Self::Count(l) => Self::Count(list(l)),
             Self::AtLeast(n, l) => Self::AtLeast(*n, list(l)),
             Self::SamePolygon(r, l) => Self::SamePolygon(*r, list(l)),
-            Self::Native(n, a) => Self::Native(*n, args(a)),
-            Self::Measure(m, a) => Self::Measure(*m, args(a)),
+            Self::BuiltIn(b, a) => Self::BuiltIn(*b, args(a)),
         }
     }
 }
@@ -583,32 +584,6 @@ pub enum Function {
     Angle,
     /// Distance of two points.
     Distance,
-}
-
-/// Built-in predicates: those that need geometry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Native {
-    /// `inside(Object, Region)` or `inside(Object, Object)`.
-    Inside,
-    /// `collides(Object, Object)`.
-    Collides,
-    /// `connects(Object, Region)` or `connects(Object, Region, Region)`.
-    Connects,
-    /// `reachable(Object, Object, width)`.
-    Reachable,
-    /// `visible(Object, Object)`.
-    Visible,
-    /// `clear(Object, side, depth)`.
-    Clear,
-}
-
-/// Built-in measures, in metres.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Measure {
-    /// `gap(Object, Object)` (solids), `gap(Object, Region)` (box to nearest wall), `gap(Vector3, Region)`.
-    Gap,
-    /// `walkDistance(Object, Object)`.
-    WalkDistance,
 }
 
 /// A side of an object, in its own frame.

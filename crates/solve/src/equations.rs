@@ -7,9 +7,10 @@ use crate::rules::{Fixed, Rule, Rules, Sets};
 use crate::terms::Term;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
-    Arg, Arith, Axis, Comparison, Formula, Function, Measure, Node, NodeId, ObjectId, ObjectProperty, RegionProperty,
-    Unit, VariableKind,
+    Arg, Arith, Axis, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, RegionProperty, Unit,
+    VariableKind,
 };
+use scenelang_verify::surroundings;
 
 /// Adds rules from equations to those there are. `priority`: which objects are placed first.
 pub(crate) fn add(mut rules: Rules, program: &Program, terms: &[Term], priority: &[f64]) -> Rules {
@@ -195,7 +196,10 @@ fn slopes(program: &Program, formula: &Formula, owner: ObjectId) -> Vec<Option<S
                 let vector = matches!(function, Function::Normalize | Function::Cross);
                 constant.then_some(if vector { STILL } else { NONE })
             }
-            Node::Measure(Measure::Gap, args) => {
+            // A measure of its arguments alone.
+            Node::BuiltIn(built_in, args)
+                if !built_in.is_predicate() && !surroundings(formula, node).is_something() =>
+            {
                 let constant = args.iter().all(|a| match a {
                     Arg::Object(id) => *id != owner,
                     Arg::Value(id) => of(id).is_some_and(|s| s.is_zero()),

@@ -4,8 +4,8 @@
 //! what is violated: over `and` costs add up, over `or` the cheapest branch counts, over `at least n` the n cheapest.
 //! An atom that holds costs a little until it holds comfortably, so that results do not end at the edge of a tolerance.
 
-use scenelang_lang::program::{Comparison, Formula, Native, Node, NodeId, Unit};
-use scenelang_verify::{Number, Scratch, Tolerances, Truth, Value};
+use scenelang_lang::program::{Comparison, Formula, Node, NodeId, Unit};
+use scenelang_verify::{Number, Scratch, Tolerances, Truth, Value, declared};
 use std::marker::PhantomData;
 
 /// What a violated atom costs beyond the metres that it is off: fewer violations come first.
@@ -60,7 +60,7 @@ impl<N: Number, T: Truths<N>> Merit<'_, N, T> {
     pub fn both(&self) -> (f64, bool) {
         let root = self.formula.root;
         match self.formula.node(root) {
-            Node::Compare(..) | Node::Native(..) | Node::Same(..) => {
+            Node::Compare(..) | Node::BuiltIn(..) | Node::Same(..) => {
                 self.atom(root, true).map_or((UNKNOWN, false), |a| (a.cost(), a.truth.holds))
             }
             _ => (self.cost(), self.verdict(root)),
@@ -155,9 +155,11 @@ impl<N: Number, T: Truths<N>> Merit<'_, N, T> {
                 _ => t.equal,
             },
             (Node::SamePolygon(..), true) => t.equal,
-            (Node::Native(Native::Connects, _), true) => t.door,
-            (Node::Native(Native::Inside | Native::Clear | Native::Visible, _), true) => t.contact,
-            (Node::Native(Native::Collides, _), false) => t.contact,
+            (Node::BuiltIn(built_in, _), _) => {
+                let declared = declared(*built_in);
+                let slack = if want { declared.wanted } else { declared.unwanted };
+                slack.map_or(if declared.unit == Unit::Degree { EASE / PER_DEGREE } else { EASE }, |slack| slack(t))
+            }
             _ => EASE,
         }
     }

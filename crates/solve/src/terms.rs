@@ -5,8 +5,9 @@
 
 use scenelang_lang::Program;
 use scenelang_lang::program::{
-    Arg, ConstraintKind, Formula, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId, VariableId,
+    Arg, ConstraintKind, Formula, Node, NodeId, ObjectId, ObjectProperty, RegionId, VariableId,
 };
+use scenelang_verify::surroundings;
 
 /// How a term counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,16 +87,11 @@ impl Reads {
                 Node::Region(_, id) => reads.regions.push(*id),
                 Node::SamePolygon(id, _) => reads.regions.push(*id),
                 Node::Variable(id) => reads.variables.push(*id),
-                Node::Native(native, args) => {
+                Node::BuiltIn(_, args) => {
+                    let surroundings = surroundings(formula, node);
                     reads.sizes_only = false;
-                    reads.sees_all |= matches!(native, Native::Clear | Native::Visible | Native::Reachable);
-                    reads.walks |= *native == Native::Reachable;
-                    reads.push_regions(args);
-                }
-                Node::Measure(measure, args) => {
-                    reads.sizes_only = false;
-                    reads.sees_all |= *measure == Measure::WalkDistance;
-                    reads.walks |= *measure == Measure::WalkDistance;
+                    reads.sees_all |= surroundings.is_something();
+                    reads.walks |= surroundings.is_path();
                     reads.push_regions(args);
                 }
                 _ => {}

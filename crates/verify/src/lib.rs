@@ -5,12 +5,12 @@
 //!
 //! Absent here: reading of programs and of layout files (`lang`, `layout`), and any search for a better layout.
 
+mod builtins;
 pub mod check;
 pub mod coded;
 pub mod compare;
 pub mod eval;
 pub mod explain;
-mod natives;
 mod navigation;
 pub mod number;
 pub mod prove;
@@ -23,13 +23,13 @@ pub mod trace;
 pub mod vector;
 mod world;
 
+pub use builtins::{Declared, Slack, Surroundings, declared, gap, in_region, surroundings};
 pub use check::{
     Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, check_program,
     check_read, program_of,
 };
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
-pub use natives::{gap, in_region};
 pub use number::{Algebra, Dual, Logic, Number};
 pub use report::{Report, exit_code};
 pub use scenelang_layout::Geometry;

@@ -50,7 +50,7 @@ impl<'a> Formulas<'a> {
                 Node::Region(_, id) | Node::SamePolygon(id, _) => drop(regions.insert(*id)),
                 Node::Variable(id) => drop(variables.insert(*id)),
                 Node::Draw(id) => drop(draws.insert(*id)),
-                Node::Native(_, args) | Node::Measure(_, args) => {
+                Node::BuiltIn(_, args) => {
                     regions.extend(args.iter().filter_map(|a| if let Arg::Region(id) = a { Some(*id) } else { None }));
                 }
                 _ => {}
@@ -146,8 +146,7 @@ impl<'a> Formulas<'a> {
             Node::Iff(..) => "iff".to_owned(),
             Node::Count(_) => "count".to_owned(),
             Node::AtLeast(..) => "atLeast".to_owned(),
-            Node::Native(native, _) => lower_first(&format!("{native:?}")),
-            Node::Measure(measure, _) => lower_first(&format!("{measure:?}")),
+            Node::BuiltIn(built_in, _) => built_in.name().to_owned(),
             Node::SamePolygon(..) => "samePolygon".to_owned(),
             Node::Number(_)
             | Node::Truth(_)
@@ -169,7 +168,7 @@ impl<'a> Formulas<'a> {
     /// The operands of a node, each in the unit that it is expected in.
     fn operands(&self, node: &Node, unit: Unit, steps: &mut Vec<Step>) {
         match node {
-            Node::Native(_, args) | Node::Measure(_, args) => {
+            Node::BuiltIn(_, args) => {
                 steps.extend(args.iter().map(|arg| match arg {
                     Arg::Object(id) => Step::Leaf(json!({ "object": self.object(*id) })),
                     Arg::Region(id) => Step::Leaf(json!({ "region": self.region(*id) })),

@@ -14,6 +14,7 @@
 //! | `sets` | W0302 empty sets |
 //! | `dead` | W0304 what makes no difference |
 //! | `outside` | W0305 kept out of a region |
+//! | `words` | W0306 templates of messages that cannot be used |
 //! | `allow` | comments that silence a suspicion, and W0103 those that do not |
 //! | `scope`, `shape`, `uses`, `facts` | what they are made from |
 
@@ -29,6 +30,7 @@ mod shape;
 mod spelling;
 mod unused;
 mod uses;
+mod words;
 
 use crate::ast::Stmt;
 use crate::check::Where;
@@ -50,6 +52,7 @@ pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
     degrees::check(names, stmt, &scopes, &mut out);
     sets::ranges(stmt, &scopes, &mut out);
     dead::check(names, stmt, &scopes, &mut out);
+    words::check(stmt, &scopes, &mut out);
     out
 }
 

@@ -5,6 +5,7 @@ use super::scope::{Binder, Scopes};
 use super::shape;
 use crate::ast::{BinaryOp, ExprId, ExprKind, Name, Quantifier, Stmt, StmtKind};
 use crate::items::whole_number;
+use crate::natives::{BuiltIn, Role};
 use crate::program::Comparison;
 use rustc_hash::FxHashSet;
 use scenelang_base::TextRange;
@@ -236,7 +237,7 @@ impl<'a> Gather<'a> {
                 ExprKind::Quantified(Quantifier::Forall, _, _, body) => open.push(*body),
                 ExprKind::Not(inner) => {
                     if let ExprKind::Call(name, args) = self.kind(*inner)
-                        && name.text == "inside"
+                        && BuiltIn::named(&name.text).is_some_and(|b| b.role() == Role::Containment)
                         && let [object, region] = args.as_slice()
                         && let ExprKind::Name(region) = self.kind(*region)
                     {

@@ -141,6 +141,11 @@ impl Builder {
 
     /// The part of the graph that `root` needs, as a formula of its own.
     pub(super) fn extract(&self, root: NodeId) -> Formula {
+        self.extract_with_places(root).0
+    }
+
+    /// The same, and where each node went; `None`: the formula has no use for it.
+    pub(super) fn extract_with_places(&self, root: NodeId) -> (Formula, Vec<Option<NodeId>>) {
         // Where a node goes: first only whether it does.
         let mut new: Vec<Option<NodeId>> = vec![None; root.0 as usize + 1];
         new[root.0 as usize] = Some(NodeId(0));
@@ -161,7 +166,7 @@ impl Builder {
             }
         }
         // The root comes last: all others are below it.
-        Formula { root: NodeId(nodes.len() as u32 - 1), nodes, ranges }
+        (Formula { root: NodeId(nodes.len() as u32 - 1), nodes, ranges }, new)
     }
 }
 
@@ -180,12 +185,8 @@ fn hash(node: &Node) -> u64 {
         Node::Call(f, _) => f.hash(&mut h),
         Node::Compare(c, u, ..) => (c, u).hash(&mut h),
         Node::AtLeast(n, _) => n.hash(&mut h),
-        Node::Native(n, args) => {
-            n.hash(&mut h);
-            args.iter().for_each(|a| hash_arg(*a, &mut h));
-        }
-        Node::Measure(m, args) => {
-            m.hash(&mut h);
+        Node::BuiltIn(b, args) => {
+            b.hash(&mut h);
             args.iter().for_each(|a| hash_arg(*a, &mut h));
         }
         Node::SamePolygon(id, _) => id.hash(&mut h),

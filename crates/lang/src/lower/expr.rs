@@ -5,7 +5,7 @@ use super::{Frame, Lowered, Lowerer, MAX_NODES, MAX_STEPS, Poison, Val};
 use crate::ast::{BinaryOp, ExprId, ExprKind, Name, Quantifier, UnitSuffix};
 use crate::check::constant::with_unit;
 use crate::items::Predicate;
-use crate::natives::{self, SIDES};
+use crate::natives::{self, Role, SIDES};
 use crate::program::*;
 use crate::types::Ty;
 use scenelang_base::{Diagnostic, TextRange, codes};
@@ -358,7 +358,9 @@ impl<'a> Lowerer<'a, '_> {
                     return Ok(Val::Truth(t));
                 }
                 let unit = if ta == Ty::Degree || tc == Ty::Degree { Unit::Degree } else { Unit::Metre };
-                self.f.b.add(Node::Compare(op, unit, a, c), range)
+                let node = self.f.b.add(Node::Compare(op, unit, a, c), range);
+                self.say(left, node);
+                node
             }
             (Val::Vec(a), Val::Vec(c)) | (Val::Rot(a), Val::Rot(c)) => {
                 let same = b.add(Node::Same(a, c), range);
@@ -538,12 +540,10 @@ impl<'a> Lowerer<'a, '_> {
             let Val::Num(n, t) = self.lower(*arg)? else { return Err(Poison) };
             ty = ty.join_numeric(t).ok_or(Poison)?;
             let bound = self.f.b.extract(n);
-            let depends = bound.nodes.iter().any(|n| {
-                matches!(
-                    n,
-                    Node::Object(..) | Node::Region(..) | Node::Variable(_) | Node::Native(..) | Node::Measure(..)
-                )
-            });
+            let depends = bound
+                .nodes
+                .iter()
+                .any(|n| matches!(n, Node::Object(..) | Node::Region(..) | Node::Variable(_) | Node::BuiltIn(..)));
             if depends {
                 let message = "the bounds of `rand` may not depend on the layout: draws are fixed before it is made";
                 self.error(codes::E0306, range, message);
@@ -631,31 +631,20 @@ impl<'a> Lowerer<'a, '_> {
                 })
             })
             .collect::<Lowered<Box<[Arg]>>>()?;
-        let native = match name {
-            "gap" => return Ok(Val::Num(self.f.b.add(Node::Measure(Measure::Gap, args), range), Ty::Number)),
-            "walkDistance" => {
-                return Ok(Val::Num(self.f.b.add(Node::Measure(Measure::WalkDistance, args), range), Ty::Number));
-            }
-            "inside" => Native::Inside,
-            "collides" => Native::Collides,
-            "connects" => Native::Connects,
-            "reachable" => Native::Reachable,
-            "visible" => Native::Visible,
-            "clear" => Native::Clear,
-            _ => return Err(Poison),
-        };
+        let built_in = BuiltIn::named(name).ok_or(Poison)?;
         if top {
             let allow = &mut self.program.allow;
-            match (native, &*args) {
-                (Native::Inside, [Arg::Object(a), Arg::Object(b)]) => allow.contents.push((*a, *b)),
-                (Native::Connects, [Arg::Object(door), Arg::Region(first), rest @ ..]) => {
+            match (built_in.role(), &*args) {
+                (Role::Containment, [Arg::Object(a), Arg::Object(b)]) => allow.contents.push((*a, *b)),
+                (Role::Door, [Arg::Object(door), Arg::Region(first), rest @ ..]) => {
                     let second = rest.first().and_then(|a| if let Arg::Region(r) = a { Some(*r) } else { None });
                     allow.doors.push(Door { object: *door, first: *first, second });
                 }
                 _ => {}
             }
         }
-        Ok(Val::Truth(self.f.b.add(Node::Native(native, args), range)))
+        let node = self.f.b.add(Node::BuiltIn(built_in, args), range);
+        Ok(if built_in.is_predicate() { Val::Truth(node) } else { Val::Num(node, Ty::Number) })
     }
 
     /// `wallMounted` and `ceilingMounted` of the library, asserted at top level, replace the rule of support.

@@ -5,6 +5,7 @@ mod builder;
 mod expr;
 mod filter;
 mod pins;
+mod words;
 
 use crate::ast::{Allow, ExprId, Stmt, StmtKind};
 use crate::db::Unit;
@@ -60,6 +61,7 @@ pub(crate) fn lower<'a>(
         variables: FxHashMap::default(),
         draws: FxHashMap::default(),
         pure: FxHashMap::default(),
+        templates: FxHashMap::default(),
         values_open: Vec::new(),
         steps: 0,
         nodes: 0,
@@ -99,6 +101,8 @@ struct Lowerer<'a, 'b> {
     draws: FxHashMap<String, DrawId>,
     /// Whether a predicate draws no random number, itself or through others, so that its expansions can be shared.
     pure: FxHashMap<(SmolStr, bool), bool>,
+    /// Templates of the messages of predicates, the library's apart.
+    templates: FxHashMap<(SmolStr, bool), words::Templates>,
     /// Definitions and properties being put in place, outermost first.
     values_open: Vec<String>,
     steps: u64,
@@ -125,6 +129,8 @@ struct Frame<'a> {
     /// Whether the current expression is a conjunct of an assertion, perhaps under `forall`.
     top: bool,
     expanded: FxHashMap<(SmolStr, bool, Vec<Val>), NodeId>,
+    /// How to say what comparisons measured.
+    wordings: Vec<Wording>,
     defined: FxHashMap<SmolStr, Val>,
 }
 
@@ -358,7 +364,8 @@ impl<'a> Lowerer<'a, '_> {
         let Some(span) = place.span(place.stmt.range) else { return };
         let written = self.sources.text(span);
         let written = written.strip_prefix(keyword).unwrap_or(written);
-        let mut formula = self.f.b.extract(root);
+        let (mut formula, places) = self.f.b.extract_with_places(root);
+        let wordings = words::placed(std::mem::take(&mut self.f.wordings), &places);
         let definitions = self.definitions_used();
         for range in &mut formula.ranges {
             // From the start of the text that belongs to the statement (`@req` and all) to the start of its span.
@@ -372,6 +379,7 @@ impl<'a> Lowerer<'a, '_> {
             text: folded(written),
             requirements: requirements(place.stmt),
             definitions,
+            wordings,
         });
     }
 

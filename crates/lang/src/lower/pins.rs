@@ -179,7 +179,7 @@ fn reads_of(node: &Node) -> Vec<(Owner, Pinned)> {
                 RegionProperty::Center => &[Pos, Rot, Scale, Vertices],
             },
         ),
-        Node::Native(_, args) | Node::Measure(_, args) => args
+        Node::BuiltIn(_, args) => args
             .iter()
             .flat_map(|a| match a {
                 Arg::Object(id) => of(Owner::Object(*id), &[Pos, Rot, Scale]),

@@ -7,10 +7,10 @@ use super::judge::Judge;
 use super::room::describe;
 use super::{Alternative, How, MendOptions, Text, edit};
 use scenelang_base::{Edit, Span, TextRange};
-use scenelang_lang::program::{Formula, Measure, Native, Node};
+use scenelang_lang::program::{Formula, Node};
 use scenelang_lang::token::{self, Kind, UNITS};
 use scenelang_verify::check::Subject;
-use scenelang_verify::{World, judge as evaluate};
+use scenelang_verify::{World, judge as evaluate, surroundings};
 
 /// The first change that is tried (metres or degrees), and how much larger each next one is.
 const FIRST: f64 = 1e-3;
@@ -164,10 +164,7 @@ fn relaxed(formula: &Formula, world: &World<f64>, literal: &Literal) -> Option<R
         }
         evaluate(&changed, world).is_ok_and(|truth| truth.holds)
     };
-    let walks = formula
-        .nodes
-        .iter()
-        .any(|node| matches!(node, Node::Native(Native::Reachable, _) | Node::Measure(Measure::WalkDistance, _)));
+    let walks = formula.nodes.iter().any(|node| surroundings(formula, node).is_path());
     let (growth, halvings) = if walks { DEAR } else { (GROWTH, HALVINGS) };
     let from = literal.written * literal.per;
     let mut by = FIRST;

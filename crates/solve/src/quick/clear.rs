@@ -2,9 +2,9 @@
 
 use super::{Quick, Span};
 use crate::merit;
-use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, Side};
-use scenelang_verify::World;
+use scenelang_lang::program::{Formula, Node, ObjectId, Side};
 use scenelang_verify::coded::{Block, Flat};
+use scenelang_verify::{Surroundings, World, surroundings};
 
 /// Lower than this above the base of a thing nothing is in its way (metres).
 const SILL: f64 = 0.05;
@@ -36,11 +36,9 @@ impl Space {
 }
 
 impl Clear {
-    /// What a node of a formula says, if it is a `clear` of constant depth.
+    /// What a node of a formula says, if it asks for free space of constant depth.
     pub fn of(node: &Node, formula: &Formula, doors: &[usize], world: &World<f64>) -> Option<Self> {
-        let Node::Native(Native::Clear, args) = node else { return None };
-        let [Arg::Object(owner), Arg::Side(side), Arg::Value(depth)] = args[..] else { return None };
-        let Node::Number(depth) = *formula.node(depth) else { return None };
+        let Surroundings::Space { owner, side, depth: Some(depth) } = surroundings(formula, node) else { return None };
         let door = matches!(side, Side::Front | Side::Behind) && doors.contains(&(owner.0 as usize));
         let wall = door.then_some(2.0 * world.options.eta + world.options.tolerances.door);
         Some(Self { owner: owner.0 as usize, side, depth, wall })

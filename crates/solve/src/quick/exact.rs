@@ -8,11 +8,11 @@ use super::clear::Clear;
 use super::judge::Moved;
 use super::{Judge, Quick, Span};
 use crate::merit::{Merit, Truths};
-use scenelang_lang::program::{Arg, Formula, Measure, Native, Node, NodeId, ObjectId, Unit};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Scratch, Truth, Value, World, cone};
+use scenelang_verify::{Scratch, Surroundings, Truth, Value, World, cone, surroundings};
 use std::marker::PhantomData;
 
 /// What a look for a path over the floor takes.
@@ -68,23 +68,22 @@ impl Mixed {
                 return (node, Leaf::Space(clear));
             }
             let nodes = cone(formula, node);
-            if nodes.iter().any(|n| asks_for_paths(formula.node(*n))) {
+            let around: Vec<Surroundings> = nodes.iter().map(|n| surroundings(formula, formula.node(*n))).collect();
+            if around.iter().any(Surroundings::is_path) {
                 return (node, Leaf::Path(nodes, true));
             }
             price += 10 + nodes.len() as u64;
-            for node in nodes.iter().map(|n| formula.node(*n)) {
-                match node {
-                    Node::Native(Native::Visible, args) => {
+            for seen in around {
+                match seen {
+                    Surroundings::Nothing | Surroundings::Path { .. } => {}
+                    Surroundings::Sight { from, to } => {
                         price += objects as u64;
-                        if let [Arg::Object(a), Arg::Object(b)] = args[..] {
-                            looks.iter_mut().for_each(|l| l.push(Look::Sight(a.0 as usize, b.0 as usize)));
-                        }
+                        looks.iter_mut().for_each(|l| l.push(Look::Sight(from.0 as usize, to.0 as usize)));
                     }
-                    Node::Native(Native::Clear, _) => {
+                    Surroundings::Space { .. } => {
                         price += 8 * objects as u64;
                         looks = None;
                     }
-                    _ => {}
                 }
             }
             (node, Leaf::Evaluated(nodes))
@@ -107,10 +106,6 @@ impl Mixed {
     pub fn looks_around(&self) -> bool {
         self.looks.as_ref().is_none_or(|looks| !looks.is_empty())
     }
-}
-
-fn asks_for_paths(node: &Node) -> bool {
-    matches!(node, Node::Native(Native::Reachable, _) | Node::Measure(Measure::WalkDistance, _))
 }
 
 /// The instance that follows the layout.

@@ -4,7 +4,7 @@ use super::rooms::{Field, Room, Stretch, stretches};
 use super::{CodedRule, Home, Judge, Quick};
 use crate::frame::{Frame, Hold};
 use crate::pose::Pose;
-use scenelang_lang::program::{Arg, Formula, Native, Node, ObjectId, ObjectProperty, RegionId};
+use scenelang_lang::program::{Formula, Node, ObjectId, ObjectProperty, RegionId};
 use scenelang_verify::coded::Block;
 use scenelang_verify::{Scratch, Value, World};
 
@@ -218,7 +218,7 @@ pub(super) fn turned(formula: &Formula) -> Option<ObjectId> {
     for node in &formula.nodes {
         match node {
             Node::Object(ObjectProperty::Rot, id) if found.is_none_or(|f| f == *id) => found = Some(*id),
-            Node::Object(..) | Node::Native(..) | Node::Measure(..) | Node::Variable(_) => return None,
+            Node::Object(..) | Node::BuiltIn(..) | Node::Variable(_) => return None,
             _ => {}
         }
     }
@@ -228,10 +228,7 @@ pub(super) fn turned(formula: &Formula) -> Option<ObjectId> {
 /// The region that a term says an object is inside of.
 pub(super) fn inside_of(formula: &Formula, id: ObjectId) -> Option<RegionId> {
     match formula.root_node() {
-        Node::Native(Native::Inside, args) => match **args {
-            [Arg::Object(o), Arg::Region(r)] if o == id => Some(r),
-            _ => None,
-        },
+        Node::BuiltIn(built_in, args) => built_in.contained(args).filter(|(o, _)| *o == id).map(|(_, region)| region),
         _ => None,
     }
 }

@@ -11,9 +11,9 @@ use super::{Judge, Quick, Span};
 use crate::merit;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_lang::program::{Arg, Formula, Native, Node, NodeId};
-use scenelang_verify::World;
+use scenelang_lang::program::{Formula, Node, NodeId};
 use scenelang_verify::coded::Flat;
+use scenelang_verify::{Surroundings, World, surroundings};
 
 /// What reaches no higher above the floor is stepped over, what begins higher is walked under (metres).
 const IN_THE_WAY: [f64; 2] = [0.05, 2.0];
@@ -30,13 +30,12 @@ pub(super) struct Asked {
 }
 
 impl Asked {
-    /// What a formula says, if it is a `reachable` of constant width, or asks for one of several that share an end.
+    /// What a formula says, if it asks for a path of constant width, or for one of several that share an end.
     pub fn of(term: usize, formula: &Formula) -> Option<Self> {
         let one = |node: NodeId| {
-            let Node::Native(Native::Reachable, args) = formula.node(node) else { return None };
-            let [Arg::Object(a), Arg::Object(b), Arg::Value(width)] = args[..] else { return None };
-            let Node::Number(width) = *formula.node(width) else { return None };
-            Some(([a.0 as usize, b.0 as usize], width))
+            let node = formula.node(node);
+            let Surroundings::Path { from, to, width: Some(width) } = surroundings(formula, node) else { return None };
+            Some(([from.0 as usize, to.0 as usize], width))
         };
         let all: Vec<([usize; 2], f64)> = match formula.root_node() {
             Node::Or(parts) => parts.iter().map(|&part| one(part)).collect::<Option<_>>()?,

@@ -1,12 +1,13 @@
 //! Formulas and measurements in words: what was compared, and what was found.
 
+use super::wording::Compared;
+use crate::builtins::{Call, declared};
 use crate::eval::{Scratch, Value};
 use crate::explain;
-use crate::natives::{self, Call};
 use crate::world::World;
 use scenelang_base::Label;
 use scenelang_lang::program::{
-    Arg, Arith, Axis, Comparison, Formula, Function, Measure, Node, NodeId, ObjectId, ObjectProperty, Program,
+    Arg, Arith, Axis, Comparison, Constraint, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Program,
     RegionProperty, Unit,
 };
 use scenelang_layout::Vec3;
@@ -18,17 +19,27 @@ const LONGEST: usize = 60;
 pub(super) fn measured(
     program: &Program,
     world: &World<f64>,
-    formula: &Formula,
+    constraint: &Constraint,
     scratch: &Scratch<f64>,
     deciding: NodeId,
     holds: bool,
 ) -> String {
+    let formula = &constraint.formula;
     let get = |id: NodeId| scratch.get(id).ok();
     match formula.node(deciding) {
         Node::Compare(op, unit, a, b) => {
             let truth = get(deciding).is_some_and(|v| matches!(v, Value::Truth(t) if t.holds));
             // Under a `not` the comparison decides by its contrary.
             let op = if truth == holds { *op } else { contrary(*op) };
+            if let (Some(Value::Number(left)), Some(Value::Number(right))) = (get(*a), get(*b))
+                && let Ok(at) = constraint.wordings.binary_search_by_key(&deciding.0, |w| w.node.0)
+            {
+                let compared = Compared { op, unit: *unit, left, right, holds };
+                return compared.by(&constraint.wordings[at], program, scratch);
+            }
+            if let Some(said) = measure(program, world, formula, scratch, op, [*a, *b], holds) {
+                return said;
+            }
             let side = |id: NodeId| match get(id) {
                 Some(Value::Number(n)) => number(n, *unit),
                 _ => "unknown".to_owned(),
@@ -54,16 +65,37 @@ pub(super) fn measured(
             let must = if holds { "against" } else { "must be" };
             format!("{what} is {}, {must} {}", side(*a), side(*b))
         }
-        Node::Native(native, args) => {
-            let values: Vec<_> = (0..deciding.0).map(|i| scratch.get(NodeId(i))).collect();
-            let call = Call { args, values: &values, world, node: deciding };
-            natives::explain(*native, &call, program).unwrap_or_default()
+        Node::BuiltIn(built_in, args) => {
+            let values = scratch.values();
+            let call = Call { built_in: *built_in, args, values, world, node: deciding };
+            call.words(program).unwrap_or_default()
         }
         Node::SamePolygon(region, _) => {
             format!("the outline of `{}` is another polygon", program.regions[region.0 as usize].name)
         }
         _ => String::new(),
     }
+}
+
+/// The comparison of a measure with a number that is written in the formula.
+fn measure(
+    program: &Program,
+    world: &World<f64>,
+    formula: &Formula,
+    scratch: &Scratch<f64>,
+    op: Comparison,
+    [left, right]: [NodeId; 2],
+    holds: bool,
+) -> Option<String> {
+    let (Node::BuiltIn(built_in, args), Node::Number(limit)) = (formula.node(left), formula.node(right)) else {
+        return None;
+    };
+    let Ok(Value::Number(value)) = scratch.get(left) else { return None };
+    let call = Call { built_in: *built_in, args, values: scratch.values(), world, node: left };
+    let (noun, unit) = (call.words(program)?, declared(*built_in).unit);
+    let must = if holds { "" } else { "must be " };
+    let (value, limit) = (with_unit(value, unit), with_unit(*limit, unit));
+    Some(format!("{noun} is {value}, {must}{} {limit}", relation(op)))
 }
 
 /// Declarations of objects, with where these are.
@@ -86,8 +118,16 @@ pub(crate) fn number(n: f64, unit: Unit) -> String {
     }
 }
 
+/// A number with its unit, where it is known to be a length or an angle.
+pub(super) fn with_unit(n: f64, unit: Unit) -> String {
+    match unit {
+        Unit::Metre if n.is_finite() => format!("{} m", rounded(n)),
+        _ => number(n, unit),
+    }
+}
+
 /// Four digits after the point at most.
-fn rounded(n: f64) -> String {
+pub(super) fn rounded(n: f64) -> String {
     if n.is_infinite() {
         return if n > 0.0 { "infinite" } else { "minus infinite" }.to_owned();
     }
@@ -100,7 +140,7 @@ fn triple(v: &Vec3) -> String {
     format!("({}, {}, {})", rounded(v.x), rounded(v.y), rounded(v.z))
 }
 
-fn relation(op: Comparison) -> &'static str {
+pub(super) fn relation(op: Comparison) -> &'static str {
     match op {
         Comparison::Eq => "equal to",
         Comparison::Ne => "different from",
@@ -217,11 +257,9 @@ fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> 
             list(args, out)?;
             out.push(')');
         }
-        Node::Measure(measure, args) => {
-            out.push_str(match measure {
-                Measure::Gap => "gap(",
-                Measure::WalkDistance => "walkDistance(",
-            });
+        Node::BuiltIn(built_in, args) => {
+            out.push_str(built_in.name());
+            out.push('(');
             for (i, arg) in args.iter().enumerate() {
                 out.push_str(if i > 0 { ", " } else { "" });
                 match arg {

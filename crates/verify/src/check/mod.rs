@@ -8,6 +8,7 @@ mod matching;
 mod physical;
 mod rooms;
 mod stated;
+mod wording;
 
 pub(crate) use describe::number as measure_in_words;
 pub use file::{

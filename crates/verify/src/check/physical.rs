@@ -4,9 +4,9 @@
 
 use super::describe::{declarations, number};
 use super::{Judged, Subject, Verdict};
+use crate::builtins;
 use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
 use crate::explain::{self, Explanation};
-use crate::natives;
 use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
 use crate::rules::{Scope, Support, bounds, collide, mounts, pairs_within};
@@ -111,7 +111,7 @@ impl<'a> Rules<'a> {
         let text = || format!("`{}` and `{}` do not collide", self.name(a), self.name(b));
         self.ruled(world, Kind::Collision, Subject::Pair(a, b), outcome, text, || {
             match (world.object(a), world.object(b)) {
-                (Ok(x), Ok(y)) => natives::gap_in_words(self.name(a), self.name(b), natives::gap(x, y)),
+                (Ok(x), Ok(y)) => builtins::gap_in_words(self.name(a), self.name(b), builtins::gap(x, y)),
                 _ => "cannot be judged: the layout lacks an object".to_owned(),
             }
         })

@@ -2,13 +2,14 @@
 
 use super::describe::{declarations, measured};
 use super::{Judged, Subject, Verdict};
+use crate::builtins::declared;
 use crate::eval::{Cause, EvalError, Scratch, Value, objects_of};
 use crate::explain::{self, Explanation};
 use crate::report::model::Kind;
 use crate::world::World;
 use rustc_hash::FxHashSet;
-use scenelang_base::{Diagnostic, Span, codes};
-use scenelang_lang::program::{Constraint, ConstraintKind, Native, Node, NodeId, ObjectId, Program};
+use scenelang_base::{Diagnostic, Span};
+use scenelang_lang::program::{Constraint, ConstraintKind, Node, NodeId, ObjectId, Program};
 
 /// So many findings are listed; the rows say the rest.
 const MOST: usize = 100;
@@ -60,16 +61,19 @@ pub(super) fn judge_one(
             row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
             row.objects = objects(constraint, deciding);
             if !truth.holds || world.options.detail.sentences {
-                row.measured = measured(program, world, &constraint.formula, scratch, deciding, truth.holds);
+                row.measured = measured(program, world, constraint, scratch, deciding, truth.holds);
             }
             if !truth.holds {
                 row.related = declarations(program, world, &row.objects);
                 let measured = explain::of_statement(world, &constraint.formula, scratch, deciding);
                 row.explanation = Some(Box::new(Explanation { measured, ..Explanation::default() }));
                 // What is wrong is called the same whether a rule or a statement forbids it.
-                let collide = matches!(constraint.formula.node(deciding), Node::Native(Native::Collides, _));
-                if collide && kind == Kind::Assert && truth_of(scratch, deciding) {
-                    row.code = codes::V0102;
+                let violation = match constraint.formula.node(deciding) {
+                    Node::BuiltIn(built_in, _) => declared(*built_in).violation,
+                    _ => None,
+                };
+                if kind == Kind::Assert && truth_of(scratch, deciding) {
+                    row.code = violation.unwrap_or(row.code);
                 }
             }
             (row, None)

@@ -10,8 +10,8 @@ mod measured;
 use measured::Measured;
 pub use measured::{Block, Flat, blocks, gap};
 
+use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
-use crate::natives::in_box;
 use crate::number::Algebra;
 use crate::prove::interval::Interval;
 use crate::prove::tape::{Claim, Fact, Op, Tape, Term, look, unknown};
@@ -19,7 +19,7 @@ use crate::vector::{M3, V3};
 use crate::world::{Room, Thing, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::Program;
-use scenelang_lang::program::{Arg, Formula, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
 use scenelang_layout::rotation::sin_cos;
 use scenelang_layout::{Polygon, Vec3};
 use std::sync::Arc;
@@ -457,7 +457,7 @@ fn for_each_argument(op: Op, mut f: impl FnMut(Term)) {
 }
 
 /// What can be told of boxes and rooms.
-struct Boxes<'w, 'c> {
+pub(crate) struct Boxes<'w, 'c> {
     plain: &'w World<f64>,
     measures: &'c mut FxHashMap<Term, (Measured, Vec<Term>)>,
 }
@@ -471,53 +471,22 @@ impl Boxes<'_, '_> {
     }
 
     /// The gap of two things; `None`: not both are upright.
-    fn gap(&mut self, a: &Thing<Term>, b: &Thing<Term>) -> Option<Term> {
+    pub(crate) fn gap(&mut self, a: &Thing<Term>, b: &Thing<Term>) -> Option<Term> {
         let mut on = upright(a)?;
         on.extend(upright(b)?);
         Some(self.measure(Measured::Gap([blocks(&a.body), blocks(&b.body)]), on))
     }
 
     /// The horizontal clearance of a thing in a room of any outline.
-    fn clearance(&mut self, thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
+    pub(crate) fn clearance(&mut self, thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
         let [x, _, z, sin, cos] = upright(thing)?[..] else { return None };
         let half = thing.body.obb.half;
         Some(self.measure(Measured::Clearance(outline_of(room), [half.x, half.z]), vec![x, z, sin, cos]))
     }
 
     /// How deep a point is in a room.
-    fn depth(&mut self, point: &V3<Term>, room: &Room<Term>) -> Term {
+    pub(crate) fn depth(&mut self, point: &V3<Term>, room: &Room<Term>) -> Term {
         self.measure(Measured::Depth(outline_of(room)), vec![point.0[0], point.0[2]])
-    }
-
-    fn in_region(&mut self, thing: &Thing<Term>, room: &Room<Term>, world: &World<Term>) -> Option<Truth<Term>> {
-        let aside = match clearance_in_convex(thing, room) {
-            Some(clearance) => clearance,
-            None => self.clearance(thing, room)?,
-        };
-        let (center, reach) = (thing.center(), thing.reach());
-        let floor = (center - reach).0[1] - room.pos.0[1];
-        let ceiling = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
-        let tolerances = &world.options.tolerances;
-        let least = floor.min(ceiling).min(aside);
-        Some(Truth::metres(least + Term::constant(tolerances.contact), tolerances.order))
-    }
-
-    /// Whether the middle of a door and both ends of its width are in the walls of rooms, as `connects` says it.
-    fn connects(&mut self, door: &Thing<Term>, rooms: &[&Room<Term>], world: &World<Term>) -> Truth<Term> {
-        let options = &world.options;
-        let (center, reach) = (door.center(), door.reach());
-        let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
-        let mut margin = Term::constant(f64::INFINITY);
-        for room in rooms {
-            let above = (center - reach).0[1] - room.pos.0[1];
-            let below = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
-            margin = margin.min(above).min(below);
-            for point in [center, center - half, center + half] {
-                let off = self.depth(&point, room).abs();
-                margin = margin.min(Term::constant(2.0 * options.eta) - off);
-            }
-        }
-        Truth::metres(margin + Term::constant(options.tolerances.door), options.tolerances.order)
     }
 }
 
@@ -543,8 +512,6 @@ impl Oracle<Term> for Boxes<'_, '_> {
     ) -> Result<Value<Term>, EvalError> {
         let fail = |cause: Cause| EvalError { cause, node: id };
         let none = || fail(Cause::Refused);
-        let object = |id: &ObjectId| world.object(*id).map_err(fail);
-        let region = |id: &RegionId| world.region(*id).map_err(fail);
         match node {
             Node::Object(ObjectProperty::Surface, object) => {
                 let thing = world.object(*object).map_err(fail)?;
@@ -561,72 +528,19 @@ impl Oracle<Term> for Boxes<'_, '_> {
                 _ => Err(none()),
             },
             Node::Draw(draw) => Ok(Value::Number(Term::constant(self.plain.draw(*draw).map_err(fail)?))),
-            Node::Native(native, args) => match (native, &args[..]) {
-                (Native::Inside, [Arg::Object(a), Arg::Object(b)]) => {
-                    Ok(Value::Truth(in_box(object(a)?, object(b)?, &world.options.tolerances)))
-                }
-                (Native::Inside, [Arg::Object(a), Arg::Region(r)]) => {
-                    self.in_region(object(a)?, region(r)?, world).map(Value::Truth).ok_or_else(none)
-                }
-                (Native::Collides, [Arg::Object(a), Arg::Object(b)]) => {
-                    let gap = self.gap(object(a)?, object(b)?).ok_or_else(none)?;
-                    let margin = -(gap + Term::constant(world.options.tolerances.contact));
-                    Ok(Value::Truth(Truth { margin, holds: margin.above(0.0), unit: Unit::Metre }))
-                }
-                (Native::Connects, [Arg::Object(door), rooms @ ..]) => {
-                    let room = |arg: &Arg| match arg {
-                        Arg::Region(id) => region(id),
-                        _ => Err(none()),
-                    };
-                    let rooms = rooms.iter().map(room).collect::<Result<Vec<_>, _>>()?;
-                    Ok(Value::Truth(self.connects(object(door)?, &rooms, world)))
-                }
-                _ => Err(none()),
-            },
-            Node::Measure(Measure::Gap, args) => match &args[..] {
-                [Arg::Object(a), Arg::Object(b)] => {
-                    self.gap(object(a)?, object(b)?).map(Value::Number).ok_or_else(none)
-                }
-                [Arg::Object(a), Arg::Region(r)] => {
-                    self.clearance(object(a)?, region(r)?).map(Value::Number).ok_or_else(none)
-                }
-                [Arg::Value(point), Arg::Region(r)] => match values[point.0 as usize]? {
-                    Value::Vector(point) => Ok(Value::Number(self.depth(&point, region(r)?))),
-                    _ => Err(none()),
-                },
-                _ => Err(none()),
-            },
+            Node::BuiltIn(built_in, args) => {
+                Call { built_in: *built_in, args, values, world, node: id }.fast(self)?.ok_or_else(none)
+            }
             _ => Err(none()),
         }
     }
-}
-
-/// The least clearance of a box from the planes of the walls of a convex region. That is what
-/// [`in_region`](crate::in_region) measures of what is inside; of what is outside both say so.
-fn clearance_in_convex(thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
-    let polygon = &room.prism.polygon;
-    if !polygon.is_convex() {
-        return None;
-    }
-    let center = thing.center();
-    let mut least = Term::constant(f64::INFINITY);
-    for (a, b) in polygon.edges() {
-        let along = (b - a).normalize();
-        // The inside is on the left of the way from x towards z.
-        let inward = Vec3::new(-along.y, 0.0, along.x);
-        let own = |axis: usize| thing.axes.0[axis].along(&inward).abs() * thing.scale.0[axis].scale(0.5);
-        let level = Term::constant(inward.x * a.x + inward.z * a.y);
-        // A wall along an axis of the world is shown as far as the box reaches along it.
-        let reach = own(0) + own(1) + own(2);
-        least = least.min(center.along(&inward) - reach - level);
-    }
-    Some(least)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Options;
+    use scenelang_lang::program::Arg;
     use scenelang_lang::{Options as Reading, compile_text};
     use scenelang_layout::{Layout, Placement};
     use std::path::Path;
@@ -641,11 +555,9 @@ ell.scale <- vec3(6, 3, 5);
 ell.vertices <- polygon(vec3(-3, 0, -2.5), vec3(3, 0, -2.5), vec3(3, 0, 0), vec3(0, 0, 0), vec3(0, 0, 2.5), vec3(-3, 0, 2.5));
 object a;
 object b;
-assert inside(a, room);
 assert inside(a, ell) and gap(b, ell) > 0.1;
 assert gap(a, b) <= 0.3 or collides(a, b);
 assert againstWall(b, ell) or inCorner(b, room) or near(a, b, 1);
-assert connects(a, ell, room);
 assert inside(a, b) or a.bottom = b.top;
 assert dot(a.center - b.center, b.right) >= b.size.x / 2 + abs(dot(a.right, b.right)) * a.size.x / 2;
 assert distance(a, b) <= 1.5 and not (a.pos.x < b.pos.z) and angle(a.front, b.front) <= 30;
@@ -698,9 +610,9 @@ assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1
                     };
                     // How far outside something is they may see differently.
                     let room =
-                        |node: &Node| matches!(node, Node::Measure(_, args) if matches!(args[..], [_, Arg::Region(_)]));
+                        |node: &Node| matches!(node, Node::BuiltIn(_, args) if matches!(args[..], [_, Arg::Region(_)]));
                     let rooms =
-                        matches!(formula.node(NodeId(index)), Node::Native(..)) || formula.nodes.iter().any(room);
+                        matches!(formula.node(NodeId(index)), Node::BuiltIn(..)) || formula.nodes.iter().any(room);
                     let inside = rooms && plain.margin < 0.0;
                     assert_eq!(coded.holds, plain.holds, "{formula:?} {layout:?}");
                     assert!(inside || (coded.margin - plain.margin).abs() < 1e-9, "{coded:?} {plain:?} {formula:?}");

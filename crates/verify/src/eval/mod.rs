@@ -14,7 +14,7 @@ pub(crate) use property::of_outline as outline;
 pub(crate) use property::of_region as rectangle;
 pub use value::{Cause, EvalError, Truth, Value};
 
-use crate::natives::{self, Call};
+use crate::builtins::Call;
 use crate::number::{Algebra, Number};
 use crate::world::World;
 use arithmetic::vector;
@@ -47,12 +47,7 @@ impl<N: Number> Oracle<N> for Measured {
             Node::Object(ObjectProperty::Surface, object) => property::surface(world, *object).map_err(fail),
             Node::Region(property, region) => property::of_outline(world, *property, *region).map_err(fail),
             Node::Draw(draw) => Ok(Value::Number(N::constant(world.draw(*draw).map_err(fail)?))),
-            Node::Native(native, args) => {
-                Ok(Value::Truth(natives::truth(*native, &Call { args, values, world, node: id })?))
-            }
-            Node::Measure(measure, args) => {
-                Ok(Value::Number(natives::measure(*measure, &Call { args, values, world, node: id })?))
-            }
+            Node::BuiltIn(built_in, args) => Call { built_in: *built_in, args, values, world, node: id }.exact(),
             Node::Same(a, b) => {
                 let (a, b) = (values[a.0 as usize]?, values[b.0 as usize]?);
                 Ok(Value::Truth(connective::same_turn(a, b, &world.options.tolerances)))
@@ -128,6 +123,10 @@ impl<N: Algebra> Scratch<N> {
     pub(crate) fn value(&self, node: NodeId) -> Result<Value<N>, EvalError> {
         self.values[node.0 as usize]
     }
+    /// What all nodes yielded.
+    pub(crate) fn values(&self) -> &Values<N> {
+        &self.values
+    }
     /// Nothing evaluated yet.
     pub fn new() -> Self {
         Self { values: Vec::new(), greatest: Vec::new() }
@@ -169,8 +168,7 @@ impl<N: Algebra> Scratch<N> {
             node @ (Node::Object(ObjectProperty::Surface, _)
             | Node::Region(RegionProperty::Area | RegionProperty::Center, _)
             | Node::Draw(_)
-            | Node::Native(..)
-            | Node::Measure(..)
+            | Node::BuiltIn(..)
             | Node::SamePolygon(..)) => oracle.ask(node, id, values, world)?,
             Node::Object(property, object) => property::of_object(world, *property, *object).map_err(fail)?,
             Node::Region(property, region) => property::of_region(world, *property, *region).map_err(fail)?,

@@ -26,6 +26,10 @@ impl<N: Algebra> Truth<N> {
     pub fn metres(margin: N, slack: f64) -> Self {
         Self { margin, holds: margin.at_least(-slack), unit: Unit::Metre }
     }
+    /// A margin in degrees that holds down to minus `slack`.
+    pub fn degrees(margin: N, slack: f64) -> Self {
+        Self { unit: Unit::Degree, ..Self::metres(margin, slack) }
+    }
     /// Whether it is a discrete fact: nothing that is measured can change it.
     pub fn is_discrete(&self) -> bool {
         self.margin.known().is_some_and(f64::is_infinite)
@@ -69,6 +73,18 @@ pub enum Value<N: Algebra> {
     Rotation(V3<N>),
     /// A truth.
     Truth(Truth<N>),
+}
+
+impl<N: Algebra> From<Truth<N>> for Value<N> {
+    fn from(truth: Truth<N>) -> Self {
+        Self::Truth(truth)
+    }
+}
+
+impl<N: Algebra> From<N> for Value<N> {
+    fn from(number: N) -> Self {
+        Self::Number(number)
+    }
 }
 
 /// Why a node yields nothing, and which.

@@ -1,6 +1,7 @@
 //! Which stated rows speak of an object: moving it can change these, and what looks at everything.
 
-use scenelang_lang::program::{Formula, Measure, Native, Node, ObjectId, Program};
+use crate::builtins::{Surroundings, surroundings};
+use scenelang_lang::program::{ObjectId, Program};
 
 /// Rows by the objects they mention.
 #[derive(Debug)]
@@ -12,12 +13,6 @@ pub(crate) struct Index {
     /// By constraint: what judging it costs, in units of a small comparison.
     cost: Vec<usize>,
 }
-
-/// What a floor costs on which ways are looked for, in comparisons: at least, and per object on it.
-const FLOOR: usize = 250;
-const FLOOR_PER_OBJECT: usize = 25;
-/// What each way on it costs.
-const WAY: usize = 60;
 
 impl Index {
     pub fn new(program: &Program) -> Self {
@@ -31,13 +26,12 @@ impl Index {
             for id in constraint.formula.objects() {
                 index.rows[id.0 as usize].push(i);
             }
-            let (walks, looks) = seen(&constraint.formula);
-            if walks + looks > 0 {
+            let nodes = &constraint.formula.nodes;
+            let seen = || nodes.iter().map(|node| surroundings(&constraint.formula, node));
+            if seen().any(|s| s.is_something()) {
                 index.seeing.push(i);
             }
-            let walking = if walks > 0 { FLOOR.max(FLOOR_PER_OBJECT * program.objects.len()) + walks * WAY } else { 0 };
-            let looking = looks * program.objects.len() / 8;
-            index.cost.push(1 + constraint.formula.nodes.len() / 16 + walking + looking);
+            index.cost.push(1 + nodes.len() / 16 + Surroundings::cost(seen(), program.objects.len()));
         }
         index
     }
@@ -60,17 +54,4 @@ impl Index {
     pub fn cost(&self, constraint: usize) -> usize {
         self.cost[constraint]
     }
-}
-
-/// How many nodes of a formula ask for ways, and how many look at all objects in another way.
-fn seen(formula: &Formula) -> (usize, usize) {
-    let (mut walks, mut looks) = (0, 0);
-    for node in &formula.nodes {
-        match node {
-            Node::Native(Native::Reachable, _) | Node::Measure(Measure::WalkDistance, _) => walks += 1,
-            Node::Native(Native::Clear | Native::Visible, _) => looks += 1,
-            _ => {}
-        }
-    }
-    (walks, looks)
 }

@@ -1,8 +1,8 @@
 //! The values on both sides of what decided a row.
 
+use crate::builtins::{Call, declared};
 use crate::check::Subject;
 use crate::eval::{Scratch, Value};
-use crate::natives::{self, Call};
 use crate::report::model::Kind;
 use crate::rules::support;
 use crate::world::World;
@@ -47,10 +47,10 @@ pub(crate) fn of_statement(
             let unit = if matches!(scratch.get(*a), Ok(Value::Rotation(_))) { Unit::Degree } else { Unit::Metre };
             Some(Measured { left: quantity(*a)?, right: quantity(*b)?, unit })
         }
-        Node::Native(native, args) => {
-            let values: Vec<_> = (0..deciding.0).map(|i| scratch.get(NodeId(i))).collect();
-            let (left, right) = natives::measured(*native, &Call { args, values: &values, world, node: deciding })?;
-            Some(metres(left, right))
+        Node::BuiltIn(built_in, args) => {
+            let call = Call { built_in: *built_in, args, values: scratch.values(), world, node: deciding };
+            let (left, right) = call.measured()?;
+            Some(Measured { unit: declared(*built_in).unit, ..metres(left, right) })
         }
         _ => None,
     }

@@ -5,9 +5,9 @@
 use super::index::Index;
 use super::moves::Step;
 use super::{DEAR, RowRef};
+use crate::builtins::Call;
 use crate::check::Subject;
 use crate::eval::{Scratch, Truth, Value, judge};
-use crate::natives::{self, Call};
 use crate::number::{Dual, Number};
 use crate::report::model::Kind;
 use crate::rules::{Scope, Support, bounds, collide, mounts, support};
@@ -283,10 +283,10 @@ impl<'a> Stage<'a> {
         }
         let node = self.scratch.deciding_from(formula, from);
         let mut objects = crate::eval::objects_of(formula, node);
-        if let Node::Native(native, args) = formula.node(node) {
-            let values: Vec<_> = (0..node.0).map(|i| self.scratch.get(NodeId(i))).collect();
-            let call = Call { args, values: &values, world: &self.moved, node };
-            objects.extend(natives::in_the_way(*native, &call));
+        if let Node::BuiltIn(built_in, args) = formula.node(node) {
+            let values = self.scratch.values();
+            let call = Call { built_in: *built_in, args, values, world: &self.moved, node };
+            objects.extend(call.in_the_way());
         }
         if objects.is_empty() {
             objects = crate::eval::objects_of(formula, from);

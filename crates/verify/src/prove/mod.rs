@@ -20,7 +20,7 @@ mod refute;
 mod simplex;
 mod state;
 pub(crate) mod tape;
-mod unknowns;
+pub(crate) mod unknowns;
 mod words;
 
 use crate::tolerances::Options;

@@ -4,6 +4,7 @@ use super::packing::{Group, Member};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
 use super::unknowns::Unknowns;
+use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
 use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
 use crate::rules::Scope;
@@ -12,7 +13,7 @@ use crate::world::World;
 use rustc_hash::FxHashMap;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::program::{
-    Arg, Comparison, Formula, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
+    Arg, Comparison, Formula, Node, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
 };
 use scenelang_layout::Geometry;
 use std::collections::BTreeSet;
@@ -120,7 +121,7 @@ impl Builder<'_> {
         let (objects, regions) = (formula.objects(), regions_of(formula));
         let mut premises: Vec<usize> = objects.iter().filter_map(|o| unknowns.turned.get(o).copied()).collect();
         premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
-        if !walks_are_compared(formula) {
+        if !infinite_ones_are_compared(formula) {
             return;
         }
         let world = Rc::clone(&unknowns.world);
@@ -155,7 +156,7 @@ impl Builder<'_> {
             statements.iter().flat_map(|s| insides(&self.program.constraints[*s].formula)).map(|(_, o)| o).collect();
         let speaks = |o: &&ObjectId| scope.bounds(**o) && !said.contains(o);
         for &object in self.objects.clone().iter().filter(speaks) {
-            let holds: Vec<Claim> = regions.iter().map(|r| unknowns.in_region(object, *r)).collect();
+            let holds: Vec<Claim> = regions.iter().map(|r| region_in_proofs(unknowns, object, *r)).collect();
             let mut premises: Vec<usize> = unknowns.turned.get(&object).copied().into_iter().collect();
             premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
             let name = self.name(object);
@@ -174,10 +175,10 @@ impl Builder<'_> {
         let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
         for (i, &a) in objects.iter().enumerate() {
             for &b in &objects[i + 1..] {
-                if !unknowns.speaks_of_gap(a, b) || !scope.collide(a, b) {
+                if !gap_is_in_proofs(unknowns, a, b) || !scope.collide(a, b) {
                     continue;
                 }
-                let claim = unknowns.collides(a, b).negated();
+                let claim = collides_in_proofs(unknowns, a, b).negated();
                 let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
                 self.given.push(Given { claim, what, premises: Vec::new() });
             }
@@ -312,10 +313,8 @@ fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
     while let Some(id) = open.pop() {
         match formula.node(id) {
             Node::And(parts) => open.extend(parts.iter().copied()),
-            Node::Native(Native::Inside, args) => {
-                if let [Arg::Object(object), Arg::Region(region)] = &**args {
-                    out.push((*region, *object));
-                }
+            Node::BuiltIn(built_in, args) => {
+                out.extend(built_in.contained(args).map(|(object, region)| (region, object)));
             }
             _ => {}
         }
@@ -328,7 +327,7 @@ pub(super) fn regions_of(formula: &Formula) -> Vec<RegionId> {
     for node in &formula.nodes {
         match node {
             Node::Region(_, id) | Node::SamePolygon(id, _) => out.push(*id),
-            Node::Native(_, args) | Node::Measure(_, args) => {
+            Node::BuiltIn(_, args) => {
                 out.extend(args.iter().filter_map(|a| if let Arg::Region(id) = a { Some(*id) } else { None }));
             }
             _ => {}
@@ -354,24 +353,24 @@ fn objects_of_angles(formula: &Formula) -> Vec<ObjectId> {
     out
 }
 
-/// A walk may be infinite, where no way leads. Reasoning knows finite numbers only, and takes a long one instead; that is
-/// the same wherever a walk is compared, by order, with something that has no walk in it.
-fn walks_are_compared(formula: &Formula) -> bool {
-    let mut walks = vec![false; formula.nodes.len()];
+/// Some measures may be infinite, as a walk is where no way leads. Reasoning knows finite numbers only, and takes a long
+/// one instead; that is the same wherever such a measure is compared, by order, with something that has none in it.
+fn infinite_ones_are_compared(formula: &Formula) -> bool {
+    let mut infinite = vec![false; formula.nodes.len()];
     for (index, node) in formula.nodes.iter().enumerate() {
         let mut own = false;
-        node.for_each_child(|child| own |= walks[child.0 as usize]);
-        let is_walk = |id: &NodeId| matches!(formula.node(*id), Node::Measure(Measure::WalkDistance, _));
+        node.for_each_child(|child| own |= infinite[child.0 as usize]);
+        let may_be = |node: &Node| matches!(node, Node::BuiltIn(built_in, _) if declared(*built_in).may_be_infinite);
         match node {
-            Node::Measure(Measure::WalkDistance, _) => walks[index] = true,
+            node if may_be(node) => infinite[index] = true,
             Node::Compare(op, _, a, b) => {
                 let ordered = !matches!(op, Comparison::Eq | Comparison::Ne);
-                let both = walks[a.0 as usize] && walks[b.0 as usize];
-                if own && (!ordered || both || !(is_walk(a) || is_walk(b))) {
+                let both = infinite[a.0 as usize] && infinite[b.0 as usize];
+                if own && (!ordered || both || !(may_be(formula.node(*a)) || may_be(formula.node(*b)))) {
                     return false;
                 }
             }
-            _ => walks[index] = own,
+            _ => infinite[index] = own,
         }
     }
     true
@@ -389,7 +388,7 @@ impl Unknowns<'_> {
     }
 
     fn member(&mut self, object: ObjectId, region: RegionId) -> Member<Term> {
-        let inside = self.in_region(object, region);
+        let inside = region_in_proofs(self, object, region);
         let thing = self.world.objects[object.0 as usize].as_ref().expect("every object that is spoken of is there");
         let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
         Member { inside, size: thing.scale.0, bottom: center - reach, top: center + reach, up: thing.axes.0[1].0[1] }

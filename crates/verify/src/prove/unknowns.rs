@@ -6,18 +6,17 @@
 //! proofs would be.
 
 use super::interval::Interval;
-use super::tape::{Claim, Term, all, implies, open, range, unknown};
+use super::tape::{Claim, Term, implies, open, range, unknown};
+use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Value, Values};
 use crate::eval::{Truth, rectangle};
-use crate::natives::in_box;
 use crate::number::{Algebra, Logic};
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
 use crate::world::{Body, Room, Thing, World};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    Arg, Measure, Native, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty,
-    Unit, VariableKind,
+    Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit, VariableKind,
 };
 use scenelang_layout::Prism;
 use scenelang_layout::file::LARGEST;
@@ -25,14 +24,12 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// Rounding of what holds exactly (unit vectors, equations of a frame).
-const EXACT: f64 = 1e-9;
-/// How far the parts of an asset may stick out of its box, both of a pair together, and then some (metres).
-const OUT_OF_BOX: f64 = 2.2e-3;
-/// Longer than any way that could be compared with anything (metres).
-const NO_WAY: f64 = 1e12;
+pub(crate) const EXACT: f64 = 1e-9;
+/// Any distance between things that a layout can name (metres).
+pub(crate) const ANY: Interval = Interval { lo: -4.0 * LARGEST, hi: 4.0 * LARGEST };
 
 /// The unknowns of a program, and what is known of them.
-pub(super) struct Unknowns<'p> {
+pub(crate) struct Unknowns<'p> {
     program: &'p Program,
     pub options: Options,
     pub world: Rc<World<Term>>,
@@ -151,8 +148,7 @@ impl<'p> Unknowns<'p> {
         for pin in self.program.pins.iter().filter(|p| p.property == Pinned::Rot && counts(p.constraint)) {
             let Some(formula) = pin.values.first() else { continue };
             // Nothing is in the instance yet, so that whatever depends on it has no value.
-            let plain =
-                formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::Native(..) | Node::Measure(..)));
+            let plain = formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::BuiltIn(..)));
             let world = Rc::clone(&self.world);
             if plain
                 && let Ok(Value::Rotation(rot)) = scratch.evaluate_with(formula, &world, self)
@@ -218,16 +214,18 @@ impl<'p> Unknowns<'p> {
         }
     }
 
-    fn thing(&self, id: ObjectId) -> Thing<Term> {
+    /// An object.
+    pub fn thing(&self, id: ObjectId) -> Thing<Term> {
         self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
     }
 
-    fn room(&self, id: RegionId) -> Room<Term> {
+    /// A region.
+    pub fn room(&self, id: RegionId) -> Room<Term> {
         self.world.regions[id.0 as usize].clone().expect("every region is there")
     }
 
     /// A horizontal vector in the frame of a region: along its right and its front.
-    fn framed(&mut self, region: RegionId, x: Term, z: Term) -> [Term; 2] {
+    pub fn framed(&mut self, region: RegionId, x: Term, z: Term) -> [Term; 2] {
         let [c, s] = self.yaws[region.0 as usize];
         let own = [c * x - s * z, s * x + c * z];
         if c.known().is_none() {
@@ -265,7 +263,7 @@ impl<'p> Unknowns<'p> {
     }
 
     /// How far an object is from the side walls and from the end walls of a rectangular region, at least.
-    fn wall_distances(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
+    pub fn wall_distances(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
         let (thing, room) = (self.thing(object), self.room(region));
         let rows = self.frame(object, region);
         let between = thing.center() - room.pos;
@@ -276,25 +274,8 @@ impl<'p> Unknowns<'p> {
         })
     }
 
-    /// Whether an object is in a region: exact for a rectangle; of another outline only floor and ceiling are known.
-    pub fn in_region(&mut self, object: ObjectId, region: RegionId) -> Claim {
-        let (thing, room) = (self.thing(object), self.room(region));
-        let tolerances = self.options.tolerances;
-        let contact = Term::constant(tolerances.contact);
-        let (center, reach) = (thing.center(), thing.reach());
-        let floor = (center - reach).0[1] - room.pos.0[1];
-        let ceiling = room.pos.0[1] + room.scale.0[1] - (center + reach).0[1];
-        let mut parts = vec![floor, ceiling];
-        let rectangle = self.rectangles.contains(&region);
-        if rectangle {
-            parts.extend(self.wall_distances(object, region));
-        }
-        let parts: Vec<Claim> = parts.iter().map(|p| (*p + contact).at_least(-tolerances.order)).collect();
-        if rectangle { all(&parts) } else { self.open(format!("inside {object:?} {region:?}"), &parts) }
-    }
-
     /// An open verdict from which these follow.
-    fn open(&mut self, name: String, consequences: &[Claim]) -> Claim {
+    pub fn open(&mut self, name: String, consequences: &[Claim]) -> Claim {
         if let Some(known) = self.claims.get(&name) {
             return *known;
         }
@@ -305,7 +286,7 @@ impl<'p> Unknowns<'p> {
     }
 
     /// A measure by its name, made at its first use; the flag says that it was.
-    fn term(&mut self, name: String, domain: Interval) -> (Term, bool) {
+    pub fn term(&mut self, name: String, domain: Interval) -> (Term, bool) {
         if let Some(known) = self.terms.get(&name) {
             return (*known, false);
         }
@@ -314,133 +295,23 @@ impl<'p> Unknowns<'p> {
         (term, true)
     }
 
-    /// Whether a gap between two objects is spoken of.
-    pub fn speaks_of_gap(&self, a: ObjectId, b: ObjectId) -> bool {
-        self.terms.contains_key(&gap_name(a, b))
+    /// Whether a measure is spoken of.
+    pub fn knows(&self, name: &str) -> bool {
+        self.terms.contains_key(name)
     }
 
-    /// The gap between the solids of two objects.
-    pub fn gap(&mut self, a: ObjectId, b: ObjectId) -> Term {
-        let (gap, new) = self.term(gap_name(a, b), Interval::new(-4.0 * LARGEST, 4.0 * LARGEST));
-        if new {
-            let (x, y) = (self.thing(a), self.thing(b));
-            let between = (x.center() - y.center()).map(Term::abs);
-            let reach = x.reach() + y.reach();
-            // Convex parts lie in the boxes, or out of them by little. Along any direction two convex bodies are apart by
-            // no more than their gap (nor overlap less than their depth), and bodies in boxes are apart by at least as
-            // much as the boxes.
-            for i in 0..3 {
-                let apart = between.0[i] - reach.0[i];
-                self.always.push((gap - apart).at_least(-OUT_OF_BOX));
-            }
-            // Somewhere points of the two are as far apart as the gap; each is in its box, so no farther from its centre
-            // than half a diagonal.
-            let span = (x.scale.length() + y.scale.length()).scale(0.5);
-            let distance = (x.center() - y.center()).length();
-            let far = Term::constant(0.0).max(gap);
-            self.always.push((far + span - distance).at_least(-OUT_OF_BOX));
-            self.always.push((distance + span - gap).at_least(-OUT_OF_BOX));
+    /// Whether a region is a rectangle in every instance.
+    pub fn is_rectangle(&self, region: RegionId) -> bool {
+        self.rectangles.contains(&region)
+    }
+
+    /// A built-in of which nothing is known but that the same question has the same verdict.
+    pub fn of_unknown(&mut self, call: &Call<'_, Term>) -> Result<Value<Term>, EvalError> {
+        if !call.built_in.is_predicate() {
+            return Ok(Value::Number(unknown(ANY)));
         }
-        gap
-    }
-
-    /// Whether two objects collide.
-    pub fn collides(&mut self, a: ObjectId, b: ObjectId) -> Claim {
-        if a == b {
-            return open();
-        }
-        (-(self.gap(a, b) + Term::constant(self.options.tolerances.contact))).above(0.0)
-    }
-
-    /// The horizontal distance of a point from the walls of a rectangle, negative outside.
-    fn point_gap(&mut self, point: V3<Term>, region: RegionId) -> Term {
-        let room = self.room(region);
-        let at = self.framed(region, point.0[0] - room.pos.0[0], point.0[2] - room.pos.0[2]);
-        let from = [0, 1].map(|i| room.scale.0[2 * i].scale(0.5) - at[i].abs());
-        let zero = Term::constant(0.0);
-        let out = from.map(|f| zero.max(-f));
-        zero.max(from[0].min(from[1])) - (out[0] * out[0] + out[1] * out[1]).sqrt()
-    }
-
-    fn measure(
-        &mut self,
-        measure: Measure,
-        args: &[Arg],
-        values: &Values<Term>,
-        id: NodeId,
-    ) -> Result<Term, EvalError> {
-        let everything = Interval::new(-4.0 * LARGEST, 4.0 * LARGEST);
-        Ok(match (measure, args) {
-            (Measure::Gap, [Arg::Object(a), Arg::Object(b)]) if a != b => self.gap(*a, *b),
-            (Measure::Gap, [Arg::Object(a), Arg::Region(r)]) => {
-                let (gap, new) = self.term(format!("gap {a:?} {r:?}"), everything);
-                if new && self.rectangles.contains(r) {
-                    // Inside it is the least of the two; outside a corner may be farther off than either, at most √2 times.
-                    let [x, z] = self.wall_distances(*a, *r);
-                    let least = x.min(z);
-                    let zero = Term::constant(0.0);
-                    self.always.push((least - gap).at_least(-EXACT));
-                    self.always.push((gap - zero.max(least) - zero.min(least).scale(1.4143)).at_least(-EXACT));
-                }
-                gap
-            }
-            (Measure::Gap, [Arg::Value(node), Arg::Region(r)]) => {
-                let Value::Vector(point) = values[node.0 as usize]? else {
-                    return Err(EvalError { cause: Cause::Refused, node: id });
-                };
-                if self.rectangles.contains(r) {
-                    self.point_gap(point, *r)
-                } else {
-                    self.term(format!("gap {point:?} {r:?}"), everything).0
-                }
-            }
-            (Measure::WalkDistance, [Arg::Object(a), Arg::Object(b)]) => {
-                let (walk, new) = self.term(format!("walk {a:?} {b:?}"), Interval::new(0.0, NO_WAY));
-                if new {
-                    // From near the one to near the other: no shorter than the boxes are apart, less a disc at each end.
-                    let (x, y) = (self.thing(*a), self.thing(*b));
-                    let flat = x.center() - y.center();
-                    let distance = (flat.0[0] * flat.0[0] + flat.0[2] * flat.0[2]).sqrt();
-                    let span = (x.scale.length() + y.scale.length()).scale(0.5);
-                    self.always.push((walk + span - distance).at_least(-1.0));
-                }
-                walk
-            }
-            _ => unknown(everything),
-        })
-    }
-
-    fn native(&mut self, native: Native, args: &[Arg], values: &Values<Term>) -> Result<Claim, EvalError> {
-        // What is not known by a formula is known by its name: the same question has the same answer.
-        let mut name = format!("{native:?}");
-        for arg in args {
-            name += &match arg {
-                Arg::Value(node) => format!(" {:?}", values[node.0 as usize]?),
-                other => format!(" {other:?}"),
-            };
-        }
-        Ok(match (native, args) {
-            (Native::Inside, [Arg::Object(a), Arg::Object(b)]) => {
-                in_box(&self.thing(*a), &self.thing(*b), &self.options.tolerances).holds
-            }
-            (Native::Inside, [Arg::Object(a), Arg::Region(r)]) => self.in_region(*a, *r),
-            (Native::Collides, [Arg::Object(a), Arg::Object(b)]) => self.collides(*a, *b),
-            (Native::Connects, [Arg::Object(door), regions @ ..]) => {
-                let thing = self.thing(*door);
-                let (center, reach) = (thing.center(), thing.reach());
-                let slack = self.options.tolerances.door + self.options.tolerances.order;
-                let mut follow = Vec::new();
-                for region in regions {
-                    if let Arg::Region(r) = region {
-                        let room = self.room(*r);
-                        follow.push(((center - reach).0[1] - room.pos.0[1]).at_least(-slack));
-                        follow.push((room.pos.0[1] + room.scale.0[1] - (center + reach).0[1]).at_least(-slack));
-                    }
-                }
-                self.open(name, &follow)
-            }
-            _ => self.open(name, &[]),
-        })
+        let question = call.question()?;
+        Ok(Value::Truth(claimed(self.open(question, &[]))))
     }
 
     /// The axes of a rotation: of an object, or of an angle that is known.
@@ -479,7 +350,7 @@ impl Oracle<Term> for Unknowns<'_> {
         values: &Values<Term>,
         world: &World<Term>,
     ) -> Result<Value<Term>, EvalError> {
-        let truth = |holds: Claim| Value::Truth(Truth { margin: Term::constant(0.0), holds, unit: Unit::Metre });
+        let truth = |holds: Claim| Value::Truth(claimed(holds));
         Ok(match node {
             Node::Object(ObjectProperty::Surface, object) => {
                 let (surface, new) =
@@ -524,8 +395,9 @@ impl Oracle<Term> for Unknowns<'_> {
                 let (lo, hi) = (bound(&stated.lo), bound(&stated.hi));
                 Value::Number(self.term(name, Interval::new(lo.lo - EXACT, hi.hi + EXACT)).0)
             }
-            Node::Native(native, args) => truth(self.native(*native, args, values)?),
-            Node::Measure(measure, args) => Value::Number(self.measure(*measure, args, values, id)?),
+            Node::BuiltIn(built_in, args) => {
+                Call { built_in: *built_in, args, values, world, node: id }.bounds(self)?
+            }
             Node::Same(a, b) => match (values[a.0 as usize]?, values[b.0 as usize]?) {
                 (Value::Rotation(a), Value::Rotation(b)) => truth(self.same_turn(a, b)),
                 _ => return Err(EvalError { cause: Cause::Refused, node: id }),
@@ -536,8 +408,9 @@ impl Oracle<Term> for Unknowns<'_> {
     }
 }
 
-fn gap_name(a: ObjectId, b: ObjectId) -> String {
-    format!("gap {:?} {:?}", a.min(b), a.max(b))
+/// A verdict without a margin.
+pub(crate) fn claimed(holds: Claim) -> Truth<Term> {
+    Truth { margin: Term::constant(0.0), holds, unit: Unit::Metre }
 }
 
 fn triple(lo: f64, hi: f64) -> V3<Term> {

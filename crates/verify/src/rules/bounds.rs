@@ -1,7 +1,7 @@
 //! P-BOUNDS: one region holds the whole object.
 
+use crate::builtins::in_region;
 use crate::eval::{Cause, Truth};
-use crate::natives::in_region;
 use crate::number::Number;
 use crate::world::{Body, World};
 use scenelang_lang::program::{ObjectId, RegionId};

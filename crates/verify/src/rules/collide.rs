@@ -1,7 +1,7 @@
 //! P-COLLIDE: the solids of two objects do not overlap by more than the tolerance.
 
+use crate::builtins;
 use crate::eval::{Cause, Truth};
-use crate::natives;
 use crate::number::Number;
 use crate::world::World;
 use scenelang_lang::program::ObjectId;
@@ -11,7 +11,7 @@ use scenelang_lang::program::ObjectId;
 /// # Errors
 /// The layout lacks one of them.
 pub fn pair<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId) -> Result<Truth<N>, Cause> {
-    let gap = natives::gap(world.object(a)?, world.object(b)?);
+    let gap = builtins::gap(world.object(a)?, world.object(b)?);
     let tolerances = &world.options.tolerances;
     Ok(Truth::metres(gap + N::constant(tolerances.contact), tolerances.order))
 }

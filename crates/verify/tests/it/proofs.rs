@@ -24,7 +24,7 @@ impl Loader for Nothing {
     }
 }
 
-fn compiled(text: &str) -> Program {
+pub fn compiled(text: &str) -> Program {
     let mut sources = SourceMap::new();
     let main = sources.add(SourceFile::new("room.scene", "room.scene", text));
     let compiled = compile_main(main, scenelang_lang::Options { core: false }, &Nothing, sources);
@@ -101,15 +101,15 @@ fn a_search_that_is_called_off_finds_nothing_and_says_so() {
 }
 
 /// A hidden layout: objects `a`, `b`, …, a room and perhaps a zone, of four walls or more, and variables of each kind.
-struct Hidden {
-    names: Vec<&'static str>,
-    regions: Vec<&'static str>,
-    declarations: String,
-    pins: Vec<String>,
-    layout: Layout,
+pub struct Hidden {
+    pub names: Vec<&'static str>,
+    pub regions: Vec<&'static str>,
+    pub declarations: String,
+    pub pins: Vec<String>,
+    pub layout: Layout,
 }
 
-fn hidden(dice: &mut Dice) -> Hidden {
+pub fn hidden(dice: &mut Dice) -> Hidden {
     let names = ["a", "b", "c", "d", "e", "f"][..2 + dice.below(5)].to_vec();
     let mut regions = vec!["room"];
     if dice.chance(40) {

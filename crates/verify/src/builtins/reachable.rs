@@ -1,23 +1,29 @@
 //! `reachable(Object, Object, width)`: a disc of that diameter can move on the floor from one to the other.
-//! `walkDistance(Object, Object)`: how far a person walks; infinite where there is no way.
 //!
-//! Neither has a margin of its own where there is no way. What moves is known all the same: the gap at the bottleneck,
-//! and the ends and bends of the way.
+//! Where there is no way it has no margin of its own. What moves is known all the same: the gap at the bottleneck.
 
-use super::inside::over;
-use super::{Call, Measuring, Predicate, metres};
+use super::declared::Given;
+use super::inside::moving;
+use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::eval::{EvalError, Truth};
-use crate::navigation::{self, Blocker, Bottleneck, Path};
-use crate::number::Number;
-use crate::world::{Thing, World};
-use scenelang_lang::program::{ObjectId, Program};
-use scenelang_layout::{Vec2, Vec3};
+use crate::navigation::{self, Blocker, Bottleneck};
+use crate::number::{Algebra, Number};
+use crate::world::World;
+use scenelang_lang::program::{ObjectId, Program, Unit};
 
 /// See the file.
 pub(super) struct Reachable;
 
-impl Predicate for Reachable {
-    fn truth<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
+impl Semantics for Reachable {
+    type Yields<N: Algebra> = Truth<N>;
+    const DECLARED: Declared =
+        Declared { unit: Unit::Metre, wanted: None, unwanted: None, may_be_infinite: false, violation: None };
+
+    fn surroundings(given: &Given<'_>) -> Surroundings {
+        Surroundings::Path { from: given.object(0), to: given.object(1), width: given.constant(2) }
+    }
+
+    fn exact<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
         let ((from, a), (to, b)) = (call.object(0)?, call.object(1)?);
         let width = call.number(2)?;
         let holds = navigation::reachable(call.world, &a.body.obb, &b.body.obb, width.value());
@@ -37,13 +43,13 @@ impl Predicate for Reachable {
         Ok(Truth { margin, ..truth })
     }
 
-    fn explain(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+    fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
         let ((from, a), (to, b)) = (call.object(0).ok()?, call.object(1).ok()?);
         let width = call.number(2).ok()?;
         if navigation::reachable(call.world, &a.body.obb, &b.body.obb, width) {
             return None;
         }
-        let [a, b] = [from, to].map(|id| names.objects[id.0 as usize].name.as_str());
+        let [a, b] = [call.name(0, names), call.name(1, names)];
         if !call.world.options.detail.bars {
             return Some(format!("no way {} wide leads from `{a}` to `{b}`", metres(width)));
         }
@@ -55,7 +61,7 @@ impl Predicate for Reachable {
 
     fn measured(call: &Call<'_, f64>) -> Option<(f64, f64)> {
         let (from, to, width) = (call.object(0).ok()?.0, call.object(1).ok()?.0, call.number(2).ok()?);
-        if !call.world.options.detail.bars || Self::truth(call).ok()?.holds {
+        if !call.world.options.detail.bars || Self::exact(call).ok()?.holds {
             return None;
         }
         Some((navigation::bottleneck(call.world, from, to, width).map_or(0.0, |found| found.width), width))
@@ -110,39 +116,4 @@ fn widening<N: Number>(world: &World<N>, found: &Bottleneck) -> N {
         Blocker::Wall(_) | Blocker::Door(_) | Blocker::Edge => N::constant(0.0),
     };
     along(1) - along(0)
-}
-
-/// How a point of the footprint of a box moves along a direction in the plane, with the box.
-fn moving<N: Number>(thing: &Thing<N>, at: Vec2, way: Vec2) -> N {
-    thing.attached_to_box(&over(&thing.body.obb, at)).along(&Vec3::new(way.x, 0.0, way.y))
-}
-
-/// See the file.
-pub(super) struct WalkDistance;
-
-impl Measuring for WalkDistance {
-    fn measure<N: Number>(call: &Call<'_, N>) -> Result<N, EvalError> {
-        let ((_, a), (_, b)) = (call.object(0)?, call.object(1)?);
-        if let Some(cause) = call.world.missing_object().or(call.world.missing_region()) {
-            return Err(call.fail(cause));
-        }
-        let path = navigation::walk(call.world, &a.body.obb, &b.body.obb);
-        let length = path.as_ref().map_or(f64::INFINITY, |path| path.length);
-        Ok(N::measured(length, || path.map_or(N::constant(0.0), |path| lengthening(call.world, [a, b], &path))))
-    }
-}
-
-/// How the length of a way grows as its ends move, and the objects round which it bends.
-fn lengthening<N: Number>(world: &World<N>, [a, b]: [&Thing<N>; 2], path: &Path) -> N {
-    let step = |i: usize| (path.points[i + 1] - path.points[i]).try_normalize(1e-12).unwrap_or_default();
-    let Some(last) = path.points.len().checked_sub(2) else { return N::constant(0.0) };
-    let mut sum = moving(b, path.points[last + 1], step(last)) - moving(a, path.points[0], step(0));
-    for bend in 1..=last {
-        if let Some((object, at)) = navigation::touched(world, path.points[bend])
-            && let Ok(thing) = world.object(object)
-        {
-            sum = sum + moving(thing, at, step(bend - 1) - step(bend));
-        }
-    }
-    sum
 }

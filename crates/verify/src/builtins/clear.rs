@@ -2,13 +2,14 @@
 //! it, and it leaves the object's region neither sideways nor through the ceiling. Lower than 5 cm above the object's
 //! base nothing counts (a rug, a sill), except above the object, where all of the space does.
 
+use super::declared::Given;
 use super::inside::wall_along;
 use super::visible::settled;
-use super::{Call, Predicate, metres};
+use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::eval::{EvalError, Truth};
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::world::{Body, World};
-use scenelang_lang::program::{ObjectId, Program, RegionId, Side};
+use scenelang_lang::program::{ObjectId, Program, RegionId, Side, Unit};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::polygon::Clearance;
 use scenelang_layout::{Convex, Nearest, Obb, Prism, Vec2, Vec3, convex, inside_clearance};
@@ -19,8 +20,21 @@ const SILL: f64 = 0.05;
 /// See the file.
 pub(super) struct Clear;
 
-impl Predicate for Clear {
-    fn truth<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
+impl Semantics for Clear {
+    type Yields<N: Algebra> = Truth<N>;
+    const DECLARED: Declared = Declared {
+        unit: Unit::Metre,
+        wanted: Some(|t| t.contact),
+        unwanted: None,
+        may_be_infinite: false,
+        violation: None,
+    };
+
+    fn surroundings(given: &Given<'_>) -> Surroundings {
+        Surroundings::Space { owner: given.object(0), side: given.side(1), depth: given.constant(2) }
+    }
+
+    fn exact<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
         let (id, thing) = call.object(0)?;
         let tolerances = &call.world.options.tolerances;
         let (side, depth) = (call.side(1), call.number(2)?);
@@ -54,9 +68,9 @@ impl Predicate for Clear {
         settled(call, truth)
     }
 
-    fn explain(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+    fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
         let (id, thing) = call.object(0).ok()?;
-        let name = &names.objects[id.0 as usize].name;
+        let name = call.name(0, names);
         let side = call.side(1);
         let space = space(&thing.body, side, call.number(2).ok()?)?;
         let contact = call.world.options.tolerances.contact;

@@ -1,18 +1,32 @@
 //! `visible(Object, Object)`: no other box stands across the segment between the centres.
 
-use super::{Call, Predicate};
+use super::declared::Given;
+use super::{Call, Declared, Semantics, Surroundings};
 use crate::eval::{EvalError, Truth};
-use crate::number::Number;
+use crate::number::{Algebra, Number};
 use crate::world::{Body, World};
 use nalgebra::Matrix3;
-use scenelang_lang::program::{ObjectId, Program};
+use scenelang_lang::program::{ObjectId, Program, Unit};
 use scenelang_layout::{Obb, Separation, Vec3, obb};
 
 /// See the file.
 pub(super) struct Visible;
 
-impl Predicate for Visible {
-    fn truth<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
+impl Semantics for Visible {
+    type Yields<N: Algebra> = Truth<N>;
+    const DECLARED: Declared = Declared {
+        unit: Unit::Metre,
+        wanted: Some(|t| t.contact),
+        unwanted: None,
+        may_be_infinite: false,
+        violation: None,
+    };
+
+    fn surroundings(given: &Given<'_>) -> Surroundings {
+        Surroundings::Sight { from: given.object(0), to: given.object(1) }
+    }
+
+    fn exact<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
         let ((a, from), (b, to)) = (call.object(0)?, call.object(1)?);
         let sight = segment(&from.body.obb.center, &to.body.obb.center);
         let Some((blocker, separation)) = nearest_blocker(call.world, &sight, [a, b]) else {
@@ -30,7 +44,7 @@ impl Predicate for Visible {
         settled(call, Truth::metres(gap + N::constant(tolerances.contact), tolerances.order))
     }
 
-    fn explain(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+    fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
         let ((a, from), (b, to)) = (call.object(0).ok()?, call.object(1).ok()?);
         let sight = segment(&from.body.obb.center, &to.body.obb.center);
         let (blocker, separation) = nearest_blocker(call.world, &sight, [a, b])?;

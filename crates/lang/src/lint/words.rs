@@ -1,0 +1,47 @@
+//! W0306: templates of messages that cannot be used. Reports then show the plain text of the comparison.
+
+use super::scope::Scopes;
+use crate::ast::{Stmt, StmtKind, TypeWord};
+use crate::check::Where;
+use crate::wording::{MARK, Piece, Template, Term, comparisons, lines};
+use scenelang_base::{Diagnostic, codes};
+
+/// Looks at the templates of a predicate.
+pub fn check(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>) {
+    let StmtKind::Predicate { name, params, .. } = &stmt.kind else { return };
+    if !stmt.doc.contains(MARK) {
+        return;
+    }
+    let mut say = |message: String| {
+        let d = Diagnostic::new(codes::W0306, Where::Here(name.range), message);
+        out.push(d.note("reports show the comparison itself instead"));
+    };
+    let (templates, places) = (lines(&stmt.doc).count(), comparisons(stmt).len());
+    if templates > places {
+        say(format!("there are more templates ({templates}) than comparisons ({places})"));
+    }
+    for text in lines(&stmt.doc).take(places).flatten() {
+        let template = match Template::parse(text) {
+            Ok(template) => template,
+            Err(why) => {
+                say(format!("a template has {why}"));
+                continue;
+            }
+        };
+        let in_sums = |index: usize| {
+            let is_it = |(_, term): &(bool, Term)| *term == Term::Name(index);
+            template.pieces.iter().any(|p| matches!(p, Piece::Value { terms, .. } if terms.iter().any(is_it)))
+        };
+        for (index, word) in template.names.iter().enumerate() {
+            let number = |ty: TypeWord| matches!(ty, TypeWord::Number | TypeWord::Degree);
+            let shown = |ty: TypeWord| number(ty) || matches!(ty, TypeWord::Object | TypeWord::Region);
+            match params.iter().find(|p| p.name.text == *word) {
+                Some(p) if in_sums(index) && !number(p.ty) => say(format!("`{word}` of a template is no number")),
+                Some(p) if !shown(p.ty) => say(format!("`{word}` of a template is no object, region or number")),
+                Some(_) => {}
+                None if scopes.bound.iter().any(|bound| bound.text == *word) => {}
+                None => say(format!("`{word}` of a template is no parameter of the predicate")),
+            }
+        }
+    }
+}

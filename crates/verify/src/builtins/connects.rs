@@ -1,0 +1,102 @@
+//! `connects(Object, Region)`, `connects(Object, Region, Region)`: a door sits in the wall. Its centre and both ends of
+//! its width are near the edges of the regions, and it is between the higher floor and the lower ceiling.
+
+use super::declared::Given;
+use super::inside::heights;
+use super::{Call, Declared, Semantics, Surroundings, metres};
+use crate::coded::Boxes;
+use crate::eval::{EvalError, Truth};
+use crate::number::{Algebra, Number};
+use crate::prove::tape::Term;
+use crate::prove::unknowns::{Unknowns, claimed};
+use crate::vector::V3;
+use crate::world::{Room, Thing};
+use scenelang_lang::program::{Program, Unit};
+use scenelang_layout::{Vec2, Vec3};
+
+/// See the file.
+pub(super) struct Connects;
+
+impl Semantics for Connects {
+    type Yields<N: Algebra> = Truth<N>;
+    const DECLARED: Declared = Declared {
+        unit: Unit::Metre,
+        wanted: Some(|t| t.door),
+        unwanted: None,
+        may_be_infinite: false,
+        violation: None,
+    };
+
+    fn surroundings(_given: &Given<'_>) -> Surroundings {
+        Surroundings::Nothing
+    }
+
+    fn exact<N: Number>(call: &Call<'_, N>) -> Result<Truth<N>, EvalError> {
+        let (_, door) = call.object(0)?;
+        let options = &call.world.options;
+        let slack = N::constant(options.tolerances.door);
+        let mut margin = N::constant(f64::INFINITY);
+        for index in 1..call.args.len() {
+            let (_, room) = call.region(index)?;
+            let [above, below] = heights(door, room);
+            let off = N::constant(2.0 * options.eta) - off_wall(door, room);
+            margin = margin.min((above.min(below)).min(off) + slack);
+        }
+        Ok(Truth::metres(margin, options.tolerances.order))
+    }
+
+    fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
+        // Of the walls nothing is known, but the door is between floor and ceiling.
+        let (_, door) = call.object(0)?;
+        let slack = facts.options.tolerances.door + facts.options.tolerances.order;
+        let mut follow = Vec::new();
+        for index in 1..call.args.len() {
+            follow.extend(heights(door, call.region(index)?.1).map(|height| height.at_least(-slack)));
+        }
+        Ok(Some(claimed(facts.open(call.question()?, &follow))))
+    }
+
+    fn fast(call: &Call<'_, Term>, boxes: &mut Boxes<'_, '_>) -> Result<Option<Truth<Term>>, EvalError> {
+        let (_, door) = call.object(0)?;
+        let options = &call.world.options;
+        let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
+        let center = door.center();
+        let mut margin = Term::constant(f64::INFINITY);
+        for index in 1..call.args.len() {
+            let (_, room) = call.region(index)?;
+            let [above, below] = heights(door, room);
+            margin = margin.min(above).min(below);
+            for point in [center, center - half, center + half] {
+                let off = boxes.depth(&point, room).abs();
+                margin = margin.min(Term::constant(2.0 * options.eta) - off);
+            }
+        }
+        Ok(Some(Truth::metres(margin + Term::constant(options.tolerances.door), options.tolerances.order)))
+    }
+
+    fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+        let (_, door) = call.object(0).ok()?;
+        let name = call.name(0, names);
+        let far = (1..call.args.len())
+            .filter_map(|i| call.region(i).ok())
+            .map(|(id, room)| (off_wall(door, room), id))
+            .max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(format!("`{name}` is up to {} off the wall of `{}`", metres(far.0), names.regions[far.1.0 as usize].name))
+    }
+}
+
+/// How far the centre and the ends of a door's width are from the edges of a region, at most.
+fn off_wall<N: Number>(door: &Thing<N>, room: &Room<N>) -> N {
+    let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
+    let center = door.center();
+    let off = |point: V3<N>| {
+        let plain = point.value();
+        let near = room.prism.polygon.clearance_of_point(Vec2::new(plain.x, plain.z));
+        let away = if near.value < 0.0 { -near.inward } else { near.inward };
+        N::measured(near.value.abs(), || {
+            let [x, z] = room.attached(near.wall.x, near.wall.y);
+            point.along(&Vec3::new(away.x, 0.0, away.y)) - x.scale(away.x) - z.scale(away.y)
+        })
+    };
+    off(center).max(off(center - half)).max(off(center + half))
+}

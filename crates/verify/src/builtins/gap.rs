@@ -1,0 +1,173 @@
+//! `gap`: the distance between solids, negative where they overlap; of an object or a point in a region, the horizontal
+//! distance to the nearest wall.
+
+use super::declared::Given;
+use super::inside::{clearance_in_region, wall_along};
+use super::{Call, Declared, Semantics, Surroundings, metres};
+use crate::coded::Boxes;
+use crate::eval::EvalError;
+use crate::number::{Algebra, Number};
+use crate::prove::tape::Term;
+use crate::prove::unknowns::{ANY, EXACT, Unknowns};
+use crate::vector::V3;
+use crate::world::{Body, Thing};
+use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
+use scenelang_layout::convex::nearest;
+use scenelang_layout::{Separation, Vec2, Vec3, obb};
+
+/// How far the parts of an asset may stick out of its box, both of a pair together, and then some (metres).
+const OUT_OF_BOX: f64 = 2.2e-3;
+
+/// See the file.
+pub(super) struct Gap;
+
+impl Semantics for Gap {
+    type Yields<N: Algebra> = N;
+    const DECLARED: Declared =
+        Declared { unit: Unit::Metre, wanted: None, unwanted: None, may_be_infinite: false, violation: None };
+
+    fn surroundings(_given: &Given<'_>) -> Surroundings {
+        Surroundings::Nothing
+    }
+
+    fn exact<N: Number>(call: &Call<'_, N>) -> Result<N, EvalError> {
+        match call.args {
+            [Arg::Object(_), Arg::Object(_)] => Ok(between(call.object(0)?.1, call.object(1)?.1)),
+            [Arg::Object(_), _] => Ok(clearance_in_region(call.object(0)?.1, call.region(1)?.1)),
+            _ => {
+                let (point, (_, room)) = (call.vector(0)?, call.region(1)?);
+                let plain = point.value();
+                let clearance = room.prism.polygon.clearance_of_point(Vec2::new(plain.x, plain.z));
+                Ok(N::measured(clearance.value, || {
+                    let way = Vec3::new(clearance.inward.x, 0.0, clearance.inward.y);
+                    point.along(&way) - wall_along(room, &clearance)
+                }))
+            }
+        }
+    }
+
+    fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Term>, EvalError> {
+        Ok(match call.args {
+            [Arg::Object(a), Arg::Object(b)] => (a != b).then(|| in_proofs(facts, *a, *b)),
+            [Arg::Object(a), _] => Some(from_walls_in_proofs(facts, *a, call.region(1)?.0)),
+            _ => {
+                let (point, (region, _)) = (call.vector(0)?, call.region(1)?);
+                Some(if facts.is_rectangle(region) {
+                    point_in_proofs(facts, point, region)
+                } else {
+                    facts.term(format!("gap {point:?} {region:?}"), ANY).0
+                })
+            }
+        })
+    }
+
+    fn fast(call: &Call<'_, Term>, boxes: &mut Boxes<'_, '_>) -> Result<Option<Term>, EvalError> {
+        Ok(match call.args {
+            [Arg::Object(_), Arg::Object(_)] => boxes.gap(call.object(0)?.1, call.object(1)?.1),
+            [Arg::Object(_), _] => boxes.clearance(call.object(0)?.1, call.region(1)?.1),
+            _ => Some(boxes.depth(&call.vector(0)?, call.region(1)?.1)),
+        })
+    }
+
+    fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
+        match call.args {
+            [Arg::Object(_), Arg::Object(_)] => {
+                Some(format!("the gap between `{}` and `{}`", call.name(0, names), call.name(1, names)))
+            }
+            [Arg::Object(_), _] => {
+                let (thing, room) = (call.name(0, names), call.name(1, names));
+                Some(format!("the distance from `{thing}` to the nearest wall of `{room}`"))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A gap in words.
+pub(crate) fn in_words(a: &str, b: &str, gap: f64) -> String {
+    if gap < 0.0 {
+        format!("`{a}` overlaps `{b}` by {}", metres(-gap))
+    } else {
+        format!("`{a}` is {} from `{b}`", metres(gap))
+    }
+}
+
+/// The gap between the solids of two objects: 0 when they touch, negative when they overlap (metres).
+pub fn between<N: Number>(a: &Thing<N>, b: &Thing<N>) -> N {
+    let (separation, parts) = separation(&a.body, &b.body);
+    N::measured(separation.gap, || {
+        // The direction is the best one, so that turning it changes nothing to first order: only the points move.
+        let (p, q) = match parts {
+            None => a.body.obb.contact(&b.body.obb, &separation),
+            Some([i, j]) => a.body.solid()[i].contact(&b.body.solid()[j], &separation),
+        };
+        b.attached(&q).along(&separation.normal) - a.attached(&p).along(&separation.normal)
+    })
+}
+
+/// The separation of two bodies, and the parts that have it, unless both are boxes.
+fn separation(a: &Body, b: &Body) -> (Separation, Option<[usize; 2]>) {
+    if !a.has_parts() && !b.has_parts() {
+        return (obb::separation(&a.obb, &b.obb), None);
+    }
+    let found = nearest(a.solid(), b.solid()).expect("a solid has at least one part");
+    (found.separation, Some(found.parts))
+}
+
+/// The gap between the solids of two objects, in proofs.
+pub(super) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> Term {
+    let (gap, new) = facts.term(name(a, b), ANY);
+    if new {
+        let (x, y) = (facts.thing(a), facts.thing(b));
+        let between = (x.center() - y.center()).map(Term::abs);
+        let reach = x.reach() + y.reach();
+        // Convex parts lie in the boxes, or out of them by little. Along any direction two convex bodies are apart by
+        // no more than their gap (nor overlap less than their depth), and bodies in boxes are apart by at least as
+        // much as the boxes.
+        for i in 0..3 {
+            let apart = between.0[i] - reach.0[i];
+            facts.always.push((gap - apart).at_least(-OUT_OF_BOX));
+        }
+        // Somewhere points of the two are as far apart as the gap; each is in its box, so no farther from its centre
+        // than half a diagonal.
+        let span = (x.scale.length() + y.scale.length()).scale(0.5);
+        let distance = (x.center() - y.center()).length();
+        let far = Term::constant(0.0).max(gap);
+        facts.always.push((far + span - distance).at_least(-OUT_OF_BOX));
+        facts.always.push((distance + span - gap).at_least(-OUT_OF_BOX));
+    }
+    gap
+}
+
+/// Whether the gap between two objects is spoken of in proofs.
+pub(crate) fn is_in_proofs(facts: &Unknowns<'_>, a: ObjectId, b: ObjectId) -> bool {
+    facts.knows(&name(a, b))
+}
+
+fn name(a: ObjectId, b: ObjectId) -> String {
+    format!("gap {:?} {:?}", a.min(b), a.max(b))
+}
+
+/// The horizontal distance of an object from the walls of a region, in proofs.
+fn from_walls_in_proofs(facts: &mut Unknowns<'_>, object: ObjectId, region: RegionId) -> Term {
+    let (gap, new) = facts.term(format!("gap {object:?} {region:?}"), ANY);
+    if new && facts.is_rectangle(region) {
+        // Inside it is the least of the two; outside a corner may be farther off than either, at most √2 times.
+        let [x, z] = facts.wall_distances(object, region);
+        let least = x.min(z);
+        let zero = Term::constant(0.0);
+        facts.always.push((least - gap).at_least(-EXACT));
+        facts.always.push((gap - zero.max(least) - zero.min(least).scale(1.4143)).at_least(-EXACT));
+    }
+    gap
+}
+
+/// The horizontal distance of a point from the walls of a rectangle, negative outside, in proofs.
+fn point_in_proofs(facts: &mut Unknowns<'_>, point: V3<Term>, region: RegionId) -> Term {
+    let room = facts.room(region);
+    let at = facts.framed(region, point.0[0] - room.pos.0[0], point.0[2] - room.pos.0[2]);
+    let from = [0, 1].map(|i| room.scale.0[2 * i].scale(0.5) - at[i].abs());
+    let zero = Term::constant(0.0);
+    let out = from.map(|f| zero.max(-f));
+    zero.max(from[0].min(from[1])) - (out[0] * out[0] + out[1] * out[1]).sqrt()
+}

@@ -1,0 +1,76 @@
+//! What a comparison of a predicate measured, by the template of the predicate.
+
+use super::describe::{relation, rounded, with_unit};
+use crate::eval::{Scratch, Value};
+use scenelang_lang::program::{Comparison, Program, Unit, Wording};
+use scenelang_lang::wording::{Named, Piece, Term};
+
+/// A comparison that decided.
+pub(super) struct Compared {
+    /// As it decided: under a `not` by its contrary.
+    pub op: Comparison,
+    /// Unit of both sides.
+    pub unit: Unit,
+    /// What was measured.
+    pub left: f64,
+    /// What it was compared with.
+    pub right: f64,
+    /// The verdict of the whole.
+    pub holds: bool,
+}
+
+impl Compared {
+    /// The sentence: what was measured, then what it must be.
+    pub fn by(&self, wording: &Wording, program: &Program, scratch: &Scratch<f64>) -> String {
+        let number = |index: usize| match wording.named.get(index) {
+            Some(Named::Constant(n, unit)) => Some((*n, *unit)),
+            Some(Named::Node(node, unit)) => match scratch.get(*node) {
+                Ok(Value::Number(n)) => Some((n, *unit)),
+                _ => None,
+            },
+            _ => None,
+        };
+        let name = |index: usize| match wording.named.get(index) {
+            Some(Named::Object(id)) => format!("`{}`", program.objects[id.0 as usize].name),
+            Some(Named::Region(id)) => format!("`{}`", program.regions[id.0 as usize].name),
+            _ => number(index).map_or_else(|| "unknown".to_owned(), |(n, unit)| with_unit(n, unit)),
+        };
+        let pieces = &wording.template.pieces;
+        let choice = pieces.iter().find_map(|piece| match piece {
+            Piece::Choice(texts) => Some(texts),
+            _ => None,
+        });
+        let (shift, plain) = pieces
+            .iter()
+            .find_map(|piece| match piece {
+                Piece::Value { terms, plain } => Some((terms, *plain)),
+                _ => None,
+            })
+            .map_or((0.0, false), |(terms, plain)| {
+                let of = |term: &Term| match term {
+                    Term::Number(n) => n.parse().unwrap_or(0.0),
+                    Term::Name(index) => number(*index).map_or(0.0, |(n, _)| n),
+                };
+                (terms.iter().map(|(minus, term)| if *minus { -of(term) } else { of(term) }).sum(), plain)
+            });
+        // What is no more than rounding has no sign.
+        let [value, limit] = [self.left + shift, self.right + shift].map(|n| if n.abs() < 5e-5 { 0.0 } else { n });
+        let quantity = |n: f64| {
+            let n = if choice.is_some() { n.abs() } else { n };
+            if plain { rounded(n) } else { with_unit(n, self.unit) }
+        };
+        let side = |texts: &[String; 2], n: f64| texts[usize::from(n < 0.0)].clone();
+        let mut out = String::new();
+        for piece in pieces {
+            out += &match piece {
+                Piece::Text(text) => text.clone(),
+                Piece::Name(index) => name(*index),
+                Piece::Value { .. } => quantity(value),
+                Piece::Choice(texts) => side(texts, value),
+            };
+        }
+        let must = if self.holds { "" } else { "must be " };
+        let whither = choice.map_or_else(String::new, |texts| format!(" {}", side(texts, limit)));
+        format!("{out}, {must}{} {}{whither}", relation(self.op), quantity(limit))
+    }
+}
