@@ -136,6 +136,23 @@ fn outline(program: &Program, layout: &mut Layout, options: &Options) {
             Pinned::Vertices => region.vertices = Some(values.iter().map(|v| [v.x, v.z]).collect()),
         }
     }
+    for (_, region) in &mut layout.regions {
+        surround(region);
+    }
+}
+
+/// Where a region has an outline, its rectangle has no say: it is the one around the outline, whatever the program
+/// assigns (often zeros).
+fn surround(region: &mut RegionPlacement) {
+    let Some(corners) = region.vertices.as_ref().filter(|corners| !corners.is_empty()) else { return };
+    for (axis, k) in [(0, 0), (2, 1)] {
+        let least = corners.iter().map(|c| c[k]).fold(f64::INFINITY, f64::min);
+        let most = corners.iter().map(|c| c[k]).fold(f64::NEG_INFINITY, f64::max);
+        if most > least {
+            region.pos[axis] = (least + most) / 2.0;
+            region.scale[axis] = most - least;
+        }
+    }
 }
 
 /// Gives objects the sizes that are assigned, or that constraints on sizes alone ask for. Parts stretch along.
