@@ -68,6 +68,8 @@ pub struct Options {
     pub budget: u64,
     /// At most so long, whatever the budget. What comes of it then depends on the machine.
     pub time: Option<Duration>,
+    /// How many threads may work; 0: as many as there are cores. The outcome does not depend on it.
+    pub threads: usize,
     /// Set from elsewhere, it ends the search; what was found by then is the outcome.
     pub stop: Stop,
     /// Which of the layouts that the seed leads to: draws stay the same, choices differ.
@@ -90,6 +92,7 @@ impl Default for Options {
             rounds: 400,
             budget: 0,
             time: None,
+            threads: 0,
             stop: Stop::default(),
             variant: 0,
             locked: Vec::new(),
@@ -101,6 +104,14 @@ impl Default for Options {
 }
 
 impl Options {
+    /// How many threads may work.
+    pub(crate) fn threads(&self) -> usize {
+        match self.threads {
+            0 => std::thread::available_parallelism().map_or(1, usize::from),
+            threads => threads,
+        }
+    }
+
     /// The same with a budget for so many objects.
     pub(crate) fn budgeted(&self, objects: usize) -> Self {
         const LEAST: u64 = 40_000_000;

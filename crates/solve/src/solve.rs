@@ -1,10 +1,11 @@
 //! The whole procedure: set up, place, relax, repair; again from another placement if need be; then preferences.
 
 use crate::limit::Limit;
+use crate::local::LocalSearch;
 use crate::place;
 use crate::polish::Polisher;
+use crate::portfolio::{self, Member};
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
-use crate::quick::Quick;
 use crate::search::{Best, Search};
 use crate::setup::{Setup, setup};
 use crate::sound::sound;
@@ -26,10 +27,10 @@ const SEARCHING: f64 = 0.8;
 /// How often what is found is judged before it is handed out.
 const JUDGED: u32 = 4;
 /// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
-const WAYS_JUDGED: u32 = 14;
-/// The part of the budget that the quick search has.
-const QUICK: f64 = 0.85;
-/// More objects than these are not placed one by one after a quick search: that alone would take longer than the search.
+const PATHS_JUDGED: u32 = 14;
+/// The part of the budget that the local search has.
+const LOCAL: f64 = 0.85;
+/// More objects than these are not placed one by one after a local search: that alone would take longer than the search.
 const MANY: usize = 150;
 
 /// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
@@ -118,9 +119,9 @@ pub fn solve_with(
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 
-/// What the quick search came to.
+/// What the local search came to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Quickly {
+enum Locally {
     /// All holds.
     Holds,
     /// It saw nothing violated, but something is: a part is no box, or a thing stands otherwise than it knows.
@@ -129,17 +130,17 @@ enum Quickly {
     Not,
 }
 
-/// The layout of a quick search as that of the search proper.
-fn show(quick: &Quick<'_>, state: &mut State<'_>) {
-    let changes = quick.changes();
+/// The layout of a local search as that of the search proper.
+fn show(local: &LocalSearch<'_>, state: &mut State<'_>) {
+    let changes = local.changes();
     if state.attempt(&changes, f64::INFINITY).is_some() {
         state.keep();
     }
 }
 
 /// How long it takes to judge a layout in which ways over the floor are looked for.
-fn judging(state: &mut State<'_>, quick: &Quick<'_>) -> Duration {
-    show(quick, state);
+fn judging(state: &mut State<'_>, local: &LocalSearch<'_>) -> Duration {
+    show(local, state);
     let begun = Instant::now();
     state.look_at_ways();
     begun.elapsed()
@@ -187,8 +188,7 @@ impl<'r, 'a> Run<'r, 'a> {
         state.work = self.work;
         state.limit = self.limit.clone();
         let polisher = Polisher::new(&state);
-        let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        chance.set_stream(attempt + (self.options.variant << 32));
+        let mut chance = self.chance(attempt);
         let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
         Search { state, polisher, chance, options: self.options, priority, best: None }
     }
@@ -206,18 +206,18 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        let quickly = if attempt == 0 && steps.is_default() { self.quick(search) } else { Quickly::Not };
-        if quickly == Quickly::Holds {
+        let locally = if attempt == 0 && steps.is_default() { self.local(search) } else { Locally::Not };
+        if locally == Locally::Holds {
             stay::put_back(search, &self.setup.given);
             search.note();
             return ControlFlow::Continue(());
         }
         let many = self.setup.frame.program.objects.len() > MANY;
-        let spent = search.state.work as f64 >= QUICK * self.options.budget as f64;
+        let spent = search.state.work as f64 >= LOCAL * self.options.budget as f64;
         if search.best.is_some() && (search.is_late() || many && spent) {
             return ControlFlow::Continue(());
         }
-        if quickly == Quickly::Not {
+        if locally == Locally::Not {
             place::initial(search, steps, &self.setup.given);
             progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
             if !search.outside_relax(steps) {
@@ -243,8 +243,8 @@ impl<'r, 'a> Run<'r, 'a> {
         ControlFlow::Continue(())
     }
 
-    /// The quick search, where it can judge all that must hold.
-    fn quick(&self, search: &mut Search<'_>) -> Quickly {
+    /// The local search, where it can judge all that must hold.
+    fn local(&self, search: &mut Search<'_>) -> Locally {
         let mut given = vec![false; self.setup.frame.program.objects.len()];
         let mut world = search.state.world.clone();
         for id in self.setup.frame.objects() {
@@ -259,58 +259,60 @@ impl<'r, 'a> Run<'r, 'a> {
             let [pos, rot, scale] = pose.constant();
             world.place(id, pos, rot, scale);
         }
-        let Some(mut quick) = Quick::new(&self.setup.frame, &world, search.state.numbering) else {
-            return Quickly::Not;
+        let numbering = search.state.numbering;
+        let member = |luck: u64| {
+            let local = LocalSearch::new(&self.setup.frame, &world, numbering)?;
+            Some(Member { local, chance: self.chance(luck << 48) })
         };
-        let budget = (self.options.budget as f64 * QUICK) as u64;
+        let Some(mut first) = member(0) else { return Locally::Not };
+        let budget = (self.options.budget as f64 * LOCAL) as u64;
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
-            quick.search(&mut search.chance, 0, &limit, &given);
-            limit = limit.earlier(WAYS_JUDGED * judging(&mut search.state, &quick));
-            given.fill(true);
+            first.local.search(&mut first.chance, 0, &limit, &given);
+            limit = limit.earlier(PATHS_JUDGED * judging(&mut search.state, &first.local));
         }
-        let (mut solved, mut holds) = (false, false);
-        while !holds && quick.work < budget {
-            solved = quick.search(&mut search.chance, budget - quick.work, &limit, &given);
+        let threads = self.options.threads();
+        let (Member { mut local, mut chance }, mut solved) =
+            portfolio::search(first, || member(1), budget, &limit, &given, threads);
+        let holds = loop {
             if solved {
-                let wishes =
-                    ((self.options.budget as f64 * self.options.polish) as u64).min(budget - quick.work.min(budget));
-                quick.grant_wishes(&mut search.chance, wishes, &limit, !self.setup.given.is_empty());
+                let wishes = (self.options.budget as f64 * self.options.polish) as u64;
+                let wishes = wishes.min(budget.saturating_sub(local.work));
+                local.grant_wishes(&mut chance, wishes, &limit, !self.setup.given.is_empty());
             }
             if solved && self.setup.given.is_empty() {
-                quick.tidy(&mut search.chance, &limit);
+                local.tidy(&mut chance, &limit);
             }
-            show(&quick, &mut search.state);
-            holds = solved && search.state.hard().0 == 0;
-            if std::env::var_os("DRV").is_some() {
-                let f = search.state.failing();
-                eprintln!("round: work {} solved {solved} holds {holds}", quick.work);
-                quick.report(&f);
-            }
-            // What was thought a way may be none: one looks for a wider one, from here.
-            if !solved || holds || limit.is_over() || !quick.doubt(&search.state.failing()) {
-                break;
+            show(&local, &mut search.state);
+            let holds = solved && search.state.hard().0 == 0;
+            // What was thought to hold may not: it is judged otherwise from then on, and one goes on from here.
+            let over = limit.is_over() || local.work >= budget;
+            if !solved || holds || over || !local.doubt(&search.state.failing()) {
+                break holds;
             }
             given.fill(true);
-        }
-        if std::env::var_os("DRV").is_some() {
-            let f = search.state.failing();
-            quick.report(&f);
-            eprintln!(
-                "solved {solved} holds {holds} failing {:?}",
-                f.iter().map(|c| search.state.numbering.check(*c)).collect::<Vec<_>>()
-            );
-        }
-        search.state.work += quick.work;
+            solved = local.search(&mut chance, budget - local.work, &limit, &given);
+            if !solved {
+                local.restore_best();
+            }
+        };
+        search.state.work += local.work;
         if holds {
-            return Quickly::Holds;
+            return Locally::Holds;
         }
         search.note();
         if solved {
-            return Quickly::Nearly;
+            return Locally::Nearly;
         }
         self.setup.frame.objects().for_each(|id| search.state.banish(id));
-        Quickly::Not
+        Locally::Not
+    }
+
+    /// The random numbers of an attempt.
+    fn chance(&self, attempt: u64) -> ChaCha8Rng {
+        let mut chance = ChaCha8Rng::seed_from_u64(self.options.seed);
+        chance.set_stream(attempt + (self.options.variant << 32));
+        chance
     }
 
     /// Improves a layout in which everything holds.

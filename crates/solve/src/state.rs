@@ -7,7 +7,7 @@ use crate::checks::{Check, Numbering};
 use crate::frame::{Frame, Hold};
 use crate::limit::Limit;
 use crate::looks;
-use crate::merit::{self, Merit};
+use crate::penalty::{self, Penalty};
 use crate::pose::{Pose, Ride};
 use crate::terms::Force;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
@@ -237,17 +237,6 @@ impl<'a> State<'a> {
     /// no time any more count as barred.
     pub fn look_at_ways(&mut self) {
         if std::mem::replace(&mut self.walks_stale, false) {
-            let begun = std::time::Instant::now();
-            let n = self.frame.walks.len();
-            struct D(std::time::Instant, usize);
-            impl Drop for D {
-                fn drop(&mut self) {
-                    if std::env::var_os("DRV").is_some() {
-                        eprintln!("WALKS {} in {:?}", self.1, self.0.elapsed());
-                    }
-                }
-            }
-            let _d = D(begun, n);
             for &term in &self.frame.walks {
                 if self.limit.is_over() {
                     self.walks_stale = true;
@@ -655,7 +644,7 @@ impl<'a> State<'a> {
             _ => false,
         };
         let tolerances = &self.world.options.tolerances;
-        let cost = Merit { formula: &term.formula, values: &self.scratch, tolerances, numbers: PhantomData }.cost();
+        let cost = Penalty { formula: &term.formula, values: &self.scratch, tolerances, numbers: PhantomData }.cost();
         (cost, holds)
     }
 
@@ -706,7 +695,7 @@ impl<'a> State<'a> {
     fn physical(&self, truth: Truth<f64>, target: f64) -> (f64, bool) {
         let margin = truth.margin;
         let margin = if margin.is_finite() { margin } else { -10.0 };
-        (merit::cost(truth.holds, target - margin), truth.holds)
+        (penalty::cost(truth.holds, target - margin), truth.holds)
     }
 
     /// Objects that a check speaks of.

@@ -7,7 +7,7 @@ use super::{
     Entity, K, Polisher, Slope, Unknown, lift, numbers, place, place_region, rules_after, touched_objects, with_numbers,
 };
 use crate::checks::Check;
-use crate::merit::Merit;
+use crate::penalty::Penalty;
 use crate::pose::Pose;
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
@@ -329,7 +329,7 @@ fn residuals<N: Number>(
         Check::Term(t) => {
             let formula = &state.frame.terms[t].formula;
             if scratch.evaluate(formula, world).is_ok() {
-                Merit { formula, values: scratch, tolerances, numbers: std::marker::PhantomData }.residuals(out);
+                Penalty { formula, values: scratch, tolerances, numbers: std::marker::PhantomData }.residuals(out);
             }
             formula.nodes.len() as u64
         }

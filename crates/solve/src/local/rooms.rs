@@ -1,4 +1,4 @@
-//! Rooms as the quick search sees them: an outline, walls with the way in, and where doors fit into walls.
+//! Rooms as the local search sees them: an outline, walls with the way in, and where doors fit into walls.
 
 use super::Span;
 use scenelang_lang::program::RegionId;

@@ -3,7 +3,7 @@
 
 use super::moves::Inputs;
 use super::ways::Branch;
-use super::{Field, Quick, Span};
+use super::{Field, LocalSearch, Span};
 use scenelang_verify::coded::Flat;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -25,7 +25,7 @@ const SPARE: f64 = 0.02;
 /// Bends of less than this are none (metres).
 const STRAIGHT: f64 = 0.015;
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Corridors of a width from an object to one of the goals of each target, as branches of one tree; of a target that
     /// cannot be reached the branch is empty.
     pub(super) fn corridors(&mut self, index: usize) -> Vec<Branch> {
@@ -247,7 +247,7 @@ impl Tree {
 }
 
 impl Grid {
-    fn new(quick: &Quick<'_>) -> Option<Self> {
+    fn new(quick: &LocalSearch<'_>) -> Option<Self> {
         let field = quick.rooms.iter().map(|room| room.field).reduce(Field::join)?;
         let [w, d] = [0, 1].map(|k| field.max[k] - field.min[k]);
         let cell = (w * d / CELLS).sqrt().max(CELL);

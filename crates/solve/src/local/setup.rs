@@ -1,7 +1,7 @@
-//! What the quick search knows of each object before it begins: what moves with it, its terms, its turns, its home.
+//! What the local search knows of each object before it begins: what moves with it, its terms, its turns, its home.
 
 use super::rooms::{Field, Room, Stretch, stretches};
-use super::{CodedRule, Home, Judge, Quick};
+use super::{CodedRule, Home, Judge, LocalSearch};
 use crate::frame::{Frame, Hold};
 use crate::pose::Pose;
 use scenelang_lang::program::{Formula, Node, ObjectId, ObjectProperty, RegionId};
@@ -11,7 +11,7 @@ use scenelang_verify::{Scratch, Value, World};
 /// Where one looks in a scene without rooms (metres).
 const OPEN: Field = Field { min: [-5.0; 2], max: [5.0; 2] };
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Rules that have something new to say when an object moves. One of its own that reads only what it fixes itself,
     /// such as its height over the floor, has not.
     pub(super) fn followers_of(&self, id: ObjectId) -> Vec<usize> {

@@ -1,7 +1,7 @@
 //! Once all that must hold does: preferences, the weightiest first. One that fails is demanded for a while; what comes of
 //! that is kept where everything else still holds and the preferences together cost less.
 
-use super::Quick;
+use super::LocalSearch;
 use super::moves::Inputs;
 use crate::limit::Limit;
 use crate::terms::Force;
@@ -16,7 +16,7 @@ const DEMANDED: f64 = 1.0;
 /// How many steps a demand is worth, for each object and in all.
 const STEPS: [usize; 2] = [6, 60];
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Whether a term counts at present: it must hold, or preferences are looked at.
     pub(super) fn counts(&self, t: usize) -> bool {
         self.wishing || self.frame.terms[t].is_hard()
@@ -83,14 +83,6 @@ impl Quick<'_> {
             steps -= 1;
         }
         let done = self.is_done(&late);
-        if std::env::var_os("DRV").is_some() {
-            eprintln!(
-                "demand {t} {:?} steps left {steps} done {done} holds {} work {}",
-                self.frame.terms[t].formula.root_node(),
-                self.does_hold(t),
-                self.work
-            );
-        }
         self.demanded = None;
         self.weight = weights;
         self.reluctance = reluctance;

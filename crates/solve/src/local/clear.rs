@@ -1,7 +1,7 @@
 //! `clear` on boxes: the space on a side of a thing, what reaches into it, and the room that it must stay in.
 
-use super::{Quick, Span};
-use crate::merit;
+use super::{LocalSearch, Span};
+use crate::penalty;
 use scenelang_lang::program::{Formula, Node, ObjectId, Side};
 use scenelang_verify::coded::{Block, Flat};
 use scenelang_verify::{Surroundings, World, surroundings};
@@ -45,7 +45,7 @@ impl Clear {
     }
 }
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// The space; `None`: nothing is left of it.
     fn space(&self, clear: &Clear) -> Option<Space> {
         let ([w, h, d], [_, y, ..]) = (self.size[clear.owner], self.inputs(clear.owner));
@@ -147,7 +147,7 @@ impl Quick<'_> {
 
     pub(super) fn physical(&self, margin: f64, target: f64) -> (f64, bool) {
         let holds = margin >= -self.tolerances.order;
-        (merit::cost(holds, target - margin), holds)
+        (penalty::cost(holds, target - margin), holds)
     }
 
     /// The rectangle of an object.

@@ -3,7 +3,7 @@
 //! The looks are those of the search proper, as far as boxes tell them: tall things like a wall behind them, nothing
 //! likes one in its face, and what has nothing to do with each other keeps apart.
 
-use super::Quick;
+use super::LocalSearch;
 use crate::limit::Limit;
 use crate::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
 use crate::tidy::round_to;
@@ -20,7 +20,7 @@ const PASSES: usize = 2;
 /// How many places along walls are tried in each pass.
 const WALLS: usize = 12;
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Improves a layout in which everything holds; it keeps holding.
     pub fn tidy(&mut self, chance: &mut ChaCha8Rng, limit: &Limit) {
         let mut poses = Vec::new();

@@ -1,4 +1,4 @@
-//! The merit: a second fold over the atoms of a formula, which hides none of them.
+//! The penalty: a second fold over the atoms of a formula, which hides none of them.
 //!
 //! A margin says by how much a formula holds; of a conjunction it shows the worst part only. A search wants the sum of
 //! what is violated: over `and` costs add up, over `or` the cheapest branch counts, over `at least n` the n cheapest.
@@ -39,7 +39,7 @@ impl<N: Number> Truths<N> for Scratch<N> {
 }
 
 /// A formula as last evaluated.
-pub(crate) struct Merit<'a, N: Number, T: Truths<N>> {
+pub(crate) struct Penalty<'a, N: Number, T: Truths<N>> {
     /// The formula.
     pub formula: &'a Formula,
     /// The values of its nodes.
@@ -50,7 +50,7 @@ pub(crate) struct Merit<'a, N: Number, T: Truths<N>> {
     pub numbers: PhantomData<N>,
 }
 
-impl<N: Number, T: Truths<N>> Merit<'_, N, T> {
+impl<N: Number, T: Truths<N>> Penalty<'_, N, T> {
     /// What the whole formula costs: 0 where it holds comfortably.
     pub fn cost(&self) -> f64 {
         self.of(self.formula.root, true)

@@ -1,4 +1,4 @@
-//! The quick search: weighted min-conflicts over many sampled poses, on straight-line code.
+//! The local search: weighted min-conflicts over many sampled poses, on straight-line code.
 //!
 //! The layout is a row of floats here, formulas are code (see [`scenelang_verify::coded`]), parts are boxes, and a trial
 //! looks only at what the moved objects touch. Everything found is handed back to the search proper, which judges it by
@@ -6,23 +6,26 @@
 
 mod clear;
 mod corridors;
+mod course;
 mod exact;
+mod first;
 mod judge;
 mod moves;
 mod rooms;
-mod run;
 mod setup;
+mod step;
 mod tidy;
 mod ways;
 mod wishes;
 
 use crate::checks::Numbering;
 use crate::frame::{Frame, Hold};
-use crate::merit::Truths;
+use crate::penalty::Truths;
 use crate::pose::Pose;
 use crate::rules::Sets;
 use crate::state::Change;
 use clear::Clear;
+use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
 use rooms::{Field, Room, Stretch, Wall};
@@ -94,8 +97,8 @@ enum Home {
     Door(Vec<Stretch>),
 }
 
-/// A layout under quick search.
-pub(crate) struct Quick<'a> {
+/// A layout under local search.
+pub(crate) struct LocalSearch<'a> {
     frame: &'a Frame<'a>,
     tolerances: Tolerances,
     numbering: Numbering,
@@ -140,6 +143,7 @@ pub(crate) struct Quick<'a> {
     doors: Vec<usize>,
     doorway: f64,
     ways: Vec<Way>,
+    course: Course,
     /// How often a move with whatever has to go along paid, and how often it was tried.
     along: [f64; 2],
     /// By object: how unwilling it proved to get out of the way.
@@ -204,7 +208,7 @@ impl Truths<f64> for Ran<'_> {
     }
 }
 
-impl<'a> Quick<'a> {
+impl<'a> LocalSearch<'a> {
     /// For an instance in which every object has a pose, though it need not be its place; `None`: one of them is not
     /// upright, or cannot be where it belongs.
     pub fn new(frame: &'a Frame<'a>, world: &World<f64>, numbering: Numbering) -> Option<Self> {
@@ -338,6 +342,7 @@ impl<'a> Quick<'a> {
                 .filter_map(|(t, judge)| if let Judge::Way(way) = judge { Some((t, *way)) } else { None })
                 .collect(),
             ways,
+            course: Course::default(),
             along: [0.0; 2],
             reluctance: vec![0.0; n],
             away: vec![false; n],
@@ -377,22 +382,6 @@ impl<'a> Quick<'a> {
         Some(quick)
     }
 
-    pub fn report(&self, more: &[usize]) {
-        for &c in self.bad.iter().chain(more) {
-            let check = self.numbering.check(c);
-            let text = if let crate::checks::Check::Term(t) = check {
-                format!(
-                    "{:?} {:?}",
-                    self.frame.terms[t].objects.iter().map(|o| self.frame.name(*o)).collect::<Vec<_>>(),
-                    self.frame.terms[t].formula.root_node()
-                )
-            } else {
-                String::new()
-            };
-            eprintln!("bad {check:?} cost {} {text}", self.cost[c]);
-        }
-        eprintln!("work {} bad {}", self.work, self.bad.len());
-    }
     /// The layout as changes of the search proper.
     pub fn changes(&self) -> Vec<Change> {
         let pose = |id: ObjectId| {

@@ -7,8 +7,8 @@
 use super::corridors::{NEAR, step};
 use super::judge::Moved;
 use super::moves::Inputs;
-use super::{Judge, Quick, Span};
-use crate::merit;
+use super::{Judge, LocalSearch, Span};
+use crate::penalty;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{Formula, Node, NodeId};
@@ -154,7 +154,7 @@ impl Way {
     }
 }
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     pub(super) fn is_in_the_way(&self, j: usize) -> bool {
         let span = &self.span[j];
         // Corridors are planned only where all rooms share a floor.
@@ -177,8 +177,8 @@ impl Quick<'_> {
     /// What it costs that ends are not where corridors begin, and that some have none.
     fn off_ends(&self, way: &Way) -> f64 {
         let off = way.stands().map(|(end, at)| self.flat(end).distance(at) - way.radius - NEAR);
-        let off: f64 = off.map(|off| if off > 0.0 { merit::cost(false, off) } else { 0.0 }).sum();
-        off + (merit::BASE + 1.0) * way.unreached().count() as f64
+        let off: f64 = off.map(|off| if off > 0.0 { penalty::cost(false, off) } else { 0.0 }).sum();
+        off + (penalty::BASE + 1.0) * way.unreached().count() as f64
     }
 
     /// How the ways that a trial concerns change.
@@ -194,7 +194,7 @@ impl Quick<'_> {
                 continue;
             }
             let found = if through_door && way.doors != self.door_places() {
-                (merit::BASE + 1.0, false)
+                (penalty::BASE + 1.0, false)
             } else {
                 let stays = |(j, _): &&(usize, f64)| !moved.iter().any(|(m, ..)| m == j);
                 let others = way.lacks.iter().filter(stays).map(|(_, lack)| lack).sum::<f64>();
@@ -237,7 +237,7 @@ impl Quick<'_> {
         };
         let least = way.steps.iter().filter(near).map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
         let lack = way.width() - least;
-        if lack > 0.0 { merit::cost(false, lack) } else { 0.0 }
+        if lack > 0.0 { penalty::cost(false, lack) } else { 0.0 }
     }
 
     /// Something that a way would be better without, or one of its ends where those are off it.

@@ -2,8 +2,8 @@
 //! violated constraint would hold.
 
 use super::judge::carried;
-use super::{Home, Judge, Quick, Ran, Stretch, Wall};
-use crate::merit::Merit;
+use super::{Home, Judge, LocalSearch, Ran, Stretch, Wall};
+use crate::penalty::Penalty;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
@@ -29,7 +29,7 @@ const APART: f64 = 0.15;
 /// One pose of an object: see [`scenelang_verify::coded::Slots`].
 pub(super) type Inputs = [f64; INPUTS];
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Poses for an object, into `out`.
     pub(super) fn poses(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         out.clear();
@@ -249,10 +249,10 @@ impl Quick<'_> {
             code.run(&mut self.slots);
             let values = Ran { code, slots: &self.slots };
             let formula = &self.frame.terms[t].formula;
-            let merit = Merit { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData };
-            merit.residuals(&mut missing);
+            let penalty = Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData };
+            penalty.residuals(&mut missing);
         } else {
-            self.mixed_with(t, |merit| merit.residuals(&mut missing));
+            self.mixed_with(t, |penalty| penalty.residuals(&mut missing));
         }
         self.undo();
         missing.into_iter().sum()

@@ -6,8 +6,8 @@
 
 use super::clear::Clear;
 use super::judge::Moved;
-use super::{Judge, Quick, Span};
-use crate::merit::{Merit, Truths};
+use super::{Judge, LocalSearch, Span};
+use crate::penalty::{Penalty, Truths};
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
@@ -146,7 +146,7 @@ impl Truths<f64> for Found<'_> {
     }
 }
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     /// Brings the instance up to date.
     pub(super) fn follow(&mut self) {
         let instance = &mut self.instance;
@@ -188,12 +188,12 @@ impl Quick<'_> {
     /// What a term costs of which some truths have no code, and whether it holds.
     pub(super) fn mixed(&mut self, t: usize) -> (f64, bool) {
         let mut found = (0.0, true);
-        self.mixed_with(t, |merit| found = merit.both());
+        self.mixed_with(t, |penalty| found = penalty.both());
         found
     }
 
     /// Judges such a term, and asks something of what came of it.
-    pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Merit<'_, f64, Found<'_>>)) {
+    pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Penalty<'_, f64, Found<'_>>)) {
         self.follow();
         let Judge::Mixed(mixed) = &self.judges[t] else { return };
         let formula = &self.frame.terms[t].formula;
@@ -217,7 +217,7 @@ impl Quick<'_> {
         }
         mixed.code.run(&mut self.slots);
         let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
-        ask(&Merit { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
+        ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
         self.instance.truths = truths;
     }
 

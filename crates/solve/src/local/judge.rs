@@ -1,8 +1,8 @@
 //! A trial: something goes elsewhere with what is tied to it and what stands on it, and what that changes is judged.
 
-use super::{CodedRule, Judge, Quick, Ran, Span, TOUCHING};
+use super::{CodedRule, Judge, LocalSearch, Ran, Span, TOUCHING};
 use crate::checks::Check;
-use crate::merit::Merit;
+use crate::penalty::Penalty;
 use crate::rules::Sets;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::{self, Block, Flat, INPUTS};
@@ -14,7 +14,7 @@ const WITHOUT_CODE: u64 = 30;
 /// What moved in a trial: an object, where it was.
 pub(super) type Moved = (usize, [f64; INPUTS], Span);
 
-impl Quick<'_> {
+impl LocalSearch<'_> {
     pub(super) fn is_movable(&self, i: usize) -> bool {
         self.frame.is_movable(ObjectId(i as u32))
     }
@@ -244,13 +244,13 @@ impl Quick<'_> {
         self.work += 3 + code.steps() as u64 / 8;
         code.run(&mut self.slots);
         let ran = Ran { code, slots: &self.slots };
-        let merit = Merit {
+        let penalty = Penalty {
             formula: &self.frame.terms[t].formula,
             values: &ran,
             tolerances: &self.tolerances,
             numbers: PhantomData,
         };
-        merit.both()
+        penalty.both()
     }
 
     fn bounds(&self, i: usize) -> (f64, bool) {
