@@ -14,6 +14,8 @@ mod moves;
 mod rooms;
 mod setup;
 mod step;
+#[cfg(test)]
+mod tests;
 mod tidy;
 mod ways;
 mod wishes;

@@ -11,7 +11,7 @@ use super::{Judge, LocalSearch, Span};
 use crate::penalty;
 use crate::pool::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_lang::program::{Formula, Node, NodeId};
+use scenelang_lang::program::{Comparison, Formula, Node, NodeId};
 use scenelang_verify::coded::Flat;
 use scenelang_verify::{Surroundings, World, surroundings};
 
@@ -33,7 +33,15 @@ impl Asked {
     /// What a formula says, if it asks for a path of constant width, or for one of several that share an end.
     pub fn of(term: usize, formula: &Formula) -> Option<Self> {
         let one = |node: NodeId| {
-            let node = formula.node(node);
+            let node = match formula.node(node) {
+                // How far one walks is asked of the evaluator in the end; there has to be a path at all.
+                Node::Compare(Comparison::Le | Comparison::Lt, _, distance, most)
+                    if matches!(formula.node(*most), Node::Number(_)) =>
+                {
+                    formula.node(*distance)
+                }
+                node => node,
+            };
             let Surroundings::Path { from, to, width: Some(width) } = surroundings(formula, node) else { return None };
             Some(([from.0 as usize, to.0 as usize], width))
         };
@@ -92,8 +100,9 @@ pub(super) struct Way {
     pub radius: f64,
     /// By target; `None`: nothing is planned yet.
     branches: Option<Vec<Branch>>,
-    /// Where doors were when it was planned.
+    /// Where doors were when it was planned, and whether some are elsewhere now.
     doors: Vec<[f64; 3]>,
+    stale: bool,
     /// The steps of all corridors, as rectangles without width.
     steps: Vec<Flat>,
     /// What stands in the corridors, and what that costs.
@@ -114,6 +123,7 @@ impl Way {
             radius,
             branches: None,
             doors: Vec::new(),
+            stale: false,
             steps: Vec::new(),
             lacks: Vec::new(),
             off: 0.0,
@@ -171,6 +181,9 @@ impl LocalSearch<'_> {
         let way = &mut self.ways[index];
         (way.lacks, way.off) = (lacks, off);
         let cost = way.lacks.iter().map(|(_, lack)| lack).sum::<f64>() + off;
+        if self.is_stale(index) {
+            return (penalty::BASE + 1.0, false);
+        }
         (cost, cost == 0.0)
     }
 
@@ -193,7 +206,8 @@ impl LocalSearch<'_> {
             if !way.is_planned() || !(through_door || has_end || moved.iter().any(near)) {
                 continue;
             }
-            let found = if through_door && way.doors != self.door_places() {
+            let stale = if through_door { way.doors != self.door_places() } else { way.stale };
+            let found = if stale {
                 (penalty::BASE + 1.0, false)
             } else {
                 let stays = |(j, _): &&(usize, f64)| !moved.iter().any(|(m, ..)| m == j);
@@ -210,7 +224,12 @@ impl LocalSearch<'_> {
 
     /// Objects have moved for good.
     pub(super) fn ways_keep(&mut self, moved: &[Moved]) {
+        let through_door = moved.iter().any(|(m, ..)| self.doors.contains(m));
+        let doors = if through_door { self.door_places() } else { Vec::new() };
         for index in 0..self.ways.len() {
+            if through_door {
+                self.ways[index].stale = self.ways[index].doors != doors;
+            }
             let way = &self.ways[index];
             if !way.is_planned() {
                 continue;
@@ -255,7 +274,7 @@ impl LocalSearch<'_> {
 
     /// Whether a way has no plan, or doors have moved since.
     pub(super) fn is_stale(&self, index: usize) -> bool {
-        !self.ways[index].is_planned() || self.ways[index].doors != self.door_places()
+        !self.ways[index].is_planned() || self.ways[index].stale
     }
 
     /// Out of the corridors that an object stands in, and back to those that begin at it; into `out`.
@@ -324,7 +343,7 @@ impl LocalSearch<'_> {
         let doors = self.door_places();
         let way = &mut self.ways[index];
         way.steps = branches.iter().flat_map(|b| b.bends.windows(2)).map(|pair| step(pair[0], pair[1])).collect();
-        (way.branches, way.doors) = (Some(branches), doors);
+        (way.branches, way.doors, way.stale) = (Some(branches), doors, false);
         way.bounds = way.surround();
         let (term, _) = self.walks[index];
         let (cost, holds) = self.way(index);
