@@ -1,4 +1,4 @@
-//! The table of codes. `E`: cannot be judged, or proved impossible. `W`: suspicion. `V`: a violation in a layout.
+//! The table of codes. `E`: cannot be judged, or proved impossible. `W`: warning. `V`: a violation in a layout.
 //!
 //! E00 files and options, E01 text and syntax, E02 names, E03 types, E04 static proofs, E05 layout files, E06 values;
 //! W alike; V01 verdicts.

@@ -1,4 +1,4 @@
-//! All that is to be marked in a program and its layout: errors, suspicions, and what does not hold in the layout, shown
+//! All that is to be marked in a program and its layout: errors, warnings, and what does not hold in the layout, shown
 //! at the statement that says it or, for a physical rule, at the declarations of its objects.
 
 use crate::{Judged, Snapshot};

@@ -18,14 +18,14 @@ const FIXED: f64 = 100.0;
 /// Comes before everything that stands in a room.
 const IN_WALLS: f64 = 10.0;
 /// How much chance there is in the order.
-const LUCK: f64 = 0.15;
+const NOISE: f64 = 0.15;
 
 /// Which objects come first, no two alike: by what they are, by how much trouble they made before, and by chance.
 pub(crate) fn priorities(frame: &Frame<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
-    let luck = |id: ObjectId| if frame.is_movable(id) { 0.0 } else { FIXED };
+    let noise = |id: ObjectId| if frame.is_movable(id) { 0.0 } else { FIXED };
     frame
         .objects()
-        .map(|id| luck(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + LUCK * chance.unit())
+        .map(|id| noise(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + NOISE * chance.unit())
         .collect()
 }
 

@@ -1,4 +1,4 @@
-//! Two local searches with different luck, side by side. What is easy is found by the first one alone; for the rest the one
+//! Two local searches with different random numbers, side by side. What is easy is found by the first one alone; for the rest the one
 //! that needs less work wins. So a search that came to a bad end costs half of the time and not all of it, and the result
 //! does not depend on how many threads there are.
 
@@ -12,7 +12,7 @@ const ALONE: u64 = 3_000_000;
 /// In how many parts a round is done: between them one that has lost finds out.
 const PARTS: u64 = 8;
 
-/// A local search and its luck.
+/// A local search and its random numbers.
 pub(crate) struct Member<'a> {
     pub local: LocalSearch<'a>,
     pub chance: ChaCha8Rng,

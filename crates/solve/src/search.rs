@@ -18,7 +18,7 @@ pub(crate) const STEPS: [usize; 2] = [10, 25];
 /// How many objects are moved together to end a trouble.
 const PARTNERS: [usize; 2] = [8, 40];
 /// How much chance there is in the order in which objects are placed anew.
-const RECREATION_LUCK: f64 = 0.4;
+const RECREATION_NOISE: f64 = 0.4;
 /// Candidates whose costs differ by less than this are equally good: chance decides.
 const ALIKE: f64 = 0.003;
 
@@ -265,9 +265,9 @@ impl<'a> Search<'a> {
         for &id in &objects {
             self.state.banish(id);
         }
-        let luck = |chance: &mut ChaCha8Rng| RECREATION_LUCK * chance.unit();
+        let noise = |chance: &mut ChaCha8Rng| RECREATION_NOISE * chance.unit();
         let mut order: Vec<(f64, ObjectId)> =
-            objects.iter().map(|&o| (self.priority[o.0 as usize] + luck(&mut self.chance), o)).collect();
+            objects.iter().map(|&o| (self.priority[o.0 as usize] + noise(&mut self.chance), o)).collect();
         order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut waiting: Vec<ObjectId> = order.into_iter().map(|(_, o)| o).collect();
         while !waiting.is_empty() {

@@ -4,7 +4,7 @@ use crate::pool::Chance;
 use crate::state::State;
 use rand_chacha::ChaCha8Rng;
 
-/// Chooses at most `k` of the unsatisfied checks: the first by weight, cost and luck; the others likewise, but those
+/// Chooses at most `k` of the unsatisfied checks: the first by weight, cost and noise; the others likewise, but those
 /// that share objects with it first, so that what hangs together is repaired together.
 pub(crate) fn batch(state: &State<'_>, unsatisfied: &[usize], k: usize, chance: &mut ChaCha8Rng) -> Vec<usize> {
     let mut scored: Vec<(f64, usize)> =

@@ -260,9 +260,9 @@ impl<'r, 'a> Run<'r, 'a> {
             world.place(id, pos, rot, scale);
         }
         let numbering = search.state.numbering;
-        let member = |luck: u64| {
+        let member = |which: u64| {
             let local = LocalSearch::new(&self.setup.frame, &world, numbering)?;
-            Some(Member { local, chance: self.chance(luck << 48) })
+            Some(Member { local, chance: self.chance(which << 48) })
         };
         let Some(mut first) = member(0) else { return Locally::Not };
         let budget = (self.options.budget as f64 * LOCAL) as u64;

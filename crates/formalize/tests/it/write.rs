@@ -26,7 +26,7 @@ fn an_outline_and_no_walls() {
     assert_eq!(complaints(&program), [] as [&str; 0]);
 }
 
-/// Whatever a request holds stays text: nothing of it becomes a statement, or silences a suspicion.
+/// Whatever a request holds stays text: nothing of it becomes a statement, or silences a warning.
 fn stays_text(words: &str) {
     let all = 0..words.len();
     let mut chair = thing("chair", "chair", Some(0));

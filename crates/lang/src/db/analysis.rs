@@ -96,7 +96,7 @@ impl Analysis {
         Self { db: self.db.clone(), sources: self.sources, files: self.files.clone(), unread: self.unread.clone() }
     }
 
-    /// What can be said after each keystroke: errors of syntax, names and types, and suspicions about single statements,
+    /// What can be said after each keystroke: errors of syntax, names and types, and warnings about single statements,
     /// by file and place; at most [`MAX_ERRORS`] errors of a file, and as many warnings.
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl Analysis {
         cancellable(AssertUnwindSafe(|| self.listed(self.unsilenced(self.found(&self.units())))))
     }
 
-    /// The program, if there is no error, and all errors and warnings: also suspicions about the whole program, and what
+    /// The program, if there is no error, and all errors and warnings: also warnings about the whole program, and what
     /// shows only when quantifiers and predicates are expanded.
     ///
     /// # Errors
@@ -127,8 +127,8 @@ impl Analysis {
             let errors: Vec<Code> = out.iter().filter(|d| d.is_error()).map(|d| d.code).collect();
             let bad = bad_statements(&out, &units);
             let expand = || lower::lower(&self.items(&units), &units, sources, &bad);
-            let (suspicions, (program, found)) = self.suspicions_beside(&errors, expand)?;
-            out.extend(suspicions);
+            let (warnings, (program, found)) = self.warnings_beside(&errors, expand)?;
+            out.extend(warnings);
             out.extend(found);
             if let Some(main) = self.files.first() {
                 out.extend(allow::idle(allowances(&self.db, main.text), main.file, &out));
@@ -198,32 +198,32 @@ impl Analysis {
         out
     }
 
-    /// Suspicions about the whole program, in which errors with these codes were found; and what `expand` makes of it, at
+    /// Warnings about the whole program, in which errors with these codes were found; and what `expand` makes of it, at
     /// the same time where that is worth a thread.
-    fn suspicions_beside<T>(
+    fn warnings_beside<T>(
         &self,
         errors: &[Code],
         expand: impl FnOnce() -> T,
     ) -> Result<(Vec<Diagnostic>, T), Cancelled> {
         if self.files.iter().map(|f| placed_runs(&self.db, f.text).len()).sum::<usize>() < MANY {
-            return Ok((self.suspicions(errors), expand()));
+            return Ok((self.warnings(errors), expand()));
         }
         let other = self.reader();
         thread::scope(|scope| {
-            let work = move || cancellable(AssertUnwindSafe(|| other.suspicions(errors)));
+            let work = move || cancellable(AssertUnwindSafe(|| other.warnings(errors)));
             let beside = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
             let expanded = expand();
-            let suspicions = match beside {
+            let warnings = match beside {
                 Ok(beside) => beside.join().unwrap_or_else(|panic| resume_unwind(panic))?,
                 // There are threads enough already.
-                Err(_) => self.suspicions(errors),
+                Err(_) => self.warnings(errors),
             };
-            Ok((suspicions, expanded))
+            Ok((warnings, expanded))
         })
     }
 
-    /// Suspicions about the whole program, in which errors with these codes were found.
-    fn suspicions(&self, errors: &[Code]) -> Vec<Diagnostic> {
+    /// Warnings about the whole program, in which errors with these codes were found.
+    fn warnings(&self, errors: &[Code]) -> Vec<Diagnostic> {
         let units = self.units();
         let mut places = units.iter().flat_map(Unit::places);
         let mut linted = Vec::new();

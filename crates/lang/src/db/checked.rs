@@ -10,7 +10,7 @@ use crate::lint;
 use crate::parse::core;
 use scenelang_base::Diagnostic;
 
-/// Findings of the checker and suspicions about single statements, each with the number of its statement in the run.
+/// Findings of the checker and warnings about single statements, each with the number of its statement in the run.
 #[salsa::tracked]
 pub(crate) fn checked<'db>(db: &'db dyn salsa::Database, run: Run<'db>) -> Vec<(u32, Diagnostic<Where>)> {
     let names = KnownNames(db);

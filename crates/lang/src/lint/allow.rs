@@ -1,8 +1,8 @@
-//! Comments that silence suspicions: `// allow(W0203)`, perhaps with words behind it.
+//! Comments that silence warnings: `// allow(W0203)`, perhaps with words behind it.
 //!
 //! Behind code, such a comment speaks of its line and of the statement that ends there; on a line of its own, of the
 //! statement that it stands in or above; above the first statement, of the whole file. Errors and violations cannot be
-//! silenced. A comment that names no suspicion, or one that is not there, is one itself: W0103.
+//! silenced. A comment that names no warning, or one that is not there, is one itself: W0103.
 
 use crate::chunk::{Chunks, cut, has_line_break};
 use crate::token::Kind;
@@ -22,7 +22,7 @@ struct Allowance {
     comment: TextRange,
     /// What it names, as written, with its place.
     named: Vec<(String, TextRange)>,
-    /// The suspicions among these.
+    /// The warnings among these.
     codes: Vec<Code>,
     /// What it speaks of: bytes of the file.
     covers: TextRange,
@@ -39,7 +39,7 @@ impl Allowances {
         let comments = chunks.tokens.iter().enumerate().filter(|(_, t)| t.kind == Kind::LineComment);
         let list = comments.filter_map(|(at, token)| {
             let named = names(text, token.range)?;
-            let known = named.iter().filter_map(|(name, _)| suspicion(name));
+            let known = named.iter().filter_map(|(name, _)| warning(name));
             Some(Allowance { comment: token.range, codes: known.collect(), covers: covers(text, &chunks, at), named })
         });
         Self { list: list.collect() }
@@ -50,18 +50,18 @@ impl Allowances {
         self.list.is_empty()
     }
 
-    /// The comments, by number, that silence a suspicion which begins at an offset of the file.
+    /// The comments, by number, that silence a warning which begins at an offset of the file.
     fn silencing(&self, code: Code, at: u32) -> impl Iterator<Item = usize> {
         let speaks = move |a: &Allowance| a.codes.contains(&code) && a.covers.start <= at && at < a.covers.end;
         self.list.iter().enumerate().filter(move |(_, a)| speaks(a)).map(|(i, _)| i)
     }
 
-    /// Whether a suspicion that begins at an offset of the file is silenced.
+    /// Whether a warning that begins at an offset of the file is silenced.
     pub fn silences(&self, code: Code, at: u32) -> bool {
         self.silencing(code, at).next().is_some()
     }
 
-    /// What is wrong with the comments themselves. `found`: suspicions of this file before any was silenced, with where
+    /// What is wrong with the comments themselves. `found`: warnings of this file before any was silenced, with where
     /// they begin, if all of the front end's are among them; places are those of the file.
     pub fn check(&self, found: Option<&[(Code, u32)]>) -> Vec<Diagnostic<TextRange>> {
         let mut out = Vec::new();
@@ -72,7 +72,7 @@ impl Allowances {
             }
             for (name, place) in &allowance.named {
                 let d = |message: String| Diagnostic::new(codes::W0103, *place, message);
-                match (Code::find(name), suspicion(name)) {
+                match (Code::find(name), warning(name)) {
                     (None, _) => out.push(
                         d(format!("there is no code `{name}`"))
                             .note("a code is a letter and four digits, as each diagnostic shows it"),
@@ -81,7 +81,7 @@ impl Allowances {
                         let what = if code.as_str().starts_with('V') { "a violation" } else { "an error" };
                         out.push(
                             d(format!("{code} is {what} and cannot be silenced"))
-                                .note("only suspicions can: W and four digits"),
+                                .note("only warnings can: W and four digits"),
                         );
                     }
                     (Some(_), Some(code)) => {
@@ -104,12 +104,12 @@ impl Allowances {
     }
 }
 
-/// The suspicion of that name.
-fn suspicion(name: &str) -> Option<Code> {
+/// The warning of that name.
+fn warning(name: &str) -> Option<Code> {
     Code::find(name).filter(|code| code.severity() == Severity::Warning)
 }
 
-/// Whether the front end itself reports a suspicion, so that it knows where there is none. That of this comment itself
+/// Whether the front end itself reports a warning, so that it knows where there is none. That of this comment itself
 /// is reported last.
 fn is_early(code: Code) -> bool {
     code != codes::W0103 && ["W01", "W02", "W03"].iter().any(|family| code.as_str().starts_with(family))
@@ -156,7 +156,7 @@ fn covers(text: &str, Chunks { tokens, chunks }: &Chunks, at: usize) -> TextRang
     }
 }
 
-/// Takes out the suspicions that comments in their files silence. For later stages, whose findings have places in
+/// Takes out the warnings that comments in their files silence. For later stages, whose findings have places in
 /// programs too; files that are no programs (`.json`) have no such comments.
 pub fn silence(sources: &SourceMap, diagnostics: &mut Vec<Diagnostic>) {
     let mut read: FxHashMap<FileId, Allowances> = FxHashMap::default();
@@ -179,7 +179,7 @@ pub(crate) fn silenced(d: &Diagnostic, allowances: &Allowances) -> bool {
 
 /// What is wrong with the comments of the main file, whose findings are all in `diagnostics`, silenced or not.
 pub(crate) fn idle(allowances: &Allowances, main: FileId, diagnostics: &[Diagnostic]) -> Vec<Diagnostic> {
-    // With an error, some suspicions were not looked for.
+    // With an error, some warnings were not looked for.
     let complete = !diagnostics.iter().any(Diagnostic::is_error);
     let places = diagnostics.iter().filter_map(|d| Some((d.code, d.primary.as_ref()?.place)));
     let found: Vec<(Code, u32)> =

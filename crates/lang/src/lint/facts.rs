@@ -22,7 +22,7 @@ pub enum Value<'a> {
 /// The element of an array, if only one is assigned, and the value.
 type Assigned<'a> = (Option<u32>, Value<'a>);
 
-/// What a program says, for the suspicions about all of it.
+/// What a program says, for the warnings about all of it.
 pub struct Facts<'a> {
     /// What names stand for.
     pub names: &'a dyn Names,

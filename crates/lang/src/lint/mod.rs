@@ -1,9 +1,9 @@
-//! Suspicions: programs that compile and most likely do not say what was meant.
+//! Warnings: programs that compile and most likely do not say what was meant.
 //!
 //! What can be told from one statement and the names in it is found by [`statement`]; what takes the whole program by
 //! [`program`], from summaries of the statements ([`uses`]) that depend on their texts alone. Both take time in
 //! proportion to the program. What is inside a library predicate is never looked at, and a doubt is no finding: a
-//! suspicion that is wrong makes all others worth less.
+//! warning that is wrong makes all others worth less.
 //!
 //! | file | code |
 //! |---|---|
@@ -15,7 +15,7 @@
 //! | `dead` | W0304 what makes no difference |
 //! | `outside` | W0305 kept out of a region |
 //! | `words` | W0306 templates of messages that cannot be used |
-//! | `allow` | comments that silence a suspicion, and W0103 those that do not |
+//! | `allow` | comments that silence a warning, and W0103 those that do not |
 //! | `scope`, `shape`, `uses`, `facts` | what they are made from |
 
 pub mod allow;
@@ -43,7 +43,7 @@ use smol_str::SmolStr;
 use unused::may_hide_uses;
 pub use uses::{Uses, uses};
 
-/// The suspicions about one statement without errors. They depend on its text and on what `names` says of the names in
+/// The warnings about one statement without errors. They depend on its text and on what `names` says of the names in
 /// it, not on where anything stands.
 pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
     let scopes = Scopes::of(stmt);
@@ -81,7 +81,7 @@ impl<'a> Linted<'a> {
     }
 }
 
-/// The suspicions about a whole program. `statements`: those of the main file first, then of what it imports.
+/// The warnings about a whole program. `statements`: those of the main file first, then of what it imports.
 /// `errors`: codes of the errors that were found; what they may have hidden is not held against the rest.
 pub fn program(names: &dyn Names, statements: &[Linted<'_>], errors: &[Code]) -> Vec<Diagnostic> {
     let facts = Facts::of(names, statements);

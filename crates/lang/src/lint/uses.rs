@@ -1,5 +1,5 @@
 //! What one statement says of the names and texts of a program: a summary that depends on the statement alone, from
-//! which the suspicions about a whole program are made.
+//! which the warnings about a whole program are made.
 
 use super::scope::{Binder, Scopes};
 use super::shape;

@@ -72,11 +72,11 @@ pub fn expected(text: &str) -> Vec<Mark> {
     out
 }
 
-/// The diagnostics that count for a program with these marks: suspicions (W02 to W04) only where it marks one of that
+/// The diagnostics that count for a program with these marks: warnings (W02 to W04) only where it marks one of that
 /// code, since an example is about one thing.
 pub fn relevant(mut found: Vec<Mark>, wanted: &[Mark]) -> Vec<Mark> {
-    let suspicion = |code: &str| ["W02", "W03", "W04"].iter().any(|s| code.starts_with(s));
-    found.retain(|(_, code, _)| !suspicion(code) || wanted.iter().any(|w| w.1 == *code));
+    let warning = |code: &str| ["W02", "W03", "W04"].iter().any(|s| code.starts_with(s));
+    found.retain(|(_, code, _)| !warning(code) || wanted.iter().any(|w| w.1 == *code));
     found
 }
 

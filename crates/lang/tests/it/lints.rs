@@ -1,4 +1,4 @@
-//! Suspicions about programs of several files, and about programs that no hand has written.
+//! Warnings about programs of several files, and about programs that no hand has written.
 
 use scenelang_base::SourceMap;
 use scenelang_lang::sources::Loader;

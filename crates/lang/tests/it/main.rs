@@ -2,7 +2,7 @@
 //!
 //! A block fenced by ```` ```scene ```` is one program. A trailing comment `//~ CODE` says that a diagnostic of that
 //! code starts on that line; `//~ CODE:COLUMN` fixes its column too; several are separated by blanks. Diagnostics and
-//! comments must match exactly; suspicions (W02 to W04) only where they are marked, and in the files `lint-*.md`, which
+//! comments must match exactly; warnings (W02 to W04) only where they are marked, and in the files `lint-*.md`, which
 //! are about them. A block fenced by ```` ```scene core ```` is checked as core language. A block
 //! ```` ```text ```` after a program gives what its constraints become, one a line.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
@@ -79,7 +79,7 @@ fn cases() {
 
 /// The scenes that a newcomer opens first, and the library, are as good as they can be.
 #[test]
-fn examples_and_library_raise_no_suspicion() {
+fn examples_and_library_raise_no_warning() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut programs: Vec<(String, String)> =
         scenelang_lang::library::FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();

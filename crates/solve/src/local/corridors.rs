@@ -2,7 +2,7 @@
 //! What can be moved is walked through at a price, so that a plan asks for as little as possible to be moved.
 
 use super::moves::Inputs;
-use super::ways::Branch;
+use super::paths::Branch;
 use super::{Field, LocalSearch, Span};
 use scenelang_verify::coded::Flat;
 use std::cmp::Reverse;
@@ -29,15 +29,15 @@ impl LocalSearch<'_> {
     /// Corridors of a width from an object to one of the goals of each target, as branches of one tree; of a target that
     /// cannot be reached the branch is empty.
     pub(super) fn corridors(&mut self, index: usize) -> Vec<Branch> {
-        let way = &self.ways[index];
-        let (radius, near) = (way.width(), way.radius + NEAR / 2.0);
+        let group = &self.groups[index];
+        let (radius, near) = (group.width(), group.radius + NEAR / 2.0);
         let none = |goals: &[usize]| Branch { goal: goals[0], is_rooted: false, bends: Vec::new() };
-        let Some(grid) = Grid::new(self) else { return way.targets.iter().map(|goals| none(goals)).collect() };
+        let Some(grid) = Grid::new(self) else { return group.targets.iter().map(|goals| none(goals)).collect() };
         self.work += WORK * grid.count() as u64;
-        let way = &self.ways[index];
+        let group = &self.groups[index];
         let around = |end: usize| self.around(end, near, radius);
-        let from = around(way.from);
-        let ends: Vec<Vec<(usize, [f64; 2])>> = way
+        let from = around(group.from);
+        let ends: Vec<Vec<(usize, [f64; 2])>> = group
             .targets
             .iter()
             .map(|goals| goals.iter().flat_map(|&goal| around(goal).into_iter().map(move |p| (goal, p))).collect())
@@ -49,11 +49,11 @@ impl LocalSearch<'_> {
             let far = |p: &[f64; 2]| (p[0] - middle[0]).hypot(p[1] - middle[1]);
             places.iter().copied().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)))
         };
-        let begins: Vec<(usize, [f64; 2])> = from.iter().map(|p| (way.from, *p)).collect();
+        let begins: Vec<(usize, [f64; 2])> = from.iter().map(|p| (group.from, *p)).collect();
         let beside: Vec<Flat> = (0..self.count()).filter(|&j| self.is_in_the_way(j)).map(|j| self.flat(j)).collect();
         let mut used = vec![false; grid.count()];
         let mut steps: Vec<Flat> = Vec::new();
-        let mut branches: Vec<Branch> = way.targets.iter().map(|goals| none(goals)).collect();
+        let mut branches: Vec<Branch> = group.targets.iter().map(|goals| none(goals)).collect();
         // Near ones first: those beyond go on from there.
         for &(target, last) in &tree.reached {
             let mut cells = vec![last];
@@ -212,10 +212,10 @@ fn simplified(path: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 /// A segment as a rectangle without width.
 pub(super) fn step(from: [f64; 2], to: [f64; 2]) -> Flat {
-    let way = [to[0] - from[0], to[1] - from[1]];
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt().max(1e-12);
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let length = (along[0] * along[0] + along[1] * along[1]).sqrt().max(1e-12);
     let at = [0, 1].map(|k| (from[k] + to[k]) / 2.0);
-    Flat { at, turn: [way[0] / length, way[1] / length], half: [0.0, length / 2.0] }
+    Flat { at, turn: [along[0] / length, along[1] / length], half: [0.0, length / 2.0] }
 }
 
 /// The point of a segment that is nearest to a point.
@@ -231,7 +231,7 @@ struct Grid {
     size: [usize; 2],
 }
 
-/// The cheapest ways from where a search began.
+/// The cheapest paths from where a search began.
 struct Tree {
     before: Vec<u32>,
     /// Targets that are reached, each with the cell where that is; the nearest first.
@@ -281,7 +281,7 @@ impl Grid {
         self.around(&point, self.cell).filter(near)
     }
 
-    /// The cheapest ways from some places to one of the places of each target (Dijkstra's algorithm).
+    /// The cheapest paths from some places to one of the places of each target (Dijkstra's algorithm).
     fn tree(&self, cost: &[f64], from: &[[f64; 2]], ends: &[Vec<(usize, [f64; 2])>]) -> Tree {
         let mut far = vec![f64::INFINITY; cost.len()];
         let mut tree = Tree { before: vec![UNSEEN; cost.len()], reached: Vec::new() };

@@ -83,12 +83,12 @@ impl LocalSearch<'_> {
     fn bars_paths(&self, turn: f64) -> bool {
         let Course { begun, walking_since, .. } = self.course;
         let share = WALKING * (walking_since - begun).max(SOON);
-        self.walking && !self.ways.is_empty() && (self.work - walking_since) as f64 > turn * share as f64
+        self.walking && !self.groups.is_empty() && (self.work - walking_since) as f64 > turn * share as f64
     }
 
     /// Remembers what is violated least.
     fn note_best(&mut self) {
-        let bad = self.bad.len() + if self.walking { 0 } else { self.ways.len() };
+        let bad = self.bad.len() + if self.walking { 0 } else { self.groups.len() };
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };
         course.least = course.least.min(bad);
@@ -112,7 +112,7 @@ impl LocalSearch<'_> {
 
     /// Whether all holds, paths that terms ask for beside other things included.
     pub(super) fn is_done(&mut self, late: &dyn Fn() -> bool) -> bool {
-        self.bad.is_empty() && (self.paths.is_empty() || self.find_paths(late))
+        self.bad.is_empty() && (self.path_terms.is_empty() || self.find_paths(late))
     }
 
     /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
@@ -123,7 +123,7 @@ impl LocalSearch<'_> {
             .filter(|&i| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_)))
             .map(|i| self.size[i][0] * self.size[i][2])
             .sum();
-        let least = if self.ways.is_empty() { HASTE } else { HASTE_ON_PATHS };
+        let least = if self.groups.is_empty() { HASTE } else { HASTE_ON_PATHS };
         let full = (covered / self.floor_area() - FULL[0]) / (FULL[1] - FULL[0]);
         (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
     }

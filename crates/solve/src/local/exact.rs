@@ -255,8 +255,8 @@ impl LocalSearch<'_> {
 
     /// Takes all paths for granted.
     pub(super) fn trust_paths(&mut self) {
-        for at in 0..self.paths.len() {
-            if let Judge::Mixed(mixed) = &mut self.judges[self.paths[at]] {
+        for at in 0..self.path_terms.len() {
+            if let Judge::Mixed(mixed) = &mut self.judges[self.path_terms[at]] {
                 for (_, leaf) in &mut mixed.leaves {
                     if let Leaf::Path(_, holds) = leaf {
                         *holds = true;
@@ -269,11 +269,11 @@ impl LocalSearch<'_> {
     /// Looks for the paths that terms ask for beside other things. Whether all of these terms hold.
     pub(super) fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
         let mut all = true;
-        for at in 0..self.paths.len() {
+        for at in 0..self.path_terms.len() {
             if late() {
                 return false;
             }
-            all &= self.find_paths_of(self.paths[at]);
+            all &= self.find_paths_of(self.path_terms[at]);
         }
         all
     }

@@ -20,7 +20,7 @@ impl LocalSearch<'_> {
         self.away.fill(false);
         let is_warm = waiting.is_empty();
         if !is_warm {
-            self.forget_ways();
+            self.forget_paths();
         }
         self.trust_paths();
         for &i in &waiting {
@@ -34,7 +34,7 @@ impl LocalSearch<'_> {
         }
         self.away_count = self.away.iter().filter(|a| **a).count();
         self.judge_all();
-        let luck: Vec<f64> = (0..self.count()).map(|_| chance.between(0.7, 1.3)).collect();
+        let factor: Vec<f64> = (0..self.count()).map(|_| chance.between(0.7, 1.3)).collect();
         let company = chance.between(0.0, 1.0);
         let mut links = vec![0.0; self.count()];
         for i in (0..self.count()).filter(|i| !self.away[*i]) {
@@ -44,7 +44,7 @@ impl LocalSearch<'_> {
         while !waiting.is_empty() {
             let rank = |i: usize| {
                 let door = if self.doors.contains(&i) { 100.0 } else { 0.0 };
-                door + self.size[i][0] * self.size[i][2] * luck[i] + company * links[i]
+                door + self.size[i][0] * self.size[i][2] * factor[i] + company * links[i]
             };
             let based = |i: &usize| self.bases[*i].iter().chain(&self.container[*i]).all(|base| !self.away[*base]);
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
@@ -54,13 +54,13 @@ impl LocalSearch<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.walking = is_warm && self.bad.is_empty() || self.ways.is_empty();
+        self.walking = is_warm && self.bad.is_empty() || self.groups.is_empty();
         if self.walking {
-            self.judge_ways();
+            self.judge_paths();
             self.plan_missing(late);
             if is_warm && !self.bad.is_empty() && !late() {
                 // What has its place already is not moved for a plan.
-                self.confirm_ways();
+                self.confirm_paths();
             }
         }
     }

@@ -214,7 +214,7 @@ impl LocalSearch<'_> {
                 delta += self.note(t, found);
             }
         }
-        delta += self.others_above(moved) + self.onlookers(moved) + self.ways_change(moved);
+        delta += self.others_above(moved) + self.onlookers(moved) + self.paths_change(moved);
         (delta <= limit).then_some(delta)
     }
 
@@ -239,7 +239,7 @@ impl LocalSearch<'_> {
                 return self.clear(&clear);
             }
             Judge::Mixed(_) => return self.mixed(t),
-            Judge::Way(_) | Judge::Shared(_) | Judge::Turn | Judge::Absent => return (0.0, true),
+            Judge::PathGroup(_) | Judge::Shared(_) | Judge::Turn | Judge::Absent => return (0.0, true),
         };
         self.work += 3 + code.steps() as u64 / 8;
         code.run(&mut self.slots);
@@ -439,7 +439,7 @@ impl LocalSearch<'_> {
             self.raised[i] = raised;
             self.seat[i] = self.container[i].or_else(|| if raised { self.find_seat(i) } else { None });
         }
-        self.ways_keep(&moved);
+        self.paths_keep(&moved);
         let fresh = std::mem::take(&mut self.fresh);
         for &(check, cost, holds) in &fresh {
             self.set(check, cost, holds);

@@ -11,13 +11,13 @@ mod exact;
 mod first;
 mod judge;
 mod moves;
+mod paths;
 mod rooms;
 mod setup;
 mod step;
 #[cfg(test)]
 mod tests;
 mod tidy;
-mod ways;
 mod wishes;
 
 use crate::checks::Numbering;
@@ -30,13 +30,13 @@ use clear::Clear;
 use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
+use paths::{Asked, PathGroup};
 use rooms::{Field, Room, Stretch, Wall};
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, RegionId};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
 use scenelang_verify::{Tolerances, Truth, World, rules};
 use std::sync::Arc;
-use ways::{Asked, Way};
 
 /// Overlaps of less than this are rounding (metres).
 const TOUCHING: f64 = 1e-7;
@@ -47,9 +47,9 @@ enum Judge {
     Inside(usize, usize),
     /// The space beside an object is free.
     Clear(Clear),
-    /// There are ways.
-    Way(usize),
-    /// It asks for one of the ways that another term answers for.
+    /// There are paths.
+    PathGroup(usize),
+    /// It asks for one of the paths that another term answers for.
     Shared(usize),
     /// By its code.
     Code(Coded),
@@ -144,7 +144,7 @@ pub(crate) struct LocalSearch<'a> {
     /// Objects that are doors, and how far their openings reach beyond them.
     doors: Vec<usize>,
     doorway: f64,
-    ways: Vec<Way>,
+    groups: Vec<PathGroup>,
     course: Course,
     /// How often a move with whatever has to go along paid, and how often it was tried.
     along: [f64; 2],
@@ -152,12 +152,12 @@ pub(crate) struct LocalSearch<'a> {
     reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
     onlookers: Vec<usize>,
-    /// Whether ways are looked at yet.
+    /// Whether paths are looked at yet.
     walking: bool,
-    /// Terms that ask for ways, each with its way.
+    /// Terms that ask for paths, each with its way.
     walks: Vec<(usize, usize)>,
     /// Terms that ask for paths beside other things.
-    paths: Vec<usize>,
+    path_terms: Vec<usize>,
     /// The instance that terms without code are judged on; whether there are such.
     instance: Instance,
     follows: bool,
@@ -236,10 +236,10 @@ impl<'a> LocalSearch<'a> {
                 Judge::Inside(id.0 as usize, room)
             } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
                 Judge::Clear(clear)
-            } else if let Some(way) =
+            } else if let Some(group) =
                 Asked::of(judges.len(), formula).filter(|_| term.is_hard() && floor.is_some() && !rooms.is_empty())
             {
-                asked.push(way);
+                asked.push(group);
                 Judge::Absent
             } else {
                 let (code, missing) = coder.partly(formula);
@@ -253,11 +253,11 @@ impl<'a> LocalSearch<'a> {
                 }
             });
         }
-        let mut ways = Vec::new();
-        for (index, (way, terms)) in Asked::together(&asked, world).into_iter().enumerate() {
+        let mut groups = Vec::new();
+        for (index, (group, terms)) in Asked::together(&asked, world).into_iter().enumerate() {
             terms.iter().for_each(|&t| judges[t] = Judge::Shared(index));
-            judges[terms[0]] = Judge::Way(index);
-            ways.push(way);
+            judges[terms[0]] = Judge::PathGroup(index);
+            groups.push(group);
         }
         let mut rules = Vec::new();
         for rule in &frame.rules.list {
@@ -273,7 +273,7 @@ impl<'a> LocalSearch<'a> {
         };
         let walks = |judge: &Judge| matches!(judge, Judge::Mixed(mixed) if mixed.walks());
         let terms = |which: &dyn Fn(&Judge) -> bool| (0..judges.len()).filter(|&t| which(&judges[t])).collect();
-        let (onlookers, paths) = (terms(&looks_around), terms(&walks));
+        let (onlookers, path_terms) = (terms(&looks_around), terms(&walks));
         let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();
@@ -335,15 +335,15 @@ impl<'a> LocalSearch<'a> {
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
             walking: false,
             onlookers,
-            paths,
+            path_terms,
             instance: Instance::new(world.clone()),
             follows,
             walks: judges
                 .iter()
                 .enumerate()
-                .filter_map(|(t, judge)| if let Judge::Way(way) = judge { Some((t, *way)) } else { None })
+                .filter_map(|(t, judge)| if let Judge::PathGroup(group) = judge { Some((t, *group)) } else { None })
                 .collect(),
-            ways,
+            groups,
             course: Course::default(),
             along: [0.0; 2],
             reluctance: vec![0.0; n],

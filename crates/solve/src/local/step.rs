@@ -17,10 +17,10 @@ const EXCHANGES: usize = 2;
 const TOGETHER: usize = 4;
 /// How many places are tried, each with a look for the paths of a term that asks for them beside other things.
 const PATHS: usize = 4;
-/// How many moves with whatever has to go along, and of how many objects at most: at first, and once ways are looked at.
+/// How many moves with whatever has to go along, and of how many objects at most: at first, and once paths are looked at.
 const ALONG: usize = 4;
 const COMPANY: [usize; 2] = [12, 40];
-/// How often the evaluator is asked whether there are ways, where all else holds: once in so many times.
+/// How often the evaluator is asked whether there are paths, where all else holds: once in so many times.
 const CONFIRMED: usize = 30;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
@@ -47,27 +47,27 @@ impl LocalSearch<'_> {
     pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
-        if let Some(Judge::Way(way)) = self.judges.get(check)
-            && (self.is_stale(*way) || chance.below(PLANS) == 0)
+        if let Some(Judge::PathGroup(group)) = self.judges.get(check)
+            && (self.is_stale(*group) || chance.below(PLANS) == 0)
         {
-            let way = *way;
+            let group = *group;
             let before = self.cost[check];
-            self.plan_again(way);
+            self.plan_again(group);
             if self.cost[check] < before {
                 self.weight[check] = (self.weight[check] * FORGIVEN).max(1.0);
             }
             return;
         }
         if matches!(self.judges.get(check), Some(Judge::Mixed(mixed)) if mixed.walks())
-            && self.bad.iter().all(|c| self.paths.contains(c))
+            && self.bad.iter().all(|c| self.path_terms.contains(c))
             && chance.below(2) == 0
         {
             self.clear_path(check, chance, poses);
             return;
         }
-        if self.bad.iter().all(|c| matches!(self.judges.get(*c), Some(Judge::Way(_))))
+        if self.bad.iter().all(|c| matches!(self.judges.get(*c), Some(Judge::PathGroup(_))))
             && chance.below(CONFIRMED) == 0
-            && self.confirm_ways()
+            && self.confirm_paths()
         {
             return;
         }
@@ -121,7 +121,7 @@ impl LocalSearch<'_> {
         let count = if often { ALONG } else { 0 };
         self.along[1] += f64::from(u8::from(often));
         let mut along: Vec<Inputs> = (0..count).map(|_| poses[chance.below(poses.len())]).collect();
-        if self.walking && !self.ways.is_empty() {
+        if self.walking && !self.groups.is_empty() {
             self.out_of_the_way(i, &mut along);
             along.extend((0..ALONG).map(|_| {
                 // Far away, but turned as it is: a whole row may go there.
@@ -201,7 +201,7 @@ impl LocalSearch<'_> {
         self.go(i, pose);
         let pose = self.inputs(i);
         let mut looked = 0;
-        let most = COMPANY[usize::from(self.walking && !self.ways.is_empty())];
+        let most = COMPANY[usize::from(self.walking && !self.groups.is_empty())];
         while looked < self.moved.len() && self.moved.len() < most {
             let k = self.moved[looked].0;
             looked += 1;
@@ -284,7 +284,7 @@ impl LocalSearch<'_> {
         match self.numbering.check(check) {
             Check::Term(t) => {
                 match &self.judges[t] {
-                    Judge::Way(way) => return self.hindrance(*way, chance),
+                    Judge::PathGroup(group) => return self.hindrance(*group, chance),
                     Judge::Clear(clear) if chance.below(2) == 0 => {
                         let mut blockers = self.in_the_way(clear);
                         blockers.retain(|j| self.is_movable(*j));

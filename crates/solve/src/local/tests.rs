@@ -64,7 +64,7 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
         // Preferences, too.
         local.wishing = true;
         local.judge_all();
-        local.judge_ways();
+        local.judge_paths();
         let (mut poses, mut compared) = (Vec::new(), 0);
         for round in 0..2_000 {
             let i = local.movable[chance.below(local.movable.len())];
@@ -80,7 +80,7 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
                 let believed: Vec<(f64, bool)> =
                     (0..local.cost.len()).map(|c| (local.cost[c], local.holds[c])).collect();
                 local.judge_all();
-                local.judge_ways();
+                local.judge_paths();
                 for (check, (cost, holds)) in believed.into_iter().enumerate() {
                     let what = numbering.check(check);
                     assert!((cost - local.cost[check]).abs() < 1e-9, "{index} {what:?}: {cost} {}", local.cost[check]);

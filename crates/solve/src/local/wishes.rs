@@ -49,7 +49,7 @@ impl LocalSearch<'_> {
             self.weight[t] = self.weight_of_wish(t);
         }
         self.judge_all();
-        self.judge_ways();
+        self.judge_paths();
         for _ in 0..PASSES {
             let before = self.wishes_cost();
             for &t in &wishes {
@@ -71,7 +71,7 @@ impl LocalSearch<'_> {
         let late = || limit.is_over();
         let before: Vec<Inputs> = (0..self.count()).map(|i| self.inputs(i)).collect();
         let (cost, reluctance) = (self.wishes_cost(), self.reluctance.clone());
-        let (weights, ways) = (self.weight.clone(), self.ways.clone());
+        let (weights, groups) = (self.weight.clone(), self.groups.clone());
         self.weight[t] = DEMANDED;
         self.demanded = Some(t);
         let (now, holds) = (self.cost[t], self.does_hold(t));
@@ -93,9 +93,9 @@ impl LocalSearch<'_> {
             for (i, inputs) in before.into_iter().enumerate() {
                 self.put(i, inputs);
             }
-            self.ways = ways;
+            self.groups = groups;
             self.judge_all();
-            self.judge_ways();
+            self.judge_paths();
         }
     }
 }

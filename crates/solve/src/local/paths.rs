@@ -1,8 +1,8 @@
-//! `reachable` on boxes: for the ways that are asked for corridors are planned through what can be moved, and what then
-//! stands in them costs. So a search learns what to move out of the way; whether there is a way is asked of the
+//! `reachable` on boxes: for the paths that are asked for corridors are planned through what can be moved, and what then
+//! stands in them costs. So a search learns what to move out of the way; whether there is a path is asked of the
 //! evaluator in the end.
 //!
-//! Ways of one width that begin at the same thing are planned and judged together: they share most of their corridors.
+//! Paths of one width that begin at the same thing are planned and judged together: they share most of their corridors.
 
 use super::corridors::{NEAR, step};
 use super::judge::Moved;
@@ -56,9 +56,9 @@ impl Asked {
         Some(Self { term, ends: [from, goals[0]], goals, width })
     }
 
-    /// Ways by where they begin: things at which many do come first.
-    pub fn together(all: &[Self], world: &World<f64>) -> Vec<(Way, Vec<usize>)> {
-        let mut found: Vec<(Way, Vec<usize>)> = Vec::new();
+    /// Paths by where they begin: things at which many do come first.
+    pub fn together(all: &[Self], world: &World<f64>) -> Vec<(PathGroup, Vec<usize>)> {
+        let mut found: Vec<(PathGroup, Vec<usize>)> = Vec::new();
         let asks = |end: usize, width: f64| {
             all.iter()
                 .filter(|a| a.width == width && (a.ends[0] == end || a.goals == [a.ends[1]] && a.ends[1] == end))
@@ -69,31 +69,31 @@ impl Asked {
             let turned = asked.goals.len() == 1 && asks(b, asked.width) > asks(a, asked.width);
             let (from, goals) = if turned { (b, vec![a]) } else { (a, asked.goals.clone()) };
             let radius = ((asked.width - world.options.tolerances.contact) / 2.0).max(0.0);
-            match found.iter_mut().find(|(way, _)| way.from == from && way.radius == radius) {
-                Some((way, terms)) => {
-                    way.targets.push(goals);
+            match found.iter_mut().find(|(group, _)| group.from == from && group.radius == radius) {
+                Some((group, terms)) => {
+                    group.targets.push(goals);
                     terms.push(asked.term);
                 }
-                None => found.push((Way::new(from, goals, radius), vec![asked.term])),
+                None => found.push((PathGroup::new(from, goals, radius), vec![asked.term])),
             }
         }
         found
     }
 }
 
-/// A corridor from where ways begin, or from another corridor of theirs, to a goal.
+/// A corridor from where paths begin, or from another corridor of theirs, to a goal.
 #[derive(Clone, Debug)]
 pub(super) struct Branch {
     pub goal: usize,
-    /// Whether it begins where the ways do.
+    /// Whether it begins where the paths do.
     pub is_rooted: bool,
     /// Empty: there is none.
     pub bends: Vec<[f64; 2]>,
 }
 
-/// Ways of one width that begin at the same thing.
+/// Paths of one width that begin at the same thing.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct PathGroup {
     pub from: usize,
     /// What is to be reached: for each, things of which one will do.
     pub targets: Vec<Vec<usize>>,
@@ -115,7 +115,7 @@ pub(super) struct Way {
     doubt: f64,
 }
 
-impl Way {
+impl PathGroup {
     fn new(from: usize, goals: Vec<usize>, radius: f64) -> Self {
         Self {
             from,
@@ -172,15 +172,15 @@ impl LocalSearch<'_> {
         !self.doors.contains(&j) && span.min[1] < floor + IN_THE_WAY[1] && span.max[1] > floor + IN_THE_WAY[0]
     }
 
-    /// What ways cost, and whether nothing stands in their corridors.
-    fn way(&mut self, index: usize) -> (f64, bool) {
+    /// What paths cost, and whether nothing stands in their corridors.
+    fn judge_group(&mut self, index: usize) -> (f64, bool) {
         self.work += 4 + self.count() as u64 / 2;
-        let way = &self.ways[index];
-        let lacks = (0..self.count()).map(|j| (j, self.reaches_in(way, j))).filter(|(_, lack)| *lack > 0.0).collect();
-        let off = self.off_ends(way);
-        let way = &mut self.ways[index];
-        (way.lacks, way.off) = (lacks, off);
-        let cost = way.lacks.iter().map(|(_, lack)| lack).sum::<f64>() + off;
+        let group = &self.groups[index];
+        let lacks = (0..self.count()).map(|j| (j, self.reaches_in(group, j))).filter(|(_, lack)| *lack > 0.0).collect();
+        let off = self.off_ends(group);
+        let group = &mut self.groups[index];
+        (group.lacks, group.off) = (lacks, off);
+        let cost = group.lacks.iter().map(|(_, lack)| lack).sum::<f64>() + off;
         if self.is_stale(index) {
             return (penalty::BASE + 1.0, false);
         }
@@ -188,32 +188,32 @@ impl LocalSearch<'_> {
     }
 
     /// What it costs that ends are not where corridors begin, and that some have none.
-    fn off_ends(&self, way: &Way) -> f64 {
-        let off = way.stands().map(|(end, at)| self.flat(end).distance(at) - way.radius - NEAR);
+    fn off_ends(&self, group: &PathGroup) -> f64 {
+        let off = group.stands().map(|(end, at)| self.flat(end).distance(at) - group.radius - NEAR);
         let off: f64 = off.map(|off| if off > 0.0 { penalty::cost(false, off) } else { 0.0 }).sum();
-        off + (penalty::BASE + 1.0) * way.unreached().count() as f64
+        off + (penalty::BASE + 1.0) * group.unreached().count() as f64
     }
 
-    /// How the ways that a trial concerns change.
-    pub(super) fn ways_change(&mut self, moved: &[Moved]) -> f64 {
+    /// How the paths that a trial concerns change.
+    pub(super) fn paths_change(&mut self, moved: &[Moved]) -> f64 {
         let mut sum = 0.0;
         let through_door = moved.iter().any(|(m, ..)| self.doors.contains(m));
         for at in 0..self.walks.len() {
             let (t, index) = self.walks[at];
-            let way = &self.ways[index];
-            let near = |(m, _, old): &Moved| way.bounds.meets(old) || way.bounds.meets(&self.span[*m]);
-            let has_end = moved.iter().any(|(m, ..)| way.has_end(*m));
-            if !way.is_planned() || !(through_door || has_end || moved.iter().any(near)) {
+            let group = &self.groups[index];
+            let near = |(m, _, old): &Moved| group.bounds.meets(old) || group.bounds.meets(&self.span[*m]);
+            let has_end = moved.iter().any(|(m, ..)| group.has_end(*m));
+            if !group.is_planned() || !(through_door || has_end || moved.iter().any(near)) {
                 continue;
             }
-            let stale = if through_door { way.doors != self.door_places() } else { way.stale };
+            let stale = if through_door { group.doors != self.door_places() } else { group.stale };
             let found = if stale {
                 (penalty::BASE + 1.0, false)
             } else {
                 let stays = |(j, _): &&(usize, f64)| !moved.iter().any(|(m, ..)| m == j);
-                let others = way.lacks.iter().filter(stays).map(|(_, lack)| lack).sum::<f64>();
-                let own = moved.iter().map(|(m, ..)| self.reaches_in(way, *m)).sum::<f64>();
-                let cost = others + own + if has_end { self.off_ends(way) } else { way.off };
+                let others = group.lacks.iter().filter(stays).map(|(_, lack)| lack).sum::<f64>();
+                let own = moved.iter().map(|(m, ..)| self.reaches_in(group, *m)).sum::<f64>();
+                let cost = others + own + if has_end { self.off_ends(group) } else { group.off };
                 (cost, cost == 0.0)
             };
             self.work += 2 * moved.len() as u64;
@@ -223,71 +223,71 @@ impl LocalSearch<'_> {
     }
 
     /// Objects have moved for good.
-    pub(super) fn ways_keep(&mut self, moved: &[Moved]) {
+    pub(super) fn paths_keep(&mut self, moved: &[Moved]) {
         let through_door = moved.iter().any(|(m, ..)| self.doors.contains(m));
         let doors = if through_door { self.door_places() } else { Vec::new() };
-        for index in 0..self.ways.len() {
+        for index in 0..self.groups.len() {
             if through_door {
-                self.ways[index].stale = self.ways[index].doors != doors;
+                self.groups[index].stale = self.groups[index].doors != doors;
             }
-            let way = &self.ways[index];
-            if !way.is_planned() {
+            let group = &self.groups[index];
+            if !group.is_planned() {
                 continue;
             }
-            let off = if moved.iter().any(|(m, ..)| way.has_end(*m)) { self.off_ends(way) } else { way.off };
-            let new: Vec<(usize, f64)> = moved.iter().map(|(m, ..)| (*m, self.reaches_in(way, *m))).collect();
-            let way = &mut self.ways[index];
-            way.off = off;
-            way.lacks.retain(|(j, _)| !moved.iter().any(|(m, ..)| m == j));
-            way.lacks.extend(new.into_iter().filter(|(_, lack)| *lack > 0.0));
+            let off = if moved.iter().any(|(m, ..)| group.has_end(*m)) { self.off_ends(group) } else { group.off };
+            let new: Vec<(usize, f64)> = moved.iter().map(|(m, ..)| (*m, self.reaches_in(group, *m))).collect();
+            let group = &mut self.groups[index];
+            group.off = off;
+            group.lacks.retain(|(j, _)| !moved.iter().any(|(m, ..)| m == j));
+            group.lacks.extend(new.into_iter().filter(|(_, lack)| *lack > 0.0));
         }
     }
 
     /// What it costs that an object stands in a corridor.
-    fn reaches_in(&self, way: &Way, j: usize) -> f64 {
-        if !way.bounds.meets(&self.span[j]) || !self.is_in_the_way(j) {
+    fn reaches_in(&self, group: &PathGroup, j: usize) -> f64 {
+        if !group.bounds.meets(&self.span[j]) || !self.is_in_the_way(j) {
             return 0.0;
         }
         let flat = self.flat(j);
-        let size = flat.half[0] + flat.half[1] + way.width();
+        let size = flat.half[0] + flat.half[1] + group.width();
         let near = |step: &&Flat| {
             let off = [step.at[0] - flat.at[0], step.at[1] - flat.at[1]];
             off[0] * off[0] + off[1] * off[1] < (size + step.half[1]).powi(2)
         };
-        let least = way.steps.iter().filter(near).map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
-        let lack = way.width() - least;
+        let least = group.steps.iter().filter(near).map(|step| step.gap(&flat)).fold(f64::INFINITY, f64::min);
+        let lack = group.width() - least;
         if lack > 0.0 { penalty::cost(false, lack) } else { 0.0 }
     }
 
     /// Something that a way would be better without, or one of its ends where those are off it.
     pub(super) fn hindrance(&self, index: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
-        let way = &self.ways[index];
-        let mut found: Vec<usize> = way.lacks.iter().map(|(j, _)| *j).collect();
-        found.extend(way.stands().filter(|(j, p)| self.flat(*j).distance(*p) > way.radius + NEAR).map(|(j, _)| j));
-        if way.unreached().next().is_some() {
-            found.push(way.from);
-            found.extend(way.unreached().flatten());
+        let group = &self.groups[index];
+        let mut found: Vec<usize> = group.lacks.iter().map(|(j, _)| *j).collect();
+        found.extend(group.stands().filter(|(j, p)| self.flat(*j).distance(*p) > group.radius + NEAR).map(|(j, _)| j));
+        if group.unreached().next().is_some() {
+            found.push(group.from);
+            found.extend(group.unreached().flatten());
         }
         found.retain(|j| self.is_movable(*j));
         (!found.is_empty()).then(|| found[chance.below(found.len())])
     }
 
-    /// Whether a way has no plan, or doors have moved since.
+    /// Whether paths have no plan, or doors have moved since.
     pub(super) fn is_stale(&self, index: usize) -> bool {
-        !self.ways[index].is_planned() || self.ways[index].stale
+        !self.groups[index].is_planned() || self.groups[index].stale
     }
 
     /// Out of the corridors that an object stands in, and back to those that begin at it; into `out`.
     pub(super) fn out_of_the_way(&self, i: usize, out: &mut Vec<Inputs>) {
         let (now, flat) = (self.inputs(i), self.flat(i));
-        let mut aside = |way: [f64; 2]| {
+        let mut aside = |by: [f64; 2]| {
             let mut pose = now;
-            (pose[0], pose[2]) = (now[0] + way[0], now[2] + way[1]);
+            (pose[0], pose[2]) = (now[0] + by[0], now[2] + by[1]);
             out.push(pose);
         };
-        for way in &self.ways {
-            if way.lacks.iter().any(|(j, _)| *j == i)
-                && let Some(step) = way.steps.iter().min_by(|a, b| a.gap(&flat).total_cmp(&b.gap(&flat)))
+        for group in &self.groups {
+            if group.lacks.iter().any(|(j, _)| *j == i)
+                && let Some(step) = group.steps.iter().min_by(|a, b| a.gap(&flat).total_cmp(&b.gap(&flat)))
             {
                 let side = [step.turn[1], -step.turn[0]];
                 let reach = {
@@ -297,41 +297,41 @@ impl LocalSearch<'_> {
                 };
                 let across = step.local(flat.at)[0];
                 for sign in [-1.0, 1.0] {
-                    let by = sign * (reach + way.width() + EASE) - across;
+                    let by = sign * (reach + group.width() + EASE) - across;
                     aside([side[0] * by, side[1] * by]);
                 }
             }
-            for (_, p) in way.stands().filter(|(end, _)| *end == i) {
-                let near = flat.away(p, way.radius + NEAR / 2.0);
+            for (_, p) in group.stands().filter(|(end, _)| *end == i) {
+                let near = flat.away(p, group.radius + NEAR / 2.0);
                 aside([p[0] - near[0], p[1] - near[1]]);
             }
         }
     }
 
     /// No way is planned.
-    pub(super) fn forget_ways(&mut self) {
-        for way in &mut self.ways {
-            (way.branches, way.off) = (None, 0.0);
-            way.lacks.clear();
+    pub(super) fn forget_paths(&mut self) {
+        for group in &mut self.groups {
+            (group.branches, group.off) = (None, 0.0);
+            group.lacks.clear();
         }
     }
 
-    /// Plans the ways that have no plan, until it is late.
+    /// Plans the paths that have no plan, until it is late.
     pub(super) fn plan_missing(&mut self, late: &dyn Fn() -> bool) {
-        let all = (0..self.ways.len()).take_while(|_| !late());
-        all.for_each(|way| {
-            if !self.ways[way].is_planned() {
-                self.plan_again(way);
+        let all = (0..self.groups.len()).take_while(|_| !late());
+        all.for_each(|group| {
+            if !self.groups[group].is_planned() {
+                self.plan_again(group);
             }
         });
     }
 
-    /// Judges all ways that have a plan by where everything is now.
-    pub(super) fn judge_ways(&mut self) {
+    /// Judges all paths that have a plan by where everything is now.
+    pub(super) fn judge_paths(&mut self) {
         for at in 0..self.walks.len() {
-            let (t, way) = self.walks[at];
-            if self.ways[way].is_planned() {
-                let (cost, holds) = self.way(way);
+            let (t, group) = self.walks[at];
+            if self.groups[group].is_planned() {
+                let (cost, holds) = self.judge_group(group);
                 self.set(t, cost, holds);
             }
         }
@@ -341,24 +341,26 @@ impl LocalSearch<'_> {
     pub(super) fn plan_again(&mut self, index: usize) {
         let branches = self.corridors(index);
         let doors = self.door_places();
-        let way = &mut self.ways[index];
-        way.steps = branches.iter().flat_map(|b| b.bends.windows(2)).map(|pair| step(pair[0], pair[1])).collect();
-        (way.branches, way.doors, way.stale) = (Some(branches), doors, false);
-        way.bounds = way.surround();
+        let group = &mut self.groups[index];
+        group.steps = branches.iter().flat_map(|b| b.bends.windows(2)).map(|pair| step(pair[0], pair[1])).collect();
+        (group.branches, group.doors, group.stale) = (Some(branches), doors, false);
+        group.bounds = group.surround();
         let (term, _) = self.walks[index];
-        let (cost, holds) = self.way(index);
+        let (cost, holds) = self.judge_group(index);
         self.set(term, cost, holds);
     }
 
-    /// Asks the evaluator whether there are the ways that are thought barred: a plan is only a plan. Whether there are.
-    pub(super) fn confirm_ways(&mut self) -> bool {
+    /// Asks the evaluator whether there are the paths that are thought barred: a plan is only a plan. Whether there are.
+    pub(super) fn confirm_paths(&mut self) -> bool {
         self.begin_to_follow();
         self.follow();
         for check in self.bad.clone() {
-            let Some(Judge::Way(way)) = self.judges.get(check) else { return false };
-            let way = *way;
+            let Some(Judge::PathGroup(group)) = self.judges.get(check) else { return false };
+            let group = *group;
             for t in 0..self.judges.len() {
-                if matches!(self.judges[t], Judge::Way(w) | Judge::Shared(w) if w == way) && !self.evaluate_path(t) {
+                if matches!(self.judges[t], Judge::PathGroup(w) | Judge::Shared(w) if w == group)
+                    && !self.evaluate_path(t)
+                {
                     return false;
                 }
             }
@@ -367,17 +369,17 @@ impl LocalSearch<'_> {
         true
     }
 
-    /// What was thought to hold does not: ways are planned wider from now on, and terms are asked of the evaluator.
+    /// What was thought to hold does not: paths are planned wider from now on, and terms are asked of the evaluator.
     /// Whether that is all that fails.
     pub fn doubt(&mut self, failing: &[usize]) -> bool {
         const MORE: f64 = 0.01;
         const MOST: f64 = 0.05;
         for &check in failing {
             match self.judges.get(check) {
-                Some(Judge::Way(way) | Judge::Shared(way)) => {
-                    let way = &mut self.ways[*way];
-                    way.doubt = (way.doubt + MORE).min(MOST);
-                    way.branches = None;
+                Some(Judge::PathGroup(group) | Judge::Shared(group)) => {
+                    let group = &mut self.groups[*group];
+                    group.doubt = (group.doubt + MORE).min(MOST);
+                    group.branches = None;
                 }
                 Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)) => self.ask_evaluator(check),
                 _ => return false,
