@@ -1,8 +1,9 @@
 //! Stage III, the Rubik solver: a program and the sizes of its objects in, a layout in which everything holds out.
 //!
-//! The frame is the published algorithm: InitialPlacement ([`place`]), PhysicsRelaxation ([`relax`]), then rounds of
-//! SelectBatch ([`select`]), proposals ([`propose`]) and EnforceBounds ([`bounds`]); the best layout is kept. What holds,
-//! and by how much, is asked of the one evaluator (`verify`); no predicate is known here by name.
+//! A local search ([`local`]) finds most layouts. Where it does not, and for proposers from outside, there is the published
+//! algorithm: InitialPlacement ([`place`]), PhysicsRelaxation ([`relax`]), then rounds of SelectBatch ([`select`]),
+//! proposals ([`propose`]) and EnforceBounds ([`bounds`]); the best layout is kept. What holds, and by how much, is asked
+//! of the one evaluator (`verify`); no predicate is known here by name.
 //!
 //! A language model may be one of the proposers ([`model`]).
 //!

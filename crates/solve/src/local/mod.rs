@@ -1,8 +1,8 @@
-//! The local search: weighted min-conflicts over many sampled poses, on straight-line code.
+//! The local search: weighted min-conflicts over many sampled poses.
 //!
 //! The layout is a row of floats here, formulas are code (see [`scenelang_verify::coded`]), parts are boxes, and a trial
-//! looks only at what the moved objects touch. Everything found is handed back to the search proper, which judges it by
-//! the evaluator itself.
+//! looks only at what the moved objects touch. What has no code is asked of the evaluator (`exact`). Whatever is found is
+//! judged by the evaluator in the end.
 
 mod clear;
 mod corridors;
@@ -286,7 +286,7 @@ impl<'a> LocalSearch<'a> {
                 .iter()
                 .any(|&t| frame.terms[t].is_hard() && setup::inside_of(&frame.terms[t].formula, id).is_some())
         };
-        let mut quick = Self {
+        let mut local = Self {
             tolerances: world.options.tolerances,
             numbering,
             slots: coder.slots(),
@@ -360,28 +360,28 @@ impl<'a> LocalSearch<'a> {
             frame,
         };
         // What the program fixes is so from here on.
-        for rule in 0..quick.rules.len() {
-            quick.obey(rule, 0);
+        for rule in 0..local.rules.len() {
+            local.obey(rule, 0);
         }
-        quick.moved.clear();
-        quick.followers = frame.objects().map(|id| quick.followers_of(id)).collect();
-        quick.terms_of = (0..n).map(|i| quick.sorted_terms(i, true)).collect();
-        quick.wishes_of = (0..n).map(|i| quick.sorted_terms(i, false)).collect();
+        local.moved.clear();
+        local.followers = frame.objects().map(|id| local.followers_of(id)).collect();
+        local.terms_of = (0..n).map(|i| local.sorted_terms(i, true)).collect();
+        local.wishes_of = (0..n).map(|i| local.sorted_terms(i, false)).collect();
         for id in frame.objects() {
-            let domain = quick.yaws_of(world, id)?;
-            let told = frame.terms_of[id.0 as usize].iter().any(|&t| matches!(quick.judges[t], Judge::Turn));
-            quick.turns.push(!frame.fixed(id).rot && !told);
-            quick.yaws.push(domain);
-            let field = quick.field_of(id);
-            quick.field.push(field);
-            quick.levels.push(quick.levels_of(id));
-            quick.outlines.push(quick.outlines_of(id));
-            quick.homes.push(quick.home_of(id, field, world)?);
+            let domain = local.yaws_of(world, id)?;
+            let told = frame.terms_of[id.0 as usize].iter().any(|&t| matches!(local.judges[t], Judge::Turn));
+            local.turns.push(!frame.fixed(id).rot && !told);
+            local.yaws.push(domain);
+            let field = local.field_of(id);
+            local.field.push(field);
+            local.levels.push(local.levels_of(id));
+            local.outlines.push(local.outlines_of(id));
+            local.homes.push(local.home_of(id, field, world)?);
         }
-        for at in 0..quick.movable.len() {
-            quick.heed_followers(quick.movable[at]);
+        for at in 0..local.movable.len() {
+            local.heed_followers(local.movable[at]);
         }
-        Some(quick)
+        Some(local)
     }
 
     /// The layout as changes of the search proper.
