@@ -53,6 +53,8 @@ pub fn run(args: &Solve) -> u8 {
         time: args.time.map(Duration::from_secs_f64),
         alternatives: args.alternatives.map(usize::from),
         free: FREE[usize::from(args.format == Plain::Json)],
+        threads: args.search.threads(),
+        effort: args.search.effort,
         stop,
         seed: args.seed,
         judge,

@@ -39,6 +39,10 @@ pub struct Request<'a> {
     pub alternatives: Option<usize>,
     /// How much work may go into what a layout leaves open.
     pub free: u64,
+    /// How many threads the solver may use; 0: as many as there are cores. The layout does not depend on it.
+    pub threads: usize,
+    /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
+    pub effort: u64,
     /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
     pub stop: &'a Stop,
     /// Fixes draws and every random choice.
@@ -186,6 +190,8 @@ pub fn solve_with(
         previous: start.as_ref().map(|s| &s.layout),
         locked,
         time: request.time,
+        threads: request.threads,
+        effort: request.effort,
         seed: request.seed,
         judge: request.judge,
         stop: request.stop.clone(),
@@ -268,6 +274,10 @@ pub struct Arranging<'a> {
     pub locked: Vec<ObjectId>,
     /// The solver takes at most so long.
     pub time: Option<Duration>,
+    /// How many threads the solver may use; 0: as many as there are cores. The layout does not depend on it.
+    pub threads: usize,
+    /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
+    pub effort: u64,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -318,6 +328,8 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         seed: how.seed,
         judge: how.judge,
         time: how.time,
+        threads: how.threads,
+        effort: how.effort,
         locked: how.locked,
         stop: how.stop,
         ..Default::default()
