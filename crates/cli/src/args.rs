@@ -187,6 +187,9 @@ pub struct Solve {
     /// So many layouts that differ in kind: NAME.1.layout.json and so on
     #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
     pub alternatives: Option<u16>,
+    /// Also say what the layout leaves open: how far each object could still move, and whether it could turn
+    #[arg(long)]
+    pub free: bool,
     /// How long and on how many threads to search
     #[command(flatten)]
     pub search: Search,

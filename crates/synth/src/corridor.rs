@@ -37,7 +37,7 @@ pub struct Request<'a> {
     pub time: Option<Duration>,
     /// How many layouts that differ in kind are wanted; `None`: one, and a model may propose.
     pub alternatives: Option<usize>,
-    /// How much work may go into what a layout leaves open.
+    /// How much work may go into what a layout leaves open; 0: it is not looked for.
     pub free: u64,
     /// How many threads the solver may use; 0: as many as there are cores. The layout does not depend on it.
     pub threads: usize,
@@ -113,7 +113,7 @@ pub struct Found {
     pub text: String,
     /// The judgement of that file, by the same code as `scenelang check`.
     pub checked: Checked,
-    /// What is still open, where all that must hold does.
+    /// What is still open, where that was asked for and all that must hold does.
     pub free: Free,
 }
 
@@ -251,7 +251,7 @@ pub fn solve_with(
         };
         let mut found = judged(request, &name, outcome, start.as_ref());
         // What is still free has the time that is left.
-        if found.outcome.converged && !request.stop.is_set() {
+        if request.free > 0 && found.outcome.converged && !request.stop.is_set() {
             let time = request.time.map(|time| left(time, Duration::ZERO, begun.elapsed()));
             let options = scenelang_solve::Options { time, ..options.clone() };
             found.free = freedom(&problem, &options, &found.outcome.layout, request.free);
