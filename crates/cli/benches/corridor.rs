@@ -110,6 +110,8 @@ fn solve(c: &mut Criterion) {
             time: None,
             alternatives: None,
             free: 0,
+            threads: 0,
+            effort: 1,
             stop: &Stop::default(),
             seed: 0,
             judge: scenelang_verify::Options::default(),

@@ -187,6 +187,12 @@ pub struct Solve {
     /// So many layouts that differ in kind: NAME.1.layout.json and so on
     #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
     pub alternatives: Option<u16>,
+    /// Also say what the layout leaves open: how far each object could still move, and whether it could turn
+    #[arg(long)]
+    pub free: bool,
+    /// How long and on how many threads to search
+    #[command(flatten)]
+    pub search: Search,
     /// How the result is printed
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
@@ -222,6 +228,24 @@ pub struct Repair {
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// How much `solve` and `synth` may spend on the search for a layout.
+#[derive(ClapArgs, Debug, Clone)]
+pub struct Search {
+    /// The search uses at most so many threads [default: as many as there are cores]; the result does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// N times the usual work before the search gives up
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    pub effort: u64,
+}
+
+impl Search {
+    /// How many threads may search; 0: as many as there are cores.
+    pub fn threads(&self) -> usize {
+        self.threads.map_or(0, usize::from)
+    }
 }
 
 /// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
@@ -286,6 +310,9 @@ pub struct Synth {
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// How long and on how many threads to search
+    #[command(flatten)]
+    pub search: Search,
     /// How the summary is written
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,

@@ -13,7 +13,7 @@ const FORMAT: &str = "scenelang.solution/1";
 /// So many objects that are still free are named to people.
 const NAMED: usize = 5;
 
-/// For people: what fails in each layout, where it is, what is in the way, what is still free.
+/// For people: what fails in each layout, where it is, what is in the way, what is still free if that was looked for.
 pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String {
     let mut out = String::new();
     for (found, file) in solved.all().zip(files) {
@@ -21,7 +21,7 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
         let end = match found.outcome.end {
             _ if found.layout().incomplete => ", as far as it was when interrupted, and marked as incomplete",
             End::Time => ", when the time was over",
-            End::Budget => ", when the budget was spent",
+            End::Budget => ", when the budget was spent (--effort raises it)",
             _ => "",
         };
         out += &format!("{} written after {} rounds{end}\n", file.display(), found.outcome.iterations);

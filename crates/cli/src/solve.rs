@@ -12,8 +12,8 @@ use scenelang_verify::{Checked, exit_code};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// How much work goes into what a layout leaves open: as much as nobody waits for, and for other programs more.
-const FREE: [u64; 2] = [2_000_000, 20_000_000];
+/// How much work goes into what a layout leaves open, where that is asked for: less than a second.
+const FREE: u64 = 20_000_000;
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
@@ -52,7 +52,9 @@ pub fn run(args: &Solve) -> u8 {
         },
         time: args.time.map(Duration::from_secs_f64),
         alternatives: args.alternatives.map(usize::from),
-        free: FREE[usize::from(args.format == Plain::Json)],
+        free: if args.free { FREE } else { 0 },
+        threads: args.search.threads(),
+        effort: args.search.effort,
         stop,
         seed: args.seed,
         judge,

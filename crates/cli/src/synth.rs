@@ -51,6 +51,8 @@ pub fn run(args: &Synth) -> u8 {
         time: None,
         alternatives: None,
         free: 0,
+        threads: args.search.threads(),
+        effort: args.search.effort,
         stop,
         seed: args.seed,
         judge,

@@ -66,6 +66,8 @@ pub struct Options {
     pub rounds: usize,
     /// At most so much work in all; a unit is some twenty nanoseconds. 0: by the number of objects.
     pub budget: u64,
+    /// How many times the usual work is allowed where the number of objects sets the budget; 0 counts as 1.
+    pub effort: u64,
     /// At most so long, whatever the budget. What comes of it then depends on the machine.
     pub time: Option<Duration>,
     /// How many threads may work; 0: as many as there are cores. The outcome does not depend on it.
@@ -91,6 +93,7 @@ impl Default for Options {
             batch: 3,
             rounds: 400,
             budget: 0,
+            effort: 1,
             time: None,
             threads: 0,
             stop: Stop::default(),
@@ -116,7 +119,13 @@ impl Options {
     pub(crate) fn budgeted(&self, objects: usize) -> Self {
         const LEAST: u64 = 40_000_000;
         const PER_OBJECT: u64 = 4_000_000;
-        let budget = if self.budget == 0 { LEAST + PER_OBJECT * objects as u64 } else { self.budget };
+        // The searches add budgets up and take parts of them as `f64`, which has all whole numbers up to here.
+        const MOST: u64 = 1 << 53;
+        let usual = LEAST.saturating_add(PER_OBJECT.saturating_mul(objects as u64));
+        let budget = match self.budget {
+            0 => usual.saturating_mul(self.effort.max(1)).min(MOST),
+            budget => budget,
+        };
         Self { budget, ..self.clone() }
     }
 }
@@ -215,4 +224,21 @@ pub struct Progress {
     pub held: usize,
     /// How many there are.
     pub total: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn effort_multiplies_the_budget_of_the_objects_only() {
+        let budget =
+            |budget, effort, objects| Options { budget, effort, ..Options::default() }.budgeted(objects).budget;
+        let usual = budget(0, 1, 10);
+        assert_eq!((budget(0, 0, 10), budget(0, 7, 10)), (usual, 7 * usual));
+        assert_eq!(budget(5, 7, 10), 5);
+        assert_eq!(budget(0, u64::MAX, usize::MAX), 1 << 53);
+        let budgeted = Options { effort: 3, ..Options::default() }.budgeted(10);
+        assert_eq!(budgeted.budgeted(10), budgeted, "it is not multiplied again");
+    }
 }

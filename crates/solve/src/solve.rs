@@ -102,7 +102,10 @@ pub fn solve_with(
     }
     let mut warnings = setup.warnings.clone();
     match end {
-        End::Budget => warnings.push(format!("the budget of {} units of work is spent", options.budget)),
+        End::Budget => warnings.push(format!(
+            "the budget of {} units of work is spent; a larger budget or effort (`--effort` on the command line) allows more",
+            options.budget
+        )),
         End::Time => warnings.push("the time is over; what was found by then depends on the machine".to_owned()),
         End::Solved | End::Exhausted | End::Asked => {}
     }

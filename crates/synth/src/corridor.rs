@@ -37,8 +37,12 @@ pub struct Request<'a> {
     pub time: Option<Duration>,
     /// How many layouts that differ in kind are wanted; `None`: one, and a model may propose.
     pub alternatives: Option<usize>,
-    /// How much work may go into what a layout leaves open.
+    /// How much work may go into what a layout leaves open; 0: it is not looked for.
     pub free: u64,
+    /// How many threads the solver may use; 0: as many as there are cores. The layout does not depend on it.
+    pub threads: usize,
+    /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
+    pub effort: u64,
     /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
     pub stop: &'a Stop,
     /// Fixes draws and every random choice.
@@ -109,7 +113,7 @@ pub struct Found {
     pub text: String,
     /// The judgement of that file, by the same code as `scenelang check`.
     pub checked: Checked,
-    /// What is still open, where all that must hold does.
+    /// What is still open, where that was asked for and all that must hold does.
     pub free: Free,
 }
 
@@ -186,6 +190,8 @@ pub fn solve_with(
         previous: start.as_ref().map(|s| &s.layout),
         locked,
         time: request.time,
+        threads: request.threads,
+        effort: request.effort,
         seed: request.seed,
         judge: request.judge,
         stop: request.stop.clone(),
@@ -245,7 +251,7 @@ pub fn solve_with(
         };
         let mut found = judged(request, &name, outcome, start.as_ref());
         // What is still free has the time that is left.
-        if found.outcome.converged && !request.stop.is_set() {
+        if request.free > 0 && found.outcome.converged && !request.stop.is_set() {
             let time = request.time.map(|time| left(time, Duration::ZERO, begun.elapsed()));
             let options = scenelang_solve::Options { time, ..options.clone() };
             found.free = freedom(&problem, &options, &found.outcome.layout, request.free);
@@ -268,6 +274,10 @@ pub struct Arranging<'a> {
     pub locked: Vec<ObjectId>,
     /// The solver takes at most so long.
     pub time: Option<Duration>,
+    /// How many threads the solver may use; 0: as many as there are cores. The layout does not depend on it.
+    pub threads: usize,
+    /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
+    pub effort: u64,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -318,6 +328,8 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         seed: how.seed,
         judge: how.judge,
         time: how.time,
+        threads: how.threads,
+        effort: how.effort,
         locked: how.locked,
         stop: how.stop,
         ..Default::default()

@@ -33,7 +33,7 @@ fn the_examples_of_the_book_are_as_shown() {
     for (scene, shown) in examples {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("room.scene"), &scene).unwrap();
-        let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
+        let ended = scenelang(folder.path(), ["solve", "room.scene", "--free", "--format", "json"]);
         let answer = fits("solution", &ended.stdout);
         assert!(contains(&answer, &shown), "{scene}\n{shown:#}\nbut\n{answer:#}");
     }
@@ -97,8 +97,12 @@ fn several_layouts_differ_in_kind() {
 fn what_is_still_free_is_named() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("room.scene"), OPEN).unwrap();
-    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
-    let answer = fits("solution", &ended.stdout);
+    let solve = |more: &[&str]| scenelang(folder.path(), ["solve", "room.scene"].iter().chain(more));
+    // Only who asks for it waits for it.
+    assert!(!solve(&[]).stdout.contains("free"));
+    let answer = fits("solution", &solve(&["--format", "json"]).stdout);
+    assert_eq!(answer["layouts"][0]["free"], json!({ "objects": [], "complete": false }));
+    let answer = fits("solution", &solve(&["--free", "--format", "json"]).stdout);
     let free = &answer["layouts"][0]["free"];
     let of = |name: &str| free["objects"].as_array().unwrap().iter().find(|f| f["object"] == name);
     assert!(free["complete"] == true && of("chair[2]").is_some(), "{free:#}");
@@ -108,9 +112,62 @@ fn what_is_still_free_is_named() {
     assert_eq!((&lamp["x"], &lamp["turn"]), (&json!([0.0, 0.0]), &false.into()));
     let reach: f64 = lamp["z"].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).sum();
     assert!(reach > 0.0 && reach <= 3.61, "within a room of 4 m, 0.4 m thick: {lamp}");
-    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    let ended = solve(&["--free"]);
     let line = ended.stdout.lines().find(|l| l.starts_with("still free: ")).expect("a line");
     assert!(line.contains(lamp["text"].as_str().unwrap()) && line.contains("`lamp` along z by up to "), "{line}");
+}
+
+#[test]
+fn threads_change_no_byte_and_effort_raises_the_budget() {
+    let folder = tempfile::tempdir().unwrap();
+    // No layout satisfies it, and none is proved impossible: the whole budget is spent.
+    let (scene, _) = book().remove(2);
+    fs::write(folder.path().join("room.scene"), &scene).unwrap();
+    let solve = |more: &[&str]| {
+        let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"].iter().chain(more));
+        assert_eq!(ended.code, 1, "{more:?}: {}", ended.stderr);
+        let warnings = fits("solution", &ended.stdout)["warnings"].to_string();
+        let budget = warnings.split("the budget of ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+        assert!(warnings.contains("`--effort`"), "{warnings}");
+        let budget: u64 = budget.parse().unwrap();
+        (ended.stdout, fs::read(folder.path().join("room.layout.json")).unwrap(), budget)
+    };
+    let usual = solve(&[]);
+    for same in [&["--threads", "1"][..], &["--threads", "2"], &["--effort", "1", "--threads", "9"]] {
+        assert!(solve(same) == usual, "{same:?}");
+    }
+    assert_eq!(solve(&["--effort", "2"]).2, 2 * usual.2);
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    assert!(ended.stdout.contains("when the budget was spent (--effort raises it)"), "{}", ended.stdout);
+
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    let layouts = [["--threads", "1"], ["--threads", "2"], ["--effort", "3"]].map(|option| {
+        let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "out"].iter().chain(&option));
+        assert_eq!(ended.code, 0, "{option:?}: {}", ended.stderr);
+        fs::read(folder.path().join("out/room.layout.json")).unwrap()
+    });
+    assert!(layouts.iter().all(|layout| *layout == layouts[0]));
+}
+
+#[test]
+fn threads_and_effort_have_limits() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), OPEN).unwrap();
+    for command in ["solve", "synth"] {
+        for [option, value] in [
+            ["--effort", "0"],
+            ["--effort", "1001"],
+            ["--effort", "-1"],
+            ["--effort", "much"],
+            ["--threads", "0"],
+            ["--threads", "65536"],
+        ] {
+            let ended = scenelang(folder.path(), [command, "room.scene", &format!("{option}={value}")]);
+            assert_eq!(ended.code, 2, "{command} {option} {value}: {}", ended.stderr);
+            assert!(ended.stderr.contains(option), "{}", ended.stderr);
+        }
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "nothing was written");
 }
 
 /// The lines of the statements of which a report says that they cannot hold together.

@@ -1,10 +1,12 @@
 //! Light: a sun with soft shadows, a sky, and the dimness of corners; then the pixels.
 
+use super::bands::bands;
 use super::raster::{Buffer, Lens, NOTHING, blend, cover, depths, dot, draw, sub, unit};
-use super::stage::{Look, Stage};
+use super::stage::{Look, Stage, Triangle};
 use crate::scene::View;
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
+use std::ops::Range;
 
 /// Samples per pixel along each axis.
 const FINE: usize = 2;
@@ -23,26 +25,35 @@ const FILL: [f32; 3] = [0.15, 0.16, 0.18];
 /// Background at the top and at the bottom, linear.
 const BACKDROP: [[f32; 3]; 2] = [[0.80, 0.84, 0.88], [0.93, 0.94, 0.94]];
 
-/// Renders to RGB bytes, row by row.
-pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2]) -> Vec<u8> {
+/// Renders to RGB bytes, row by row. They are the same whatever the number of threads.
+pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usize) -> Vec<u8> {
     let lens = camera(view, size.map(|s| s * FINE));
-    let opaque = |t: &&super::stage::Triangle| stage.looks[t.look as usize].opacity >= 1.0;
-    let buffer = draw(&lens, stage.triangles.iter().filter(opaque));
-    let corners = Occlusion::of(&buffer, &lens);
-    let sun = Sun::new(stage, view);
-    let mut light: Vec<[f32; 3]> = (0..buffer.depth.len())
-        .map(|at| {
-            let [x, y] = [at % lens.size[0], at / lens.size[0]];
-            if buffer.look[at] == NOTHING {
-                return backdrop(stage, &lens, x, y);
-            }
-            let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
-            let look = &stage.looks[buffer.look[at] as usize];
-            shade(look, place, buffer.normal[at], lens.eye, &sun, corners.at(x, y))
-        })
-        .collect();
-    glaze(stage, &lens, &buffer, &sun, &mut light);
-    develop(&light, lens.size, size)
+    let is_opaque = |t: &&Triangle| stage.looks[t.look as usize].opacity >= 1.0;
+    let (opaque, clear): (Vec<&Triangle>, Vec<&Triangle>) = stage.triangles.iter().partition(is_opaque);
+    let buffer = draw(&lens, &opaque, threads);
+    let corners = Occlusion::of(&buffer, &lens, threads);
+    let sun = Sun::new(stage, view, threads);
+    let clear = far_first(clear, &lens);
+    let width = lens.size[0];
+    let developed = bands(size[1], threads, |rows| {
+        let fine = rows.start * FINE..rows.end * FINE;
+        let mut light: Vec<[f32; 3]> = (fine.start * width..fine.end * width)
+            .map(|at| {
+                let [x, y] = [at % width, at / width];
+                if buffer.look[at] == NOTHING {
+                    return backdrop(stage, &lens, x, y);
+                }
+                let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
+                let look = &stage.looks[buffer.look[at] as usize];
+                shade(look, place, buffer.normal[at], lens.eye, &sun, corners.at(x, y))
+            })
+            .collect();
+        for triangle in &clear {
+            glaze(stage, &lens, &buffer, &sun, triangle, &fine, &mut light);
+        }
+        develop(&light, width, [size[0], rows.len()])
+    });
+    developed.concat()
 }
 
 /// A pale sheet that darkens where the building stands on it.
@@ -89,7 +100,7 @@ struct Sun {
 }
 
 impl Sun {
-    fn new(stage: &Stage, view: &View) -> Self {
+    fn new(stage: &Stage, view: &View, threads: usize) -> Self {
         let axes = view.axes();
         let level = |v: Vec3| Vec3::new(v.x, 0.0, v.z).normalize();
         let (right, ahead) = (level(axes.column(0).into()), level(axes.column(2).into()));
@@ -98,9 +109,9 @@ impl Sun {
         let sight = View { eye: way, target: Vec3::zeros(), fov: 0.0 }.axes();
         let mut lens = Lens { eye: [0.0; 3], axes: rows(&sight), focal: 0.0, zoom: 1.0, size: [SHADOW, SHADOW] };
         // The map is centred on what throws shadows and just large enough for it.
-        let casters = || stage.triangles.iter().filter(|t| t.shadow);
+        let casters: Vec<&Triangle> = stage.triangles.iter().filter(|t| t.shadow).collect();
         let (mut lo, mut hi) = ([f32::MAX; 3], [f32::MIN; 3]);
-        for p in casters().flat_map(|t| t.points).map(|p| lens.seen(p)) {
+        for p in casters.iter().flat_map(|t| t.points).map(|p| lens.seen(p)) {
             lo = std::array::from_fn(|i| lo[i].min(p[i]));
             hi = std::array::from_fn(|i| hi[i].max(p[i]));
         }
@@ -110,7 +121,7 @@ impl Sun {
             lens.eye = std::array::from_fn(|i| r[i] * middle[0] + u[i] * middle[1] + f[i] * middle[2]);
             lens.zoom = (SHADOW as f32 - 16.0) / (hi[0] - lo[0]).max(hi[1] - lo[1]).max(0.1);
         }
-        let depths = depths(&lens, casters());
+        let depths = depths(&lens, &casters, threads);
         Self { lens, way: narrow(way), fill: narrow(fill), depths }
     }
 
@@ -164,29 +175,29 @@ struct Occlusion {
 }
 
 impl Occlusion {
-    fn of(buffer: &Buffer, lens: &Lens) -> Self {
+    fn of(buffer: &Buffer, lens: &Lens, threads: usize) -> Self {
         let size = lens.size.map(|s| s / FINE);
-        let raw: Vec<f32> = (0..size[0] * size[1])
-            .map(|at| Self::sample(buffer, lens, [at % size[0] * FINE, at / size[0] * FINE]))
-            .collect();
+        let each = |value: &(dyn Fn(usize) -> f32 + Sync)| {
+            let band = |rows: Range<usize>| (rows.start * size[0]..rows.end * size[0]).map(value).collect::<Vec<_>>();
+            bands(size[1], threads, band).concat()
+        };
+        let raw = each(&|at| Self::sample(buffer, lens, [at % size[0] * FINE, at / size[0] * FINE]));
         // The samples of a pixel are turned against those of its neighbours; the mean over 4 × 4 has them all.
         let depth = |x: usize, y: usize| buffer.depth[y * FINE * lens.size[0] + x * FINE];
-        let open = (0..raw.len())
-            .map(|at| {
-                let (x, y) = (at % size[0], at / size[0]);
-                let own = depth(x, y);
-                let (mut sum, mut weight) = (0.0, 0.0);
-                for v in y.saturating_sub(2)..(y + 2).min(size[1]) {
-                    for u in x.saturating_sub(2)..(x + 2).min(size[0]) {
-                        if (depth(u, v) - own).abs() < 0.08 || (u, v) == (x, y) {
-                            sum += raw[v * size[0] + u];
-                            weight += 1.0;
-                        }
+        let open = each(&|at| {
+            let (x, y) = (at % size[0], at / size[0]);
+            let own = depth(x, y);
+            let (mut sum, mut weight) = (0.0, 0.0);
+            for v in y.saturating_sub(2)..(y + 2).min(size[1]) {
+                for u in x.saturating_sub(2)..(x + 2).min(size[0]) {
+                    if (depth(u, v) - own).abs() < 0.08 || (u, v) == (x, y) {
+                        sum += raw[v * size[0] + u];
+                        weight += 1.0;
                     }
                 }
-                if weight > 0.0 { sum / weight } else { 1.0 }
-            })
-            .collect();
+            }
+            if weight > 0.0 { sum / weight } else { 1.0 }
+        });
         Self { size, open }
     }
 
@@ -234,33 +245,44 @@ impl Occlusion {
     }
 }
 
-/// Draws what is not opaque over what is, farther things first.
-fn glaze(stage: &Stage, lens: &Lens, buffer: &Buffer, sun: &Sun, light: &mut [[f32; 3]]) {
-    let mut clear: Vec<_> = stage.triangles.iter().filter(|t| stage.looks[t.look as usize].opacity < 1.0).collect();
-    let far = |t: &super::stage::Triangle| t.points.iter().map(|p| lens.seen(*p)[2]).sum::<f32>();
+/// What is not opaque in the order in which it is drawn: farther things first.
+fn far_first<'a>(mut clear: Vec<&'a Triangle>, lens: &Lens) -> Vec<&'a Triangle> {
+    let far = |t: &Triangle| t.points.iter().map(|p| lens.seen(*p)[2]).sum::<f32>();
     clear.sort_by(|a, b| far(b).total_cmp(&far(a)));
-    for triangle in clear {
-        let look = &stage.looks[triangle.look as usize];
-        cover(lens, triangle, |hit| {
-            if hit.depth < buffer.depth[hit.at] {
-                let normal = blend(triangle.normals, hit.weights);
-                let p = [(hit.at % lens.size[0]) as f32 + 0.5, (hit.at / lens.size[0]) as f32 + 0.5];
-                let own = shade(look, lens.world(p, hit.depth), normal, lens.eye, sun, 1.0);
-                let under = light[hit.at];
-                light[hit.at] = std::array::from_fn(|i| under[i] + (own[i] - under[i]) * look.opacity);
-            }
-        });
-    }
+    clear
 }
 
-/// Light to sRGB bytes: bright parts are rolled off, then samples are averaged.
-fn develop(light: &[[f32; 3]], from: [usize; 2], to: [usize; 2]) -> Vec<u8> {
+/// Draws a triangle that is not opaque over the light of some rows.
+fn glaze(
+    stage: &Stage,
+    lens: &Lens,
+    buffer: &Buffer,
+    sun: &Sun,
+    triangle: &Triangle,
+    rows: &Range<usize>,
+    light: &mut [[f32; 3]],
+) {
+    let look = &stage.looks[triangle.look as usize];
+    let width = lens.size[0];
+    cover(lens, rows, triangle, |hit| {
+        if hit.depth < buffer.depth[hit.at] {
+            let normal = blend(triangle.normals, hit.weights);
+            let p = [(hit.at % width) as f32 + 0.5, (hit.at / width) as f32 + 0.5];
+            let own = shade(look, lens.world(p, hit.depth), normal, lens.eye, sun, 1.0);
+            let light = &mut light[hit.at - rows.start * width];
+            *light = std::array::from_fn(|i| light[i] + (own[i] - light[i]) * look.opacity);
+        }
+    });
+}
+
+/// Light to sRGB bytes: bright parts are rolled off, then samples are averaged. `width` is that of the light.
+fn develop(light: &[[f32; 3]], width: usize, to: [usize; 2]) -> Vec<u8> {
     let mut out = Vec::with_capacity(to[0] * to[1] * 3);
     for y in 0..to[1] {
         for x in 0..to[0] {
             let mut sum = [0.0; 3];
             for k in 0..FINE * FINE {
-                let sample = light[(y * FINE + k / FINE) * from[0] + x * FINE + k % FINE];
+                let sample = light[(y * FINE + k / FINE) * width + x * FINE + k % FINE];
                 sum = std::array::from_fn(|i| sum[i] + shoulder(sample[i]));
             }
             out.extend(sum.map(|v| (encoded(v / (FINE * FINE) as f32) * 255.0).round() as u8));

@@ -1,6 +1,8 @@
 //! Triangles to pixels: a depth buffer with the normal and the look of what is nearest.
 
+use super::bands::bands;
 use super::stage::Triangle;
+use std::ops::Range;
 
 /// A point in front of the camera: right, up, forward.
 type Eye = [f32; 3];
@@ -54,8 +56,8 @@ pub(super) struct Hit {
     pub weights: [f32; 3],
 }
 
-/// Calls `hit` for each pixel whose centre a triangle covers and that it faces.
-pub(super) fn cover(lens: &Lens, triangle: &Triangle, mut hit: impl FnMut(Hit)) {
+/// Calls `hit` for each pixel of some rows whose centre a triangle covers and that it faces.
+pub(super) fn cover(lens: &Lens, rows: &Range<usize>, triangle: &Triangle, mut hit: impl FnMut(Hit)) {
     let eye = triangle.points.map(|p| lens.seen(p));
     // The camera stands outside; what reaches behind it would cover everything.
     if eye.iter().any(|p| lens.focal > 0.0 && p[2] < 0.05) {
@@ -74,8 +76,9 @@ pub(super) fn cover(lens: &Lens, triangle: &Triangle, mut hit: impl FnMut(Hit)) 
     };
     // Perspective keeps 1/z, not z, linear on the sheet.
     let inverse = if lens.focal > 0.0 { eye.map(|p| 1.0 / p[2]) } else { [1.0; 3] };
-    for y in span(1) {
-        for x in span(0) {
+    let (across, down) = (span(0), span(1));
+    for y in down.start.max(rows.start)..down.end.min(rows.end) {
+        for x in across.clone() {
             let p = [x as f32 + 0.5, y as f32 + 0.5];
             let edge = |s: [f32; 2], t: [f32; 2]| (t[0] - s[0]) * (p[1] - s[1]) - (t[1] - s[1]) * (p[0] - s[0]);
             let flat = [edge(b, c), edge(c, a), edge(a, b)];
@@ -112,29 +115,47 @@ pub(super) struct Buffer {
 }
 
 /// Draws opaque triangles.
-pub(super) fn draw<'a>(lens: &Lens, triangles: impl Iterator<Item = &'a Triangle>) -> Buffer {
-    let pixels = lens.size[0] * lens.size[1];
-    let mut out =
-        Buffer { depth: vec![f32::INFINITY; pixels], normal: vec![[0.0; 3]; pixels], look: vec![NOTHING; pixels] };
-    for triangle in triangles {
-        cover(lens, triangle, |hit| {
-            if hit.depth < out.depth[hit.at] {
-                out.depth[hit.at] = hit.depth;
-                out.normal[hit.at] = blend(triangle.normals, hit.weights);
-                out.look[hit.at] = triangle.look;
-            }
-        });
+pub(super) fn draw(lens: &Lens, triangles: &[&Triangle], threads: usize) -> Buffer {
+    let [width, height] = lens.size;
+    let drawn = bands(height, threads, |rows| {
+        let pixels = rows.len() * width;
+        let mut out =
+            Buffer { depth: vec![f32::INFINITY; pixels], normal: vec![[0.0; 3]; pixels], look: vec![NOTHING; pixels] };
+        for triangle in triangles {
+            cover(lens, &rows, triangle, |hit| {
+                let at = hit.at - rows.start * width;
+                if hit.depth < out.depth[at] {
+                    out.depth[at] = hit.depth;
+                    out.normal[at] = blend(triangle.normals, hit.weights);
+                    out.look[at] = triangle.look;
+                }
+            });
+        }
+        out
+    });
+    let mut out = Buffer { depth: Vec::new(), normal: Vec::new(), look: Vec::new() };
+    for band in drawn {
+        out.depth.extend(band.depth);
+        out.normal.extend(band.normal);
+        out.look.extend(band.look);
     }
     out
 }
 
 /// Depths only, as the light sees it.
-pub(super) fn depths<'a>(lens: &Lens, triangles: impl Iterator<Item = &'a Triangle>) -> Vec<f32> {
-    let mut out = vec![f32::INFINITY; lens.size[0] * lens.size[1]];
-    for triangle in triangles {
-        cover(lens, triangle, |hit| out[hit.at] = out[hit.at].min(hit.depth));
-    }
-    out
+pub(super) fn depths(lens: &Lens, triangles: &[&Triangle], threads: usize) -> Vec<f32> {
+    let [width, height] = lens.size;
+    let drawn = bands(height, threads, |rows| {
+        let mut out = vec![f32::INFINITY; rows.len() * width];
+        for triangle in triangles {
+            cover(lens, &rows, triangle, |hit| {
+                let at = hit.at - rows.start * width;
+                out[at] = out[at].min(hit.depth);
+            });
+        }
+        out
+    });
+    drawn.concat()
 }
 
 /// The normal between corners.
