@@ -275,8 +275,9 @@ impl<'r, 'a> Run<'r, 'a> {
             limit = limit.earlier(PATHS_JUDGED * judging(&mut search.state, &first.local));
         }
         let threads = self.options.threads();
+        let another = || member(1).map(|other| Member { local: other.local.with_skew_first(), ..other });
         let (Member { mut local, mut chance }, mut solved) =
-            portfolio::search(first, || member(1), budget, &limit, &given, threads);
+            portfolio::search(first, another, budget, &limit, &given, threads);
         let holds = loop {
             if solved {
                 let wishes = (self.options.budget as f64 * self.options.polish) as u64;

@@ -46,14 +46,20 @@ impl LocalSearch<'_> {
         let mut poses = Vec::new();
         loop {
             if !self.course.open {
-                self.begin(chance, if self.course.turn == 0 { given } else { &[] }, &late);
-                self.skew = true;
+                let given = if self.course.turn == 0 { given } else { &[] };
+                // Things stand square at first: that is what people expect, and rows of them do not drift. What cannot be
+                // so is found in every other turn.
+                let skew = (self.course.turn + self.skew_first) % 2 == 1 || given.contains(&true);
+                self.skew = skew && self.course.turn > 0;
+                self.begin(chance, given, &late);
+                self.skew = skew;
                 let Course { turn, best, .. } = std::mem::take(&mut self.course);
                 let (begun, walking_since) = (self.work, self.work);
                 self.course =
                     Course { turn: turn + 1, open: true, idle: 0, least: usize::MAX, begun, walking_since, best };
             }
-            let turn = luby(self.course.turn);
+            // Square turns and others come in pairs of the same length.
+            let turn = luby(self.course.turn.div_ceil(2));
             let patience = (patience * turn) as usize;
             while self.work < end && !late() && self.course.idle < patience {
                 if self.bad.is_empty() && !self.walking {
@@ -77,6 +83,12 @@ impl LocalSearch<'_> {
             }
             self.course.open = false;
         }
+    }
+
+    /// A search whose first turn is none in which things stand square.
+    pub fn with_skew_first(mut self) -> Self {
+        self.skew_first = 1;
+        self
     }
 
     /// Whether an arrangement was soon found, but bars paths for long: it is better left than mended.

@@ -172,6 +172,8 @@ pub(crate) struct LocalSearch<'a> {
     field: Vec<Field>,
     /// Whether such yaws are drawn at all: at first things stand square.
     skew: bool,
+    /// 1: turns in which they are drawn come first, 0: the others.
+    skew_first: u32,
     /// By object: those that its height is set by.
     bases: Vec<Vec<usize>>,
     /// By object: others that it shares terms with.
@@ -317,6 +319,7 @@ impl<'a> LocalSearch<'a> {
             turns: Vec::new(),
             field: Vec::new(),
             skew: false,
+            skew_first: 0,
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),

@@ -45,7 +45,7 @@ impl LocalSearch<'_> {
                 out.push(turned(now, yaw));
             }
         }
-        if self.turns[i] {
+        if self.turns[i] && self.skew {
             self.turning(i, chance, out);
         }
         for far in [0.02, 0.1, 0.4, 1.0] {
@@ -215,7 +215,7 @@ impl LocalSearch<'_> {
                 }
                 out.push(pose);
             }
-            if self.turns[i] {
+            if self.turns[i] && self.skew {
                 self.straight_there(now, missing, slopes, out);
                 let slope = (self.missing(t, i, turned(now, now[3] + TURN)) - missing) / TURN;
                 let step = -(missing + EASE) / slope;
