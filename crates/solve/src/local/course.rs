@@ -31,6 +31,8 @@ pub(super) struct Course {
     /// The work when this turn began, and when paths came to be looked at.
     begun: u64,
     walking_since: u64,
+    /// How much was violated at best in turns in which things stand square, and in others.
+    least_of: [Option<usize>; 2],
     /// How much was violated at best in all turns, and where everything was then.
     best: Option<(usize, Vec<Inputs>)>,
 }
@@ -47,16 +49,22 @@ impl LocalSearch<'_> {
         loop {
             if !self.course.open {
                 let given = if self.course.turn == 0 { given } else { &[] };
-                // Things stand square at first: that is what people expect, and rows of them do not drift. What cannot be
-                // so is found in every other turn.
-                let skew = (self.course.turn + self.skew_first) % 2 == 1 || given.contains(&true);
+                let skew = self.next_is_skew() || given.contains(&true);
                 self.skew = skew && self.course.turn > 0;
                 self.begin(chance, given, &late);
                 self.skew = skew;
-                let Course { turn, best, .. } = std::mem::take(&mut self.course);
+                let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
                 let (begun, walking_since) = (self.work, self.work);
-                self.course =
-                    Course { turn: turn + 1, open: true, idle: 0, least: usize::MAX, begun, walking_since, best };
+                self.course = Course {
+                    turn: turn + 1,
+                    open: true,
+                    idle: 0,
+                    least: usize::MAX,
+                    begun,
+                    walking_since,
+                    least_of,
+                    best,
+                };
             }
             // Square turns and others come in pairs of the same length.
             let turn = luby(self.course.turn.div_ceil(2));
@@ -85,6 +93,17 @@ impl LocalSearch<'_> {
         }
     }
 
+    /// Whether things may stand askew in the next turn. They stand square at first: that is what people expect, and rows of
+    /// them do not drift. What does better is done more often from then on.
+    fn next_is_skew(&self) -> bool {
+        let Course { turn, least_of: [square, skew], .. } = &self.course;
+        let other = (turn + self.skew_first) % 2 == 1;
+        match (square, skew) {
+            (Some(square), Some(skew)) if square != skew => (skew < square) != (turn % 4 == 3),
+            _ => other,
+        }
+    }
+
     /// A search whose first turn is none in which things stand square.
     pub fn with_skew_first(mut self) -> Self {
         self.skew_first = 1;
@@ -104,6 +123,8 @@ impl LocalSearch<'_> {
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };
         course.least = course.least.min(bad);
+        let least = &mut course.least_of[usize::from(self.skew)];
+        *least = Some(least.map_or(bad, |least| least.min(bad)));
         if course.best.as_ref().is_none_or(|(least, _)| bad < *least) {
             self.course.best = Some((bad, (0..self.count()).map(|i| self.inputs(i)).collect()));
         }
