@@ -45,6 +45,10 @@ enum Choice {
 impl LocalSearch<'_> {
     /// One object of something violated goes to the best of many poses, or changes places with another.
     pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
+        // Where the program fixes everything there is nothing to try.
+        if self.movable.is_empty() {
+            return;
+        }
         self.work += 1;
         let check = self.bad[chance.below(self.bad.len())];
         if let Some(Judge::PathGroup(group)) = self.judges.get(check)
