@@ -17,6 +17,8 @@ const CELL: f64 = 0.05;
 const DETOUR: [f64; 2] = [3.0, 15.0];
 /// The same for what cannot be moved.
 const BARRED: f64 = 300.0;
+/// How much of a cell lies at most between its middle and where a corridor ends in it: half of its diagonal.
+const ACROSS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Work that a plan takes, per cell.
 const WORK: u64 = 4;
 /// How often the bends of a plan are pushed away from what is beside them, and how much room they are to keep (metres).
@@ -35,27 +37,24 @@ impl LocalSearch<'_> {
         let Some(grid) = Grid::new(self) else { return group.targets.iter().map(|goals| none(goals)).collect() };
         self.work += WORK * grid.count() as u64;
         let group = &self.groups[index];
-        let around = |end: usize| self.around(end, near, radius);
-        let from = around(group.from);
-        let ends: Vec<Vec<(usize, [f64; 2])>> = group
-            .targets
-            .iter()
-            .map(|goals| goals.iter().flat_map(|&goal| around(goal).into_iter().map(move |p| (goal, p))).collect())
-            .collect();
+        let from = self.around(&grid, group.from, near, radius);
+        let mut ends: Vec<End> = Vec::new();
+        for (target, goals) in group.targets.iter().enumerate() {
+            for &goal in goals {
+                ends.extend(self.around(&grid, goal, near, radius).into_iter().map(|cell| End { cell, target, goal }));
+            }
+        }
+        ends.sort_unstable();
         let cost = self.cost_of_cells(&grid, radius);
-        let tree = grid.tree(&cost, &from, &ends);
-        let nearest = |places: &[(usize, [f64; 2])], cell: usize| {
-            let middle = grid.middle(cell);
-            let far = |p: &[f64; 2]| (p[0] - middle[0]).hypot(p[1] - middle[1]);
-            places.iter().copied().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)))
-        };
-        let begins: Vec<(usize, [f64; 2])> = from.iter().map(|p| (group.from, *p)).collect();
+        let tree = grid.tree(&cost, &from, &ends, group.targets.len());
+        // Where exactly a corridor begins or ends in a cell.
+        let touch = |j: usize, cell: usize| self.flat(j).away(grid.middle(cell), near);
         let beside: Vec<Flat> = (0..self.count()).filter(|&j| self.is_in_the_way(j)).map(|j| self.flat(j)).collect();
         let mut used = vec![false; grid.count()];
         let mut steps: Vec<Flat> = Vec::new();
         let mut branches: Vec<Branch> = group.targets.iter().map(|goals| none(goals)).collect();
         // Near ones first: those beyond go on from there.
-        for &(target, last) in &tree.reached {
+        for &End { target, cell: last, goal } in &tree.reached {
             let mut cells = vec![last];
             while let Some(before) = tree.before(cells[cells.len() - 1]).filter(|_| !used[cells[cells.len() - 1]]) {
                 cells.push(before);
@@ -64,45 +63,32 @@ impl LocalSearch<'_> {
             cells.iter().for_each(|&c| used[c] = true);
             let first = grid.middle(cells[0]);
             let joins = steps.iter().map(|step| on_step(step, first)).min_by(|a, b| {
-                let far = |p: &[f64; 2]| (p[0] - first[0]).hypot(p[1] - first[1]);
+                let far = |p: &[f64; 2]| (p[0] - first[0]).powi(2) + (p[1] - first[1]).powi(2);
                 far(a).total_cmp(&far(b))
             });
             let is_rooted = tree.before(cells[0]).is_none();
-            let root = nearest(&begins, cells[0]).map(|(_, p)| p);
-            let begin = if is_rooted { root } else { joins.or(root) };
-            let mut path: Vec<[f64; 2]> = begin.into_iter().collect();
+            let root = touch(group.from, cells[0]);
+            let mut path: Vec<[f64; 2]> = vec![if is_rooted { root } else { joins.unwrap_or(root) }];
             path.extend(cells.iter().map(|c| grid.middle(*c)));
-            let end = nearest(&ends[target], last);
-            path.extend(end.map(|(_, p)| p));
+            path.push(touch(goal, last));
             self.push_aside(&mut path, radius, &beside);
             let bends = simplified(&path);
             steps.extend(bends.windows(2).map(|pair| step(pair[0], pair[1])));
-            let goal = end.map_or(branches[target].goal, |(goal, _)| goal);
             branches[target] = Branch { goal, is_rooted, bends };
         }
         branches
     }
 
-    /// Places on the floor so far from a thing.
-    fn around(&self, j: usize, far: f64, radius: f64) -> Vec<[f64; 2]> {
-        /// Between two of them (metres).
-        const STEP: f64 = 0.07;
+    /// Cells in which a disc on the floor is so far from a thing.
+    fn around(&self, grid: &Grid, j: usize, far: f64, radius: f64) -> Vec<usize> {
         let flat = self.flat(j);
-        let [w, d] = flat.half;
-        let beyond = [w + far, d + far];
-        let mut places = Vec::new();
-        for axis in [0, 1] {
-            let count = (2.0 * beyond[1 - axis] / STEP).ceil().min(100.0) as usize;
-            for (k, side) in (0..=count).flat_map(|k| [(k, -1.0), (k, 1.0)]) {
-                let mut local = [0.0; 2];
-                local[axis] = side * beyond[axis];
-                local[1 - axis] = beyond[1 - axis] * (2.0 * k as f64 / count as f64 - 1.0);
-                // Rounded off at the corners.
-                places.push(flat.away(flat.point(local), far));
-            }
-        }
-        places.retain(|p| self.is_floor(*p, radius, 0.0));
-        places
+        let mut cells: Vec<usize> = grid.around(&self.span[j], far + grid.cell).collect();
+        cells.retain(|&c| {
+            let middle = grid.middle(c);
+            let off = flat.distance(middle);
+            off > 0.0 && (off - far).abs() <= ACROSS * grid.cell && self.is_floor(flat.away(middle, far), radius, 0.0)
+        });
+        cells
     }
 
     /// What it costs to walk through each cell, per metre; infinite where there is no floor.
@@ -231,11 +217,19 @@ struct Grid {
     size: [usize; 2],
 }
 
+/// A cell in which a target is reached, at one of its goals.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct End {
+    cell: usize,
+    target: usize,
+    goal: usize,
+}
+
 /// The cheapest paths from where a search began.
 struct Tree {
     before: Vec<u32>,
-    /// Targets that are reached, each with the cell where that is; the nearest first.
-    reached: Vec<(usize, usize)>,
+    /// Where targets are reached; the nearest first.
+    reached: Vec<End>,
 }
 
 const UNSEEN: u32 = u32::MAX;
@@ -271,33 +265,17 @@ impl Grid {
         let row = self.size[0];
         (z0..=z1).flat_map(move |z| (x0..=x1).map(move |x| z * row + x))
     }
-    /// Cells beside a place.
-    fn beside(&self, p: [f64; 2]) -> impl Iterator<Item = usize> + '_ {
-        let point = Span { min: [p[0], 0.0, p[1]], max: [p[0], 0.0, p[1]] };
-        let near = move |c: &usize| {
-            let m = self.middle(*c);
-            (m[0] - p[0]).hypot(m[1] - p[1]) <= self.cell
-        };
-        self.around(&point, self.cell).filter(near)
-    }
-
-    /// The cheapest paths from some places to one of the places of each target (Dijkstra's algorithm).
-    fn tree(&self, cost: &[f64], from: &[[f64; 2]], ends: &[Vec<(usize, [f64; 2])>]) -> Tree {
+    /// The cheapest paths from some cells to one of the ends of each target (Dijkstra's algorithm). Ends are sorted.
+    fn tree(&self, cost: &[f64], from: &[usize], ends: &[End], targets: usize) -> Tree {
         let mut far = vec![f64::INFINITY; cost.len()];
         let mut tree = Tree { before: vec![UNSEEN; cost.len()], reached: Vec::new() };
-        let mut targets: Vec<(usize, usize)> = Vec::new();
-        for (target, places) in ends.iter().enumerate() {
-            targets.extend(places.iter().flat_map(|(_, p)| self.beside(*p)).map(|c| (c, target)));
-        }
-        targets.sort_unstable();
-        targets.dedup();
         let mut is_end = vec![false; cost.len()];
-        targets.iter().for_each(|(c, _)| is_end[*c] = true);
-        let mut found = vec![false; ends.len()];
+        ends.iter().for_each(|end| is_end[end.cell] = true);
+        let mut found = vec![false; targets];
         let mut open = BinaryHeap::new();
         // Costs as whole micrometres: they can be compared, and are alike on every machine.
         let whole = |metres: f64| (metres * 1e6) as u64;
-        for c in from.iter().flat_map(|p| self.beside(*p)).filter(|&c| cost[c].is_finite()) {
+        for &c in from.iter().filter(|&&c| cost[c].is_finite()) {
             far[c] = 0.0;
             open.push(Reverse((0, c)));
         }
@@ -306,13 +284,13 @@ impl Grid {
                 continue;
             }
             if is_end[c] {
-                let first = targets.partition_point(|(cell, _)| *cell < c);
-                for &(_, target) in targets[first..].iter().take_while(|(cell, _)| *cell == c) {
-                    if !std::mem::replace(&mut found[target], true) {
-                        tree.reached.push((target, c));
+                let first = ends.partition_point(|end| end.cell < c);
+                for end in ends[first..].iter().take_while(|end| end.cell == c) {
+                    if !std::mem::replace(&mut found[end.target], true) {
+                        tree.reached.push(*end);
                     }
                 }
-                if tree.reached.len() == ends.len() {
+                if tree.reached.len() == targets {
                     break;
                 }
             }

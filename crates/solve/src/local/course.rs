@@ -17,6 +17,8 @@ const FULL: [f64; 2] = [0.5, 0.9];
 /// How much more work paths are worth than all else, and what that takes at least.
 const WALKING: u64 = 5;
 const SOON: u64 = 150_000;
+/// Paths that are barred by no more than this part of what they were are worth going on for.
+const LESS: f64 = 0.9;
 
 /// How far a search is.
 #[derive(Clone, Debug, Default)]
@@ -31,6 +33,9 @@ pub(super) struct Course {
     /// The work when this turn began, and when paths came to be looked at.
     begun: u64,
     walking_since: u64,
+    /// The work when paths were last barred less than ever in this turn, and how much that was.
+    freed: u64,
+    barred: f64,
     /// How much was violated at best in turns in which things stand square, and in others.
     least_of: [Option<usize>; 2],
     /// How much was violated at best in all turns, and where everything was then.
@@ -44,7 +49,7 @@ impl LocalSearch<'_> {
         let late = || limit.is_over();
         let end = self.work + budget;
         self.wishing = false;
-        let patience = self.patience();
+        let patience = [self.patience(HASTE), self.patience(HASTE_ON_PATHS)];
         let mut poses = Vec::new();
         loop {
             if !self.course.open {
@@ -62,14 +67,19 @@ impl LocalSearch<'_> {
                     least: usize::MAX,
                     begun,
                     walking_since,
+                    freed: walking_since,
+                    barred: f64::INFINITY,
                     least_of,
                     best,
                 };
             }
             // Square turns and others come in pairs of the same length.
             let turn = luby(self.course.turn.div_ceil(2));
-            let patience = (patience * turn) as usize;
-            while self.work < end && !late() && self.course.idle < patience {
+            let patience = patience.map(|steps| (steps * turn) as usize);
+            while self.work < end
+                && !late()
+                && self.course.idle < patience[usize::from(self.walking && !self.groups.is_empty())]
+            {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
                     self.walking = true;
@@ -112,17 +122,21 @@ impl LocalSearch<'_> {
 
     /// Whether an arrangement was soon found, but bars paths for long: it is better left than mended.
     fn bars_paths(&self, turn: f64) -> bool {
-        let Course { begun, walking_since, .. } = self.course;
+        let Course { begun, walking_since, freed, .. } = self.course;
         let share = WALKING * (walking_since - begun).max(SOON);
-        self.walking && !self.groups.is_empty() && (self.work - walking_since) as f64 > turn * share as f64
+        self.walking && !self.groups.is_empty() && (self.work - freed.max(walking_since)) as f64 > turn * share as f64
     }
 
     /// Remembers what is violated least.
     fn note_best(&mut self) {
         let bad = self.bad.len() + if self.walking { 0 } else { self.groups.len() };
+        let barred = self.walks.iter().map(|(t, _)| self.cost[*t]).sum::<f64>();
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };
         course.least = course.least.min(bad);
+        if self.walking && barred < LESS * course.barred {
+            (course.barred, course.freed, course.idle) = (barred, self.work, 0);
+        }
         let least = &mut course.least_of[usize::from(self.skew)];
         *least = Some(least.map_or(bad, |least| least.min(bad)));
         if course.best.as_ref().is_none_or(|(least, _)| bad < *least) {
@@ -150,13 +164,12 @@ impl LocalSearch<'_> {
 
     /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
     /// surely, what has space is either soon right or never.
-    fn patience(&self) -> f64 {
+    fn patience(&self, least: f64) -> f64 {
         let n = self.movable.len().max(5) as f64;
         let covered: f64 = (0..self.count())
             .filter(|&i| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_)))
             .map(|i| self.size[i][0] * self.size[i][2])
             .sum();
-        let least = if self.groups.is_empty() { HASTE } else { HASTE_ON_PATHS };
         let full = (covered / self.floor_area() - FULL[0]) / (FULL[1] - FULL[0]);
         (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
     }

@@ -12,6 +12,7 @@ mod first;
 mod judge;
 mod moves;
 mod paths;
+mod rearrange;
 mod rooms;
 mod setup;
 mod step;
@@ -148,6 +149,8 @@ pub(crate) struct LocalSearch<'a> {
     course: Course,
     /// How often a move with whatever has to go along paid, and how often it was tried.
     along: [f64; 2],
+    /// The same for moves after which paths are planned anew.
+    rearranged: [f64; 2],
     /// By object: how unwilling it proved to get out of the way.
     reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
@@ -349,6 +352,7 @@ impl<'a> LocalSearch<'a> {
             groups,
             course: Course::default(),
             along: [0.0; 2],
+            rearranged: [0.0; 2],
             reluctance: vec![0.0; n],
             away: vec![false; n],
             away_count: 0,

@@ -411,7 +411,7 @@ impl LocalSearch<'_> {
 }
 
 /// The same, turned.
-fn turned(pose: Inputs, yaw: f64) -> Inputs {
+pub(super) fn turned(pose: Inputs, yaw: f64) -> Inputs {
     let yaw = crate::pose::round_turn(yaw);
     let (sin, cos) = sin_cos(yaw);
     [pose[0], pose[1], pose[2], yaw, sin, cos]

@@ -20,8 +20,10 @@ const PATHS: usize = 4;
 /// How many moves with whatever has to go along, and of how many objects at most: at first, and once paths are looked at.
 const ALONG: usize = 4;
 const COMPANY: [usize; 2] = [12, 40];
-/// How often the evaluator is asked whether there are paths, where all else holds: once in so many times.
-const CONFIRMED: usize = 30;
+/// How often the evaluator is asked whether there are paths, where all else holds: once in so many times where much stands
+/// in the corridors, and where what does costs no more than so.
+const CONFIRMED: [usize; 2] = [200, 20];
+const NEARLY: f64 = 0.5;
 /// How often the plan of a way is looked at again when it is barred: once in so many times.
 const PLANS: usize = 10;
 /// What is left of the weight of a way when a better plan is found.
@@ -69,11 +71,14 @@ impl LocalSearch<'_> {
             self.clear_path(check, chance, poses);
             return;
         }
-        if self.bad.iter().all(|c| matches!(self.judges.get(*c), Some(Judge::PathGroup(_))))
-            && chance.below(CONFIRMED) == 0
-            && self.confirm_paths()
-        {
-            return;
+        if self.are_only_paths_barred() {
+            let nearly = self.bad.iter().map(|check| self.cost[*check]).sum::<f64>() < NEARLY;
+            if chance.below(CONFIRMED[usize::from(nearly)]) == 0 && self.confirm_paths() {
+                return;
+            }
+            if self.rearranges(chance) && self.rearrange(chance, poses) {
+                return;
+            }
         }
         let Some(i) = self.culprit(check, chance) else {
             self.weight[check] += STUBBORN;
@@ -200,7 +205,7 @@ impl LocalSearch<'_> {
 
     /// An object goes somewhere, and with it go others whose relation to it would be broken, and others whose relation to
     /// those would. Whether there are such.
-    fn go_along(&mut self, i: usize, pose: Inputs) -> bool {
+    pub(super) fn go_along(&mut self, i: usize, pose: Inputs) -> bool {
         let old = self.inputs(i);
         self.go(i, pose);
         let pose = self.inputs(i);
