@@ -82,6 +82,7 @@ impl LocalSearch<'_> {
         }
         for k in std::iter::once(i).chain(self.dependants(i)) {
             self.put(k, self.inputs(k));
+            self.near.set(k, &self.span[k]);
         }
         self.away_count = self.away.iter().filter(|a| **a).count();
         let pose = self.anywhere(i, chance);
@@ -132,6 +133,7 @@ impl LocalSearch<'_> {
         self.bad.clear();
         self.bad_at.fill(u32::MAX);
         self.hits.iter_mut().for_each(Vec::clear);
+        self.near.clear();
         self.moved = (0..self.count()).map(|i| (i, self.inputs(i), self.span[i])).collect();
         for i in 0..self.count() {
             self.put(i, self.inputs(i));

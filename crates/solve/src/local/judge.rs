@@ -334,30 +334,30 @@ impl LocalSearch<'_> {
 
     /// What overlaps of one of the moved objects cost now.
     fn collisions(&mut self, i: usize, moved: &[Moved]) -> f64 {
-        let n = self.count();
         let own = self.span[i];
-        let mut sum = 0.0;
-        self.work += 2 + n as u64 / 8;
-        for j in 0..n {
-            let other = &self.span[j];
-            let apart = own.min[0] >= other.max[0] - TOUCHING
-                || other.min[0] >= own.max[0] - TOUCHING
-                || own.min[2] >= other.max[2] - TOUCHING
-                || other.min[2] >= own.max[2] - TOUCHING
-                || own.min[1] >= other.max[1] - TOUCHING
-                || other.min[1] >= own.max[1] - TOUCHING;
-            if apart || !self.collide[i * n + j] || j < i && moved.iter().any(|(m, ..)| *m == j) {
-                continue;
-            }
-            let gap = self.gap(i, j);
-            if gap < -TOUCHING {
-                let contact = self.tolerances.contact;
-                let found = self.physical(gap + contact, contact - TOUCHING);
-                let check = self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32));
-                sum += self.note(check, found);
-            }
-        }
+        let mut around = std::mem::take(&mut self.around);
+        self.work += 2 + self.near.around(&own, &self.span, &mut around) as u64 / 8;
+        let moves = |j: usize| moved.iter().any(|(m, ..)| *m == j);
+        // Of two that move together the first is asked for both.
+        let others = moved.iter().map(|(m, ..)| *m).filter(|&m| m > i);
+        let sum = around.iter().copied().filter(|&j| !moves(j)).chain(others).map(|j| self.collision(i, j, &own)).sum();
+        self.around = around;
         sum
+    }
+
+    /// What it costs that two overlap.
+    fn collision(&mut self, i: usize, j: usize, own: &Span) -> f64 {
+        if !own.meets(&self.span[j]) || !self.collide[i * self.count() + j] {
+            return 0.0;
+        }
+        let gap = self.gap(i, j);
+        if gap >= -TOUCHING {
+            return 0.0;
+        }
+        let contact = self.tolerances.contact;
+        let found = self.physical(gap + contact, contact - TOUCHING);
+        let check = self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32));
+        self.note(check, found)
     }
 
     /// The signed gap of two upright things that may overlap.
@@ -429,6 +429,7 @@ impl LocalSearch<'_> {
     pub(super) fn keep(&mut self) {
         let moved = std::mem::take(&mut self.moved);
         for &(i, ..) in &moved {
+            self.near.set(i, &self.span[i]);
             for j in std::mem::take(&mut self.hits[i]) {
                 self.hits[j].retain(|k| *k != i);
                 self.set(self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32)), 0.0, true);

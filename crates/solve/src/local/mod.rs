@@ -11,6 +11,7 @@ mod exact;
 mod first;
 mod judge;
 mod moves;
+mod near;
 mod paths;
 mod rearrange;
 mod rooms;
@@ -31,6 +32,7 @@ use clear::Clear;
 use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
+use near::Near;
 use paths::{Asked, PathGroup};
 use rooms::{Field, Room, Stretch, Wall};
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, RegionId};
@@ -188,6 +190,8 @@ pub(crate) struct LocalSearch<'a> {
     /// What is violated, and by check where it stands in that list.
     bad: Vec<usize>,
     bad_at: Vec<u32>,
+    /// Where objects are that no trial moves.
+    near: Near,
     /// By object: others that it overlaps.
     hits: Vec<Vec<usize>>,
     /// By object: whether it stands on something else than a floor.
@@ -197,6 +201,8 @@ pub(crate) struct LocalSearch<'a> {
     seat: Vec<Option<usize>>,
     moved: Vec<Moved>,
     fresh: Vec<(usize, f64, bool)>,
+    /// Room for a list of what is around something.
+    around: Vec<usize>,
     stamp: Vec<u32>,
     now: u32,
     /// Work done.
@@ -331,6 +337,7 @@ impl<'a> LocalSearch<'a> {
             weight: vec![1.0; numbering.len()],
             bad: Vec::new(),
             bad_at: vec![u32::MAX; numbering.len()],
+            near: Near::new(rooms.iter().map(|room| room.field).reduce(Field::join), n),
             hits: vec![Vec::new(); n],
             raised: vec![false; n],
             raised_count: 0,
@@ -358,6 +365,7 @@ impl<'a> LocalSearch<'a> {
             away_count: 0,
             moved: Vec::new(),
             fresh: Vec::new(),
+            around: Vec::new(),
             stamp: vec![0; numbering.len()],
             now: 0,
             work: 0,

@@ -148,6 +148,19 @@ fn what_cannot_be_gets_a_diagnosis() {
 }
 
 #[test]
+fn a_program_that_fixes_everything_may_ask_for_paths() {
+    let fixed = "object a; object b; a.pos <- vec3(1, 0, 1); a.rot <- rot(0, 0, 0); a.scale <- vec3(0.5, 1, 0.5);
+        b.pos <- vec3(-1, 0, -1); b.rot <- rot(0, 0, 0); b.scale <- vec3(0.5, 1, 0.5);
+        assert reachable(a, b, 4.5) or walkDistance(a, b) <= FAR; prefer not reachable(a, b, 0.5);";
+    for (far, holds) in [("3", true), ("0.1", false)] {
+        let text = format!("{ROOM}{}", fixed.replace("FAR", far));
+        let options = Options { budget: BUDGET, ..Options::default() };
+        let outcome = run_with(&compiled(&text), &options, Layout::default(), Placed::None);
+        assert_eq!(outcome.converged, holds, "{far}: {outcome:?}");
+    }
+}
+
+#[test]
 fn draws_whose_least_is_above_their_greatest_are_named() {
     let text = format!("{ROOM}object a; Number x; x <- rand(3, 1); assert a.pos.x = x;");
     let compiled = scenelang_lang::compile_text(
