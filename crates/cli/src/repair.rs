@@ -10,7 +10,9 @@ use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Disk;
 use scenelang_layout::{Vec3, file as layout_file};
-use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Unjudged, Which, edited, mend};
+use scenelang_solve::repair::{
+    Alternative, Damaged, How, Moved, RepairOptions, Text, Unjudged, Which, edited, repair as look,
+};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
@@ -67,7 +69,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     };
     let damaged = Damaged { program, layout, text: Some(text) };
     let progress = Progress::new(format!("mending {name}"));
-    let found = mend(&damaged, &which, &MendOptions { judge: options, ..MendOptions::default() });
+    let found = look(&damaged, &which, &RepairOptions { judge: options, ..RepairOptions::default() });
     drop(progress);
     let found = found.map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
     let choice = choose(args, &found.alternatives)?;

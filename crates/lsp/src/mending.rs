@@ -11,7 +11,7 @@ use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
-use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Which, mend as look};
+use scenelang_solve::repair::{Alternative, Damaged, How, Moved, RepairOptions, Text, Which, repair as look};
 use scenelang_verify::Verdict;
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
@@ -62,7 +62,7 @@ pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
             return Err(Fault::Cancelled);
         }
         job.progress.say(&format!("looking for the smallest change, circle {}", round + 1));
-        let options = MendOptions { budget, judge: job.judging.options, ..MendOptions::default() };
+        let options = RepairOptions { budget, judge: job.judging.options, ..RepairOptions::default() };
         let unjudged = |_| Fault::Failed("the layout cannot be judged as a whole; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
         let moves = |a: &&Alternative| a.how == How::Moves;
@@ -176,7 +176,7 @@ fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
         return Ok(job.verdict(&chosen.layout, 0));
     }
     let overlap = || Fault::Failed("the edits overlap".to_owned());
-    let texts = scenelang_solve::mend::edited(&job.sources, &chosen.edits).ok_or_else(overlap)?;
+    let texts = scenelang_solve::repair::edited(&job.sources, &chosen.edits).ok_or_else(overlap)?;
     let main = job.sources.get(job.main);
     let text = texts.iter().find(|(id, _)| **id == job.main).map_or(main.text(), |(_, text)| text.as_str());
     let mut sources = SourceMap::new();

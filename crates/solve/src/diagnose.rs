@@ -4,11 +4,11 @@
 //! statements are demanded again, one at a time, each time from the layout found last; and other statements around are
 //! tried in their stead. What comes of it is minimal as far as a small search can tell. Nothing is proved by it.
 
-use crate::finish;
-use crate::limit::Limit;
+use crate::pipeline::finish;
+use crate::pipeline::solve;
+use crate::problem::limit::Limit;
+use crate::problem::setup::Setup;
 use crate::problem::{Options, Outcome, Placed, Problem, Unsatisfied, What};
-use crate::setup::Setup;
-use crate::solve::solve;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId, ObjectId, Owner};
 use scenelang_layout::Layout;

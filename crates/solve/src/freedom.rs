@@ -1,11 +1,11 @@
 //! What a program leaves open: in which directions each object could go, how far, and whether it could turn, by itself,
 //! with everything that holds still holding.
 
-use crate::limit::Limit;
+use crate::problem::limit::Limit;
+use crate::problem::setup::setup;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::Snapshot;
-use crate::setup::setup;
-use crate::state::{Change, State};
+use crate::search::state::{Change, State};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Layout;
 use std::fmt;
@@ -146,7 +146,7 @@ impl Look<'_> {
         (near * 100.0 + 1e-6).floor() / 100.0
     }
 
-    fn is_harmless(&mut self, id: ObjectId, pose: crate::pose::Pose) -> bool {
+    fn is_harmless(&mut self, id: ObjectId, pose: crate::problem::pose::Pose) -> bool {
         let changes = self.state.with_riders(id, pose);
         // Good looks are no demand: only what is violated counts.
         if self.state.attempt(&changes, f64::INFINITY).is_none() {

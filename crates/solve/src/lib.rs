@@ -1,61 +1,35 @@
 //! Stage III, the Rubik solver: a program and the sizes of its objects in, a layout in which everything holds out.
 //!
-//! A local search ([`local`]) finds most layouts. Where it does not, and for proposers from outside, there is the published
-//! algorithm: InitialPlacement ([`place`]), PhysicsRelaxation ([`relax`]), then rounds of SelectBatch ([`select`]),
-//! proposals ([`propose`]) and EnforceBounds ([`bounds`]); the best layout is kept. What holds, and by how much, is asked
-//! of the one evaluator (`verify`); no predicate is known here by name.
+//! - [`problem`]: what is given, and what of it stays the same during a search.
+//! - [`search`]: layouts that change. Min-conflicts finds most of them ([`search::local`]), least squares makes them exact
+//!   ([`search::least_squares`]).
+//! - [`pipeline`]: the whole procedure. Where the local search finds nothing, and for proposers from outside, it is the
+//!   published algorithm: InitialPlacement ([`pipeline::place`]), PhysicsRelaxation ([`pipeline::relax`]), then rounds of
+//!   SelectBatch ([`pipeline::select`]), proposals ([`pipeline::propose`]) and EnforceBounds ([`pipeline::bounds`]).
+//! - [`repair`]: the fewest and shortest moves after which what failed holds.
+//! - [`diagnose`], [`freedom`]: what is in the way, and how far things may move.
+//! - [`external`]: steps in place of the solver's own; a language model may be one of the proposers.
 //!
-//! A language model may be one of the proposers ([`model`]).
+//! What holds, and by how much, is asked of the one evaluator (`verify`); no predicate is known here by name.
 //!
 //! Absent here: reading of files, assets, how a model is reached.
 
 mod alternatives;
-mod bounds;
-mod checks;
 mod diagnose;
-mod draws;
-mod equations;
-mod finish;
-mod frame;
+mod external;
 mod freedom;
-mod limit;
-mod local;
-mod looks;
-pub mod mend;
-mod model;
-mod penalty;
-mod place;
-mod polish;
-mod pool;
-mod portfolio;
-mod pose;
+mod pipeline;
 mod problem;
-mod propose;
-mod regions;
-mod relax;
-mod repair;
-mod rounds;
-mod rules;
+pub mod repair;
 mod search;
-mod select;
-mod setup;
-mod solve;
-mod sound;
-mod state;
-mod stay;
-mod steps;
-mod terms;
-mod tidy;
-mod view;
-mod wishes;
 
 pub use alternatives::alternatives;
-pub use draws::draws;
+pub use external::model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
+pub use external::steps::{Bounds, Placer, Proposer, Relaxer, Selector, Steps};
+pub use external::view::{Concern, Move, Proposal, View};
 pub use freedom::{FAR, Free, Freedom, freedom};
-pub use limit::Stop;
-pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
-pub use pose::Pose;
+pub use pipeline::{solve, solve_with};
+pub use problem::draws::draws;
+pub use problem::limit::Stop;
+pub use problem::pose::Pose;
 pub use problem::{End, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};
-pub use solve::{solve, solve_with};
-pub use steps::{Bounds, Placer, Proposer, Relaxer, Selector, Steps};
-pub use view::{Concern, Move, Proposal, View};

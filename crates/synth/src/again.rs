@@ -3,7 +3,7 @@
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Layout;
-use scenelang_solve::mend::{Damaged, How, MendOptions, Which, mend};
+use scenelang_solve::repair::{Damaged, How, RepairOptions, Which, repair};
 use scenelang_solve::{Options, Placed};
 
 /// Work for it: little beside that of a search. What it takes more for is no small edit.
@@ -16,14 +16,14 @@ pub fn mended(program: &Program, layout: &Layout, placed: &Placed, options: &Opt
     if *placed == Placed::None || !objects.into_iter().all(|id| placed.object(id)) {
         return None;
     }
-    let how = MendOptions {
+    let how = RepairOptions {
         budget: WORK,
         time: options.time.map(|time| time / 2),
         stop: options.stop.clone(),
         alternatives: 1,
         judge: options.judge,
     };
-    let found = mend(&Damaged { program, layout, text: None }, &Which::All, &how).ok()?;
+    let found = repair(&Damaged { program, layout, text: None }, &Which::All, &how).ok()?;
     let best = found.alternatives.into_iter().find(|a| a.how == How::Moves)?;
     let free = best.moves.iter().all(|m| !options.locked.contains(&m.object));
     free.then_some(best.layout)

@@ -1,0 +1,126 @@
+//! After the search: the layout with clean numbers, and what does not hold in it.
+
+use crate::pipeline::tidy::round_to;
+use crate::problem::setup::Setup;
+use crate::problem::{Standing, Unsatisfied, What};
+use crate::search::state::State;
+use scenelang_lang::program::{ConstraintKind, Owner, Pinned, RegionId};
+use scenelang_layout::{Layout, Value, Vec3};
+use scenelang_verify::{Options, Truth, World, judge, rules};
+
+/// Digits that are written (metres and degrees).
+const DIGITS: f64 = 1e-6;
+
+/// The layout of a state; numbers are cut to six digits where that does no harm.
+pub(crate) fn layout(
+    setup: &Setup<'_>,
+    state: &State<'_>,
+    options: &Options,
+) -> (Layout, (Vec<Unsatisfied>, Vec<Standing>)) {
+    let short = compose(setup, state, |x| round_to(x, DIGITS));
+    let b = unsatisfied(setup, &short, options);
+    // To judge is dear where ways are looked for: where no more fails than the search says, once is enough.
+    if b.0.len() <= (0..state.numbering.len()).filter(|&check| !state.does_hold(check)).count() {
+        return (short, b);
+    }
+    let exact = compose(setup, state, |x| x);
+    let a = unsatisfied(setup, &exact, options);
+    if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
+}
+
+fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
+    let mut layout = setup.layout.clone();
+    let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
+    for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
+        let pose = state.pose(id);
+        let pinned =
+            |property| state.frame.program.pins.iter().any(|p| p.owner == Owner::Object(id) && p.property == property);
+        placement.pos = vec(pose.pos, pinned(Pinned::Pos));
+        placement.rot = vec(pose.rot, pinned(Pinned::Rot));
+        // Parts are made for one size.
+        placement.scale = pose.scale;
+    }
+    for (index, (_, placement)) in layout.regions.iter_mut().enumerate() {
+        let (pose, pins) = (state.region_pose(RegionId(index as u32)), state.frame.region_pins[index]);
+        placement.pos = vec(pose.pos, pins.pos);
+        placement.rot = vec(pose.rot, pins.rot);
+        placement.scale = vec(pose.scale, pins.scale);
+    }
+    for (id, (_, value)) in crate::problem::frame::variables(state.frame.program).zip(&mut layout.variables) {
+        *value = match state.world.variable(id) {
+            Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
+            Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {
+                Value::Triple(v.0.map(cut))
+            }
+            Ok(scenelang_verify::Value::Truth(t)) => Value::Bool(t.holds),
+            Err(_) => *value,
+        };
+    }
+    layout
+}
+
+/// What does not hold in a layout: stated constraints in order, then physical rules.
+pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options) -> (Vec<Unsatisfied>, Vec<Standing>) {
+    let program = setup.frame.program;
+    let world = World::<f64>::new(program, layout, options);
+    let mut found = Vec::new();
+    let mut standings = Vec::new();
+    let mut note = |what: What, truth: Option<Truth<f64>>| {
+        if truth.is_none_or(|t| !t.holds) {
+            found.push(Unsatisfied { what, margin: truth.map(|t| t.margin).filter(|m| m.is_finite()) });
+        }
+    };
+    for (index, constraint) in program.constraints.iter().enumerate() {
+        let truth = judge(&constraint.formula, &world).ok();
+        let margin = truth.map(|t| t.margin).filter(|m| m.is_finite());
+        standings.push(Standing { holds: truth.is_some_and(|t| t.holds), margin });
+        note(What::Stated(index), truth);
+    }
+    if let Some(scope) = &setup.frame.scope {
+        let name = |id| setup.frame.name(id).into();
+        for (a, b) in rules::pairs_within(&world, 0.0) {
+            if scope.collide(a, b) {
+                note(What::Collision(name(a), name(b)), rules::collide::pair(&world, a, b).ok());
+            }
+        }
+        for id in setup.frame.objects() {
+            if scope.bounds(id) && !program.regions.is_empty() {
+                note(What::Bounds(name(id)), rules::bounds::object(&world, id).ok());
+            }
+            match scope.support(id) {
+                rules::Support::Rests => note(What::Support(name(id)), rules::support::object(&world, id).ok()),
+                rules::Support::Mounted => {
+                    for mount in rules::mounts(&program.allow, id) {
+                        note(What::Support(name(id)), judge(&mount.formula, &world).ok());
+                    }
+                }
+                rules::Support::Lifted | rules::Support::Held => {}
+            }
+        }
+    }
+    (found, standings)
+}
+
+/// Whether all of it is preferences.
+pub(crate) fn is_soft(setup: &Setup<'_>, all: &[Unsatisfied]) -> bool {
+    all.iter().all(|u| match u.what {
+        What::Stated(index) => matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }),
+        _ => false,
+    })
+}
+
+/// The stated constraints that must hold and do not, if they are all that is violated.
+pub(crate) fn in_the_way(setup: &Setup<'_>, unsatisfied: &[Unsatisfied]) -> Vec<usize> {
+    let mut found = Vec::new();
+    for each in unsatisfied {
+        match each.what {
+            What::Stated(index) => {
+                if !matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }) {
+                    found.push(index);
+                }
+            }
+            _ => return Vec::new(),
+        }
+    }
+    found
+}

@@ -1,0 +1,270 @@
+//! What stays the same during a search: terms, rules, how each object is held, who has to do with whom.
+
+use super::equations;
+use crate::pipeline::place;
+use crate::problem::rules::{self, Fixed, Rules, Source};
+use crate::problem::terms::Term;
+use rustc_hash::FxHashMap;
+use scenelang_lang::Program;
+use scenelang_lang::program::{
+    Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, RegionId, VariableId,
+};
+use scenelang_layout::Vec3;
+use scenelang_verify::rules::{Scope, Support};
+
+/// Which properties of a region the program assigns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Pins {
+    /// `pos`.
+    pub pos: bool,
+    /// `rot`.
+    pub rot: bool,
+    /// `scale`.
+    pub scale: bool,
+}
+
+/// What keeps an object where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Hold {
+    /// It rests on a floor or on something else.
+    Rests,
+    /// It hangs on a wall of the region.
+    Wall(RegionId),
+    /// It hangs from the ceiling of the region.
+    Ceiling(RegionId),
+    /// It sits in the wall of one region, or in that of two.
+    Door(RegionId, Option<RegionId>),
+    /// It is in a container.
+    Container(ObjectId),
+    /// It may float.
+    Floats,
+}
+
+/// What stays the same during a search.
+pub(crate) struct Frame<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// Its constraints, taken apart.
+    pub terms: Vec<Term>,
+    /// Where the physical rules apply; `None`: nowhere.
+    pub scope: Option<Scope>,
+    /// By object.
+    pub holds: Vec<Hold>,
+    /// By object: which come first in a placement.
+    pub priority: Vec<f64>,
+    /// By region.
+    pub region_pins: Vec<Pins>,
+    /// What the program fixes of objects, given the rest.
+    pub rules: Rules,
+    /// By object: rules to be obeyed again when it moves, in order.
+    pub followers: Vec<Vec<usize>>,
+    /// By region, as `followers`.
+    pub region_followers: Vec<Vec<usize>>,
+    /// By decision variable, as `followers`.
+    pub variable_followers: Vec<Vec<usize>>,
+    /// By object: objects that its rules read.
+    pub sources: Vec<Vec<ObjectId>>,
+    /// By object: whether the program speaks of its tilt; all others stay upright.
+    pub tilts: Vec<bool>,
+    /// By object: other objects that share a term with it, and how much it has to do with them; greatest first.
+    pub related: Vec<Vec<(ObjectId, f64)>>,
+    /// By object: other elements of its array.
+    pub siblings: Vec<Vec<ObjectId>>,
+    /// By object: regions that its terms read.
+    pub regions: Vec<Vec<RegionId>>,
+    /// By object, by region, by variable: the terms that read it.
+    pub terms_of: Vec<Vec<usize>>,
+    /// See `terms_of`.
+    pub terms_of_region: Vec<Vec<usize>>,
+    /// See `terms_of`.
+    pub terms_of_variable: Vec<Vec<usize>>,
+    /// Terms that depend on everything around, ways over the floor excepted.
+    pub onlookers: Vec<usize>,
+    /// Terms that ask for ways over the floor.
+    pub walks: Vec<usize>,
+}
+
+impl<'a> Frame<'a> {
+    /// Of a program, once it is known which containers are solid boxes and how large things are.
+    pub fn new(program: &'a Program, terms: Vec<Term>, scope: Option<Scope>, size: impl Fn(ObjectId) -> Vec3) -> Self {
+        let n = program.objects.len();
+        let mut region_pins = vec![Pins::default(); program.regions.len()];
+        for pin in &program.pins {
+            let Owner::Region(id) = pin.owner else { continue };
+            let of = &mut region_pins[id.0 as usize];
+            match pin.property {
+                Pinned::Pos => of.pos = true,
+                Pinned::Rot => of.rot = true,
+                Pinned::Scale => of.scale = true,
+                Pinned::Vertices => {}
+            }
+        }
+        let mut terms_of = vec![Vec::new(); n];
+        let mut terms_of_region = vec![Vec::new(); program.regions.len()];
+        let mut terms_of_variable = vec![Vec::new(); program.variables.len()];
+        for (index, term) in terms.iter().enumerate() {
+            term.objects.iter().for_each(|o| terms_of[o.0 as usize].push(index));
+            term.regions.iter().for_each(|r| terms_of_region[r.0 as usize].push(index));
+            term.variables.iter().for_each(|v| terms_of_variable[v.0 as usize].push(index));
+        }
+        let objects = (0..n as u32).map(ObjectId);
+        let holds: Vec<Hold> = objects.clone().map(|o| hold(program, scope.as_ref(), o)).collect();
+        let priority: Vec<f64> = objects
+            .clone()
+            .map(|o| place::priority(terms_of[o.0 as usize].iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
+            .collect();
+        let rules = equations::add(Rules::new(rules::pins(program), n), program, &terms, &priority);
+        let regions = (0..n).map(|o| regions_of(&terms, &terms_of[o])).collect();
+        Self {
+            holds,
+            priority,
+            onlookers: (0..terms.len()).filter(|&t| terms[t].sees_all && !terms[t].walks).collect(),
+            walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
+            related: related(&terms, n),
+            siblings: objects.clone().map(|o| siblings(program, o)).collect(),
+            followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
+            region_followers: (0..program.regions.len() as u32)
+                .map(|r| rules.after(Source::Region(RegionId(r))))
+                .collect(),
+            variable_followers: variables(program).map(|v| rules.after(Source::Variable(v))).collect(),
+            sources: objects.map(|o| rules.sources(o)).collect(),
+            rules,
+            tilts: tilts(&terms, n),
+            program,
+            terms,
+            scope,
+            region_pins,
+            regions,
+            terms_of,
+            terms_of_region,
+            terms_of_variable,
+        }
+    }
+
+    /// Leaves an object where it is, whatever the rules say.
+    pub fn lock(&mut self, id: ObjectId) {
+        let i = id.0 as usize;
+        self.rules.fixed[i] = Fixed { pos: [true; 3], rot: true, scale: true };
+        self.rules.own[i].clear();
+        self.sources[i].clear();
+        let rules = &self.rules;
+        let lists = self.followers.iter_mut().chain(&mut self.region_followers).chain(&mut self.variable_followers);
+        lists.for_each(|list| list.retain(|r| rules.list[*r].owner != id));
+    }
+
+    /// All objects.
+    pub fn objects(&self) -> impl Iterator<Item = ObjectId> + use<> {
+        (0..self.program.objects.len() as u32).map(ObjectId)
+    }
+    /// What rules set of an object.
+    pub fn fixed(&self, id: ObjectId) -> Fixed {
+        self.rules.fixed[id.0 as usize]
+    }
+    /// Whether the search may move or turn an object.
+    pub fn is_movable(&self, id: ObjectId) -> bool {
+        !self.fixed(id).is_all()
+    }
+    /// Whether rules and what holds it leave nothing to choose: it stands on the floor, or hangs from the ceiling.
+    pub fn is_settled(&self, id: ObjectId) -> bool {
+        let fixed = self.fixed(id);
+        let height = fixed.pos[1] || matches!(self.hold(id), Hold::Rests | Hold::Ceiling(_));
+        fixed.rot && fixed.pos[0] && fixed.pos[2] && height
+    }
+    /// What keeps an object where it is.
+    pub fn hold(&self, id: ObjectId) -> Hold {
+        self.holds[id.0 as usize]
+    }
+    /// The name of an object.
+    pub fn name(&self, id: ObjectId) -> &str {
+        &self.program.objects[id.0 as usize].name
+    }
+}
+
+fn hold(program: &Program, scope: Option<&Scope>, id: ObjectId) -> Hold {
+    if let Some(door) = program.allow.doors.iter().find(|d| d.object == id) {
+        return Hold::Door(door.first, door.second);
+    }
+    if let Some(mount) = program.allow.mounts.iter().find(|m| m.object == id) {
+        return match mount.on {
+            MountedOn::Wall => Hold::Wall(mount.region),
+            MountedOn::Ceiling => Hold::Ceiling(mount.region),
+        };
+    }
+    let container = program.allow.contents.iter().find(|(content, _)| *content == id).map(|(_, c)| *c);
+    match scope.map(|s| s.support(id)) {
+        Some(Support::Held) => container.map_or(Hold::Rests, Hold::Container),
+        Some(Support::Lifted) => Hold::Floats,
+        _ => Hold::Rests,
+    }
+}
+
+/// Objects whose x or z rotation some hard term reads by itself, or compares with one that is not upright.
+fn tilts(terms: &[Term], n: usize) -> Vec<bool> {
+    let mut found = vec![false; n];
+    for term in terms.iter().filter(|t| t.is_hard()) {
+        let nodes = &term.formula.nodes;
+        let turned = |id: NodeId| match &nodes[id.0 as usize] {
+            Node::Object(ObjectProperty::Rot, object) => Some(*object),
+            _ => None,
+        };
+        let level = |id: NodeId| match &nodes[id.0 as usize] {
+            Node::Rotation([x, _, z]) => [x, z].iter().all(|c| nodes[c.0 as usize] == Node::Number(0.0)),
+            Node::Object(..) => true,
+            _ => false,
+        };
+        for node in nodes {
+            let tilted = match node {
+                Node::Component(Axis::X | Axis::Z, of) => turned(*of),
+                Node::Same(a, b) => turned(*a).filter(|_| !level(*b)).or(turned(*b).filter(|_| !level(*a))),
+                Node::Object(ObjectProperty::Up, object) => Some(*object),
+                _ => None,
+            };
+            if let Some(object) = tilted {
+                found[object.0 as usize] = true;
+            }
+        }
+    }
+    found
+}
+
+fn siblings(program: &Program, id: ObjectId) -> Vec<ObjectId> {
+    let array = |i: usize| program.objects[i].array.as_ref().map(|(name, _)| name);
+    let Some(own) = array(id.0 as usize) else { return Vec::new() };
+    let all = (0..program.objects.len()).filter(|&i| i != id.0 as usize && array(i) == Some(own));
+    all.map(|i| ObjectId(i as u32)).collect()
+}
+
+/// Who shares terms with whom. A term of many objects says less about each pair.
+fn related(terms: &[Term], n: usize) -> Vec<Vec<(ObjectId, f64)>> {
+    let mut weights: Vec<FxHashMap<ObjectId, f64>> = vec![FxHashMap::default(); n];
+    for term in terms.iter().filter(|t| t.objects.len() > 1 && !t.walks) {
+        let weight = if term.is_hard() { 1.0 } else { 0.2 } / (term.objects.len() - 1) as f64;
+        for a in &term.objects {
+            for b in term.objects.iter().filter(|b| *b != a) {
+                *weights[a.0 as usize].entry(*b).or_default() += weight;
+            }
+        }
+    }
+    weights
+        .into_iter()
+        .map(|of| {
+            let mut list: Vec<(ObjectId, f64)> = of.into_iter().collect();
+            list.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            list
+        })
+        .collect()
+}
+
+fn regions_of(terms: &[Term], of: &[usize]) -> Vec<RegionId> {
+    // A term of one object says where that one belongs; one of several speaks of their relation.
+    let alone = of.iter().filter(|&&t| terms[t].is_hard() && terms[t].objects.len() == 1);
+    let mut list: Vec<RegionId> = alone.flat_map(|&t| terms[t].regions.iter().copied()).collect();
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+/// All decision variables.
+pub(crate) fn variables(program: &Program) -> impl Iterator<Item = VariableId> {
+    (0..program.variables.len() as u32).map(VariableId)
+}

@@ -1,0 +1,190 @@
+//! Repairing: the smallest changes after which a layout satisfies its program again, or one constraint of it.
+//!
+//! Three kinds, in this order: objects are moved, few of them and not far; a number in a constraint is relaxed, by as
+//! little as will do; a preference is given up, or a demand becomes one. Whatever is offered has been judged as a whole: what
+//! was to be repaired holds, and what held before still does. A pinned property stays at what the program assigns.
+//!
+//! Moves are looked for in circles, each within a budget that counts work: first what `check` offers for the same rows
+//! (`scenelang_verify::explain::smallest_move`), so that the two agree; only where that breaks something or is nothing,
+//! places for one object after the other (`moves`), the repair loop from the layout as it is, and a new solution
+//! altogether (`whole`). What a wider circle finds is then taken back as far as all still holds (`least`).
+//!
+//! Absent here: reading and writing of files. Edits of the program are offered as edits of its text.
+
+mod edit;
+mod judge;
+mod least;
+mod moves;
+mod preference;
+mod relax;
+mod room;
+#[cfg(test)]
+mod tests;
+mod whole;
+
+use crate::problem::limit::Stop;
+use crate::problem::pose::Pose;
+pub use edit::edited;
+use judge::Judge;
+use scenelang_base::{Edit, SourceMap};
+use scenelang_lang::Program;
+use scenelang_lang::program::ObjectId;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::Layout;
+use scenelang_verify::explain::RowRef;
+use std::path::Path;
+use std::time::Duration;
+
+/// A layout that does not satisfy its program.
+#[derive(Clone, Copy)]
+pub struct Damaged<'a> {
+    /// What must hold.
+    pub program: &'a Program,
+    /// Where everything is.
+    pub layout: &'a Layout,
+    /// Where the program comes from; without it no edits of its text are offered.
+    pub text: Option<Text<'a>>,
+}
+
+/// The text of a program, and how it is compiled again after an edit.
+#[derive(Clone, Copy)]
+pub struct Text<'a> {
+    /// How its main file is called in messages.
+    pub name: &'a str,
+    /// Where that is.
+    pub path: &'a Path,
+    /// How it was compiled.
+    pub compile: scenelang_lang::Options,
+    /// Where its files come from.
+    pub loader: &'a dyn Loader,
+    /// The files as they were read; spans of the program refer to these.
+    pub sources: &'a SourceMap,
+}
+
+/// What is to be repaired.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// Whatever must hold and does not.
+    All,
+    /// Those of these rows that fail, preferences too. Others may go on failing.
+    Rows(Vec<RowRef>),
+}
+
+/// How to look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RepairOptions {
+    /// At most so much work in all; a unit is about ten nanoseconds.
+    pub budget: u64,
+    /// At most so long, whatever the budget. What comes of it then depends on the machine.
+    pub time: Option<Duration>,
+    /// Set from elsewhere, it ends the search.
+    pub stop: Stop,
+    /// At most so many alternatives of each kind.
+    pub alternatives: usize,
+    /// Tolerances, η, what a solid is, whether the physical rules apply.
+    pub judge: scenelang_verify::Options,
+}
+
+impl Default for RepairOptions {
+    fn default() -> Self {
+        Self {
+            budget: 200_000_000,
+            time: None,
+            stop: Stop::default(),
+            alternatives: 3,
+            judge: scenelang_verify::Options::default(),
+        }
+    }
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repaired {
+    /// What was to be repaired: rows that fail. None: there is nothing to do.
+    pub failing: Vec<RowRef>,
+    /// Ways to repair it, the first being the best. None: no way was found, which proves nothing.
+    pub alternatives: Vec<Alternative>,
+}
+
+/// How an alternative repairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum How {
+    /// The layout changes.
+    Moves,
+    /// Numbers in the program change.
+    Numbers,
+    /// A preference that held is taken out of the program, and the layout changes.
+    Drop,
+    /// Demands become preferences.
+    Wish,
+}
+
+/// A way to repair a layout. All of it belongs together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alternative {
+    /// What kind it is.
+    pub how: How,
+    /// What is moved, in the order of the program.
+    pub moves: Vec<Moved>,
+    /// What else of the layout changes: names of regions and decision variables.
+    pub also: Vec<String>,
+    /// Edits of the program's text.
+    pub edits: Vec<Edit>,
+    /// Of each edit of a number: how far at least it must change, in the unit it is written in.
+    pub least: Vec<f64>,
+    /// Preferences that hold in the layout and are given up: indices into [`Program::constraints`].
+    pub drops: Vec<usize>,
+    /// The layout afterwards.
+    pub layout: Layout,
+    /// Alternatives of a kind are in the order of this. Of moves: [`EACH`] for every object and the metres that its
+    /// farthest point travels, up to twice as many for what is large.
+    pub cost: f64,
+}
+
+/// What it costs to touch one more object (metres).
+pub const EACH: f64 = 0.5;
+
+/// An object that is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved {
+    /// Which.
+    pub object: ObjectId,
+    /// Where it is in the layout.
+    pub from: Pose,
+    /// Where it is to be.
+    pub to: Pose,
+    /// The object that it goes along with, because it rests on it.
+    pub with: Option<ObjectId>,
+}
+
+/// A layout that cannot be judged cannot be repaired: something is missing in it, or has no value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unjudged;
+
+/// Looks for ways to repair a layout.
+///
+/// The same input gives the same alternatives, to the byte.
+///
+/// # Errors
+/// The layout cannot be judged.
+pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> Result<Repaired, Unjudged> {
+    let judge = Judge::new(damaged, which, options)?;
+    let failing = judge.targets.clone();
+    if failing.is_empty() {
+        return Ok(Repaired { failing, alternatives: Vec::new() });
+    }
+    let first = moves::first(&judge);
+    let mut alternatives: Vec<Alternative> = first.into_iter().collect();
+    if alternatives.iter().all(|a| a.how != How::Moves) {
+        alternatives.extend(moves::all(&judge, options, false));
+    }
+    if alternatives.is_empty() {
+        alternatives.extend(preference::drops(&judge, options));
+    }
+    if let Some(text) = &damaged.text {
+        alternatives.extend(relax::numbers(&judge, text, options));
+        alternatives.extend(preference::demand(&judge, text));
+    }
+    alternatives.sort_by(|a, b| a.how.cmp(&b.how).then(a.cost.total_cmp(&b.cost)));
+    Ok(Repaired { failing, alternatives })
+}

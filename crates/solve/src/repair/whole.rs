@@ -1,0 +1,110 @@
+//! The wider circles: the repair loop from the layout as it is, with everything free to move; then a new solution, taken
+//! over as far as it takes. Many objects may have moved then, so what was found is only a beginning.
+
+use super::RepairOptions;
+use super::moves::changes;
+use super::room::Room;
+use crate::external::steps::Steps;
+use crate::pipeline::solve;
+use crate::problem::frame::Frame;
+use crate::problem::pose::Pose;
+use crate::problem::{Options, Placed, Problem};
+use crate::search::Snapshot;
+use crate::search::state::Change;
+use scenelang_lang::program::{ObjectId, RegionId};
+use std::ops::ControlFlow;
+
+/// The part of the budget after which the repair loop gives up.
+const PART: f64 = 0.6;
+/// The part of the budget of a new solution that may go into preferences.
+const POLISH: f64 = 0.5;
+/// Rounds of the repair loop.
+const ROUNDS: usize = 120;
+
+/// Layouts in which nothing is missing.
+pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
+    repaired(room, (options.budget as f64 * PART) as u64).or_else(|| solved(room, options)).into_iter().collect()
+}
+
+/// The repair loop from the layout as it is.
+fn repaired(room: &mut Room<'_, '_>, until: u64) -> Option<Snapshot> {
+    let start = room.start.clone();
+    room.search.restore(&start);
+    let weights = room.search.state.weight.clone();
+    room.search.best = None;
+    let (mut iterations, mut steps) = (0, Steps::default());
+    while room.search.state.work < until && iterations < ROUNDS {
+        let before = iterations;
+        let flow = room.search.repair(10, &mut steps, &mut iterations, &mut |_| ControlFlow::Continue(()));
+        if flow == ControlFlow::Continue(true) || iterations == before {
+            break;
+        }
+    }
+    room.search.state.weight = weights;
+    if let Some(best) = room.search.best.take() {
+        room.search.restore(&best.snapshot);
+    }
+    room.holds().then(|| room.search.snapshot())
+}
+
+/// A new solution, of which only that is taken over which must be.
+fn solved(room: &mut Room<'_, '_>, options: &RepairOptions) -> Option<Snapshot> {
+    let judge = room.judge;
+    let regions = (0..judge.program.regions.len() as u32).map(RegionId).collect();
+    let problem = Problem {
+        program: judge.program,
+        start: judge.layout.clone(),
+        placed: Placed::Some { objects: Vec::new(), regions },
+    };
+    let left = options.budget.saturating_sub(room.search.state.work);
+    // A solution owes preferences nothing: where one is to be repaired, work goes into them as well.
+    let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
+    let solver = Options {
+        seed: judge.layout.seed.unwrap_or(0),
+        budget: left,
+        judge: judge.options,
+        polish: if preferred { POLISH } else { 0.0 },
+        diagnose: false,
+        time: judge.limit.left(),
+        stop: options.stop.clone(),
+        ..Options::default()
+    };
+    let outcome = solve(&problem, &solver, &mut |_| ControlFlow::Continue(()));
+    let frame: &Frame<'_> = room.search.state.frame;
+    let goal: Vec<Pose> = frame
+        .objects()
+        .map(|id| {
+            let here = room.poses[id.0 as usize];
+            let there = outcome.layout.object(frame.name(id));
+            there.map_or(here, |p| Pose { pos: p.pos, rot: p.rot, scale: here.scale })
+        })
+        .collect();
+    let start = room.start.clone();
+    room.search.restore(&start);
+    // What something missing points at takes its new place, until nothing is missing.
+    let mut settled = vec![false; goal.len()];
+    loop {
+        let missing = room.missing();
+        if missing.is_empty() {
+            return Some(room.search.snapshot());
+        }
+        let mut next: Vec<ObjectId> = Vec::new();
+        for check in missing {
+            next.extend(room.search.state.objects_of(check).into_iter().filter(|id| !settled[id.0 as usize]));
+        }
+        if next.is_empty() {
+            next.extend(frame.objects().filter(|id| !settled[id.0 as usize]));
+        }
+        if next.is_empty() {
+            return None;
+        }
+        next.sort_unstable();
+        next.dedup();
+        next.iter().for_each(|id| settled[id.0 as usize] = true);
+        let to: Vec<(ObjectId, Pose)> = next.iter().map(|id| (*id, goal[id.0 as usize])).collect();
+        let moves: Vec<Change> = changes(&to);
+        if room.search.state.attempt(&moves, f64::INFINITY).is_some() {
+            room.search.state.keep();
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! The continuous part: damped least squares on what is violated, with slopes from dual numbers.
+//!
+//! Positions, yaws, decision variables and (where asked) sizes move together so that the residuals of all terms they
+//! touch shrink. Equations end exact; inequalities end with a little ease. What rests on something keeps its height.
+
+mod system;
+
+use crate::problem::frame::Hold;
+use crate::problem::pose::{Pose, round_turn};
+use crate::search::state::{Change, State};
+use scenelang_lang::program::{ObjectId, RegionId, VariableId, VariableKind};
+use scenelang_verify::vector::V3;
+use scenelang_verify::{Algebra, Dual, Number, Scratch, Truth, Value, World};
+use system::System;
+
+/// Unknowns that are differentiated by at a time: two objects on a floor.
+const K: usize = 6;
+type Slope = Dual<K>;
+
+/// What is to be moved.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Targets {
+    /// Objects: position and yaw, as far as pins and supports leave them free.
+    pub objects: Vec<ObjectId>,
+    /// Their sizes, too.
+    pub sizes: bool,
+    /// Regions: place and size.
+    pub regions: Vec<RegionId>,
+    /// Decision variables.
+    pub variables: Vec<VariableId>,
+}
+
+impl Targets {
+    /// Objects, and the decision variables that their terms read.
+    pub fn objects(state: &State<'_>, objects: Vec<ObjectId>) -> Self {
+        let terms = objects.iter().flat_map(|o| &state.frame.terms_of[o.0 as usize]);
+        let mut variables: Vec<VariableId> =
+            terms.flat_map(|&t| state.frame.terms[t].variables.iter().copied()).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        Self { objects, variables, ..Self::default() }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Entity {
+    Object(ObjectId),
+    Region(RegionId),
+    Variable(VariableId),
+}
+
+/// One number to be found: which of an entity's (position 0–2, angles 3–5, extents 6–8; variables 0–2).
+#[derive(Clone, Copy, Debug)]
+struct Unknown {
+    entity: Entity,
+    index: usize,
+    angle: bool,
+}
+
+/// Two worlds to try things in, kept between uses: one of plain numbers, one of slopes.
+pub(crate) struct Polisher {
+    plain: World<f64>,
+    slopes: World<Slope>,
+    scratch: (Scratch<f64>, Scratch<Slope>),
+}
+
+impl Polisher {
+    /// For a state.
+    pub fn new(state: &State<'_>) -> Self {
+        Self { plain: state.world.clone(), slopes: state.world.constant(), scratch: (Scratch::new(), Scratch::new()) }
+    }
+
+    /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
+    pub fn polish(&mut self, state: &mut State<'_>, targets: &Targets, iterations: usize) -> bool {
+        let unknowns = unknowns(state, targets);
+        if unknowns.is_empty() {
+            return false;
+        }
+        self.catch_up(state);
+        let mut system = System::new(state, self, unknowns);
+        let start = system.values.clone();
+        system.solve(iterations);
+        let (values, unknowns, work) = (system.values, system.unknowns, system.work);
+        state.work += work;
+        // What was tried here is not yet so.
+        let touched: Vec<ObjectId> = unknowns.iter().flat_map(|u| touched_objects(state, u.entity)).collect();
+        for object in touched {
+            state.stale[object.0 as usize] = true;
+        }
+        if values == start {
+            return false;
+        }
+        let changes = changes(state, &unknowns, &values);
+        if state.attempt(&changes, -1e-9).is_some() {
+            state.keep();
+            return true;
+        }
+        false
+    }
+
+    /// Takes over what has moved since.
+    fn catch_up(&mut self, state: &mut State<'_>) {
+        for id in state.frame.objects() {
+            if std::mem::replace(&mut state.stale[id.0 as usize], false) {
+                let pose = state.pose(id);
+                place(&mut self.plain, id, &pose);
+                place(&mut self.slopes, id, &pose);
+            }
+        }
+        for index in 0..state.frame.program.regions.len() as u32 {
+            let pose = state.region_pose(RegionId(index));
+            place_region(&mut self.plain, RegionId(index), &pose);
+            place_region(&mut self.slopes, RegionId(index), &pose);
+        }
+        for id in crate::problem::frame::variables(state.frame.program) {
+            if let Ok(value) = state.world.variable(id) {
+                self.plain.set_variable(id, value);
+                self.slopes.set_variable(id, lift(numbers(value).map(Slope::constant), value));
+            }
+        }
+    }
+}
+
+fn place<N: Number>(world: &mut World<N>, id: ObjectId, pose: &Pose) {
+    let [pos, rot, scale] = pose.constant();
+    world.place(id, pos, rot, scale);
+}
+
+fn place_region<N: Number>(world: &mut World<N>, id: RegionId, pose: &Pose) {
+    let [pos, rot, scale] = pose.constant();
+    world.place_region(id, pos, rot, scale);
+}
+
+/// Which numbers are free.
+fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
+    let frame = state.frame;
+    let mut list = Vec::new();
+    for &id in &targets.objects {
+        let fixed = frame.fixed(id);
+        let mut add =
+            |index: usize| list.push(Unknown { entity: Entity::Object(id), index, angle: (3..6).contains(&index) });
+        let rests = frame.scope.is_some() && frame.hold(id) == Hold::Rests;
+        [0, 1, 2].into_iter().filter(|&i| !fixed.pos[i] && (i != 1 || !rests)).for_each(&mut add);
+        if !fixed.rot {
+            let tilts = frame.tilts[id.0 as usize];
+            [3, 4, 5].into_iter().filter(|i| *i == 4 || tilts).for_each(&mut add);
+        }
+        if targets.sizes && !fixed.scale {
+            (6..9).for_each(&mut add);
+        }
+    }
+    for &id in &targets.regions {
+        let pins = frame.region_pins[id.0 as usize];
+        let outlined = state.world.region(id).is_ok_and(|r| r.outlined);
+        let free = (0..3).filter(|&i| !pins.pos && (i == 1 || !outlined));
+        let free = free.chain((6..9).filter(|&i| !pins.scale && (i == 7 || !outlined)));
+        list.extend(free.map(|index| Unknown { entity: Entity::Region(id), index, angle: false }));
+    }
+    for &id in &targets.variables {
+        let (count, angle) = match frame.program.variables[id.0 as usize].kind {
+            VariableKind::Number => (1, false),
+            VariableKind::Degree => (1, true),
+            VariableKind::Vector => (3, false),
+            VariableKind::Rotation => (3, true),
+            VariableKind::Bool => (0, false),
+        };
+        if state.world.variable(id).is_ok() {
+            list.extend((0..count).map(|index| Unknown { entity: Entity::Variable(id), index, angle }));
+        }
+    }
+    list
+}
+
+/// Objects that move with an entity: itself, and those whose rules follow it.
+fn touched_objects(state: &State<'_>, entity: Entity) -> Vec<ObjectId> {
+    let mut list = if let Entity::Object(id) = entity { vec![id] } else { Vec::new() };
+    for owner in rules_after(state, entity).iter().map(|&r| state.frame.rules.list[r].owner) {
+        if !list.contains(&owner) {
+            list.push(owner);
+        }
+    }
+    list
+}
+
+/// Rules that follow an entity, in order.
+fn rules_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
+    match entity {
+        Entity::Object(id) => &state.frame.followers[id.0 as usize],
+        Entity::Region(id) => &state.frame.region_followers[id.0 as usize],
+        Entity::Variable(id) => &state.frame.variable_followers[id.0 as usize],
+    }
+}
+
+/// The moves that give unknowns their values; riders go along.
+fn changes(state: &State<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Change> {
+    let mut list: Vec<Change> = Vec::new();
+    for group in unknowns.chunk_by(|a, b| a.entity == b.entity) {
+        let start = unknowns.iter().position(|u| u.entity == group[0].entity).unwrap_or(0);
+        let values = &values[start..start + group.len()];
+        let own = || group.iter().zip(values).map(|(u, v)| (u.index, *v));
+        match group[0].entity {
+            Entity::Object(id) => {
+                let next = with_numbers(&state.pose(id), own());
+                for change in state.with_riders(id, next) {
+                    let Change::Object(moved, _) = change else { continue };
+                    let own = moved == id || !unknowns.iter().any(|u| u.entity == Entity::Object(moved));
+                    if own && !list.iter().any(|c| matches!(c, Change::Object(o, _) if *o == moved)) {
+                        list.push(change);
+                    }
+                }
+            }
+            Entity::Region(id) => list.push(Change::Region(id, with_numbers(&state.region_pose(id), own()))),
+            Entity::Variable(id) => {
+                let Ok(old) = state.world.variable(id) else { continue };
+                let mut parts = numbers(old);
+                own().for_each(|(i, v)| parts[i] = v);
+                let degree = state.frame.program.variables[id.0 as usize].kind == VariableKind::Degree;
+                if degree {
+                    parts[0] = round_turn(parts[0]);
+                }
+                list.push(Change::Variable(id, lift(parts, old)));
+            }
+        }
+    }
+    list
+}
+
+fn with_numbers(pose: &Pose, numbers: impl Iterator<Item = (usize, f64)>) -> Pose {
+    let mut next = *pose;
+    for (index, value) in numbers {
+        match index {
+            0..3 => next.pos[index] = value,
+            3..6 => next.rot[index - 3] = round_turn(value),
+            // Nothing shrinks to nothing.
+            _ => next.scale[index - 6] = value.max(0.01),
+        }
+    }
+    next
+}
+
+/// The numbers of a variable's value.
+fn numbers(value: Value<f64>) -> [f64; 3] {
+    match value {
+        Value::Number(n) => [n, 0.0, 0.0],
+        Value::Vector(v) | Value::Rotation(v) => v.0,
+        Value::Truth(_) => [0.0; 3],
+    }
+}
+
+/// A value like another one, of these numbers.
+fn lift<N: Number>(parts: [N; 3], like: Value<f64>) -> Value<N> {
+    match like {
+        Value::Number(_) => Value::Number(parts[0]),
+        Value::Vector(_) => Value::Vector(V3(parts)),
+        Value::Rotation(_) => Value::Rotation(V3(parts)),
+        Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
+    }
+}

@@ -1,0 +1,201 @@
+//! The course of a local search: a first layout, then step after step; where nothing gets better for long, all begins
+//! anew. It can be interrupted and taken up again.
+
+use super::moves::Inputs;
+use super::{Home, LocalSearch, Room};
+use crate::problem::limit::Limit;
+use rand_chacha::ChaCha8Rng;
+
+/// So many steps without a new best, and all begins anew, in a room that is full: per object, and per root of the number
+/// of objects, whichever is less. Large scenes are better begun anew than waited for.
+const PATIENCE: [f64; 2] = [400.0, 2500.0];
+/// The part of it for a room with space: a bad arrangement is better left, and a bad plan of paths not quite so soon.
+const HASTE: f64 = 0.1;
+const HASTE_ON_PATHS: f64 = 0.3;
+/// The covered share of the floor from which on a room is on the way to be full, and from which on it is.
+const FULL: [f64; 2] = [0.5, 0.9];
+/// How much more work paths are worth than all else, and what that takes at least.
+const WALKING: u64 = 5;
+const SOON: u64 = 150_000;
+/// Paths that are barred by no more than this part of what they were are worth going on for.
+const LESS: f64 = 0.9;
+
+/// How far a search is.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Course {
+    /// How often all was begun anew.
+    turn: u32,
+    /// Whether the present turn goes on.
+    open: bool,
+    /// Steps without a new best in this turn, and how much was violated at its best.
+    idle: usize,
+    least: usize,
+    /// The work when this turn began, and when paths came to be looked at.
+    begun: u64,
+    walking_since: u64,
+    /// The work when paths were last barred less than ever in this turn, and how much that was.
+    freed: u64,
+    barred: f64,
+    /// How much was violated at best in turns in which things stand square, and in others.
+    least_of: [Option<usize>; 2],
+    /// How much was violated at best in all turns, and where everything was then.
+    best: Option<(usize, Vec<Inputs>)>,
+}
+
+impl LocalSearch<'_> {
+    /// Searches until all holds that is judged here, or so much work is done. Whether it does. Objects that are `given`
+    /// a place start from there at first. Asked again it goes on where it was.
+    pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, given: &[bool]) -> bool {
+        let late = || limit.is_over();
+        let end = self.work + budget;
+        self.preferring = false;
+        let patience = [self.patience(HASTE), self.patience(HASTE_ON_PATHS)];
+        let mut poses = Vec::new();
+        loop {
+            if !self.course.open {
+                let given = if self.course.turn == 0 { given } else { &[] };
+                let skew = self.next_is_skew() || given.contains(&true);
+                self.skew = skew && self.course.turn > 0;
+                self.begin(chance, given, &late);
+                self.skew = skew;
+                let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
+                let (begun, walking_since) = (self.work, self.work);
+                self.course = Course {
+                    turn: turn + 1,
+                    open: true,
+                    idle: 0,
+                    least: usize::MAX,
+                    begun,
+                    walking_since,
+                    freed: walking_since,
+                    barred: f64::INFINITY,
+                    least_of,
+                    best,
+                };
+            }
+            // Square turns and others come in pairs of the same length.
+            let turn = luby(self.course.turn.div_ceil(2));
+            let patience = patience.map(|steps| (steps * turn) as usize);
+            while self.work < end
+                && !late()
+                && self.course.idle < patience[usize::from(self.walking && !self.groups.is_empty())]
+            {
+                if self.bad.is_empty() && !self.walking {
+                    // Corridors are worth planning where all else is in its place.
+                    self.walking = true;
+                    self.plan_missing(&late);
+                    (self.course.walking_since, self.course.idle, self.course.least) = (self.work, 0, usize::MAX);
+                }
+                if self.is_done(&late) || self.bars_paths(turn) {
+                    break;
+                }
+                self.step(chance, &mut poses);
+                self.note_best();
+            }
+            if self.movable.is_empty() || self.bad.is_empty() && self.walking && !late() {
+                self.course = Course::default();
+                return self.is_done(&late);
+            }
+            if self.work >= end || late() {
+                return false;
+            }
+            self.course.open = false;
+        }
+    }
+
+    /// Whether things may stand askew in the next turn. They stand square at first: that is what people expect, and rows of
+    /// them do not drift. What does better is done more often from then on.
+    fn next_is_skew(&self) -> bool {
+        let Course { turn, least_of: [square, skew], .. } = &self.course;
+        let other = (turn + self.skew_first) % 2 == 1;
+        match (square, skew) {
+            (Some(square), Some(skew)) if square != skew => (skew < square) != (turn % 4 == 3),
+            _ => other,
+        }
+    }
+
+    /// A search whose first turn is none in which things stand square.
+    pub fn with_skew_first(mut self) -> Self {
+        self.skew_first = 1;
+        self
+    }
+
+    /// Whether an arrangement was soon found, but bars paths for long: it is better left than repaired.
+    fn bars_paths(&self, turn: f64) -> bool {
+        let Course { begun, walking_since, freed, .. } = self.course;
+        let share = WALKING * (walking_since - begun).max(SOON);
+        self.walking && !self.groups.is_empty() && (self.work - freed.max(walking_since)) as f64 > turn * share as f64
+    }
+
+    /// Remembers what is violated least.
+    fn note_best(&mut self) {
+        let bad = self.bad.len() + if self.walking { 0 } else { self.groups.len() };
+        let barred = self.walks.iter().map(|(t, _)| self.cost[*t]).sum::<f64>();
+        let course = &mut self.course;
+        course.idle = if bad < course.least { 0 } else { course.idle + 1 };
+        course.least = course.least.min(bad);
+        if self.walking && barred < LESS * course.barred {
+            (course.barred, course.freed, course.idle) = (barred, self.work, 0);
+        }
+        let least = &mut course.least_of[usize::from(self.skew)];
+        *least = Some(least.map_or(bad, |least| least.min(bad)));
+        if course.best.as_ref().is_none_or(|(least, _)| bad < *least) {
+            self.course.best = Some((bad, (0..self.count()).map(|i| self.inputs(i)).collect()));
+        }
+    }
+
+    /// How much was violated at best.
+    pub fn least_violated(&self) -> usize {
+        self.course.best.as_ref().map_or(usize::MAX, |(least, _)| *least)
+    }
+
+    /// Puts everything where the least was violated.
+    pub fn restore_best(&mut self) {
+        if let Some((_, poses)) = self.course.best.take() {
+            poses.into_iter().enumerate().for_each(|(i, pose)| self.put(i, pose));
+        }
+        self.course = Course::default();
+    }
+
+    /// Whether all holds, paths that terms ask for beside other things included.
+    pub(super) fn is_done(&mut self, late: &dyn Fn() -> bool) -> bool {
+        self.bad.is_empty() && (self.path_terms.is_empty() || self.find_paths(late))
+    }
+
+    /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
+    /// surely, what has space is either soon right or never.
+    fn patience(&self, least: f64) -> f64 {
+        let n = self.movable.len().max(5) as f64;
+        let covered: f64 = (0..self.count())
+            .filter(|&i| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_)))
+            .map(|i| self.size[i][0] * self.size[i][2])
+            .sum();
+        let full = (covered / self.floor_area() - FULL[0]) / (FULL[1] - FULL[0]);
+        (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
+    }
+
+    /// Of all rooms, zones within them not counted again (m²).
+    fn floor_area(&self) -> f64 {
+        let is_zone =
+            |room: &&Room| self.rooms.iter().any(|other| other.area > room.area && other.field.contains(&room.field));
+        self.rooms.iter().filter(|room| !is_zone(room)).map(|room| room.area).sum()
+    }
+}
+
+/// The series 1, 1, 2, 1, 1, 2, 4, … by which restarts are rarely much later than the best moment for them, which nobody
+/// knows (Luby, Sinclair, Zuckerman: Optimal speedup of Las Vegas algorithms, 1993). Counted from 1.
+fn luby(turn: u32) -> f64 {
+    let length = (turn + 1).next_power_of_two();
+    if length == turn + 1 { f64::from(length / 2) } else { luby(turn + 1 - length / 2) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::luby;
+
+    #[test]
+    fn restarts_follow_the_series() {
+        let series: Vec<f64> = (1..=15).map(luby).collect();
+        assert_eq!(series, [1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8].map(f64::from));
+    }
+}

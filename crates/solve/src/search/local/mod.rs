@@ -1,0 +1,411 @@
+//! The local search: weighted min-conflicts over many sampled poses.
+//!
+//! The layout is a row of floats here, formulas are code (see [`scenelang_verify::coded`]), parts are boxes, and a trial
+//! looks only at what the moved objects touch. What has no code is asked of the evaluator (`exact`). Whatever is found is
+//! judged by the evaluator in the end.
+
+mod clear;
+mod corridors;
+mod course;
+mod exact;
+mod first;
+mod judge;
+mod moves;
+mod near;
+mod paths;
+mod preferences;
+mod rearrange;
+mod rooms;
+mod setup;
+mod step;
+#[cfg(test)]
+mod tests;
+mod tidy;
+
+use crate::problem::checks::Numbering;
+use crate::problem::frame::{Frame, Hold};
+use crate::problem::pose::Pose;
+use crate::problem::rules::Sets;
+use crate::search::penalty::Truths;
+use crate::search::state::Change;
+use clear::Clear;
+use course::Course;
+use exact::{Instance, Mixed};
+use judge::Moved;
+use near::Near;
+use paths::{Asked, PathGroup};
+use rooms::{Field, Room, Stretch, Wall};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, RegionId};
+use scenelang_layout::Vec3;
+use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
+use scenelang_verify::{Tolerances, Truth, World, rules};
+use std::sync::Arc;
+
+/// Overlaps of less than this are rounding (metres).
+const TOUCHING: f64 = 1e-7;
+
+/// How a term is judged here.
+enum Judge {
+    /// An object is in a room.
+    Inside(usize, usize),
+    /// The space beside an object is free.
+    Clear(Clear),
+    /// There are paths.
+    PathGroup(usize),
+    /// It asks for one of the paths that another term answers for.
+    Shared(usize),
+    /// By its code.
+    Code(Coded),
+    /// By its code as far as that goes, and by the evaluator.
+    Mixed(Mixed),
+    /// It speaks of the turn of one object only, whose yaws are chosen so that it holds.
+    Turn,
+    /// Not here: it speaks of sizes, which do not change.
+    Absent,
+}
+
+/// What a rule sets, as code; without code it is asked of the evaluator.
+struct CodedRule {
+    owner: usize,
+    sets: Sets,
+    value: Option<CodedValue>,
+}
+
+/// The upright box around an object.
+#[derive(Clone, Copy, Debug, Default)]
+struct Span {
+    min: [f64; 3],
+    max: [f64; 3],
+}
+
+impl Span {
+    /// That of what is not there: it meets nothing.
+    const NONE: Self = Self { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+
+    /// Whether two share more than a face.
+    fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.min[k] < other.max[k] - TOUCHING && other.min[k] < self.max[k] - TOUCHING)
+    }
+}
+
+/// Where an object belongs.
+enum Home {
+    /// On a floor or on something, in the field; with its back to one of these walls, if it likes.
+    Stands(Vec<Wall>),
+    /// On one of these walls.
+    Hangs(Vec<Wall>),
+    /// In this thing.
+    Within(usize),
+    /// Under a ceiling of this height.
+    Ceiling(f64),
+    /// In one of these stretches of wall.
+    Door(Vec<Stretch>),
+}
+
+/// A layout under local search.
+pub(crate) struct LocalSearch<'a> {
+    frame: &'a Frame<'a>,
+    tolerances: Tolerances,
+    numbering: Numbering,
+    slots: Slots,
+    judges: Vec<Judge>,
+    rules: Vec<CodedRule>,
+    /// By object: rules to be obeyed when it moves, in order.
+    followers: Vec<Vec<usize>>,
+    /// By object: its terms, cheap ones first.
+    terms_of: Vec<Vec<usize>>,
+    /// By object: preferences that speak of it.
+    preferences_of: Vec<Vec<usize>>,
+    /// Whether preferences count, and which of them is demanded.
+    preferring: bool,
+    demanded: Option<usize>,
+    size: Vec<[f64; 3]>,
+    /// By object: what it is made of.
+    blocks: Vec<Arc<[Block]>>,
+    /// By object: where it touches what it stands on, in its frame (x, z).
+    feet: Vec<Vec<[f64; 2]>>,
+    /// By object: how high above its base things are put on it.
+    surface: Vec<f64>,
+    /// By object: what it is in, if that carries it.
+    container: Vec<Option<usize>>,
+    span: Vec<Span>,
+    /// Whether P-COLLIDE speaks of a pair.
+    collide: Vec<bool>,
+    rests: Vec<bool>,
+    /// By object: whether P-BOUNDS speaks of it and no term says the same.
+    bounded: Vec<bool>,
+    rooms: Vec<Room>,
+    /// The floor of all rooms, if they share one.
+    floor: Option<f64>,
+    /// By object: floors that it may stand on.
+    levels: Vec<Vec<f64>>,
+    /// By object: others that the program asks it to go onto, perhaps.
+    carriers: Vec<Vec<usize>>,
+    homes: Vec<Home>,
+    /// By object: rooms that it must be in and that are no rectangles.
+    outlines: Vec<Vec<usize>>,
+    /// Objects that are doors, and how far their openings reach beyond them.
+    doors: Vec<usize>,
+    doorway: f64,
+    groups: Vec<PathGroup>,
+    course: Course,
+    /// How often a move with whatever has to go along paid, and how often it was tried.
+    along: [f64; 2],
+    /// The same for moves after which paths are planned anew.
+    rearranged: [f64; 2],
+    /// By object: how unwilling it proved to get out of the way.
+    reluctance: Vec<f64>,
+    /// Terms that depend on whatever stands around.
+    onlookers: Vec<usize>,
+    /// Whether paths are looked at yet.
+    walking: bool,
+    /// Terms that ask for paths, each with its way.
+    walks: Vec<(usize, usize)>,
+    /// Terms that ask for paths beside other things.
+    path_terms: Vec<usize>,
+    /// The instance that terms without code are judged on; whether there are such.
+    instance: Instance,
+    follows: bool,
+    /// Objects that have no place yet, and how many those are.
+    away: Vec<bool>,
+    away_count: usize,
+    /// By object: yaws to choose from.
+    yaws: Vec<Vec<f64>>,
+    /// By object: whether other yaws are worth a try.
+    turns: Vec<bool>,
+    /// By object: where its centre may be, its extents not counted.
+    field: Vec<Field>,
+    /// Whether such yaws are drawn at all: at first things stand square.
+    skew: bool,
+    /// 1: turns in which they are drawn come first, 0: the others.
+    skew_first: u32,
+    /// By object: those that its height is set by.
+    bases: Vec<Vec<usize>>,
+    /// By object: others that it shares terms with.
+    related: Vec<Vec<usize>>,
+    movable: Vec<usize>,
+    cost: Vec<f64>,
+    holds: Vec<bool>,
+    weight: Vec<f64>,
+    /// What is violated, and by check where it stands in that list.
+    bad: Vec<usize>,
+    bad_at: Vec<u32>,
+    /// Where objects are that no trial moves.
+    near: Near,
+    /// By object: others that it overlaps.
+    hits: Vec<Vec<usize>>,
+    /// By object: whether it stands on something else than a floor.
+    raised: Vec<bool>,
+    raised_count: usize,
+    /// By object: what it stands on, if that is not a floor.
+    seat: Vec<Option<usize>>,
+    moved: Vec<Moved>,
+    fresh: Vec<(usize, f64, bool)>,
+    /// Room for a list of what is around something.
+    around: Vec<usize>,
+    stamp: Vec<u32>,
+    now: u32,
+    /// Work done.
+    pub work: u64,
+}
+
+/// Truths of code that has run.
+struct Ran<'r> {
+    code: &'r Coded,
+    slots: &'r Slots,
+}
+
+impl Truths<f64> for Ran<'_> {
+    fn truth(&self, node: NodeId) -> Option<Truth<f64>> {
+        self.code.truth(node, self.slots)
+    }
+}
+
+impl<'a> LocalSearch<'a> {
+    /// For an instance in which every object has a pose, though it need not be its place; `None`: one of them is not
+    /// upright, or cannot be where it belongs.
+    pub fn new(frame: &'a Frame<'a>, world: &World<f64>, numbering: Numbering) -> Option<Self> {
+        let n = frame.program.objects.len();
+        let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
+        let pose = |id: ObjectId| world.object(id).map(Pose::of);
+        if n == 0 || !frame.objects().all(|id| pose(id).is_ok_and(|pose| pose.is_upright())) {
+            return None;
+        }
+        let rooms: Vec<Room> = world.prisms().map(|(id, prism)| Room::new(id, prism)).collect::<Option<_>>()?;
+        let level = rooms.first().map_or(0.0, |room| room.floor);
+        let floor = rooms.iter().all(|room| room.floor == level).then_some(level);
+        let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
+        let mut coder = Coder::new(frame.program, world, &still);
+        let mut judges = Vec::with_capacity(frame.terms.len());
+        let mut asked = Vec::new();
+        for term in &frame.terms {
+            let formula = &term.formula;
+            let room = |region: RegionId| rooms.iter().position(|room| room.id == region);
+            judges.push(if term.sizes_only {
+                Judge::Absent
+            } else if let Some((id, room)) = setup::inside(formula).and_then(|(id, r)| Some((id, room(r)?))) {
+                Judge::Inside(id.0 as usize, room)
+            } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
+                Judge::Clear(clear)
+            } else if let Some(group) =
+                Asked::of(judges.len(), formula).filter(|_| term.is_hard() && floor.is_some() && !rooms.is_empty())
+            {
+                asked.push(group);
+                Judge::Absent
+            } else {
+                let (code, missing) = coder.partly(formula);
+                if missing.is_empty() {
+                    Judge::Code(code)
+                } else if term.is_hard() && setup::turned(formula).is_some() {
+                    Judge::Turn
+                } else {
+                    let clear = |node: &Node, formula: &Formula| Clear::of(node, formula, &doors, world);
+                    Judge::Mixed(Mixed::new(formula, code, &missing, clear, n))
+                }
+            });
+        }
+        let mut groups = Vec::new();
+        for (index, (group, terms)) in Asked::together(&asked, world).into_iter().enumerate() {
+            terms.iter().for_each(|&t| judges[t] = Judge::Shared(index));
+            judges[terms[0]] = Judge::PathGroup(index);
+            groups.push(group);
+        }
+        let mut rules = Vec::new();
+        for rule in &frame.rules.list {
+            let value = coder.value(&rule.formula);
+            rules.push(CodedRule { owner: rule.owner.0 as usize, sets: rule.sets, value });
+        }
+        let follows = judges.iter().any(|judge| matches!(judge, Judge::Mixed(_)));
+        let follows = follows || rules.iter().any(|rule| rule.value.is_none());
+        let looks_around = |judge: &Judge| match judge {
+            Judge::Clear(_) => true,
+            Judge::Mixed(mixed) => mixed.looks_around(),
+            _ => false,
+        };
+        let walks = |judge: &Judge| matches!(judge, Judge::Mixed(mixed) if mixed.walks());
+        let terms = |which: &dyn Fn(&Judge) -> bool| (0..judges.len()).filter(|&t| which(&judges[t])).collect();
+        let (onlookers, path_terms) = (terms(&looks_around), terms(&walks));
+        let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
+        let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
+        let scope = frame.scope.as_ref();
+        let mut collide = vec![false; n * n];
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            collide[i * n + j] = scope.is_some_and(|s| s.collide(ObjectId(i as u32), ObjectId(j as u32)));
+        }
+        let holds_inside = |id: ObjectId| {
+            frame.terms_of[id.0 as usize]
+                .iter()
+                .any(|&t| frame.terms[t].is_hard() && setup::inside_of(&frame.terms[t].formula, id).is_some())
+        };
+        let mut local = Self {
+            tolerances: world.options.tolerances,
+            numbering,
+            slots: coder.slots(),
+            followers: Vec::new(),
+            terms_of: Vec::new(),
+            preferences_of: Vec::new(),
+            preferring: false,
+            demanded: None,
+            blocks: bodies().map(coded::blocks).collect(),
+            feet: bodies().map(|body| setup::feet(&coded::blocks(body), world.options.tolerances.support)).collect(),
+            surface: bodies().zip(&size).map(|(body, size)| body.surface.unwrap_or(size[1])).collect(),
+            container: frame
+                .objects()
+                .map(|id| if let Hold::Container(c) = frame.hold(id) { Some(c.0 as usize) } else { None })
+                .collect(),
+            size,
+            span: vec![Span::default(); n],
+            collide,
+            rests: frame.objects().map(|id| scope.is_some_and(|s| s.support(id) == rules::Support::Rests)).collect(),
+            bounded: frame
+                .objects()
+                .map(|id| scope.is_some_and(|s| s.bounds(id)) && !rooms.is_empty() && !holds_inside(id))
+                .collect(),
+            floor,
+            levels: Vec::new(),
+            carriers: frame.objects().map(|id| setup::carriers(frame, id)).collect(),
+            yaws: Vec::new(),
+            turns: Vec::new(),
+            field: Vec::new(),
+            skew: false,
+            skew_first: 0,
+            bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
+            related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
+            movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
+            cost: vec![0.0; numbering.len()],
+            holds: vec![true; numbering.len()],
+            weight: vec![1.0; numbering.len()],
+            bad: Vec::new(),
+            bad_at: vec![u32::MAX; numbering.len()],
+            near: Near::new(rooms.iter().map(|room| room.field).reduce(Field::join), n),
+            hits: vec![Vec::new(); n],
+            raised: vec![false; n],
+            raised_count: 0,
+            seat: vec![None; n],
+            homes: Vec::new(),
+            outlines: Vec::new(),
+            doors,
+            doorway: 2.0 * world.options.eta + world.options.tolerances.door,
+            walking: false,
+            onlookers,
+            path_terms,
+            instance: Instance::new(world.clone()),
+            follows,
+            walks: judges
+                .iter()
+                .enumerate()
+                .filter_map(|(t, judge)| if let Judge::PathGroup(group) = judge { Some((t, *group)) } else { None })
+                .collect(),
+            groups,
+            course: Course::default(),
+            along: [0.0; 2],
+            rearranged: [0.0; 2],
+            reluctance: vec![0.0; n],
+            away: vec![false; n],
+            away_count: 0,
+            moved: Vec::new(),
+            fresh: Vec::new(),
+            around: Vec::new(),
+            stamp: vec![0; numbering.len()],
+            now: 0,
+            work: 0,
+            rooms,
+            rules,
+            judges,
+            frame,
+        };
+        // What the program fixes is so from here on.
+        for rule in 0..local.rules.len() {
+            local.obey(rule, 0);
+        }
+        local.moved.clear();
+        local.followers = frame.objects().map(|id| local.followers_of(id)).collect();
+        local.terms_of = (0..n).map(|i| local.sorted_terms(i, true)).collect();
+        local.preferences_of = (0..n).map(|i| local.sorted_terms(i, false)).collect();
+        for id in frame.objects() {
+            let domain = local.yaws_of(world, id)?;
+            let told = frame.terms_of[id.0 as usize].iter().any(|&t| matches!(local.judges[t], Judge::Turn));
+            local.turns.push(!frame.fixed(id).rot && !told);
+            local.yaws.push(domain);
+            let field = local.field_of(id);
+            local.field.push(field);
+            local.levels.push(local.levels_of(id));
+            local.outlines.push(local.outlines_of(id));
+            local.homes.push(local.home_of(id, field, world)?);
+        }
+        for at in 0..local.movable.len() {
+            local.heed_followers(local.movable[at]);
+        }
+        Some(local)
+    }
+
+    /// The layout as changes of the search proper.
+    pub fn changes(&self) -> Vec<Change> {
+        let pose = |id: ObjectId| {
+            let [x, y, z, yaw, ..] = self.slots.get(id);
+            let scale = self.size[id.0 as usize].into();
+            Pose { rot: Vec3::new(0.0, yaw, 0.0), pos: Vec3::new(x, y, z), scale }
+        };
+        self.frame.objects().map(|id| Change::Object(id, pose(id))).collect()
+    }
+}

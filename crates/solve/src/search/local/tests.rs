@@ -1,0 +1,110 @@
+//! What a search believes of a layout is what it would find if it looked at all of it anew, after any moves kept or taken
+//! back; and of plain boxes it is what the evaluator says.
+
+use super::LocalSearch;
+use crate::problem::checks::Check;
+use crate::problem::limit::Limit;
+use crate::problem::setup::setup;
+use crate::problem::{Options, Placed, Problem};
+use crate::search::pool::Chance;
+use crate::search::state::State;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use scenelang_lang::{Options as Reading, compile_text};
+use scenelang_layout::Layout;
+use std::path::Path;
+
+const SCENES: [&str; 5] = [
+    // Equations on every axis, chains, turns that are the same.
+    "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
+     object a; object b; object c; object d;
+     assert inside(a, room) and inside(b, room) and inside(c, room) and inside(d, room);
+     assert a.pos.x = b.pos.x + 1; assert c.pos.z = a.pos.z - 0.8; assert c.rot = a.rot; assert d.pos.x = 1;
+     assert leftOf(b, d) or behind(b, d); assert facing(a, d);",
+    // What has no code, and what is seen all around.
+    "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
+     object a; object b; object c; object d; object e;
+     assert againstWall(a, room); assert clear(a, front, 0.6); assert visible(a, b) or not visible(b, c);
+     assert clear(b, front, 0.5) or near(b, a, 1); assert a.up.y > 0.5; assert on(d, b); assert distance(c, e) >= 1.5;
+     prefer near(c, a, 0.5); prefer far(e, a, 2);",
+    // Two storeys.
+    "region low; low.pos <- vec3(0, 0, 0); low.scale <- vec3(5, 2.5, 5);
+     region high; high.pos <- vec3(0, 3, 0); high.scale <- vec3(5, 2.5, 5);
+     object a; object b; object c; object d;
+     assert inside(a, low) and inside(b, high) and inside(c, high) and near(b, c, 0.5); assert on(d, c);",
+    // An outline, and walls.
+    "region ell; ell.pos <- vec3(0, 0, 0); ell.scale <- vec3(0, 2.6, 0);
+     ell.vertices <- polygon(vec3(0, 0, 0), vec3(5, 0, 0), vec3(5, 0, 2.5), vec3(2.5, 0, 2.5), vec3(2.5, 0, 5), vec3(0, 0, 5));
+     object a; object b; object c; object d;
+     assert againstWall(a, ell); assert inCorner(b, ell); assert wallMounted(c, ell); assert near(d, a, 0.3) and parallel(d, a);",
+    // Paths: what is believed of corridors is looked at in one pass, too.
+    "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
+     object door; object a[3]; object b;
+     assert connects(door, room) and door.pos.y = 0;
+     assert forall x in a: reachable(door, x, 0.7); assert reachable(b, a[0], 0.9) or reachable(b, a[1], 0.9);",
+];
+
+#[test]
+fn what_is_believed_after_many_moves_is_what_is_found_anew() {
+    for (index, text) in SCENES.iter().enumerate() {
+        let compiled = compile_text("s.scene", Path::new("s.scene"), text, Reading::default());
+        let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+        let problem = Problem { program, start: Layout::default(), placed: Placed::None };
+        let setup = setup(&problem, &Options::default());
+        let mut state = State::new(&setup.frame, setup.world.clone());
+        for id in setup.frame.objects() {
+            let home = state.home(id).at(0.0, 0.0, 0.0).constant();
+            let [pos, rot, scale] = home;
+            state.world.place(id, pos, rot, scale);
+        }
+        let numbering = state.numbering;
+        let mut local = LocalSearch::new(&setup.frame, &state.world, numbering).expect("all is upright");
+        let mut chance = ChaCha8Rng::seed_from_u64(index as u64);
+        local.search(&mut chance, 2_000, &Limit::default(), &[]);
+        // Preferences, too.
+        local.preferring = true;
+        local.judge_all();
+        local.judge_paths();
+        let (mut poses, mut compared) = (Vec::new(), 0);
+        for round in 0..2_000 {
+            let i = local.movable[chance.below(local.movable.len())];
+            local.poses(i, &mut chance, &mut poses);
+            let pose = poses[chance.below(poses.len())];
+            local.go(i, pose);
+            if local.judge(f64::INFINITY).is_some() && chance.below(3) > 0 {
+                local.keep();
+            } else {
+                local.undo();
+            }
+            if round % 20 == 0 {
+                let believed: Vec<(f64, bool)> =
+                    (0..local.cost.len()).map(|c| (local.cost[c], local.holds[c])).collect();
+                local.judge_all();
+                local.judge_paths();
+                for (check, (cost, holds)) in believed.into_iter().enumerate() {
+                    let what = numbering.check(check);
+                    assert!((cost - local.cost[check]).abs() < 1e-9, "{index} {what:?}: {cost} {}", local.cost[check]);
+                    assert_eq!(holds, local.holds[check], "{index} {what:?}");
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared >= 400, "{compared}");
+        // The evaluator's word on the last layout.
+        if state.attempt(&local.changes(), f64::INFINITY).is_some() {
+            state.keep();
+        }
+        for check in 0..numbering.len() {
+            let elsewhere = match numbering.check(check) {
+                // A plan of a corridor is only a plan; that some walls hold a thing is said by a term, too.
+                Check::Term(t) => setup.frame.terms[t].walks,
+                Check::Bounds(id) => !local.bounded[id.0 as usize],
+                Check::Collide(..) | Check::Support(_) => false,
+            };
+            // What hardly fails or holds may be seen differently in the last digits.
+            if !elsewhere && (local.cost[check] == 0.0 || local.cost[check] > 0.12) {
+                assert_eq!(local.holds[check], state.does_hold(check), "{index} {:?}", numbering.check(check));
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Once all holds: better looks where they cost nothing, and clean numbers.
+//!
+//! The looks are those of the search proper, as far as boxes tell them: tall things like a wall behind them, nothing
+//! likes one in its face, and what has nothing to do with each other keeps apart.
+
+use super::LocalSearch;
+use crate::pipeline::tidy::round_to;
+use crate::problem::limit::Limit;
+use crate::search::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
+use rand_chacha::ChaCha8Rng;
+use scenelang_lang::program::ObjectId;
+use scenelang_verify::coded::INPUTS;
+
+/// Grids for positions (metres), the coarsest first.
+const GRIDS: [f64; 3] = [0.05, 0.01, 0.001];
+/// What a clean number may cost.
+const HARM: f64 = 1e-6;
+/// How often all objects are gone through for better looks.
+const PASSES: usize = 2;
+/// How many places along walls are tried in each pass.
+const WALLS: usize = 12;
+
+impl LocalSearch<'_> {
+    /// Improves a layout in which everything holds; it keeps holding.
+    pub fn tidy(&mut self, chance: &mut ChaCha8Rng, limit: &Limit) {
+        let mut poses = Vec::new();
+        let count = self.movable.len();
+        for at in (0..PASSES).flat_map(|_| 0..count) {
+            if limit.is_over() {
+                return;
+            }
+            self.straighten(self.movable[at], chance, &mut poses);
+        }
+        for at in 0..count {
+            if limit.is_over() {
+                return;
+            }
+            self.round(self.movable[at]);
+        }
+    }
+
+    fn straighten(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<[f64; INPUTS]>) {
+        let now = self.oddity(i);
+        if now < 1e-3 {
+            return;
+        }
+        poses.clear();
+        for _ in 0..WALLS {
+            self.at_a_wall(i, chance, poses);
+            let pose = self.anywhere(i, chance);
+            poses.push(pose);
+        }
+        let mut best = (now - 1e-4, None);
+        for &pose in poses.iter() {
+            self.go(i, pose);
+            let odd = self.oddity(i);
+            if odd < best.0 && self.judge(HARM).is_some() {
+                best = (odd, Some(pose));
+            }
+            self.undo();
+        }
+        if let Some(pose) = best.1 {
+            self.settle(i, pose);
+        }
+    }
+
+    /// How odd an object looks where it is.
+    fn oddity(&self, i: usize) -> f64 {
+        let ([x, _, z, _, sin, cos], span, [_, height, depth]) = (self.inputs(i), self.span[i], self.size[i]);
+        let mut cost = 0.0;
+        if let Some(room) = self.rooms.iter().find(|room| room.depth([x, z]) >= 0.0) {
+            let clearance = |ahead: f64| room.depth([x + sin * ahead, z + cos * ahead]);
+            if height >= TALL && self.related[i].is_empty() {
+                cost += ADRIFT * clearance(-depth / 2.0).clamp(0.0, 1.0);
+            }
+            if height > 0.3 && clearance(depth / 2.0 + 0.4) < 0.0 {
+                cost += BARRED;
+            }
+        }
+        for j in (0..self.count()).filter(|j| *j != i && !self.related[i].contains(j)) {
+            let other = &self.span[j];
+            let apart = |k: usize| (span.min[k] - other.max[k]).max(other.min[k] - span.max[k]).max(0.0);
+            let apart = apart(0).max(apart(1)).max(apart(2));
+            if apart < AROUND {
+                cost += CROWDED * (1.0 - apart / AROUND);
+            }
+        }
+        cost
+    }
+
+    /// Rounds its position as far as nothing gets worse.
+    fn round(&mut self, i: usize) {
+        let fixed = self.frame.fixed(ObjectId(i as u32));
+        for axis in [0, 2].into_iter().filter(|&axis| !fixed.pos[axis]) {
+            for grid in GRIDS {
+                let mut pose = self.inputs(i);
+                pose[axis] = round_to(pose[axis], grid);
+                self.go(i, pose);
+                if self.judge(HARM).is_some() {
+                    self.keep();
+                    break;
+                }
+                self.undo();
+            }
+        }
+    }
+}

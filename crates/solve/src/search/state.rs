@@ -1,0 +1,760 @@
+//! One layout under search: poses, what every check costs in it, and trial moves that are judged by what they touch.
+//!
+//! A trial is made, judged, and then kept or taken back. Judging stops as soon as it is clear that the trial is worse
+//! than the caller cares for; costs only add up.
+
+use crate::problem::checks::{Check, Numbering};
+use crate::problem::frame::{Frame, Hold};
+use crate::problem::limit::Limit;
+use crate::problem::pose::{Pose, Ride};
+use crate::problem::terms::Force;
+use crate::search::looks;
+use crate::search::penalty::{self, Penalty};
+use scenelang_lang::program::{ObjectId, RegionId, VariableId};
+use scenelang_layout::{Aabb, Vec2, obb};
+use scenelang_verify::{Scratch, Truth, Value, World, rules};
+use std::marker::PhantomData;
+
+/// All preferences together cost at most about this, so that none is worth a violation.
+const PREFERENCES: f64 = 0.05;
+/// Overlaps of less than this are rounding (metres).
+const TOUCHING: f64 = 1e-7;
+/// Objects not placed yet wait this far below everything, each on a level of its own (metres).
+const LIMBO: f64 = -1e5;
+
+/// A step of a trial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Change {
+    /// An object goes elsewhere.
+    Object(ObjectId, Pose),
+    /// An object without a place takes the one that its rules give it.
+    Join(ObjectId),
+    /// A region changes place or size.
+    Region(RegionId, Pose),
+    /// A decision variable takes a value.
+    Variable(VariableId, Value<f64>),
+}
+
+/// What must be put back if a trial is not kept.
+#[derive(Default)]
+struct Journal {
+    open: bool,
+    changes: Vec<Change>,
+    placed: Vec<ObjectId>,
+    costs: Vec<(usize, f64, bool)>,
+    looks: Vec<(ObjectId, f64)>,
+}
+
+/// One layout under search.
+pub(crate) struct State<'a> {
+    /// What stays the same.
+    pub frame: &'a Frame<'a>,
+    /// The layout, as the evaluator sees it.
+    pub world: World<f64>,
+    /// How checks are numbered.
+    pub numbering: Numbering,
+    /// By check: how much it counts. Stubborn ones come to count more.
+    pub weight: Vec<f64>,
+    /// By object: what it stands on, if that is not a floor.
+    pub seats: Vec<Option<ObjectId>>,
+    /// Work done so far.
+    pub work: u64,
+    /// When looking has to end, whatever the work.
+    pub limit: Limit,
+    /// Objects that moved since the other world, that of slopes, was last brought up to date.
+    pub stale: Vec<bool>,
+    placed: Vec<bool>,
+    /// By term: how many of its objects are not placed yet.
+    missing: Vec<usize>,
+    spans: Vec<Aabb>,
+    cost: Vec<f64>,
+    holds: Vec<bool>,
+    looks: Vec<f64>,
+    walks_stale: bool,
+    journal: Journal,
+    scratch: Scratch<f64>,
+    stamp: Vec<u32>,
+    now: u32,
+}
+
+impl<'a> State<'a> {
+    /// Nothing placed yet; regions and variables as the world has them.
+    pub fn new(frame: &'a Frame<'a>, world: World<f64>) -> Self {
+        let n = frame.program.objects.len();
+        let numbering = Numbering::new(frame.terms.len(), n);
+        let preferences: f64 = frame.terms.iter().map(|t| if let Force::Soft(w) = t.force { w } else { 0.0 }).sum();
+        let mut weight = vec![1.0; numbering.len()];
+        for (index, term) in frame.terms.iter().enumerate() {
+            if let Force::Soft(w) = term.force {
+                weight[index] = PREFERENCES * w / preferences;
+            }
+        }
+        let mut state = Self {
+            frame,
+            world,
+            numbering,
+            weight,
+            seats: vec![None; n],
+            work: 0,
+            limit: Limit::default(),
+            stale: vec![true; n],
+            placed: vec![false; n],
+            missing: frame.terms.iter().map(|t| t.objects.len()).collect(),
+            spans: vec![Aabb::of([]); n],
+            cost: vec![0.0; numbering.len()],
+            holds: vec![true; numbering.len()],
+            looks: vec![0.0; n],
+            walks_stale: true,
+            journal: Journal::default(),
+            scratch: Scratch::new(),
+            stamp: vec![0; numbering.len()],
+            now: 0,
+        };
+        frame.objects().for_each(|id| state.banish(id));
+        state
+    }
+
+    /// The pose of an object.
+    pub fn pose(&self, id: ObjectId) -> Pose {
+        Pose::of(self.world.object(id).expect("every object of the program is in the world"))
+    }
+    /// The pose of a region.
+    pub fn region_pose(&self, id: RegionId) -> Pose {
+        let room = self.world.region(id).expect("every region of the program is in the world");
+        Pose { pos: room.pos.value(), rot: room.rot.value(), scale: room.scale.value() }
+    }
+    /// The upright box around an object.
+    pub fn span(&self, id: ObjectId) -> &Aabb {
+        &self.spans[id.0 as usize]
+    }
+    /// Whether an object has a place yet.
+    pub fn is_placed(&self, id: ObjectId) -> bool {
+        self.placed[id.0 as usize]
+    }
+    /// Objects that have a place.
+    pub fn placed(&self) -> impl Iterator<Item = ObjectId> + '_ {
+        self.frame.objects().filter(|id| self.is_placed(*id))
+    }
+    /// Whether all objects of a term have a place.
+    pub fn is_active(&self, term: usize) -> bool {
+        self.missing[term] == 0
+    }
+    /// What a check costs, without its weight.
+    pub fn cost(&self, check: usize) -> f64 {
+        self.cost[check]
+    }
+    /// Whether a check must hold and does not.
+    pub fn is_violated(&self, check: usize) -> bool {
+        !self.holds[check] && self.is_hard(check)
+    }
+    /// Whether a check must hold.
+    pub fn is_hard(&self, check: usize) -> bool {
+        self.frame.terms.get(check).is_none_or(|t| t.is_hard())
+    }
+    /// Whether a check holds.
+    pub fn does_hold(&self, check: usize) -> bool {
+        self.holds[check]
+    }
+    /// What must hold and does not.
+    pub fn violated(&self) -> Vec<usize> {
+        (0..self.cost.len()).filter(|&c| self.is_violated(c)).collect()
+    }
+    /// How many checks that must hold do not, and what all that must hold costs by plain weights. Ways over the floor
+    /// are looked at only where all else holds; before that all of them count as barred.
+    pub fn hard(&mut self) -> (usize, f64) {
+        let frame = self.frame;
+        let mut sum = (0, 0.0);
+        for check in (0..self.cost.len()).filter(|&c| self.is_hard(c) && !frame.terms.get(c).is_some_and(|t| t.walks)) {
+            sum = (sum.0 + usize::from(!self.holds[check]), sum.1 + self.cost[check]);
+        }
+        let ways = frame.walks.iter().copied().filter(|&t| frame.terms[t].is_hard());
+        if sum.0 > 0 {
+            return (sum.0 + ways.count(), sum.1);
+        }
+        self.look_at_ways();
+        ways.fold(sum, |sum, t| (sum.0 + usize::from(!self.holds[t]), sum.1 + self.cost[t]))
+    }
+    /// What must hold and does not, ways over the floor as in [`Self::hard`].
+    pub fn failing(&mut self) -> Vec<usize> {
+        let frame = self.frame;
+        let cheap: Vec<usize> =
+            self.violated().into_iter().filter(|&c| !frame.terms.get(c).is_some_and(|t| t.walks)).collect();
+        if !cheap.is_empty() {
+            return cheap;
+        }
+        self.look_at_ways();
+        self.violated()
+    }
+    /// All that is preferred for costs together, and all that looks odd.
+    pub fn soft(&self) -> f64 {
+        let preferences = (0..self.frame.terms.len()).filter(|&t| !self.is_hard(t));
+        preferences.map(|t| self.weight[t] * self.cost[t]).sum::<f64>() + self.looks.iter().sum::<f64>()
+    }
+    /// What everything costs, by the weights in force.
+    pub fn total(&self) -> f64 {
+        self.cost.iter().zip(&self.weight).map(|(c, w)| c * w).sum::<f64>() + self.looks.iter().sum::<f64>()
+    }
+
+    /// What an object costs for the looks of it.
+    pub fn oddity(&self, id: ObjectId) -> f64 {
+        self.looks[id.0 as usize]
+    }
+
+    /// Takes an object out of the scene.
+    pub fn banish(&mut self, id: ObjectId) {
+        let pose = self.pose(id).at(0.0, LIMBO * (1.0 + 0.01 * f64::from(id.0)), 0.0);
+        self.put(id, pose);
+        self.seats[id.0 as usize] = None;
+        self.seats.iter_mut().filter(|s| **s == Some(id)).for_each(|s| *s = None);
+        if std::mem::replace(&mut self.placed[id.0 as usize], false) {
+            for &t in &self.frame.terms_of[id.0 as usize] {
+                self.missing[t] += 1;
+            }
+        }
+        self.looks[id.0 as usize] = 0.0;
+        let touched = self.touched(&[id], &[], &[], &[]);
+        for check in touched {
+            (self.cost[check], self.holds[check]) = self.measure(check);
+        }
+        self.walks_stale = true;
+    }
+
+    /// Measures everything anew.
+    pub fn measure_all(&mut self) {
+        for check in 0..self.cost.len() {
+            if !self.frame.terms.get(check).is_some_and(|t| t.walks) {
+                (self.cost[check], self.holds[check]) = self.measure(check);
+            }
+        }
+        self.walks_stale = true;
+        for id in self.frame.objects() {
+            self.looks[id.0 as usize] = if self.is_placed(id) { looks::cost(self, id) } else { 0.0 };
+            self.find_seat(id);
+        }
+    }
+
+    /// Looks at the ways over the floor again, if something has moved since. Each look is dear: those for which there is
+    /// no time any more count as barred.
+    pub fn look_at_ways(&mut self) {
+        if std::mem::replace(&mut self.walks_stale, false) {
+            for &term in &self.frame.walks {
+                if self.limit.is_over() {
+                    self.walks_stale = true;
+                    self.holds[term] = false;
+                } else {
+                    (self.cost[term], self.holds[term]) = self.measure(term);
+                }
+            }
+        }
+    }
+
+    /// Whether all of these ways over the floor are free. One that is barred is enough to know.
+    pub fn has_ways(&mut self, terms: impl Fn(usize) -> bool) -> bool {
+        let frame = self.frame;
+        frame.walks.iter().filter(|t| terms(**t)).all(|&term| {
+            if self.walks_stale && !self.limit.is_over() {
+                (self.cost[term], self.holds[term]) = self.measure(term);
+                self.holds[term]
+            } else {
+                !self.walks_stale && self.holds[term]
+            }
+        })
+    }
+
+    /// Makes changes as a trial. `Some`: by how much everything now costs more (or less, if negative); the trial must
+    /// then be kept or taken back. `None`: more than `limit`; all is as it was.
+    pub fn attempt(&mut self, changes: &[Change], limit: f64) -> Option<f64> {
+        debug_assert!(!self.journal.open, "a trial within a trial");
+        self.journal.open = true;
+        let mut objects: Vec<ObjectId> = Vec::with_capacity(changes.len());
+        let (mut regions, mut variables) = (Vec::new(), Vec::new());
+        // Where things were and where they come to be: both ends of a way touch what stands there.
+        let mut swept: Vec<Aabb> = Vec::with_capacity(2 * changes.len());
+        for change in changes {
+            match *change {
+                Change::Object(id, pose) => {
+                    self.move_object(id, pose, &mut objects, &mut swept);
+                }
+                Change::Join(id) => self.join(id, &mut objects, &mut swept),
+                Change::Region(id, pose) => {
+                    self.journal.changes.push(Change::Region(id, self.region_pose(id)));
+                    let [pos, rot, scale] = pose.constant();
+                    self.world.place_region(id, pos, rot, scale);
+                    regions.push(id);
+                }
+                Change::Variable(id, value) => {
+                    if let Ok(old) = self.world.variable(id) {
+                        self.journal.changes.push(Change::Variable(id, old));
+                    }
+                    self.world.set_variable(id, value);
+                    variables.push(id);
+                }
+            }
+        }
+        self.obey_rules(&mut objects, &mut swept, &regions, &variables);
+        let touched = self.touched(&objects, &regions, &variables, &swept);
+        let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>()
+            + objects.iter().map(|o| self.looks[o.0 as usize]).sum::<f64>();
+        let mut after = 0.0;
+        for check in touched {
+            let (cost, holds) = self.measure(check);
+            self.journal.costs.push((check, self.cost[check], self.holds[check]));
+            (self.cost[check], self.holds[check]) = (cost, holds);
+            after += self.weight[check] * cost;
+            if after - before > limit {
+                self.undo();
+                return None;
+            }
+        }
+        for &id in &objects {
+            let cost = looks::cost(self, id);
+            self.journal.looks.push((id, self.looks[id.0 as usize]));
+            self.looks[id.0 as usize] = cost;
+            after += cost;
+        }
+        if after - before > limit {
+            self.undo();
+            return None;
+        }
+        Some(after - before)
+    }
+
+    /// Keeps the trial.
+    pub fn keep(&mut self) {
+        let moved: Vec<ObjectId> = self
+            .journal
+            .changes
+            .iter()
+            .filter_map(|c| match c {
+                Change::Object(id, _) => Some(*id),
+                _ => None,
+            })
+            .collect();
+        self.journal = Journal::default();
+        self.walks_stale = true;
+        for id in moved {
+            self.find_seat(id);
+        }
+    }
+
+    /// Takes the trial back.
+    pub fn undo(&mut self) {
+        let journal = std::mem::take(&mut self.journal);
+        for change in journal.changes.into_iter().rev() {
+            match change {
+                Change::Object(id, pose) => self.put(id, pose),
+                Change::Join(_) => {}
+                Change::Region(id, pose) => {
+                    let [pos, rot, scale] = pose.constant();
+                    self.world.place_region(id, pos, rot, scale);
+                }
+                Change::Variable(id, value) => self.world.set_variable(id, value),
+            }
+        }
+        for id in journal.placed {
+            self.placed[id.0 as usize] = false;
+            for &t in &self.frame.terms_of[id.0 as usize] {
+                self.missing[t] += 1;
+            }
+        }
+        for (check, cost, holds) in journal.costs {
+            (self.cost[check], self.holds[check]) = (cost, holds);
+        }
+        for (id, cost) in journal.looks {
+            self.looks[id.0 as usize] = cost;
+        }
+    }
+
+    /// What an object's place is chosen by: of the placed ones that come before it that which it has most to do with.
+    pub fn anchor(&self, id: ObjectId) -> Option<ObjectId> {
+        let priority = |o: ObjectId| self.frame.priority[o.0 as usize];
+        let related = self.frame.related[id.0 as usize].iter().map(|(o, _)| *o);
+        related.filter(|o| priority(*o) > priority(id)).find(|o| self.is_placed(*o))
+    }
+
+    /// Where an object would be if it stood to its anchor as each of its siblings does to its own.
+    pub fn as_siblings(&self, id: ObjectId) -> Vec<Pose> {
+        let Some(anchor) = self.anchor(id) else { return Vec::new() };
+        let siblings = self.frame.siblings[id.0 as usize].iter().copied().filter(|s| self.is_placed(*s));
+        let with_anchor = siblings.filter_map(|s| Some((s, self.anchor(s).filter(|a| *a != anchor)?)));
+        with_anchor.map(|(s, a)| Ride::new(&self.pose(a), &self.pose(anchor)).apply(&self.pose(s))).collect()
+    }
+
+    /// The moves of an object with everything that stands on it, hangs in it, and so on.
+    pub fn with_riders(&self, id: ObjectId, pose: Pose) -> Vec<Change> {
+        let ride = Ride::new(&self.pose(id), &pose);
+        let mut list = vec![Change::Object(id, pose)];
+        if self.is_placed(id) {
+            list.extend(self.riders(id).into_iter().map(|r| Change::Object(r, ride.apply(&self.pose(r)))));
+        }
+        list
+    }
+
+    /// What stands on an object or is contained in it, and may be moved; and what stands on that.
+    pub fn riders(&self, id: ObjectId) -> Vec<ObjectId> {
+        let mut found: Vec<ObjectId> = Vec::new();
+        let mut open = vec![id];
+        while let Some(base) = open.pop() {
+            for rider in self.frame.objects() {
+                let rides =
+                    self.seats[rider.0 as usize] == Some(base) || self.frame.hold(rider) == Hold::Container(base);
+                if rides
+                    && rider != id
+                    && !found.contains(&rider)
+                    && self.frame.is_movable(rider)
+                    && self.is_placed(rider)
+                {
+                    found.push(rider);
+                    open.push(rider);
+                }
+            }
+        }
+        found
+    }
+
+    fn move_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        // What the program assigns is not the search's to change.
+        let fixed = self.frame.fixed(id);
+        let old = self.pose(id);
+        let mut next = Pose {
+            pos: pose.pos,
+            rot: if fixed.rot { old.rot } else { pose.rot },
+            scale: if fixed.scale { old.scale } else { pose.scale },
+        };
+        if self.is_placed(id) {
+            (0..3).filter(|&i| fixed.pos[i]).for_each(|i| next.pos[i] = old.pos[i]);
+        }
+        let waited = !self.is_placed(id);
+        self.set_object(id, next, objects, swept);
+        if waited {
+            // Rules have not been obeyed while it had no place.
+            for &rule in &self.frame.rules.own[id.0 as usize] {
+                self.obey(rule, objects, swept);
+            }
+        }
+    }
+
+    fn join(&mut self, id: ObjectId, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        let mut pose = self.home(id);
+        let here = Vec2::new(pose.pos.x, pose.pos.z);
+        let prism = self.world.prisms().map(|(_, p)| p).find(|p| p.polygon.contains(here));
+        if !self.frame.fixed(id).pos[1] {
+            pose.pos.y = match self.frame.hold(id) {
+                Hold::Ceiling(region) => self.world.region(region).map_or(0.0, |r| r.prism.ceiling - pose.scale.y),
+                _ => prism.map_or(0.0, |p| p.floor) + pose.depth_below(),
+            };
+        }
+        self.move_object(id, pose, objects, swept);
+    }
+
+    fn set_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        let i = id.0 as usize;
+        self.journal.changes.push(Change::Object(id, self.pose(id)));
+        swept.push(self.spans[i]);
+        self.put(id, pose);
+        swept.push(self.spans[i]);
+        if !self.placed[i] {
+            self.placed[i] = true;
+            self.journal.placed.push(id);
+            for &t in &self.frame.terms_of[i] {
+                self.missing[t] -= 1;
+            }
+        }
+        if !objects.contains(&id) {
+            objects.push(id);
+        }
+    }
+
+    fn put(&mut self, id: ObjectId, pose: Pose) {
+        let [pos, rot, scale] = pose.constant();
+        self.world.place(id, pos, rot, scale);
+        self.spans[id.0 as usize] = pose.span();
+        self.stale[id.0 as usize] = true;
+    }
+
+    /// Obeys the rules that depend on what has moved.
+    fn obey_rules(
+        &mut self,
+        objects: &mut Vec<ObjectId>,
+        swept: &mut Vec<Aabb>,
+        regions: &[RegionId],
+        variables: &[VariableId],
+    ) {
+        let frame = self.frame;
+        let of_objects = objects.iter().map(|o| &frame.followers[o.0 as usize]);
+        let of_regions = regions.iter().map(|r| &frame.region_followers[r.0 as usize]);
+        let lists =
+            of_objects.chain(of_regions).chain(variables.iter().map(|v| &frame.variable_followers[v.0 as usize]));
+        let mut rules: Vec<usize> = lists.flatten().copied().collect();
+        rules.sort_unstable();
+        rules.dedup();
+        for rule in rules {
+            self.obey(rule, objects, swept);
+        }
+    }
+
+    fn obey(&mut self, rule: usize, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
+        let rule = &self.frame.rules.list[rule];
+        // An object that waits for a place is not brought in by its rules alone.
+        if !self.is_placed(rule.owner) {
+            return;
+        }
+        if let Some([pos, rot, scale]) = rule.apply(&self.world) {
+            let pose = Pose { pos: pos.value(), rot: rot.value(), scale: scale.value() };
+            if pose != self.pose(rule.owner) {
+                self.set_object(rule.owner, pose, objects, swept);
+            }
+        }
+    }
+
+    /// Its pose as the rules want it, for an object without a place.
+    pub fn home(&mut self, id: ObjectId) -> Pose {
+        let old = self.pose(id);
+        for &rule in &self.frame.rules.own[id.0 as usize] {
+            if let Some([pos, rot, scale]) = self.frame.rules.list[rule].apply(&self.world) {
+                self.world.place(id, pos, rot, scale);
+            }
+        }
+        let home = self.pose(id);
+        self.put(id, old);
+        home
+    }
+
+    /// Objects without a place that have one as soon as this one does: rules fix all of it.
+    pub fn companions(&self, id: ObjectId) -> Vec<ObjectId> {
+        let frame = self.frame;
+        let mut found = vec![id];
+        // Rules are in order, so that one pass is enough.
+        for rule in frame.followers[id.0 as usize].iter().map(|&r| &frame.rules.list[r]) {
+            let owner = rule.owner;
+            let ready = |o: &ObjectId| self.is_placed(*o) || found.contains(o);
+            if !found.contains(&owner)
+                && !self.is_placed(owner)
+                && frame.is_settled(owner)
+                && frame.sources[owner.0 as usize].iter().all(ready)
+            {
+                found.push(owner);
+            }
+        }
+        found.remove(0);
+        found
+    }
+
+    /// Checks that may change with these, cheap and telling ones first.
+    fn touched(
+        &mut self,
+        objects: &[ObjectId],
+        regions: &[RegionId],
+        variables: &[VariableId],
+        swept: &[Aabb],
+    ) -> Vec<usize> {
+        self.now += 1;
+        let (frame, numbering) = (self.frame, self.numbering);
+        let mut list: Vec<usize> = Vec::with_capacity(64);
+        let physical = frame.scope.is_some();
+        if physical {
+            list.extend(objects.iter().map(|&id| numbering.bounds(id)));
+        }
+        let terms = objects.iter().flat_map(|o| &frame.terms_of[o.0 as usize]);
+        let terms = terms.chain(regions.iter().flat_map(|r| &frame.terms_of_region[r.0 as usize]));
+        let terms = terms.chain(variables.iter().flat_map(|v| &frame.terms_of_variable[v.0 as usize]));
+        list.extend(terms.filter(|&&t| !frame.terms[t].sees_all && self.missing[t] == 0));
+        if physical {
+            for &id in objects {
+                let others = frame.objects().filter(|o| *o != id);
+                list.extend(others.map(|other| numbering.collide(id, other)).filter(|&c| {
+                    // Apart before and after: nothing to see.
+                    self.cost[c] > 0.0 || self.may_meet(numbering.check(c))
+                }));
+            }
+            list.extend(objects.iter().map(|&id| numbering.support(id)));
+            let above = |span: &Aabb| swept.iter().any(|s| overlap_in_plan(s, span));
+            list.extend(
+                self.placed()
+                    .filter(|id| self.seats[id.0 as usize].is_some() || !self.holds[numbering.support(*id)])
+                    .filter(|id| above(self.span(*id)))
+                    .map(|id| numbering.support(id)),
+            );
+            if !regions.is_empty() {
+                list.extend(frame.objects().flat_map(|id| [numbering.bounds(id), numbering.support(id)]));
+            }
+        }
+        if !objects.is_empty() || !regions.is_empty() {
+            list.extend(frame.onlookers.iter().filter(|&&t| self.missing[t] == 0));
+        }
+        let (now, stamp) = (self.now, &mut self.stamp);
+        list.retain(|&c| std::mem::replace(&mut stamp[c], now) != now);
+        list
+    }
+
+    fn may_meet(&self, check: Check) -> bool {
+        let Check::Collide(a, b) = check else { return false };
+        let (p, q) = (self.span(a), self.span(b));
+        overlap_in_plan(p, q) && p.min.y < q.max.y - TOUCHING && q.min.y < p.max.y - TOUCHING
+    }
+
+    /// What a check costs now, and whether it holds.
+    fn measure(&mut self, index: usize) -> (f64, bool) {
+        const FINE: (f64, bool) = (0.0, true);
+        match self.numbering.check(index) {
+            Check::Term(t) => {
+                if self.missing[t] > 0 {
+                    return FINE;
+                }
+                self.term(t)
+            }
+            Check::Collide(a, b) => {
+                let scope = self.frame.scope.as_ref().filter(|s| s.collide(a, b));
+                if scope.is_none() || !self.is_placed(a) || !self.is_placed(b) || !self.may_meet(Check::Collide(a, b)) {
+                    return FINE;
+                }
+                self.collision(a, b)
+            }
+            Check::Bounds(id) => {
+                let speaks = self.frame.scope.as_ref().is_some_and(|s| s.bounds(id));
+                if !speaks || !self.is_placed(id) || self.frame.program.regions.is_empty() {
+                    return FINE;
+                }
+                self.work += 10;
+                rules::bounds::object(&self.world, id)
+                    .map_or(FINE, |t| self.physical(t, self.world.options.tolerances.contact))
+            }
+            Check::Support(id) => {
+                let rests = self.frame.scope.as_ref().is_some_and(|s| s.support(id) == rules::Support::Rests);
+                if !rests || !self.is_placed(id) {
+                    return FINE;
+                }
+                self.support(id)
+            }
+        }
+    }
+
+    fn term(&mut self, index: usize) -> (f64, bool) {
+        let term = &self.frame.terms[index];
+        let dear = if term.walks {
+            150_000
+        } else if term.sees_all {
+            1_000
+        } else {
+            5
+        };
+        self.work += dear + term.formula.nodes.len() as u64;
+        let holds = match self.scratch.evaluate(&term.formula, &self.world) {
+            Ok(Value::Truth(truth)) => truth.holds,
+            _ => false,
+        };
+        let tolerances = &self.world.options.tolerances;
+        let cost = Penalty { formula: &term.formula, values: &self.scratch, tolerances, numbers: PhantomData }.cost();
+        (cost, holds)
+    }
+
+    fn collision(&mut self, a: ObjectId, b: ObjectId) -> (f64, bool) {
+        let (Ok(x), Ok(y)) = (self.world.object(a), self.world.object(b)) else { return (0.0, true) };
+        self.work += 20;
+        let boxes = obb::separation(&x.body.obb, &y.body.obb).gap;
+        if boxes >= -TOUCHING {
+            return (0.0, true);
+        }
+        if !x.body.has_parts() && !y.body.has_parts() {
+            let contact = self.world.options.tolerances.contact;
+            return self
+                .physical(Truth::metres(boxes + contact, self.world.options.tolerances.order), contact - TOUCHING);
+        }
+        self.work += 300;
+        let found = rules::collide::pair(&self.world, a, b);
+        found.map_or((0.0, true), |t| self.physical(t, self.world.options.tolerances.contact - TOUCHING))
+    }
+
+    fn support(&mut self, id: ObjectId) -> (f64, bool) {
+        self.work += 100;
+        let tolerance = self.world.options.tolerances.support;
+        // Most things stand on a floor, and need no look at what is around them.
+        if let Ok(truth) = rules::support::among(&self.world, id, &[])
+            && truth.holds
+        {
+            return self.rested(truth, tolerance);
+        }
+        let carriers = self.carriers(id);
+        self.work += 100 * carriers.len() as u64;
+        rules::support::among(&self.world, id, &carriers).map_or((0.0, true), |t| self.rested(t, tolerance))
+    }
+
+    /// Objects over which an object is.
+    fn carriers(&self, id: ObjectId) -> Vec<ObjectId> {
+        let span = *self.span(id);
+        self.placed().filter(|other| *other != id && overlap_in_plan(self.span(*other), &span)).collect()
+    }
+
+    /// Resting has a tolerance of height, but none of balance: only the former is asked to be unused.
+    fn rested(&self, truth: Truth<f64>, tolerance: f64) -> (f64, bool) {
+        let contact = self.world.options.tolerances.contact;
+        let target = if truth.holds { tolerance.min(contact) } else { tolerance };
+        self.physical(truth, target)
+    }
+
+    fn physical(&self, truth: Truth<f64>, target: f64) -> (f64, bool) {
+        let margin = truth.margin;
+        let margin = if margin.is_finite() { margin } else { -10.0 };
+        (penalty::cost(truth.holds, target - margin), truth.holds)
+    }
+
+    /// Objects that a check speaks of.
+    pub fn objects_of(&self, check: usize) -> Vec<ObjectId> {
+        match self.numbering.check(check) {
+            Check::Term(t) => self.frame.terms[t].objects.clone(),
+            Check::Collide(a, b) => vec![a, b],
+            Check::Bounds(a) | Check::Support(a) => vec![a],
+        }
+    }
+
+    /// Of a term that depends on everything around: its own objects, and those without which it would cost less.
+    pub fn in_the_way(&mut self, term: usize) -> Vec<ObjectId> {
+        let mut list = self.frame.terms[term].objects.clone();
+        let now = self.cost[term];
+        let suspects: Vec<ObjectId> = self
+            .placed()
+            .filter(|o| !list.contains(o) && self.frame.is_movable(*o))
+            .filter(|o| matches!(self.frame.hold(*o), Hold::Rests | Hold::Wall(_) | Hold::Floats))
+            .filter(|o| self.span(*o).max.y - self.span(*o).min.y > 0.05 && self.seats[o.0 as usize].is_none())
+            .collect();
+        for id in suspects {
+            if self.limit.is_over() {
+                break;
+            }
+            let away: Vec<(ObjectId, Pose)> =
+                std::iter::once(id).chain(self.riders(id)).map(|o| (o, self.pose(o))).collect();
+            for (o, pose) in &away {
+                self.put(*o, pose.at(0.0, LIMBO, 0.0));
+            }
+            let (cost, _) = self.term(term);
+            for (o, pose) in away {
+                self.put(o, pose);
+            }
+            if cost < now - 1e-9 {
+                list.push(id);
+            }
+        }
+        list
+    }
+
+    /// Remembers what carries an object.
+    fn find_seat(&mut self, id: ObjectId) {
+        let i = id.0 as usize;
+        let rests = self.frame.scope.as_ref().is_none_or(|s| s.support(id) == rules::Support::Rests);
+        self.seats[i] = None;
+        if rests && self.is_placed(id) && !rules::support::among(&self.world, id, &[]).is_ok_and(|t| t.holds) {
+            let carriers = self.carriers(id);
+            let rest = rules::support::rest(&self.world, id, &carriers);
+            let tolerance = self.world.options.tolerances.support;
+            self.seats[i] = rest.ok().filter(|r| (r.lowest - r.nearest).abs() <= tolerance).and_then(|r| r.carrier);
+        }
+    }
+}
+
+/// Whether two upright boxes overlap, seen from above.
+pub(crate) fn overlap_in_plan(a: &Aabb, b: &Aabb) -> bool {
+    a.min.x < b.max.x - TOUCHING
+        && b.min.x < a.max.x - TOUCHING
+        && a.min.z < b.max.z - TOUCHING
+        && b.min.z < a.max.z - TOUCHING
+}
