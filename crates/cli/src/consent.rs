@@ -278,7 +278,13 @@ mod tests {
             ),
             (Some(3000), "max_calls = 20", "max_calls = 1000", (3000, 500_000), None),
             (Some(3), "max_calls = 20", "max_tokens = 1000", (3, 1000), None),
-            (None, "max_calls = 0", "max_calls = 1", (0, 500_000), Some("scenelang.toml asks for 1 calls; 0 are allowed unless you say --max-calls 1")),
+            (
+                None,
+                "max_calls = 0",
+                "max_calls = 1",
+                (0, 500_000),
+                Some("scenelang.toml asks for 1 calls; 0 are allowed unless you say --max-calls 1"),
+            ),
         ] {
             let flags = Given { model: Some("ollama:m".to_owned()), max_calls: given, ..Given::default() };
             let Consent::Given(allowed) = decide(&flags, None, &llm(own), &llm(workspace)).unwrap() else { panic!() };

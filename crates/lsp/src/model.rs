@@ -5,9 +5,7 @@
 use crate::client::Models;
 use crate::jobs::Progress;
 use crate::state::{Event, State, Stop};
-use scenelang_llm::{
-    Account, Budget, Error, Limits, Model, Reply, Request, Retry, Session, SystemClock, Usage,
-};
+use scenelang_llm::{Account, Budget, Error, Limits, Model, Reply, Request, Retry, Session, SystemClock, Usage};
 use scenelang_solve::Asking;
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};

@@ -40,7 +40,8 @@ fn owner(table: &str, from: u16, to: u16) -> Option<u32> {
 mod tests {
     use super::*;
 
-    const TABLE: &str = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode
+    const TABLE: &str =
+        "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode
    0: 0100007F:07E8 00000000:0000 0A 00000000:00000000 00:00000000 00000000     0        0 1066 1 0 100 0 0 10 0
    1: 0100007F:07E8 0100007F:A506 01 00000000:00000000 02:0000047E 00000000  1000        0 2435 2 0 20 4 24 10 -1
    2: 0100007F:A506 0100007F:07E8 01 00000000:00000000 02:0000047E 00000000  1001        0 2436 2 0 20 4 24 10 -1

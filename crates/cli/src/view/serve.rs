@@ -91,7 +91,11 @@ async fn serve(stream: TcpStream, site: &Arc<Site>, connection: &Arc<Connection>
     });
     let mut http = http1::Builder::new();
     // One request each: on this machine another connection costs nothing, and none is left to wait for.
-    http.keep_alive(false).timer(TokioTimer::new()).header_read_timeout(HEAD_TIME).max_buf_size(HEAD).max_headers(LINES);
+    http.keep_alive(false)
+        .timer(TokioTimer::new())
+        .header_read_timeout(HEAD_TIME)
+        .max_buf_size(HEAD)
+        .max_headers(LINES);
     let mut served = pin!(http.serve_connection(TokioIo::new(stream), service));
     // What a client does wrong is its own affair.
     if timeout(WHOLE_TIME, served.as_mut()).await.is_err() && connection.follows() {

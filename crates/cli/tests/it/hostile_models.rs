@@ -3,7 +3,7 @@
 
 use crate::model::server::{Act, Server};
 use crate::model::{KEY, folder, lamp_to, texts};
-use crate::support::{Ended, run};
+use crate::support::{Ended, root, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -41,17 +41,8 @@ struct Case {
     said: &'static str,
 }
 
-const CASE: Case = Case {
-    name: "",
-    workspace: "",
-    own: "",
-    environment: None,
-    args: &[],
-    act: None,
-    asked: Never,
-    code: 0,
-    said: "",
-};
+const CASE: Case =
+    Case { name: "", workspace: "", own: "", environment: None, args: &[], act: None, asked: Never, code: 0, said: "" };
 /// The user has turned a model on.
 const ON: &[&str] = &["--model", "compatible:m", "--base-url", "{url}"];
 /// The user has turned on what the workspace names.
@@ -110,9 +101,28 @@ fn off() -> Vec<Case> {
 
 fn on() -> Vec<Case> {
     vec![
-        Case { name: "the command line", args: ON, asked: UpTo(5), said: "at most 100 calls and 500000 tokens\n", ..CASE },
-        Case { name: "the user's own file", own: OWN, asked: UpTo(5), said: "asking the language model compatible:m at ", ..CASE },
-        Case { name: "the environment", own: OWN, environment: Some("compatible:other"), asked: UpTo(5), said: "compatible:other", ..CASE },
+        Case {
+            name: "the command line",
+            args: ON,
+            asked: UpTo(5),
+            said: "at most 100 calls and 500000 tokens\n",
+            ..CASE
+        },
+        Case {
+            name: "the user's own file",
+            own: OWN,
+            asked: UpTo(5),
+            said: "asking the language model compatible:m at ",
+            ..CASE
+        },
+        Case {
+            name: "the environment",
+            own: OWN,
+            environment: Some("compatible:other"),
+            asked: UpTo(5),
+            said: "compatible:other",
+            ..CASE
+        },
         Case {
             name: "the model of the workspace, wanted by the user",
             workspace: "[llm]\nmodel = \"compatible:theirs\"\n",
@@ -172,7 +182,13 @@ fn addresses_and_keys() -> Vec<Case> {
             said: "it sends us elsewhere, where the key shall not go",
             ..CASE
         },
-        Case { name: "an unknown provider", workspace: "[llm]\nmodel = \"evil:m\"\n", args: CONFIGURED, said: "there is no provider `evil`; there are openai, ", ..refused },
+        Case {
+            name: "an unknown provider",
+            workspace: "[llm]\nmodel = \"evil:m\"\n",
+            args: CONFIGURED,
+            said: "there is no provider `evil`; there are openai, ",
+            ..refused
+        },
         Case {
             name: "a path for a name",
             workspace: "[llm]\nmodel = \"compatible:../../v1/files\"\n",
@@ -187,7 +203,13 @@ fn addresses_and_keys() -> Vec<Case> {
             said: "cannot be the name of a model",
             ..refused
         },
-        Case { name: "a command for a provider", workspace: "[llm]\nmodel = \"exec:touch pwned\"\n", args: CONFIGURED, said: "there is no provider `exec`", ..refused },
+        Case {
+            name: "a command for a provider",
+            workspace: "[llm]\nmodel = \"exec:touch pwned\"\n",
+            args: CONFIGURED,
+            said: "there is no provider `exec`",
+            ..refused
+        },
         Case {
             name: "a command",
             workspace: "[llm]\ncommand = \"touch pwned\"\n",
@@ -208,14 +230,54 @@ fn addresses_and_keys() -> Vec<Case> {
 fn numbers() -> Vec<Case> {
     let wrong = Case { args: ON, code: 2, ..CASE };
     vec![
-        Case { name: "calls below zero", workspace: "[llm]\nmax_calls = -1\n", said: "`max_calls` takes a number from 0 to ", ..wrong },
-        Case { name: "tokens beyond numbers", workspace: "[llm]\nmax_tokens = 99999999999999999999\n", said: "this is not TOML", ..wrong },
-        Case { name: "rounds", workspace: "[llm]\nrounds = 1000000\n", said: "`rounds` takes a number from 0 to 100", ..wrong },
-        Case { name: "tries", workspace: "[llm]\ntries = 1000\n", said: "`tries` takes a number from 1 to 10", ..wrong },
-        Case { name: "output", workspace: "[llm]\nmax_output = 1000000000\n", said: "`max_output` takes a number from 1 to 100000", ..wrong },
-        Case { name: "no time", workspace: "[llm]\ntimeout = 0\n", said: "`timeout` takes a number from 1 to 3600", ..wrong },
-        Case { name: "not a number", workspace: "[llm]\nmax_money = nan\n", said: "`max_money` takes a number from 0 to ", ..wrong },
-        Case { name: "an endless rate", workspace: "[llm]\nper_minute = inf\n", said: "`per_minute` takes a number from 0.01 to ", ..wrong },
+        Case {
+            name: "calls below zero",
+            workspace: "[llm]\nmax_calls = -1\n",
+            said: "`max_calls` takes a number from 0 to ",
+            ..wrong
+        },
+        Case {
+            name: "tokens beyond numbers",
+            workspace: "[llm]\nmax_tokens = 99999999999999999999\n",
+            said: "this is not TOML",
+            ..wrong
+        },
+        Case {
+            name: "rounds",
+            workspace: "[llm]\nrounds = 1000000\n",
+            said: "`rounds` takes a number from 0 to 100",
+            ..wrong
+        },
+        Case {
+            name: "tries",
+            workspace: "[llm]\ntries = 1000\n",
+            said: "`tries` takes a number from 1 to 10",
+            ..wrong
+        },
+        Case {
+            name: "output",
+            workspace: "[llm]\nmax_output = 1000000000\n",
+            said: "`max_output` takes a number from 1 to 100000",
+            ..wrong
+        },
+        Case {
+            name: "no time",
+            workspace: "[llm]\ntimeout = 0\n",
+            said: "`timeout` takes a number from 1 to 3600",
+            ..wrong
+        },
+        Case {
+            name: "not a number",
+            workspace: "[llm]\nmax_money = nan\n",
+            said: "`max_money` takes a number from 0 to ",
+            ..wrong
+        },
+        Case {
+            name: "an endless rate",
+            workspace: "[llm]\nper_minute = inf\n",
+            said: "`per_minute` takes a number from 0.01 to ",
+            ..wrong
+        },
     ]
 }
 
@@ -223,7 +285,9 @@ fn budgets() -> Vec<Case> {
     let on = Case { args: ON, ..CASE };
     let says = |usage: Value| {
         let content = json!({ "moves": [] }).to_string();
-        Act::json(&json!({ "choices": [{ "message": { "content": content }, "finish_reason": "stop" }], "usage": usage }))
+        Act::json(
+            &json!({ "choices": [{ "message": { "content": content }, "finish_reason": "stop" }], "usage": usage }),
+        )
     };
     vec![
         Case {
@@ -389,13 +453,33 @@ fn who_is_asked_is_said_before() {
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut said = String::new();
     BufReader::new(child.stderr.take().unwrap()).read_line(&mut said).unwrap();
-    let wanted = format!("asking the language model compatible:m at {}: at most 9 calls and 90000 tokens\n", server.url);
+    let wanted =
+        format!("asking the language model compatible:m at {}: at most 9 calls and 90000 tokens\n", server.url);
     assert_eq!(said, wanted);
     read.send(()).unwrap();
     let mut out = String::new();
     child.stdout.take().unwrap().read_to_string(&mut out).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(0), "{out}");
     assert!(out.contains("1 of its 1 moves were made"), "{out}");
+}
+
+/// The examples of the book: a user's own file, and what is said before a request.
+#[test]
+fn the_book_shows_what_the_user_says_and_hears() {
+    let page = fs::read_to_string(root().join("spec/src/models.md")).unwrap();
+    let block = |tag: &str| page.split(&format!("```{tag}\n")).nth(1).unwrap().split("```").next().unwrap();
+    let server = Server::new(vec![lamp_to(2.0, 1.5)]);
+    let (folder, home) = (folder(""), tempfile::tempdir().unwrap());
+    own(home.path(), &block("toml own").replace("https://models.example/v1", &server.url));
+    let ended = solve(folder.path(), home.path(), None, &[]);
+    let wanted = format!("asking the language model compatible:qwen3 at {}: at most 200 calls", server.url);
+    assert!(ended.code == 0 && ended.stderr.contains(&wanted), "{ended:?}");
+
+    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    command.args(["solve", "room.scene", "--layout", "start.json", "-o", "end.json", "--model", "openai:gpt-4o"]);
+    command.args(["--base-url", &server.url]).current_dir(folder.path()).env_clear().env("OPENAI_API_KEY", KEY);
+    let ended = run(&mut command, b"");
+    assert_eq!(ended.stderr.replace(&format!(" at {}", server.url), ""), block("text asking"), "{ended:?}");
 }
 
 /// A language server of its own process, and what the editor is told.
@@ -486,7 +570,12 @@ impl Drop for Editor {
 }
 
 /// A workspace with a layout in which a constraint fails, and an editor on it.
-fn editor(workspace: &str, own_text: &str, options: &Value, proxy: &str) -> (tempfile::TempDir, tempfile::TempDir, Editor) {
+fn editor(
+    workspace: &str,
+    own_text: &str,
+    options: &Value,
+    proxy: &str,
+) -> (tempfile::TempDir, tempfile::TempDir, Editor) {
     let folder = folder(workspace);
     fs::copy(folder.path().join("start.json"), folder.path().join("room.layout.json")).unwrap();
     let home = tempfile::tempdir().unwrap();
@@ -494,7 +583,9 @@ fn editor(workspace: &str, own_text: &str, options: &Value, proxy: &str) -> (tem
     let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
     command.current_dir(folder.path()).env_clear().env("XDG_CONFIG_HOME", home.path());
     command.env("SCENELANG_CACHE", home.path().join("cache")).env("SCENELANG_API_KEY", KEY).env("OPENAI_API_KEY", KEY);
-    command.env("ALL_PROXY", proxy);
+    if !proxy.is_empty() {
+        command.env("ALL_PROXY", proxy);
+    }
     let editor = Editor::start(&mut command, options);
     (folder, home, editor)
 }
@@ -522,8 +613,7 @@ fn an_editor_whose_user_did_not_say_so_has_nobody_asked() {
         let (proxy, knocked) = knocks();
         let server = Server::new(vec![lamp_to(2.0, 2.2)]);
         let workspace = "[llm]\nmodel = \"openai:m\"\nrounds = 100\ntries = 1\n";
-        let (folder, _home, mut editor) =
-            editor(workspace, &OWN.replace("{url}", &server.url), &options, &proxy);
+        let (folder, _home, mut editor) = editor(workspace, &OWN.replace("{url}", &server.url), &options, &proxy);
         let lent = editor.repair(folder.path(), 1);
         assert_eq!((knocked.load(Ordering::SeqCst), server.asked().len(), lent), (0, 0, 0), "{options}");
         assert!(!editor.log().contains("language model"), "{options}: {}", editor.log());
@@ -534,12 +624,17 @@ fn an_editor_whose_user_did_not_say_so_has_nobody_asked() {
 fn an_editor_whose_user_said_so_keeps_to_one_budget() {
     let server = Server::new(vec![lamp_to(2.0, 2.2)]);
     let own = OWN.replace("{url}", &server.url) + "max_calls = 12\n";
-    let (folder, _home, mut editor) =
-        editor("[llm]\nmax_calls = 1000\nrounds = 100\ntries = 1\ncache = false\n", &own, &json!({ "languageModel": "configured" }), "");
+    let (folder, _home, mut editor) = editor(
+        "[llm]\nmax_calls = 1000\nrounds = 100\ntries = 1\ncache = false\n",
+        &own,
+        &json!({ "languageModel": "configured" }),
+        "",
+    );
     editor.repair(folder.path(), 4);
     let count = server.asked().len();
     assert_eq!(count, 12, "{}", editor.log());
-    let said = format!("asking the language model compatible:m at {}: at most 12 calls and 500000 tokens\n", server.url);
+    let said =
+        format!("asking the language model compatible:m at {}: at most 12 calls and 500000 tokens\n", server.url);
     assert!(editor.log().contains(&said), "{}", editor.log());
     assert!(editor.log().contains("the budget is spent: 12 of 12 calls"), "{}", editor.log());
 }

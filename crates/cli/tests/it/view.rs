@@ -69,9 +69,7 @@ impl View {
         let usual = [lacks("host:").then_some(host.as_str()), lacks("cookie:").then_some(cookie.as_str())];
         let lines = headers.iter().copied().chain(usual.into_iter().flatten()).collect::<Vec<_>>().join("\r\n");
         let length = body.len();
-        self.say(&format!(
-            "{line} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"
-        ))
+        self.say(&format!("{line} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"))
     }
 
     /// What is answered to these bytes.

@@ -21,13 +21,18 @@ struct Kind {
 
 fn kinds(view: &View) -> Vec<Kind> {
     let (host, cookie) = (format!("Host: {}", view.address), view.cookie());
-    let kind = |name: &'static str, start: String, rest: Option<&'static [u8]>| Kind { name, start: start.into(), rest };
+    let kind =
+        |name: &'static str, start: String, rest: Option<&'static [u8]>| Kind { name, start: start.into(), rest };
     let post = |head: &str| format!("POST /move HTTP/1.1\r\n{host}\r\n{cookie}\r\n{head}\r\n\r\n");
     vec![
         kind("says nothing", String::new(), None),
         kind("half a line", "GET /sce".to_owned(), None),
         kind("half a head", format!("GET / HTTP/1.1\r\n{host}\r\n"), None),
-        kind("a head without an end", format!("GET / HTTP/1.1\r\n{host}\r\nX: "), Some(b"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa")),
+        kind(
+            "a head without an end",
+            format!("GET / HTTP/1.1\r\n{host}\r\nX: "),
+            Some(b"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"),
+        ),
         kind("lines without an end", format!("GET / HTTP/1.1\r\n{host}\r\n"), Some(b"X-A: b\r\nX-C: d\r\n")),
         kind("an address without an end", "GET /".to_owned(), Some(b"../../../../../../../../../../")),
         kind("the body of a giant", post("Content-Length: 1099511627776"), Some(b"{\"object\":\"lamp\"}")),
@@ -39,7 +44,11 @@ fn kinds(view: &View) -> Vec<Kind> {
         kind("a wrong secret", format!("GET /scene HTTP/1.1\r\n{host}\r\nCookie: {}\r\n\r\n", "0".repeat(64)), None),
         kind("no secret", format!("GET /events HTTP/1.1\r\n{host}\r\n\r\n"), None),
         kind("another host", format!("GET /scene HTTP/1.1\r\nHost: evil.example\r\n{cookie}\r\n\r\n"), None),
-        kind("another origin", format!("GET /scene HTTP/1.1\r\n{host}\r\nOrigin: http://evil.example\r\n{cookie}\r\n\r\n"), None),
+        kind(
+            "another origin",
+            format!("GET /scene HTTP/1.1\r\n{host}\r\nOrigin: http://evil.example\r\n{cookie}\r\n\r\n"),
+            None,
+        ),
         kind("no HTTP", "\u{0}\u{1}\u{2}\r\n\r\n\u{fffd}".to_owned(), Some(b"\xff\x00\xfe")),
         kind("TLS", "\u{16}\u{3}\u{1}\u{2}\u{0}\u{1}\u{0}\u{1}".to_owned(), None),
         kind("HTTP/2", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n".to_owned(), Some(b"\0\0\0\x04\0\0\0\0\0")),
@@ -99,7 +108,8 @@ fn hundreds_who_mean_no_good_are_in_nobodys_way() {
             Err(e) => assert!(!matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut), "{name}: {e}"),
         }
         let said = String::from_utf8_lossy(&said);
-        let refused = ["HTTP/1.1 400 ", "HTTP/1.1 403 ", "HTTP/1.1 408 ", "HTTP/1.1 413 ", "HTTP/1.1 414 ", "HTTP/1.1 431 "];
+        let refused =
+            ["HTTP/1.1 400 ", "HTTP/1.1 403 ", "HTTP/1.1 408 ", "HTTP/1.1 413 ", "HTTP/1.1 414 ", "HTTP/1.1 431 "];
         assert!(said.is_empty() || refused.iter().any(|status| said.starts_with(status)), "{name}: {said}");
         assert!(!said.contains(&view.secret) && !said.contains(&token), "{name}: {said}");
     }
