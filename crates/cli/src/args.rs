@@ -251,13 +251,20 @@ impl Search {
 /// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Model {
-    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama, compatible; `replay:FILE` plays
-    /// a recorded conversation; `none` [default: none]
+    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama, compatible; `configured` is the
+    /// one that scenelang.toml names; `replay:FILE` plays a recorded conversation; `none` [env: SCENELANG_MODEL]
+    /// [default: none]
     #[arg(long, value_name = "PROVIDER:NAME")]
     pub model: Option<String>,
     /// Where the model is, in place of the provider's own address
     #[arg(long, value_name = "URL")]
     pub base_url: Option<String>,
+    /// The most requests to the model [default: 100]
+    #[arg(long, value_name = "N")]
+    pub max_calls: Option<u64>,
+    /// The most tokens, read and written [default: 500000]
+    #[arg(long, value_name = "N")]
+    pub max_tokens: Option<u64>,
     /// Use no network: the model's answers come from the cache or not at all
     #[arg(long)]
     pub offline: bool,

@@ -2,8 +2,9 @@
 
 use crate::FAILED;
 use crate::args::{self, Lsp};
+use crate::consent::{CONFIGURED, Consent, consent};
 use crate::model;
-use scenelang_llm::{Error, Model};
+use scenelang_llm::Error;
 use scenelang_lsp::{Asked, Recorder, Setup, replay, serve};
 use scenelang_verify::settings::Llm;
 use std::io::{stdin, stdout};
@@ -23,10 +24,13 @@ pub fn run(args: &Lsp) -> u8 {
     }
 }
 
-/// The model of the workspace's settings; its key comes from the environment.
+/// The model that the settings name, for a user whose editor says that it may be asked; its key comes from the environment.
 fn connect(settings: &Llm) -> Result<Option<Asked>, Error> {
-    let asked = model::Asked::new(&args::Model::default(), settings, 0)?;
-    Ok(asked.map(model::Asked::into_parts).map(|(session, asking)| (Box::new(session) as Box<dyn Model>, asking)))
+    let chosen = args::Model { model: Some(CONFIGURED.to_owned()), ..args::Model::default() };
+    match consent(&chosen, settings)? {
+        Consent::Given(allowed) => model::Asked::allowed(&allowed, &chosen, 0).map(model::Asked::into_parts).map(Some),
+        Consent::Unasked(_) => Ok(None),
+    }
 }
 
 fn fail(message: &str) -> u8 {

@@ -6,6 +6,7 @@ mod out;
 mod args;
 mod bench;
 mod check;
+mod consent;
 mod diff;
 mod eval;
 mod export;

@@ -1,10 +1,11 @@
 //! The language model that `formalize`, `solve` and `synth` may ask: from options and settings to a session, and what it came to.
 
 use crate::args::Model as Chosen;
+use crate::consent::{Allowed, Consent, consent};
 use crate::interrupt;
 use scenelang_formalize::Formalized;
 use scenelang_formalize::model::Asking as Formalizing;
-use scenelang_llm::{Budget, Error, Limits, Price, Reach, Retry, Session, Spent, connect};
+use scenelang_llm::{Budget, Error, Limits, Price, Reach, Retry, Session, Spent, connect, plain};
 use scenelang_solve::Asking;
 use scenelang_synth::{Advice, Adviser};
 use scenelang_verify::settings::Llm;
@@ -27,18 +28,42 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// The model of the options, else of the settings, if any.
+    /// The model that the user wants asked, if any; what they should know of it is said on standard error.
     ///
     /// # Errors
     /// It cannot even be tried: no such provider, no key.
-    pub fn new(chosen: &Chosen, settings: &Llm, seed: u64) -> Result<Option<Self>, Error> {
-        let model = chosen.model.as_deref().or(settings.model.as_deref());
-        let Some(model) = model.filter(|m| *m != "none") else { return Ok(None) };
+    pub fn new(chosen: &Chosen, workspace: &Llm, seed: u64) -> Result<Option<Self>, Error> {
+        match consent(chosen, workspace)? {
+            Consent::Given(allowed) => {
+                for note in &allowed.notes {
+                    eprintln!("note: {note}");
+                }
+                let asked = Self::allowed(&allowed, chosen, seed)?;
+                let session = asked.session.announced_by(|said| eprintln!("{said}"));
+                Ok(Some(Self { session, ..asked }))
+            }
+            Consent::Unasked(Some(model)) => {
+                eprintln!(
+                    "note: scenelang.toml names the language model {}, which is not asked; `--model configured` asks it",
+                    plain(&model, 100)
+                );
+                Ok(None)
+            }
+            Consent::Unasked(None) => Ok(None),
+        }
+    }
+
+    /// The model that was allowed.
+    ///
+    /// # Errors
+    /// It cannot even be tried.
+    pub fn allowed(allowed: &Allowed, chosen: &Chosen, seed: u64) -> Result<Self, Error> {
+        let Allowed { model, base, llm: settings, .. } = allowed;
         // `provider/name` is what others write; with a colon, a slash belongs to the name.
-        let model = &if model.contains(':') { model.to_owned() } else { model.replacen('/', ":", 1) };
+        let model = &if model.contains(':') { model.clone() } else { model.replacen('/', ":", 1) };
         let reach = Reach {
             model,
-            base: chosen.base_url.as_deref(),
+            base: base.as_deref(),
             offline: chosen.offline,
             timeout: settings.timeout.map_or(TIMEOUT, Duration::from_secs_f64),
             largest: LARGEST,
@@ -54,7 +79,7 @@ impl Asked {
             max_output: settings.max_output.unwrap_or(usual.max_output),
             seed,
         };
-        Ok(Some(Self { session, asking }))
+        Ok(Self { session, asking })
     }
 
     /// The session, and how it is asked.

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::message::{Request, Usage};
 use std::fmt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What may be spent. Without a limit, as much as it takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,6 +14,74 @@ pub struct Budget {
     pub tokens: Option<u64>,
     /// Money, in the currency of the prices.
     pub money: Option<f64>,
+}
+
+impl Budget {
+    /// The most requests of one run, unless the user says otherwise.
+    pub const CALLS: u64 = 100;
+    /// The most tokens of one run, unless the user says otherwise.
+    pub const TOKENS: u64 = 500_000;
+
+    /// What may be spent where nobody said anything: enough for a large scene, and little enough not to be regretted.
+    pub fn standard() -> Self {
+        Self { calls: Some(Self::CALLS), tokens: Some(Self::TOKENS), money: None }
+    }
+}
+
+/// Shown, it is what a user reads before anything is spent.
+impl fmt::Display for Budget {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.calls {
+            Some(1) => write!(f, "at most 1 call")?,
+            Some(calls) => write!(f, "at most {calls} calls")?,
+            None => write!(f, "any number of calls")?,
+        }
+        match self.tokens {
+            Some(tokens) => write!(f, " and {tokens} tokens")?,
+            None => write!(f, " and any number of tokens")?,
+        }
+        match self.money {
+            Some(money) => write!(f, ", for no more than {money}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What several sessions spend of one budget together.
+#[derive(Clone, Debug, Default)]
+pub struct Account(Arc<Mutex<Total>>);
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Total {
+    calls: u64,
+    usage: Usage,
+}
+
+impl Account {
+    /// Counts a request, if the budget has room for it; how long an answer may be (tokens).
+    ///
+    /// # Errors
+    /// Which part of the budget is spent.
+    pub(crate) fn begin(&self, spent: &Spent, budget: &Budget, request: &Request) -> Result<u64, Error> {
+        let mut total = self.total();
+        let room = Spent { calls: total.calls, usage: total.usage, ..spent.clone() }.admit(budget, request)?;
+        total.calls += 1;
+        Ok(room)
+    }
+
+    /// A request that was begun was not made.
+    pub(crate) fn undo(&self) {
+        let mut total = self.total();
+        total.calls = total.calls.saturating_sub(1);
+    }
+
+    pub(crate) fn add(&self, usage: Usage) {
+        self.total().usage.add(usage);
+    }
+
+    fn total(&self) -> MutexGuard<'_, Total> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// What a million tokens cost.
@@ -92,9 +161,7 @@ impl Spent {
     }
 
     pub(crate) fn add(&mut self, usage: Usage) {
-        self.usage.input = self.usage.input.saturating_add(usage.input);
-        self.usage.output = self.usage.output.saturating_add(usage.output);
-        self.usage.estimated |= usage.estimated;
+        self.usage.add(usage);
     }
 }
 

@@ -21,7 +21,7 @@ mod provider;
 
 pub use clock::{Clock, SystemClock};
 pub use error::{Error, plain};
-pub use ledger::{Budget, Price, Spent};
+pub use ledger::{Account, Budget, Price, Spent};
 pub use message::{Image, Message, Reply, Request, Role, Schema, Usage};
 pub use model::{Model, json_of, typed};
 pub use retry::Retry;

@@ -93,6 +93,12 @@ pub struct Usage {
 }
 
 impl Usage {
+    pub(crate) fn add(&mut self, other: Self) {
+        self.input = self.input.saturating_add(other.input);
+        self.output = self.output.saturating_add(other.output);
+        self.estimated |= other.estimated;
+    }
+
     /// The estimate for a question and its answer.
     pub fn estimate(request: &Request, text: &str) -> Self {
         let asked: usize = request.messages.iter().map(|m| m.text.len()).sum();

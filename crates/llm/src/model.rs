@@ -19,6 +19,11 @@ pub trait Model {
     /// # Errors
     /// Why there is no answer.
     fn ask(&mut self, request: &Request) -> Result<Reply, Error>;
+
+    /// Whether a question leaves this process.
+    fn reaches_out(&self) -> bool {
+        true
+    }
 }
 
 /// Asks, and reads the answer as a `T`. An answer that is none is shown to the model with what is wrong with it, once.

@@ -4,7 +4,7 @@
 use crate::cache::Cache;
 use crate::clock::Clock;
 use crate::error::Error;
-use crate::ledger::{Budget, Price, Spent};
+use crate::ledger::{Account, Budget, Price, Spent};
 use crate::message::{Reply, Request};
 use crate::model::{Model, json_of};
 use crate::retry::Retry;
@@ -32,6 +32,9 @@ pub struct Limits {
     pub record: Option<PathBuf>,
 }
 
+/// Says who is asked, and what may be spent.
+type Announce = Box<dyn FnOnce(&str)>;
+
 /// A model with everything around it.
 pub struct Session {
     model: Box<dyn Model>,
@@ -39,6 +42,8 @@ pub struct Session {
     limits: Limits,
     cache: Option<Cache>,
     recorder: Option<Recorder>,
+    account: Account,
+    announce: Option<Announce>,
     spent: Spent,
     begun: Option<Duration>,
 }
@@ -56,7 +61,20 @@ impl Session {
         let cache = limits.cache.as_deref().map(Cache::new);
         let recorder = limits.record.as_deref().map(|path| Recorder::new(path, &name)).transpose()?;
         let spent = Spent::new(&name, limits.price);
-        Ok(Self { model, clock, limits, cache, recorder, spent, begun: None })
+        let account = Account::default();
+        Ok(Self { model, clock, limits, cache, recorder, account, announce: None, spent, begun: None })
+    }
+
+    /// Spends of an account that other sessions may spend of, too: the budget is that of all of them.
+    #[must_use]
+    pub fn spending_of(self, account: &Account) -> Self {
+        Self { account: account.clone(), ..self }
+    }
+
+    /// Has a sentence said before the first request leaves: who is asked, and what may be spent.
+    #[must_use]
+    pub fn announced_by(self, say: impl FnOnce(&str) + 'static) -> Self {
+        Self { announce: Some(Box::new(say)), ..self }
     }
 
     /// What was spent so far.
@@ -86,21 +104,33 @@ impl Session {
     fn patiently(&mut self, request: &Request) -> Result<Reply, Error> {
         let (mut tries, mut failures) = (0, 0);
         loop {
-            let room = self.spent.admit(&self.limits.budget, request)?;
-            self.take_turn()?;
+            let room = self.account.begin(&self.spent, &self.limits.budget, request)?;
+            if let Err(error) = self.take_turn() {
+                self.account.undo();
+                return Err(error);
+            }
+            if self.model.reaches_out()
+                && let Some(say) = self.announce.take()
+            {
+                say(&format!("asking the language model {}: {}", self.model.name(), self.limits.budget));
+            }
             self.spent.calls += 1;
             self.spent.again += u64::from(tries > 0);
             tries += 1;
             let error = match self.model.ask(&Request { max_output: room, ..request.clone() }) {
                 Ok(reply) => {
                     self.spent.add(reply.usage);
+                    self.account.add(reply.usage);
                     return Ok(reply);
                 }
                 Err(error) => error,
             };
             match error {
                 // Nobody was called.
-                Error::Offline => self.spent.calls -= 1,
+                Error::Offline => {
+                    self.spent.calls -= 1;
+                    self.account.undo();
+                }
                 // No failure: the next request is another one.
                 Error::Unsupported(_) if tries < MOST => continue,
                 _ => {}

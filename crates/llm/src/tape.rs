@@ -105,6 +105,10 @@ impl Model for Replay {
         &self.conversation.model
     }
 
+    fn reaches_out(&self) -> bool {
+        false
+    }
+
     fn ask(&mut self, request: &Request) -> Result<Reply, Error> {
         let n = self.next + 1;
         let Some(turn) = self.conversation.turns.get(self.next) else {

@@ -21,8 +21,14 @@ use std::ops::ControlFlow;
 /// # Errors
 /// Nobody wants it any more.
 pub fn advised(job: &Job, layout: &Layout, targets: &[RowRef]) -> Result<Option<Layout>, Fault> {
-    let Ok(Some((mut model, asking))) = job.advisers.model(&job.llm) else { return Ok(None) };
-    job.progress.say("asking the language model");
+    let (mut model, asking) = match job.advisers.model(&job.llm, &job.progress) {
+        Ok(Some(asked)) => asked,
+        Ok(None) => return Ok(None),
+        Err(error) => {
+            job.progress.log(&format!("the language model cannot be asked: {error}"));
+            return Ok(None);
+        }
+    };
     let program = &job.compiled.program;
     let problem = Problem { program, start: layout.clone(), placed: Placed::All };
     let options = Options {
@@ -32,7 +38,7 @@ pub fn advised(job: &Job, layout: &Layout, targets: &[RowRef]) -> Result<Option<
         stop: job.stop.clone(),
         ..Options::default()
     };
-    let mut heard = Heard { model: ModelProposer::new(model.as_mut(), asking), last: Vec::new(), taken: Vec::new() };
+    let mut heard = Heard { model: ModelProposer::new(&mut model, asking), last: Vec::new(), taken: Vec::new() };
     let mut only = Only { program, targets };
     let (mut relaxer, mut bounds) = (Still, Still);
     let steps = Steps { rounds: asking.rounds, proposers_only: true, ..Steps::default() };
@@ -46,6 +52,9 @@ pub fn advised(job: &Job, layout: &Layout, targets: &[RowRef]) -> Result<Option<
     let mut watch = |_| if job.stop.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     solve_with(&problem, &options, &mut steps, &mut watch);
     drop(steps);
+    if let Some(error) = &heard.model.tally().failed {
+        job.progress.log(&format!("the language model did not help to the end: {error}"));
+    }
     if job.stop.is_set() {
         return Err(Fault::Cancelled);
     }

@@ -3,6 +3,18 @@
 use crate::text::Encoding;
 use serde_json::Value;
 
+/// Which language model may be asked. No file of a workspace says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Models {
+    /// None.
+    #[default]
+    None,
+    /// The editor's own.
+    Client,
+    /// The one that the settings name.
+    Configured,
+}
+
 /// Capabilities that we ask about.
 #[derive(Clone, Debug)]
 pub struct Client {
@@ -36,8 +48,8 @@ pub struct Client {
     pub links: bool,
     /// Hints, lenses, tokens and diagnostics can be asked for again: the requests that say so.
     pub refreshes: Vec<&'static str>,
-    /// The editor has a language model for us.
-    pub model: bool,
+    /// Which language model the user of the editor wants asked.
+    pub model: Models,
     /// Edits may come with words about them.
     pub annotates: bool,
 }
@@ -78,7 +90,12 @@ impl Client {
             nested_symbols: on("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport"),
             links: on("/textDocument/definition/linkSupport"),
             refreshes,
-            model: params["initializationOptions"]["languageModel"].as_str() == Some("client"),
+            model: match params["initializationOptions"]["languageModel"].as_str() {
+                Some("client") => Models::Client,
+                Some("configured") => Models::Configured,
+                // Nobody is asked whom the user did not want asked, in so many words.
+                _ => Models::None,
+            },
             annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
         }
     }

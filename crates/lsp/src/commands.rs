@@ -82,8 +82,8 @@ fn check(job: &Job) -> Result<Outcome, Fault> {
 /// Looks for a layout from the start.
 fn solve(job: &Job, seed: u64) -> Result<Outcome, Fault> {
     let how = Arranging { seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
-    let mut model = job.advisers.model(&job.llm).map_err(|e| Fault::Failed(e.to_string()))?;
-    let adviser = model.as_mut().map(|(model, asking)| Adviser { model: model.as_mut(), asking: *asking });
+    let mut model = job.advisers.model(&job.llm, &job.progress).map_err(|e| Fault::Failed(e.to_string()))?;
+    let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
     let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
     let mut layout = arranged.outcome.layout;
     layout.seed = Some(seed);

@@ -175,6 +175,13 @@ impl Progress {
         }
     }
 
+    /// Something that the user should find again: shown as progress, and kept in the editor's log.
+    pub fn log(&self, message: &str) {
+        self.tell(&json!({ "kind": "report", "message": message }));
+        let params = json!({ "type": 3, "message": message });
+        let _ = self.to_client.unbounded_send(Request::build("window/logMessage").params(params).finish());
+    }
+
     fn tell(&self, value: &Value) {
         if let Some(token) = &self.token {
             let request = Request::build("$/progress").params(json!({ "token": token, "value": value })).finish();

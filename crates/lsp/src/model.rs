@@ -1,8 +1,11 @@
 //! The language model behind solving and mending: the editor's own, asked through the client; one that the settings of the
-//! workspace name; or none. Keys are the business of whoever connects: none pass through here.
+//! workspace name; or none, unless the user of the editor has said which. Keys are the business of whoever connects: none
+//! pass through here, and nobody connects unasked.
 
+use crate::client::Models;
+use crate::jobs::Progress;
 use crate::state::{Event, State, Stop};
-use scenelang_llm::{Error, Model, Reply, Request, Usage};
+use scenelang_llm::{Account, Budget, Error, Limits, Model, Reply, Request, Retry, Session, SystemClock, Usage};
 use scenelang_solve::Asking;
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
@@ -10,8 +13,8 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 /// A model, and how it is asked.
-pub type Asked = (Box<dyn Model>, Asking);
-/// Reaches the model that the settings of a workspace name; `None`: they name none.
+pub type Asked = (Session, Asking);
+/// Reaches the model that the settings of a workspace name, for a user who wants that; `None`: they name none.
 pub type Connect = fn(&Llm) -> Result<Option<Asked>, Error>;
 
 /// The longest wait for an answer of the editor's model.
@@ -22,29 +25,46 @@ const LARGEST: usize = 4 << 20;
 /// Where a model may come from.
 #[derive(Clone)]
 pub struct Advisers {
-    client: Option<Sender<Event>>,
+    wanted: Models,
+    events: Sender<Event>,
     connect: Option<Connect>,
+    account: Account,
     stop: Stop,
 }
 
 impl Advisers {
-    /// The model to ask, if there is one.
+    /// The model to ask, if there is one. Before it is asked, the user is told.
     ///
     /// # Errors
     /// It cannot even be tried.
-    pub fn model(&self, settings: &Llm) -> Result<Option<Asked>, Error> {
-        if let Some(events) = &self.client {
-            let model = Editor { events: events.clone(), stop: self.stop.clone() };
-            return Ok(Some((Box::new(model), Asking::default())));
-        }
-        self.connect.map_or(Ok(None), |connect| connect(settings))
+    pub fn model(&self, settings: &Llm, progress: &Progress) -> Result<Option<Asked>, Error> {
+        let asked = match (self.wanted, self.connect) {
+            (Models::None, _) | (Models::Configured, None) => None,
+            (Models::Client, _) => Some((self.editor()?, Asking::default())),
+            (Models::Configured, Some(connect)) => connect(settings)?,
+        };
+        let progress = progress.clone();
+        Ok(asked.map(|(session, asking)| {
+            let session = session.spending_of(&self.account).announced_by(move |said| progress.log(said));
+            (session, asking)
+        }))
+    }
+
+    /// The editor's own model, within the usual budget.
+    fn editor(&self) -> Result<Session, Error> {
+        let model = Editor { events: self.events.clone(), stop: self.stop.clone() };
+        // Whoever did not answer here has said no, and would be asked for consent again.
+        let retry = Retry { tries: 1, ..Retry::default() };
+        let limits = Limits { retry, budget: Budget::standard(), ..Limits::default() };
+        Session::new(Box::new(model), limits, Box::new(SystemClock::new(|| false)))
     }
 }
 
 impl State {
     /// Where a model may come from, for work that can be stopped.
     pub fn advisers(&self, stop: Stop) -> Advisers {
-        Advisers { client: self.client.model.then(|| self.events()), connect: self.connect, stop }
+        let account = self.account.clone();
+        Advisers { wanted: self.client.model, events: self.events(), connect: self.connect, account, stop }
     }
 }
 

@@ -14,6 +14,7 @@ use crate::text::Encoding;
 use crate::trace::Trace;
 use crate::{capabilities, disk, parent};
 use futures::channel::{mpsc, oneshot};
+use scenelang_llm::Account;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -114,6 +115,8 @@ pub struct State {
     pub drags: HashMap<String, Drag>,
     /// Reaches a language model.
     pub connect: Option<Connect>,
+    /// What language models have cost since the server was started: one budget for all that is asked of them.
+    pub account: Account,
     /// Whether something is being proved: one thing at a time.
     proving: bool,
     /// What files were, for a client that does not say when they change.
@@ -144,6 +147,7 @@ impl State {
             jobs: HashMap::new(),
             drags: HashMap::new(),
             connect: setup.connect,
+            account: Account::default(),
             waiting: Vec::new(),
         }
     }

@@ -52,7 +52,19 @@ impl Settings {
 /// # Errors
 /// All that is wrong with it, in the order of the text: no TOML, unknown keys, wrong types, values out of range.
 pub fn read(text: &str, file: FileId) -> Result<Settings, Vec<Diagnostic>> {
-    let mut reader = Reader { file, settings: Settings::default(), found: Vec::new() };
+    read_as(text, file, false)
+}
+
+/// Reads the text of the user's own file, which holds for all workspaces: what it says of language models.
+///
+/// # Errors
+/// All that is wrong with it, in the order of the text.
+pub fn read_own(text: &str, file: FileId) -> Result<Llm, Vec<Diagnostic>> {
+    read_as(text, file, true).map(|settings| settings.llm)
+}
+
+fn read_as(text: &str, file: FileId, own: bool) -> Result<Settings, Vec<Diagnostic>> {
+    let mut reader = Reader { file, own, settings: Settings::default(), found: Vec::new() };
     let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
     match Document::parse(&text[start..]) {
         Ok(document) => reader.top(document.as_table()),
@@ -92,6 +104,8 @@ pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
 
 struct Reader {
     file: FileId,
+    /// It is the user's own file, not that of a workspace.
+    own: bool,
     settings: Settings,
     found: Vec<Diagnostic>,
 }
@@ -109,6 +123,8 @@ impl Reader {
     fn top(&mut self, table: &Table) {
         for (key, item) in table {
             match key {
+                "llm" => self.llm(item),
+                _ if self.own => self.error(place_of(table, key), unknown("setting of a user", key, &["llm"])),
                 "physics" => match item.as_bool() {
                     Some(physics) => self.settings.physics = Some(physics),
                     None => self.wrong(key, item, "true or false"),
@@ -124,7 +140,6 @@ impl Reader {
                 "eta" => self.settings.eta = self.number(key, item),
                 "tolerances" => self.tolerances(item),
                 "lints" => self.lints(item),
-                "llm" => self.llm(item),
                 _ => {
                     let known = ["physics", "geometry", "eta", "tolerances", "lints", "llm"];
                     self.error(place_of(table, key), unknown("setting", key, &known));
@@ -265,6 +280,26 @@ mod tests {
     }
 
     #[test]
+    fn a_user_may_say_more_of_models_and_nothing_else() {
+        let own = |text: &str| read_own(text, FileId(0)).map_err(|found| found[0].message.clone());
+        let text = "[llm]\nmodel = \"compatible:m\"\nbase_url = \"https://a.example\"\nmax_calls = 7";
+        let wanted = Llm {
+            model: Some("compatible:m".to_owned()),
+            base_url: Some("https://a.example".to_owned()),
+            max_calls: Some(7),
+            ..Llm::default()
+        };
+        assert_eq!(own(text), Ok(wanted));
+        for (text, wanted) in [
+            ("eta = 0.1", "there is no setting of a user `eta`; there are llm"),
+            ("[llm]\nbase_url = 3", "`base_url` takes a URL, not a number"),
+            ("[llm]\nkey = \"sk\"", "`key` is no setting: keys come from the environment, never from a file"),
+        ] {
+            assert_eq!(own(text), Err(wanted.to_owned()), "{text}");
+        }
+    }
+
+    #[test]
     fn every_slip_is_told_at_its_place() {
         for (text, wanted) in [
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
@@ -288,12 +323,16 @@ mod tests {
             ("[llm]\nmodel = 4", "2:9-10 `model` takes a model as PROVIDER:NAME, not a number"),
             ("[llm]\nround = 4", "2:1-6 there is no setting of llm `round`; did you mean `rounds`?"),
             ("[llm]\nrounds = 4.5", "2:10-13 `rounds` takes a whole number, not a number"),
+            ("[llm]\nrounds = 1000", "2:10-14 `rounds` takes a number from 0 to 100"),
+            ("[llm]\ntries = 100", "2:9-12 `tries` takes a number from 1 to 10"),
+            ("[llm]\nmax_output = 9000000000000", "2:14-27 `max_output` takes a number from 1 to 100000"),
+            ("[llm]\ntimeout = 86400", "2:11-16 `timeout` takes a number from 1 to 3600"),
             ("[llm]\nbatch = 0", "2:9-10 `batch` takes a number from 1 to 1000"),
             ("[llm]\ntemperature = nan", "2:15-18 `temperature` takes a number from 0 to 2"),
             ("[llm]\ncache = \"on\"", "2:9-13 `cache` takes true or false, not a string"),
             (
                 "[llm]\nbase_url = \"https://a.example\"",
-                "2:1-9 `base_url` is no setting: only --base-url may say where a key is sent",
+                "2:1-9 `base_url` is no setting of a workspace: only you say where a key is sent, by --base-url or in your own config.toml",
             ),
             (
                 "[llm]\napi_key = \"sk-1\"",

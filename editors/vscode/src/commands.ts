@@ -41,7 +41,7 @@ export class Commands {
     if (target === null) return;
     const folder = await this.folder(target);
     if (folder === null) return;
-    await this.build(`Building ${basename(target.fsPath)}`, ["synth", target.fsPath, "-o", folder], target, folder);
+    await this.build(`Building ${basename(target.fsPath)}`, ["synth", target.fsPath, "-o", folder, "--model", this.server.model() === "configured" ? "configured" : "none"], target, folder);
   }
 
   /** Writes the layout as it is into the formats of others. */
@@ -62,10 +62,11 @@ export class Commands {
   private async build(title: string, args: readonly string[], target: vscode.Uri, folder: string): Promise<void> {
     const program = this.server.program();
     if (program === null) return;
+    const env = await this.server.environment();
     const ended = await vscode.window.withProgress({ location: vscode.ProgressLocation.Notification, title, cancellable: true }, async (_, token) => {
       const abort = new AbortController();
       token.onCancellationRequested(() => abort.abort());
-      const result = await run(program, args, dirname(target.fsPath), abort.signal).catch((error: unknown) => ({ code: 2, stdout: "", stderr: String(error) }));
+      const result = await run(program, args, dirname(target.fsPath), abort.signal, env).catch((error: unknown) => ({ code: 2, stdout: "", stderr: String(error) }));
       return abort.signal.aborted ? null : result;
     });
     if (ended === null) return;

@@ -16,9 +16,9 @@ const MOST = 16 << 20;
 const GRACE = 3000;
 
 /** Rejects where the program cannot be started. */
-export function run(command: string, args: readonly string[], cwd: string, signal: AbortSignal): Promise<Ended> {
+export function run(command: string, args: readonly string[], cwd: string, signal: AbortSignal, env: NodeJS.ProcessEnv = process.env): Promise<Ended> {
   return new Promise((done, failed) => {
-    const child = spawn(command, args, { cwd, stdio: ["ignore", "pipe", "pipe"], windowsHide: true });
+    const child = spawn(command, args, { cwd, env, stdio: ["ignore", "pipe", "pipe"], windowsHide: true });
     const said = { stdout: "", stderr: "" };
     for (const name of ["stdout", "stderr"] as const) {
       child[name].setEncoding("utf8");

@@ -3,6 +3,7 @@
 import { existsSync, statSync } from "node:fs";
 import * as vscode from "vscode";
 import { LanguageClient, type LanguageClientOptions, RevealOutputChannelOn, type ServerOptions } from "vscode-languageclient/node";
+import { type Choice, choice, environment } from "./environment.js";
 import type { Keys } from "./keys.js";
 import { type Located, locate } from "./locate.js";
 import { askEditor } from "./model.js";
@@ -54,6 +55,17 @@ export class Server implements vscode.Disposable {
     });
   }
 
+  /** Which language model the user wants asked. The setting is the user's alone: no folder can make it. */
+  model(): Choice {
+    return choice(vscode.workspace.getConfiguration("scenelang").get("languageModel"), vscode.workspace.isTrusted);
+  }
+
+  /** The environment of the server and of the command line. Keys are not even read where nobody may use them. */
+  async environment(): Promise<NodeJS.ProcessEnv> {
+    const chosen = this.model();
+    return environment(process.env, chosen, chosen === "configured" ? await this.keys.environment() : {});
+  }
+
   restart(): Promise<void> {
     this.queue = this.queue.then(() => this.stop()).then(() => this.start());
     return this.queue;
@@ -88,11 +100,9 @@ export class Server implements vscode.Disposable {
       return;
     }
     this.output.info(`the server is ${located.command}, from the ${located.from === "PATH" ? "PATH" : located.from}`);
-    const trusted = vscode.workspace.isTrusted;
-    // A folder's settings may say to whom a key is sent, so one that is not trusted gets none.
-    const env = { ...process.env, ...(trusted ? await this.keys.environment() : {}) };
+    const model = this.model();
+    const env = await this.environment();
     const server: ServerOptions = { command: located.command, args: ["lsp"], options: { env } };
-    const model = trusted ? vscode.workspace.getConfiguration("scenelang").get<string>("languageModel", "none") : "none";
     const options: LanguageClientOptions = {
       documentSelector: [{ scheme: "file", language: "scenelang" }, { scheme: "untitled", language: "scenelang" }, { scheme: "file", pattern: "**/*.layout.json" }],
       // "Show" of a code lens is a command of this extension.

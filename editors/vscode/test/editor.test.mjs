@@ -344,7 +344,7 @@ check("a folder that is trusted chooses the server where none is bundled", async
   }
 });
 
-check("the editor's own model answers the server; a key goes from the secret storage to the server, and nowhere else", async () => {
+check("the editor's own model answers the server; a key goes from the secret storage to the server that may use it, and nowhere else", async () => {
   const settings = { "chat.disableAIFeatures": false, "scenelang.languageModel": "editor" };
   const other = await open({ vsix: vsix.bundled, workspace: here("workspace"), file: "meeting.scene", env: { ...environment("model"), PROBE_MODEL: "1" }, settings });
   try {
@@ -363,8 +363,11 @@ check("the editor's own model answers the server; a key goes from the secret sto
     await until("the box", () => other.page.$eval(".quick-input-widget input", ({ type }) => type === "password"));
     await other.page.keyboard.type("sk-very-secret");
     await other.page.keyboard.press("Enter");
-    const restarted = await until("a server with the key", () => logged("model").find(({ keys, model }) => model !== undefined && keys.includes("OPENAI_API_KEY") && logged("model").filter(({ model }) => model !== undefined).length > 1));
-    assert.equal(restarted.model, "client");
+    const first = await until("another server", () => logged("model").filter(({ model }) => model !== undefined)[1]);
+    assert.deepEqual([first.model, first.keys], ["client", []], "the editor's own model needs no key");
+    await other.api("await vscode.workspace.getConfiguration('scenelang').update('languageModel', 'configured', 1)");
+    const restarted = await until("a server with the key", () => logged("model").find(({ keys, model }) => model !== undefined && keys.includes("OPENAI_API_KEY")));
+    assert.equal(restarted.model, "configured");
     assert.throws(() => execFileSync("grep", ["-rl", "sk-very-secret", join(other.ws, ".."), "--include=*.json", "--include=*.log", "--include=*.txt"]), "no setting and no log has it");
 
     const started = () => logged("model").filter(({ model }) => model !== undefined);

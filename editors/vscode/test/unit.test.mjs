@@ -24,6 +24,7 @@ const { locate } = await load("locate.ts");
 const { at, groups, margin } = await load("groups.ts");
 const { page } = await load("page.ts");
 const { run } = await load("run.ts");
+const { KEYS, choice, environment } = await load("environment.ts");
 const manifest = JSON.parse(readFileSync(here("../package.json"), "utf8"));
 
 const PLACES = { settings: { user: null, workspace: null }, trusted: true, workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
@@ -46,6 +47,27 @@ const LOCATED = [
   ["not trusted: the one that comes with the extension", { trusted: false, settings: { user: null, workspace: "/ws/evil" } }, ["/ws/evil", "/ext/server/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
 ];
 for (const [name, places, there, found] of LOCATED) test(`the server: ${name}`, () => assert.deepEqual(locate({ ...PLACES, ...places, runs: (file) => there.includes(file) }), found));
+
+test("a language model is the user's choice, and nobody's where the folder is not trusted", () => {
+  for (const [setting, trusted, wanted] of [
+    ["none", true, "none"], ["editor", true, "editor"], ["configured", true, "configured"],
+    ["editor", false, "none"], ["configured", false, "none"], [undefined, true, "none"], [null, true, "none"], ["openai:m", true, "none"], [true, true, "none"],
+  ]) assert.equal(choice(setting, trusted), wanted, `${setting} ${trusted}`);
+});
+
+test("keys reach a program only for the configured model", () => {
+  const shell = { PATH: "/bin", Gemini_Api_Key: "c", ...Object.fromEntries(KEYS.map((key) => [key, "a"])) };
+  const kept = { OPENAI_API_KEY: "b" };
+  assert.deepEqual(environment(shell, "none", kept), { PATH: "/bin" });
+  assert.deepEqual(environment(shell, "editor", kept), { PATH: "/bin" });
+  assert.deepEqual(environment(shell, "configured", kept), { ...shell, OPENAI_API_KEY: "b" });
+});
+
+test("the variables of keys are those of the command line, and no folder turns a model on", () => {
+  const table = readFileSync(here("../../../crates/llm/src/provider/mod.rs"), "utf8");
+  assert.deepEqual([...new Set(table.match(/"[A-Z]+_API_KEY"/g))].sort(), KEYS.map((key) => `"${key}"`).sort());
+  assert.equal(manifest.contributes.configuration.properties["scenelang.languageModel"].scope, "machine");
+});
 
 const range = (line, from = 0, to = 80) => ({ start: { line, character: from }, end: { line, character: to } });
 const row = (id, state, objects, line = 0) => ({ id, text: id, uri: "file:///a.scene", range: range(line), state, margin: 0.1, unit: "m", objects });

@@ -4,8 +4,9 @@
 //   GET  events  `changed`, `stale` (data: why)
 //   POST move    {object, pos, rot, commit} -> verdicts
 //
-// What the page may ask is secured by a token that only the page knows (`data-token`): another site that guesses the port
-// can send a request, but not this header.
+// Every request needs the cookie that the browser got for the secret in the printed address. A move also needs a token that
+// only the page knows (`data-token`): a page on another port of this machine has requests sent with the cookie, but not with
+// this header.
 
 import { type Move, readVerdicts, type Verdicts } from "../live.js";
 import { Shapes } from "./shapes.js";

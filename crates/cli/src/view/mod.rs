@@ -1,14 +1,20 @@
 //! `scenelang view`: a room in any browser, on this machine alone. What changes on disk is shown at once; what is dragged is
 //! judged on its way, and written to the layout when it is let go.
 
+mod body;
+mod connection;
+mod door;
 mod live;
+mod peer;
 mod serve;
+mod site;
 
 use crate::args::View;
 use crate::watch::{Seen, wait};
 use crate::{FAILED, GOOD, interrupt};
 use live::Shown;
 use scenelang_export::preview;
+use std::io::Write;
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
@@ -31,10 +37,10 @@ pub fn run(args: &View) -> u8 {
             return FAILED;
         }
     };
-    println!("http://{address}/");
-    eprintln!("only this machine can see it; Ctrl-C ends");
+    println!("{address}");
+    eprintln!("only who has this address can see it, and on this machine alone; Ctrl-C ends");
     if !args.no_open {
-        open(&format!("http://{address}/"));
+        open(&address);
     }
     loop {
         let seen = Seen::default();
@@ -45,16 +51,20 @@ pub fn run(args: &View) -> u8 {
     }
 }
 
-/// Opens the browser, if there is one; the address has been said.
+/// Opens the browser, if there is one; the address has been said. On macOS other users could read the secret where the
+/// arguments of programs are listed, so it is not one; on Linux they could as well, and are turned away (`peer.rs`).
 fn open(url: &str) {
-    let mut command = if cfg!(target_os = "macos") {
-        Command::new("open")
-    } else if cfg!(windows) {
-        let mut command = Command::new("cmd");
-        command.args(["/c", "start", ""]);
-        command
-    } else {
-        Command::new("xdg-open")
+    let quiet = |command: &mut Command| {
+        let started = command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+        started.ok().and_then(|mut child| child.stdin.take())
     };
-    let _ = command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+    if cfg!(target_os = "macos") {
+        if let Some(mut script) = quiet(Command::new("osascript").arg("-")) {
+            let _ = writeln!(script, "open location \"{url}\"");
+        }
+    } else if cfg!(windows) {
+        quiet(Command::new("cmd").args(["/c", "start", "", url]));
+    } else {
+        quiet(Command::new("xdg-open").arg(url));
+    }
 }

@@ -3,7 +3,7 @@
 //! The thousands of variations go through the front end in this process; files that are bad as files go through the
 //! binary. A panic or an overflow ends the test; a hang is ended by the test runner (and, for the binary, by `support`).
 
-use crate::support::{EXAMPLES, example, for_each_example, scenelang, scenelang_with_input};
+use crate::support::{EXAMPLES, example, for_each_example, root, scenelang, scenelang_with_input};
 use scenelang_lang::{Options, compile_text};
 use std::fs;
 use std::path::Path;
@@ -182,5 +182,21 @@ fn bad_layouts_are_reported() {
     assert_eq!(reports.len(), files.len());
     for (report, bytes) in reports.iter().zip(&files) {
         assert_eq!(report["ok"], false, "{}: {report:#}", String::from_utf8_lossy(bytes));
+    }
+}
+
+/// Whatever a fuzz target has found once is read by all that reads what strangers wrote.
+#[test]
+fn what_fuzzing_has_found() {
+    let targets = fs::read_dir(root().join("fuzz/findings")).unwrap().map(|entry| entry.unwrap().path());
+    for target in targets.filter(|path| path.is_dir()) {
+        for file in fs::read_dir(target).unwrap() {
+            let bytes = fs::read(file.unwrap().path()).unwrap();
+            if let Ok(text) = scenelang_layout::file::decode(bytes) {
+                swallow(&text);
+                scenelang_layout::file::read(&text, scenelang_base::FileId(0));
+                let _ = scenelang_verify::settings::read(&text, scenelang_base::FileId(0));
+            }
+        }
     }
 }

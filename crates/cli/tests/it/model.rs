@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 
-const KEY: &str = "sk-very-secret";
+pub const KEY: &str = "sk-very-secret";
 
 /// The lamp belongs to the right of the table. In the layout to start from it is to its left.
 const SCENE: &str = "
@@ -23,7 +23,7 @@ assert lamp.pos.z <= 2;
 ";
 
 /// A folder with the program, a layout to start from, and settings that do not wait.
-fn folder(settings: &str) -> TempDir {
+pub fn folder(settings: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     write("room.scene", SCENE);
@@ -57,7 +57,7 @@ fn command_with(variable: &str, folder: &Path, args: &[&str]) -> Ended {
 }
 
 /// An answer that moves the lamp.
-fn lamp_to(x: f64, z: f64) -> Act {
+pub fn lamp_to(x: f64, z: f64) -> Act {
     let zero = json!({ "x": 0, "y": 0, "z": 0 });
     let one = json!({ "object": "lamp", "reason": "\u{1b}[2J", "pos": { "x": x, "y": 0, "z": z }, "rot": zero });
     Act::says(&json!({ "moves": [one] }).to_string())
@@ -69,7 +69,7 @@ fn lamp(folder: &Path) -> Value {
 }
 
 /// All that is in files below a folder.
-fn texts(folder: &Path) -> String {
+pub fn texts(folder: &Path) -> String {
     let mut out = String::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -168,7 +168,11 @@ fn what_cannot_be_tried_is_said_before_anything_is_done() {
             "[llm]\nmax_money = 1",
             "error: a budget of money needs a price, and none is set for ollama:m\n",
         ),
-        (vec![], "[llm]\nmodel = \"gemini:m\"", "error: gemini needs a key: set GEMINI_API_KEY or GOOGLE_API_KEY\n"),
+        (
+            vec!["--model", "configured"],
+            "[llm]\nmodel = \"gemini:m\"",
+            "error: gemini needs a key: set GEMINI_API_KEY or GOOGLE_API_KEY\n",
+        ),
     ] {
         let folder = folder(settings);
         let ended = solve(folder.path(), &args);
@@ -184,7 +188,7 @@ fn a_model_of_the_settings_keeps_to_its_budget() {
         "[llm]\nmodel = \"compatible:m\"\nmax_calls = 2\n[llm.prices.\"compatible:m\"]\ninput = 1000\noutput = 5000\n";
     let folder = folder(settings);
     let server = Server::new(vec![lamp_to(2.0, 2.2)]);
-    let ended = solve(folder.path(), &["--base-url", &server.url]);
+    let ended = solve(folder.path(), &["--model", "configured", "--base-url", &server.url]);
     assert_eq!(ended.code, 0, "{ended:?}");
     assert!(ended.stdout.contains(": 2 calls, 200 tokens in, 40 out, cost 0.4000\n"), "{}", ended.stdout);
     assert!(ended.stdout.contains("it did not help to the end: the budget is spent: 2 of 2 calls"), "{}", ended.stdout);
@@ -227,7 +231,8 @@ fn the_book_shows_the_summary_as_it_is() {
     let folder = folder(block("toml settings"));
     let busy = Act::fails(503, "busy").with("retry-after", "0");
     let server = Server::new(vec![busy, lamp_to(2.0, 2.2), lamp_to(2.0, 1.5)]);
-    let args = ["solve", "room.scene", "--layout", "start.json", "-o", "end.json", "--base-url", &server.url];
+    let usual = ["solve", "room.scene", "--layout", "start.json", "-o", "end.json"];
+    let args = [&usual[..], &["--model", "configured", "--base-url", &server.url]].concat();
     let ended = command_with("OPENAI_API_KEY", folder.path(), &args);
     let said = ended.stdout.replace(&format!(" at {}", server.url), "");
     assert!(said.ends_with(block("text model")), "{said}{}", ended.stderr);

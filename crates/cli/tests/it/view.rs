@@ -14,23 +14,24 @@ use std::time::Duration;
 /// What does not come in this time does not come at all. Nothing here depends on how long it takes.
 const NEVER: Duration = Duration::from_secs(60);
 
-struct View {
-    child: Child,
+pub struct View {
+    pub child: Child,
     /// `127.0.0.1:PORT`
-    address: String,
-    layout: PathBuf,
+    pub address: String,
+    pub secret: String,
+    pub layout: PathBuf,
     _folder: tempfile::TempDir,
 }
 
-struct Answer {
-    status: u16,
-    head: String,
-    body: String,
+pub struct Answer {
+    pub status: u16,
+    pub head: String,
+    pub body: String,
 }
 
 impl View {
     /// Shows the solved meeting room.
-    fn start() -> Self {
+    pub fn start() -> Self {
         let (folder, scene) = folder_with("meeting-room");
         let program = |args: &[&str]| {
             let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
@@ -41,9 +42,11 @@ impl View {
         let mut child = program(&["view", "--no-open"]).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.trim().strip_prefix("http://").unwrap().trim_end_matches('/').to_owned();
+        let (address, secret) = line.trim().strip_prefix("http://").unwrap().split_once("/?key=").unwrap();
+        let (address, secret) = (address.to_owned(), secret.to_owned());
         assert!(address.starts_with("127.0.0.1:"), "{address}");
-        let view = Self { child, address, layout: scene.with_extension("layout.json"), _folder: folder };
+        assert!(secret.len() == 64 && secret.bytes().all(|c| c.is_ascii_hexdigit()), "{secret}");
+        let view = Self { child, address, secret, layout: scene.with_extension("layout.json"), _folder: folder };
         // The first event comes when the room has been read.
         assert_eq!(view.follow().until("changed"), "1");
         view
@@ -55,15 +58,24 @@ impl View {
         stream
     }
 
-    /// A request with these header lines; `Host` is added unless they have one.
-    fn ask(&self, line: &str, headers: &[&str], body: &str) -> Answer {
-        let mut stream = self.connect();
-        let host = format!("Host: {}", self.address);
-        let own = headers.iter().any(|h| h.to_ascii_lowercase().starts_with("host:"));
-        let lines = headers.iter().copied().chain((!own).then_some(host.as_str())).collect::<Vec<_>>().join("\r\n");
+    pub fn cookie(&self) -> String {
+        format!("Cookie: scenelang-view-{}={}", self.address.rsplit(':').next().unwrap(), self.secret)
+    }
+
+    /// A request with these header lines; `Host` and the cookie are added unless they have one.
+    pub fn ask(&self, line: &str, headers: &[&str], body: &str) -> Answer {
+        let lacks = |name: &str| !headers.iter().any(|h| h.to_ascii_lowercase().starts_with(name));
+        let (host, cookie) = (format!("Host: {}", self.address), self.cookie());
+        let usual = [lacks("host:").then_some(host.as_str()), lacks("cookie:").then_some(cookie.as_str())];
+        let lines = headers.iter().copied().chain(usual.into_iter().flatten()).collect::<Vec<_>>().join("\r\n");
         let length = body.len();
-        write!(stream, "{line} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}")
-            .unwrap();
+        self.say(&format!("{line} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"))
+    }
+
+    /// What is answered to these bytes.
+    pub fn say(&self, request: &str) -> Answer {
+        let mut stream = self.connect();
+        stream.write_all(request.as_bytes()).unwrap();
         let mut text = String::new();
         stream.read_to_string(&mut text).unwrap();
         let (head, body) = text.split_once("\r\n\r\n").unwrap();
@@ -74,19 +86,23 @@ impl View {
         Answer { status, head: head.to_ascii_lowercase(), body }
     }
 
-    fn token(&self) -> String {
+    pub fn token(&self) -> String {
         let page = self.ask("GET /", &[], "").body;
         page.split("data-token=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
     }
 
     /// A move by a page that has the token.
-    fn go(&self, asked: &Value) -> Answer {
-        self.ask("POST /move", &[&format!("X-Scenelang-Token: {}", self.token())], &asked.to_string())
+    pub fn go(&self, asked: &Value) -> Answer {
+        self.go_with(&self.token(), asked)
     }
 
-    fn follow(&self) -> Events {
+    pub fn go_with(&self, token: &str, asked: &Value) -> Answer {
+        self.ask("POST /move", &[&format!("X-Scenelang-Token: {token}")], &asked.to_string())
+    }
+
+    pub fn follow(&self) -> Events {
         let mut stream = self.connect();
-        write!(stream, "GET /events HTTP/1.1\r\nHost: {}\r\n\r\n", self.address).unwrap();
+        write!(stream, "GET /events HTTP/1.1\r\nHost: {}\r\n{}\r\n\r\n", self.address, self.cookie()).unwrap();
         Events(BufReader::new(stream))
     }
 
@@ -115,11 +131,11 @@ fn join(mut pieces: &str) -> String {
 }
 
 /// What a page is told.
-struct Events(BufReader<TcpStream>);
+pub struct Events(BufReader<TcpStream>);
 
 impl Events {
     /// The data of the next event of a kind.
-    fn until(&mut self, kind: &str) -> String {
+    pub fn until(&mut self, kind: &str) -> String {
         let mut now = String::new();
         loop {
             let mut line = String::new();
@@ -135,7 +151,7 @@ impl Events {
     }
 }
 
-fn there() -> bool {
+pub fn there() -> bool {
     let there = has_viewer();
     assert!(there || std::env::var("CI").as_deref() != Ok("true"), "in CI nothing may be skipped: no viewer/dist");
     if !there {
@@ -173,11 +189,29 @@ fn only_its_own_pages_are_answered() {
         ("GET /%2e%2e/meeting-room.scene", &[], 404),
         ("GET //etc/passwd", &[], 404),
         ("GET /viewer.js/../../Cargo.toml", &[], 404),
+        // Without the secret, nothing at all.
+        ("GET /", &["Cookie: a=b"], 403),
+        ("GET /viewer.js", &["Cookie: a=b"], 403),
+        ("GET /scene", &["Cookie: a=b"], 403),
+        ("GET /events", &["Cookie: a=b"], 403),
+        ("POST /move", &["Cookie: a=b"], 403),
+        ("GET /nothing", &["Cookie: a=b"], 403),
+        ("GET /", &[&format!("Cookie: scenelang-view-{port}={}", "0".repeat(64))], 403),
+        ("GET /?key=", &["Cookie: a=b"], 403),
+        (&format!("GET /?key={}", "0".repeat(64)), &["Cookie: a=b"], 403),
+        (&format!("GET /scene?key={}", view.secret), &["Cookie: a=b"], 403),
+        (&format!("GET /?key={}", view.secret), &["Cookie: a=b", &rebound], 403),
     ];
     for (line, headers, status) in cases {
         assert_eq!(view.ask(line, headers, "").status, *status, "{line} {headers:?}");
     }
+    // With it, a cookie, and an address that does not have it.
+    let exchanged = view.ask(&format!("GET /?key={}", view.secret), &["Cookie: a=b"], "");
+    let cookie = format!("set-cookie: scenelang-view-{port}={}; httponly; samesite=strict; path=/\r\n", view.secret);
+    assert!(exchanged.status == 303 && exchanged.head.contains(&cookie), "{}", exchanged.head);
+    assert!(exchanged.head.contains("location: /\r\n") && exchanged.body.is_empty(), "{}", exchanged.head);
     let page = view.ask("GET /", &[], "");
+    assert!(!page.body.contains(&view.secret) && !page.head.contains(&view.secret), "no script can read it");
     assert!(page.head.contains("content-security-policy: default-src 'none'; script-src 'self'"), "{}", page.head);
     assert!(page.head.contains("frame-ancestors 'none'") && page.head.contains("nosniff"));
     assert!(!page.body.contains("<script>"), "no script is inline");

@@ -289,6 +289,9 @@ impl Model for Offline {
     fn ask(&mut self, _: &Request) -> Result<Reply, Error> {
         Err(Error::Offline)
     }
+    fn reaches_out(&self) -> bool {
+        false
+    }
 }
 
 /// How to reach a model.

@@ -1,5 +1,6 @@
-//! The section `[llm]`: which language model proposes, how it is asked, what may be spent. Keys are never in a file, and
-//! neither is where they are sent: a scene from somewhere else must not be able to say so.
+//! The section `[llm]`: which language model proposes, how it is asked, what may be spent. Keys are never in a file. Where
+//! they are sent is said in the user's own file at most: a scene from somewhere else must not be able to say so. Nor does a
+//! workspace that names a model have it asked, or allow more than the user does: that is for whoever uses these settings.
 
 use super::{Reader, place_of, unknown};
 use std::ops::RangeInclusive;
@@ -22,12 +23,22 @@ const KEYS: [&str; 12] = [
 ];
 /// Counts beyond this are errors; it is exact as a float.
 const MANY: f64 = 1e12;
+/// The most rounds: each is a question or two.
+const ROUNDS: f64 = 100.0;
+/// The most tries: who fails ten times fails the eleventh.
+const TRIES: f64 = 10.0;
+/// The longest answer (tokens): some twenty times of what the longest one needs.
+const OUTPUT: f64 = 100_000.0;
+/// The longest wait for an answer (seconds).
+const WAIT: f64 = 3600.0;
 
 /// `[llm]`, where it is given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Llm {
     /// `PROVIDER:NAME`.
     pub model: Option<String>,
+    /// Where the model is, in place of the provider's own address; only in the user's own file.
+    pub base_url: Option<String>,
     /// k: how many violated constraints are taken up at a time.
     pub batch: Option<u64>,
     /// T: how many rounds the model has.
@@ -64,11 +75,11 @@ impl Reader {
                     None => self.wrong(key, item, "a model as PROVIDER:NAME"),
                 },
                 "batch" => self.settings.llm.batch = self.count(key, item, 1.0..=1000.0),
-                "rounds" => self.settings.llm.rounds = self.count(key, item, 0.0..=1000.0),
+                "rounds" => self.settings.llm.rounds = self.count(key, item, 0.0..=ROUNDS),
                 "temperature" => self.settings.llm.temperature = self.between(key, item, 0.0..=2.0),
-                "max_output" => self.settings.llm.max_output = self.count(key, item, 1.0..=MANY),
-                "timeout" => self.settings.llm.timeout = self.between(key, item, 1.0..=86_400.0),
-                "tries" => self.settings.llm.tries = self.count(key, item, 1.0..=100.0),
+                "max_output" => self.settings.llm.max_output = self.count(key, item, 1.0..=OUTPUT),
+                "timeout" => self.settings.llm.timeout = self.between(key, item, 1.0..=WAIT),
+                "tries" => self.settings.llm.tries = self.count(key, item, 1.0..=TRIES),
                 "per_minute" => self.settings.llm.per_minute = self.between(key, item, 0.01..=1e6),
                 "max_calls" => self.settings.llm.max_calls = self.count(key, item, 0.0..=MANY),
                 "max_tokens" => self.settings.llm.max_tokens = self.count(key, item, 0.0..=MANY),
@@ -78,8 +89,13 @@ impl Reader {
                     None => self.wrong(key, item, "true or false"),
                 },
                 "prices" => self.prices(item),
+                "base_url" if self.own => match item.as_str() {
+                    Some(url) => self.settings.llm.base_url = Some(url.to_owned()),
+                    None => self.wrong(key, item, "a URL"),
+                },
                 "base_url" => {
-                    let say = "`base_url` is no setting: only --base-url may say where a key is sent";
+                    let say = "`base_url` is no setting of a workspace: only you say where a key is sent, by --base-url or \
+                               in your own config.toml";
                     self.error(place_of(table, key), say.to_owned());
                 }
                 "key" | "api_key" => {
