@@ -169,6 +169,9 @@ pub struct Solve {
     /// Where the layout goes [default: the program's name with .layout.json]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// A layout to start from: its objects stay where they are as far as the constraints let them
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
@@ -225,6 +228,9 @@ pub struct Repair {
     /// Where the mended layout goes [default: in place of the old one]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -278,6 +284,9 @@ pub struct Formalize {
     /// The program to write [default: standard output]
     #[arg(short, long, value_name = "FILE.scene")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Add nothing that the request does not say
     #[arg(long)]
     pub literal: bool,
@@ -307,6 +316,9 @@ pub struct Synth {
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
@@ -347,6 +359,9 @@ pub struct Export {
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Only these formats: unity, glb, plan, picture, preview; separated by commas
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::export::format)]
     pub only: Vec<String>,
@@ -518,6 +533,9 @@ pub struct BenchSolve {
     /// Also write the result there, as JSON
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
@@ -548,6 +566,9 @@ pub struct EvalRequests {
     /// Write the programs there, NAME.scene
     #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Say of so many requests what was missed, the worst first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,

@@ -4,8 +4,7 @@ use crate::args::{Formalize, Judging, SummaryFormat};
 use crate::model::Asked;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
-use crate::{FAILED, FINDINGS, GOOD, interrupt, settings};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
@@ -32,6 +31,12 @@ pub fn run(args: &Formalize) -> u8 {
         },
         (None, None) => return fail("there is no request"),
     };
+    let inputs: Vec<&Path> = args.file.as_deref().into_iter().collect();
+    if let Some(path) = &args.output
+        && let Err(message) = replace::permit(path, &inputs, args.force)
+    {
+        return fail(&message);
+    }
     let beside = args.output.as_deref().unwrap_or(Path::new("room.scene"));
     let settings = match settings::all(&Judging::default(), beside, &Disk) {
         Ok((_, settings)) => settings,
@@ -41,18 +46,15 @@ pub fn run(args: &Formalize) -> u8 {
         Ok(model) => model,
         Err(error) => return fail(&error.to_string()),
     };
-    if model.is_some() {
-        interrupt::listen();
-    }
     let Understood { reading, program, diagnostics } =
         match understand(&request, args.literal, !args.untried, model.as_mut()) {
             Ok(understood) => understood,
             Err(message) => return fail(&message),
         };
     if let Some(path) = &args.output
-        && let Err(e) = write_whole(path, program.as_bytes())
+        && let Err(message) = replace::program(path, &program)
     {
-        return fail(&e.to_string());
+        return fail(&message);
     }
     match args.format {
         SummaryFormat::Json => {

@@ -3,8 +3,9 @@
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
-use crate::{FAILED, FINDINGS, GOOD, settings};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, FINDINGS, GOOD, replace, settings};
+use scenelang_base::fs::{is_same, write_set};
+use scenelang_base::owned::sealed_json;
 use scenelang_base::{Edit, FileId};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
@@ -53,6 +54,9 @@ fn repair(args: &Repair) -> Result<u8, String> {
     };
     if !errors.is_empty() {
         return Ok(FAILED);
+    }
+    if let Some(output) = args.output.as_ref().filter(|output| !is_same(output, &args.layout)) {
+        replace::permit(output, &[&path], args.force)?;
     }
     let which = match &args.constraint {
         None => Which::All,
@@ -119,21 +123,23 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
     }
 }
 
-/// Writes what an alternative changes, each file as a whole. Which files.
+/// Writes what an alternative changes, all of it or nothing. Which files.
 fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
-    let mut written = Vec::new();
+    let mut names = Vec::new();
+    let mut files = Vec::new();
     let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
     for (id, text) in texts {
         let source = checked.sources.get(id);
-        write_whole(source.path(), text.as_bytes()).map_err(|e| e.to_string())?;
-        written.push(source.name().to_owned());
+        names.push(source.name().to_owned());
+        files.push((source.path().to_path_buf(), text));
     }
     let output = args.output.as_ref().unwrap_or(&args.layout);
     let moved = !chosen.moves.is_empty() || !chosen.also.is_empty();
     if moved || args.output.is_some() {
         let same = |path: &Path| path == args.layout;
         let old = checked.sources.iter().find(|(_, source)| same(source.path())).map(|(_, source)| source.text());
-        let old = layout_file::read(old.unwrap_or_default(), FileId(0));
+        let text = old.unwrap_or_default();
+        let old = layout_file::read(text, FileId(0));
         let mut layout = chosen.layout.clone();
         // What a search has left undone is done, if all of it holds now.
         layout.incomplete &= args.constraint.is_some();
@@ -142,10 +148,16 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         {
             layout.scene = Some(crate::solve::relative(&scene, output));
         }
-        layout_file::write(output, &layout, old.usable.then_some(&old.document)).map_err(|e| e.to_string())?;
-        written.push(output.display().to_string());
+        let new = layout_file::checked(output, &layout, old.usable.then_some(&old.document));
+        let new = new.map_err(|e| e.to_string())?;
+        // What was edited by hand is still in it.
+        let ours = replace::is_ours(&args.layout, text);
+        files.push((output.clone(), if ours { sealed_json(&new) } else { new }));
+        names.push(output.display().to_string());
     }
-    Ok(written)
+    let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write_set(&set).map_err(|e| e.to_string())?;
+    Ok(names)
 }
 
 /// What is said of alternatives.

@@ -16,5 +16,5 @@ pub use corridor::{
 };
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
-pub use output::{Written, export, save, save_layout};
+pub use output::{own_files, scene};
 pub use rehearse::rehearse;

@@ -6,7 +6,7 @@ mod serve;
 
 use crate::args::View;
 use crate::watch::{Seen, wait};
-use crate::{FAILED, GOOD, interrupt};
+use crate::{FAILED, GOOD};
 use live::Shown;
 use scenelang_export::preview;
 use std::process::{Command, Stdio};
@@ -14,7 +14,6 @@ use std::sync::Arc;
 
 /// Serves until Ctrl-C.
 pub fn run(args: &View) -> u8 {
-    interrupt::listen();
     let Some(viewer) = preview::viewer() else {
         eprintln!("error: this scenelang was built without the viewer; `./x demo` builds it with one");
         return FAILED;
