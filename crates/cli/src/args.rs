@@ -92,6 +92,9 @@ pub struct Check {
     /// How many files are judged at once [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
+    /// All of it takes at most so long; what is not judged by then could not be judged (exit 2)
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -231,6 +234,9 @@ pub struct Repair {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+    /// All of it takes at most so long; what is found then depends on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -293,6 +299,9 @@ pub struct Formalize {
     /// Do not try to furnish the room: faster, but perhaps more is asked than there is room for
     #[arg(long)]
     pub untried: bool,
+    /// All of it takes at most so long: the trial whether there is a layout ends in time
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// List clause by clause what became of it
     #[arg(long)]
     pub explain: bool,
@@ -322,6 +331,9 @@ pub struct Synth {
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// The layout takes at most so long, and a request before it; what comes of it then depends on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How long and on how many threads to search
     #[command(flatten)]
     pub search: Search,

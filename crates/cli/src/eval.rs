@@ -5,7 +5,7 @@ use crate::args::{EvalRequests, SummaryFormat};
 use crate::formalize::try_out;
 use crate::progress::Progress;
 use crate::table::Table;
-use crate::{FAILED, FINDINGS, GOOD, replace};
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace};
 use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
 use scenelang_formalize::Options;
 use std::fmt::Write;
@@ -42,7 +42,7 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
     let begun = Instant::now();
     let mut read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
     if !args.untried {
-        try_out(&mut read);
+        try_out(&mut read, &interrupt::stop());
     }
     let program = scenelang_formalize::write::write(&read.draft);
     let took = Some(begun.elapsed());

@@ -3,7 +3,7 @@
 //! itself, as a search for a layout has, asks for the end itself ([`gently`]) and writes what it has by then; there, the
 //! second Ctrl-C ends the process at once.
 
-use crate::INTERRUPTED;
+use crate::{FAILED, INTERRUPTED};
 use scenelang_base::fs;
 use scenelang_solve::Stop;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -37,28 +37,47 @@ fn hear() {
     if GENTLE.load(Ordering::SeqCst) > 0 && !stop().set() {
         return;
     }
-    let written = fs::end();
+    end("interrupted", INTERRUPTED);
+}
+
+/// Ends the process when a time is over that all of a command may take, as Ctrl-C does, but with the exit code of a
+/// command that could not do its work. A stage that looks at the time itself is left to do so.
+pub fn within(time: Option<Duration>) {
+    let Some(time) = time else { return };
+    let wait = move || {
+        std::thread::sleep(time);
+        while GENTLE.load(Ordering::SeqCst) > 0 {
+            std::thread::sleep(PATIENCE);
+        }
+        end(&format!("error: the time is over ({} s)", time.as_secs_f64()), FAILED);
+    };
+    let _ = std::thread::Builder::new().name("time".to_owned()).spawn(wait);
+}
+
+/// Ends the process, and says why and what was written.
+fn end(why: &str, code: u8) {
+    let (why, written) = (why.to_owned(), fs::end());
     let (done, said) = mpsc::channel();
     let tell = move || {
-        eprintln!("{}", told(&written));
+        eprintln!("{}", told(&why, &written));
         let _ = done.send(());
     };
     if std::thread::Builder::new().spawn(tell).is_ok() {
         let _ = said.recv_timeout(PATIENCE);
     }
-    std::process::exit(i32::from(INTERRUPTED));
+    std::process::exit(i32::from(code));
 }
 
-fn told(written: &[std::path::PathBuf]) -> String {
+fn told(why: &str, written: &[std::path::PathBuf]) -> String {
     let mut names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
     names.dedup();
     let more = match names.len().saturating_sub(NAMED) {
-        _ if names.is_empty() => return "interrupted; nothing was written".to_owned(),
+        _ if names.is_empty() => return format!("{why}; nothing was written"),
         0 => String::new(),
         more => format!(" and {more} more"),
     };
     names.truncate(NAMED);
-    format!("interrupted; these files are new, all others as they were: {}{more}", names.join(", "))
+    format!("{why}; these files are new, all others as they were: {}{more}", names.join(", "))
 }
 
 /// From here on, Ctrl-C is for this command to see.
@@ -100,8 +119,8 @@ mod tests {
     #[test]
     fn what_is_new_is_said() {
         let paths = |n: usize| (0..n).map(|i| format!("out/{i}").into()).collect::<Vec<std::path::PathBuf>>();
-        assert_eq!(told(&[]), "interrupted; nothing was written");
-        assert!(told(&paths(2)).ends_with("as they were: out/0, out/1"));
-        assert!(told(&paths(25)).ends_with("out/19 and 5 more"));
+        assert_eq!(told("interrupted", &[]), "interrupted; nothing was written");
+        assert!(told("interrupted", &paths(2)).ends_with("as they were: out/0, out/1"));
+        assert!(told("interrupted", &paths(25)).ends_with("out/19 and 5 more"));
     }
 }

@@ -3,7 +3,7 @@
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
-use crate::{FAILED, FINDINGS, GOOD, replace, settings};
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
 use scenelang_base::{Edit, FileId};
@@ -18,9 +18,14 @@ use scenelang_verify::report::{self, model::Place};
 use scenelang_verify::{Checked, Explain, check_file, program_of};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The part of the time that the search may take.
+const SEARCH: f64 = 0.6;
 
 /// Mends; 0 if the layout is or can be mended, 1 if not without asking, 2 if it cannot be judged.
 pub fn run(args: &Repair) -> u8 {
+    interrupt::within(args.time.map(Duration::from_secs_f64));
     match repair(args) {
         Ok(code) => code,
         Err(message) => {
@@ -31,6 +36,7 @@ pub fn run(args: &Repair) -> u8 {
 }
 
 fn repair(args: &Repair) -> Result<u8, String> {
+    let begun = Instant::now();
     let name = args.layout.display().to_string();
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         return Err(format!("{name} is no layout; repair mends layouts"));
@@ -58,6 +64,10 @@ fn repair(args: &Repair) -> Result<u8, String> {
     if let Some(output) = args.output.as_ref().filter(|output| !is_same(output, &args.layout)) {
         replace::permit(output, &[&path], args.force)?;
     }
+    if let Some(finding) = scenelang_synth::too_large(program) {
+        eprint!("{}", report::diagnostics(&[finding], &checked.sources, color_err()));
+        return Ok(FAILED);
+    }
     let which = match &args.constraint {
         None => Which::All,
         Some(asked) => Which::Rows(rows(&checked, &main, asked)?),
@@ -71,7 +81,9 @@ fn repair(args: &Repair) -> Result<u8, String> {
     };
     let damaged = Damaged { program, layout, text: Some(text) };
     let progress = Progress::new(format!("mending {name}"));
-    let found = mend(&damaged, &which, &MendOptions { judge: options, ..MendOptions::default() });
+    // The rest is for what was found to be judged and written.
+    let time = args.time.map(|time| Duration::from_secs_f64(SEARCH * time).saturating_sub(begun.elapsed()));
+    let found = mend(&damaged, &which, &MendOptions { judge: options, time, ..MendOptions::default() });
     drop(progress);
     let found = found.map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
     let choice = choose(args, &found.alternatives)?;

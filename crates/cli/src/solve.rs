@@ -19,6 +19,7 @@ const FREE: u64 = 20_000_000;
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
     let stop = interrupt::stop();
+    interrupt::within(args.time.map(|time| patience(Duration::from_secs_f64(time))));
     let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));
     let files: Vec<PathBuf> = match args.alternatives {
         None => vec![output.clone()],
@@ -97,6 +98,12 @@ pub fn run(args: &Solve) -> u8 {
         }
     }
     if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
+}
+
+/// How long is waited for a search to begin that may take so long: from then on it looks at the time itself, and has a
+/// layout to show when it is over.
+pub fn patience(time: Duration) -> Duration {
+    2 * time + Duration::from_secs(1)
 }
 
 /// What is proved of a program that cannot hold, as `check` says it.

@@ -4,7 +4,7 @@ use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
 use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
-use crate::solve::{color_err, explain};
+use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
 use crate::{FAILED, INTERRUPTED, formalize, interrupt, replace, settings};
 use scenelang_export::{Exporter, OutFile, exporters, unity};
@@ -21,6 +21,9 @@ const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
+    let begun = Instant::now();
+    let time = args.time.map(Duration::from_secs_f64);
+    interrupt::within(time.map(patience));
     let (path, request) = match asked_for(args) {
         Ok(both) => both,
         Err(message) => return fail(&message),
@@ -50,7 +53,7 @@ pub fn run(args: &Synth) -> u8 {
         layout_name: &format!("{stem}.layout.json"),
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
-        time: None,
+        time: time.map(|time| time.saturating_sub(begun.elapsed())),
         alternatives: None,
         free: 0,
         threads: args.search.threads(),
@@ -127,7 +130,13 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
 
 /// Writes the program of a request.
 fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<(), String> {
-    let understood = formalize::understand(request, args.literal, true, model)?;
+    let understood = formalize::understand(
+        request,
+        args.literal,
+        true,
+        args.time.map(|time| Duration::from_secs_f64(time / 3.0)),
+        model,
+    )?;
     eprint!("{}", formalize::notes(&understood.reading));
     formalize::tell(&understood.diagnostics, None);
     if understood.reading.understood == 0 {

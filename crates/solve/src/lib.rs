@@ -55,7 +55,7 @@ pub use freedom::{FAR, Free, Freedom, freedom};
 pub use limit::Stop;
 pub use model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid};
 pub use pose::Pose;
-pub use problem::{End, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};
+pub use problem::{End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};
 pub use solve::{solve, solve_with};
 pub use steps::{Bounds, Placer, Proposer, Relaxer, Selector, Steps};
 pub use view::{Concern, Move, Proposal, View};

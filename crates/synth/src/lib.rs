@@ -12,7 +12,7 @@ mod rehearse;
 
 pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
-    solve_with,
+    solve_with, too_large,
 };
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;

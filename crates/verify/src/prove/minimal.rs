@@ -21,6 +21,10 @@ const ONE: u64 = 300;
 /// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
 const BRIEF: u64 = 10;
 
+/// What is said of more objects than this is not looked at as a whole: its model would take more memory than most machines
+/// have to spare.
+pub(super) const LARGEST: usize = 1500;
+
 /// What a refutation rests on.
 struct Core {
     statements: Vec<usize>,
@@ -35,11 +39,13 @@ pub(super) struct Prover<'a> {
     spent: u64,
     /// Whether some question ended for lack of work.
     short: bool,
+    /// Whether some question was about more objects than are looked at.
+    too_large: bool,
 }
 
 impl<'a> Prover<'a> {
     pub fn new(program: &'a Program, options: &'a ProveOptions) -> Self {
-        Self { program, options, spent: 0, short: false }
+        Self { program, options, spent: 0, short: false, too_large: false }
     }
 
     /// Everything.
@@ -49,6 +55,10 @@ impl<'a> Prover<'a> {
         // Crowded regions by themselves, then everything, again and again without what was found.
         let mut looks = crowds(self.program, &self.options.judging, &open);
         looks.reverse();
+        if self.is_too_large(&open) {
+            // What has nothing to do with the rest can be looked at by itself.
+            looks.splice(0..0, parts(self.program, &open).into_iter().rev());
+        }
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
             let (among, part, last) = match looks.pop() {
                 Some(crowd) => (crowd, SMALLER, false),
@@ -70,6 +80,7 @@ impl<'a> Prover<'a> {
         }
         findings.work_spent = self.spent;
         findings.complete = !self.short && !self.is_stopped();
+        findings.too_large = self.too_large;
         findings
     }
 
@@ -81,6 +92,9 @@ impl<'a> Prover<'a> {
         let mut given_up = Vec::new();
         for mut among in looks {
             among.retain(|s| !given_up.contains(s));
+            if self.is_too_large(&among) {
+                continue;
+            }
             let model = self.model(whole(&among));
             let mut problem = model.problem();
             // What is no longer asked of the model.
@@ -142,11 +156,31 @@ impl<'a> Prover<'a> {
             self.short = true;
             return None;
         }
+        if self.is_too_large(choice.statements) {
+            (self.short, self.too_large) = (true, true);
+            return None;
+        }
         let model = self.model(choice);
         self.search(&model, &mut model.problem(), &[], most, tell)
     }
 
+    /// Whether statements speak of more objects than are looked at.
+    fn is_too_large(&self, statements: &[usize]) -> bool {
+        if self.program.objects.len() <= LARGEST {
+            return false;
+        }
+        let mut objects = FxHashSet::default();
+        statements.iter().any(|s| {
+            objects.extend(self.program.constraints[*s].formula.objects());
+            objects.len() > LARGEST
+        })
+    }
+
     fn model(&mut self, choice: Choice<'_>) -> Model {
+        if self.program.objects.len() > LARGEST {
+            // Before a part is looked at, all objects are.
+            self.spent += self.program.objects.len() as u64;
+        }
         let model = Model::new(self.program, &self.options.judging, choice);
         // Making the model is work, too.
         self.spent += size(&model);

@@ -1,5 +1,6 @@
 //! Findings in words: diagnostics, and the steps of a proof.
 
+use super::minimal::LARGEST;
 use super::model::{Model, Source};
 use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
 use super::refute::Told;
@@ -27,6 +28,12 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
             finding = finding.related(program.constraints[by].span, "one of them");
         }
         out.push(finding);
+    }
+    if let (true, Some(first)) = (findings.too_large, program.constraints.first()) {
+        let say = "there are too many objects to be searched for contradictions together";
+        let note =
+            format!("{} objects; a contradiction among more than {LARGEST} is not looked for", program.objects.len());
+        out.push(Diagnostic::new(codes::W0403, first.span, say).note(note));
     }
     out.sort_by_key(|d| d.primary.as_ref().map(|p| (p.place.file, p.place.range.start)));
     out
