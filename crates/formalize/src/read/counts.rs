@@ -7,6 +7,9 @@ use super::scene::MOST_COUNT;
 use super::token::{Kind, Token};
 use std::ops::Range;
 
+/// Less than this (metres) is no size of a thing.
+const THIN: f64 = 0.01;
+
 /// "0 beds" are no beds.
 pub fn none(tokens: &mut [Token]) {
     for i in 0..tokens.len() {
@@ -41,6 +44,14 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
                 let at = sign.at.start..token.at.end;
                 out.push((at, format!("no count and no size is below zero: this is read as {n}")));
             }
+        }
+        let word = |k: usize| tokens.get(k).map_or("", |t| t.text.as_str());
+        let along = ["long", "wide", "high", "tall", "deep", "thick", "across"].contains(&word(i + 2));
+        if let (Kind::Number(n), Some(metres), true) = (token.kind, unit(word(i + 1)), along)
+            && n * metres < THIN
+        {
+            let at = token.at.start..tokens[i + 2].at.end;
+            out.push((at, format!("no thing is so thin: it is made at least {THIN} m, or as large as usual")));
         }
         let thing = |k: usize| tokens.get(k).is_some_and(|t| t.word() && get().noun(&t.text).is_some());
         let whole = tokens.get(i + 1).is_some_and(|t| t.is("a") || t.is("an"));
@@ -97,6 +108,10 @@ mod tests {
             ("half a bed", 1),
             ("half a dozen beds", 0),
             ("half a metre", 0),
+            ("a table 0 m long", 1),
+            ("a rug 5 mm thick", 1),
+            ("a rug 2 cm thick", 0),
+            ("0 m from the wall", 0),
         ] {
             assert_eq!(odd(&tokens(text, 100).0).len(), times, "{text}");
         }
