@@ -28,7 +28,7 @@ fn chain(first: &str, n: usize) -> String {
     format!("object o;\nNumber v0;\nv0 <- {first};\n{links}assert o.pos.x >= v{};\n", n - 1)
 }
 
-const CASES: [Case; 14] = [
+const CASES: [Case; 15] = [
     Case {
         name: "all of many may collide",
         n: 20_000,
@@ -114,6 +114,13 @@ const CASES: [Case; 14] = [
         text: |n| format!("object a[{n}];\nassert forall x in a: forall y in a: x != y implies gap(x, y) > 0;\n"),
         command: &["check"],
         ends: (2, "E0005"),
+    },
+    Case {
+        name: "pairs of hundreds",
+        n: 750,
+        text: |n| format!("object a[{n}];\nassert forall x in a: forall y in a: x != y implies gap(x, y) > 0;\n"),
+        command: &["check"],
+        ends: (0, "W0403"),
     },
     Case {
         name: "time for a check",

@@ -21,9 +21,12 @@ const ONE: u64 = 300;
 /// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
 const BRIEF: u64 = 10;
 
-/// What is said of more objects than this is not looked at as a whole: its model would take more memory than most machines
-/// have to spare.
+/// What is said of more objects than this is not looked at as a whole: its model would take hundreds of megabytes.
 pub(super) const LARGEST: usize = 1500;
+
+/// The same for what is said of them, in nodes of formulas; what a built-in means takes more.
+pub(super) const MOST_SAID: usize = 500_000;
+const BUILT_IN: usize = 4;
 
 /// What a refutation rests on.
 struct Core {
@@ -39,7 +42,7 @@ pub(super) struct Prover<'a> {
     spent: u64,
     /// Whether some question ended for lack of work.
     short: bool,
-    /// Whether some question was about more objects than are looked at.
+    /// Whether some question was about more than is looked at.
     too_large: bool,
 }
 
@@ -164,15 +167,18 @@ impl<'a> Prover<'a> {
         self.search(&model, &mut model.problem(), &[], most, tell)
     }
 
-    /// Whether statements speak of more objects than are looked at.
+    /// Whether statements say more, or of more objects, than is looked at.
     fn is_too_large(&self, statements: &[usize]) -> bool {
-        if self.program.objects.len() <= LARGEST {
-            return false;
-        }
         let mut objects = FxHashSet::default();
+        let mut said = 0;
         statements.iter().any(|s| {
-            objects.extend(self.program.constraints[*s].formula.objects());
-            objects.len() > LARGEST
+            let formula = &self.program.constraints[*s].formula;
+            if self.program.objects.len() > LARGEST {
+                objects.extend(formula.objects());
+            }
+            let built_in = |node: &&Node| matches!(node, Node::BuiltIn(..));
+            said += formula.nodes.len() + BUILT_IN * formula.nodes.iter().filter(built_in).count();
+            objects.len() > LARGEST || said > MOST_SAID
         })
     }
 
