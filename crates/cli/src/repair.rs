@@ -162,8 +162,8 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         }
         let new = layout_file::checked(output, &layout, old.usable.then_some(&old.document));
         let new = new.map_err(|e| e.to_string())?;
-        // What was edited by hand is still in it.
-        let ours = replace::is_ours(&args.layout, text);
+        // What was edited by hand is still in it, and in no other file.
+        let ours = !is_same(output, &args.layout) || replace::is_ours(&args.layout, text);
         files.push((output.clone(), if ours { sealed_json(&new) } else { new }));
         names.push(output.display().to_string());
     }

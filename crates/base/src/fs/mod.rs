@@ -28,9 +28,21 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// What the file system says, with the path in front; and which files are new, if some are.
 pub fn write_set(files: &[(PathBuf, &[u8])]) -> io::Result<()> {
+    write(files, false)
+}
+
+/// Writes a file that others cannot read, unless they could read the one that it replaces.
+///
+/// # Errors
+/// As for [`write_whole`].
+pub fn write_private(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    write(&[(path.to_path_buf(), bytes)], true)
+}
+
+fn write(files: &[(PathBuf, &[u8])], private: bool) -> io::Result<()> {
     let mut ready = Vec::with_capacity(files.len());
     for (path, bytes) in files {
-        ready.push(prepare(path, bytes).map_err(|e| tell(path, &e))?);
+        ready.push(prepare(path, bytes, private).map_err(|e| tell(path, &e))?);
     }
     let paths: Vec<&Path> = files.iter().map(|(path, _)| path.as_path()).collect();
     parts::replace(ready, &paths).map_err(|(at, e)| {
@@ -59,7 +71,7 @@ fn plain(e: &io::Error) -> String {
     said.split_once(" (os error").map_or(said.clone(), |(text, _)| text.to_lowercase())
 }
 
-fn prepare<'a>(path: &Path, bytes: &'a [u8]) -> io::Result<Ready<'a>> {
+fn prepare<'a>(path: &Path, bytes: &'a [u8], private: bool) -> io::Result<Ready<'a>> {
     let (path, old) = match target::of(path)? {
         Target::File { path, old } => (path, old),
         stream => return Ok(Ready::Plain(stream, bytes)),
@@ -67,7 +79,7 @@ fn prepare<'a>(path: &Path, bytes: &'a [u8]) -> io::Result<Ready<'a>> {
     let folder = folder_of(&path);
     std::fs::create_dir_all(folder)?;
     parts::sweep(folder);
-    let mut part = Part::new(folder, &path, old.is_some())?;
+    let mut part = Part::new(folder, &path, private || old.is_some())?;
     part.write(bytes)?;
     if let Some(old) = &old {
         target::keep(part.file(), old)?;

@@ -68,7 +68,7 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// An empty file in `folder`. `private`: until it gets the mode of the file that it replaces.
+    /// An empty file in `folder`. `private`: nobody else may read it, unless it gets another mode later.
     pub(super) fn new(folder: &Path, path: &Path, private: bool) -> io::Result<Self> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(PREFIX).suffix(SUFFIX);

@@ -167,6 +167,10 @@ fn solve(
     trial.cut = outcome.end == End::Time;
     (trial.work, trial.rounds) = (outcome.work, outcome.iterations);
 
+    if interrupt::asked() {
+        // A search that was broken off is no trial.
+        return Ok(());
+    }
     let file = limits.layouts.map(|folder| folder.join(format!("{}.s{}.layout.json", case.name, trial.seed)));
     outcome.layout.scene = file.as_ref().map(|file| relative(&case.path, file));
     outcome.layout.seed = Some(trial.seed);
