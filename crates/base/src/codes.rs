@@ -134,6 +134,7 @@ codes! {
     W0306 "a template that cannot be used"
     W0401 "implied by other statements"
     W0402 "a statement that always holds"
+    W0403 "too large to be searched for contradictions"
     W0501 "parts that do not fill the box"
     W0502 "rooms closer than their walls"
     W0503 "an object crosses a wall"

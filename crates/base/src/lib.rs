@@ -7,6 +7,7 @@ pub mod codes;
 pub mod diagnostic;
 pub mod fix;
 pub mod fs;
+pub mod owned;
 mod pages;
 pub mod source;
 pub mod suggest;

@@ -92,6 +92,9 @@ pub struct Check {
     /// How many files are judged at once [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
+    /// All of it takes at most so long; what is not judged by then could not be judged (exit 2)
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -169,6 +172,9 @@ pub struct Solve {
     /// Where the layout goes [default: the program's name with .layout.json]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// A layout to start from: its objects stay where they are as far as the constraints let them
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
@@ -225,6 +231,12 @@ pub struct Repair {
     /// Where the mended layout goes [default: in place of the old one]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// All of it takes at most so long; what is found then depends on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -285,12 +297,18 @@ pub struct Formalize {
     /// The program to write [default: standard output]
     #[arg(short, long, value_name = "FILE.scene")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Add nothing that the request does not say
     #[arg(long)]
     pub literal: bool,
     /// Do not try to furnish the room: faster, but perhaps more is asked than there is room for
     #[arg(long)]
     pub untried: bool,
+    /// All of it takes at most so long: the trial whether there is a layout ends in time
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// List clause by clause what became of it
     #[arg(long)]
     pub explain: bool,
@@ -314,9 +332,15 @@ pub struct Synth {
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    /// The layout takes at most so long, and a request before it; what comes of it then depends on the machine
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time: Option<f64>,
     /// How long and on how many threads to search
     #[command(flatten)]
     pub search: Search,
@@ -354,6 +378,9 @@ pub struct Export {
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Only these formats: unity, glb, plan, picture, preview; separated by commas
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::export::format)]
     pub only: Vec<String>,
@@ -525,6 +552,9 @@ pub struct BenchSolve {
     /// Also write the result there, as JSON
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
@@ -555,6 +585,9 @@ pub struct EvalRequests {
     /// Write the programs there, NAME.scene
     #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
     pub output: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
     /// Say of so many requests what was missed, the worst first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,

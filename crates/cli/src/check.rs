@@ -3,16 +3,18 @@
 use crate::args::{Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
 use crate::targets::Target;
-use crate::{FAILED, GOOD, fix, out, parallel, settings, targets, watch};
+use crate::{FAILED, GOOD, fix, interrupt, out, parallel, settings, targets, watch};
 use scenelang_base::{Diagnostic, SourceMap, codes};
 use scenelang_export::embedded;
 use scenelang_lang::sources::{Disk, Loader};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, Detail, Options, check_file_with, check_layout_text, exit_code};
 use std::io::IsTerminal;
+use std::time::Duration;
 
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
+    interrupt::within(args.time.filter(|_| !args.watch).map(Duration::from_secs_f64));
     if args.watch { watch::run(args) } else { pass(args, &Disk) }
 }
 

@@ -5,8 +5,7 @@ use crate::args::{EvalRequests, SummaryFormat};
 use crate::formalize::try_out;
 use crate::progress::Progress;
 use crate::table::Table;
-use crate::{FAILED, FINDINGS, GOOD};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace};
 use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
 use scenelang_formalize::Options;
 use std::fmt::Write;
@@ -43,14 +42,14 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
     let begun = Instant::now();
     let mut read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
     if !args.untried {
-        try_out(&mut read);
+        try_out(&mut read, &interrupt::stop());
     }
     let program = scenelang_formalize::write::write(&read.draft);
     let took = Some(begun.elapsed());
     if let Some(folder) = &args.output {
         let path = folder.join(format!("{}.scene", request.name));
-        let written = std::fs::create_dir_all(folder).and_then(|()| write_whole(&path, program.as_bytes()));
-        written.map_err(|e| format!("{}: {e}", path.display()))?;
+        replace::permit(&path, &[], args.force)?;
+        replace::program(&path, &program)?;
     }
     Ok(Reading { program, clauses: read.clauses, understood: read.understood, took })
 }

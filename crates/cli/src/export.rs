@@ -2,16 +2,14 @@
 
 use crate::args::Export;
 use crate::room::Room;
-use crate::{FAILED, interrupt};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, replace};
 use scenelang_export::exporters;
 use scenelang_lang::sources::Disk;
 use scenelang_verify::exit_code;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Writes the files; 0 if all hard constraints hold.
 pub fn run(args: &Export) -> u8 {
-    interrupt::listen();
     match export(args) {
         Ok((code, written)) => {
             for path in written {
@@ -28,21 +26,16 @@ pub fn run(args: &Export) -> u8 {
 
 fn export(args: &Export) -> Result<(u8, Vec<PathBuf>), String> {
     let room = Room::read(&args.layout, &Disk)?;
+    replace::unedited(&args.output, args.force).map_err(|message| format!("error: {message}"))?;
     let scene = room.scene().map_err(|e| format!("error: {e}"))?;
     let mut files = Vec::new();
     // All bytes before the first file.
     for exporter in exporters().iter().filter(|e| args.only.is_empty() || args.only.iter().any(|o| o == e.name())) {
         files.extend(exporter.files(&scene).map_err(|e| format!("error: {e}"))?);
-        if interrupt::asked() {
-            return Err("interrupted; nothing is written".to_owned());
-        }
     }
-    let mut written = Vec::with_capacity(files.len());
-    for file in files {
-        let path = args.output.join(&file.path);
-        write_whole(&path, &file.bytes).map_err(|e| format!("error: {e}"))?;
-        written.push(path);
-    }
+    let inputs: Vec<&Path> = room.checked.sources.iter().map(|(_, file)| file.path()).collect();
+    let written =
+        replace::folder(&args.output, &files, &inputs, args.force).map_err(|message| format!("error: {message}"))?;
     Ok((exit_code(&room.checked.report), written))
 }
 

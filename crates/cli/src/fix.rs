@@ -16,8 +16,9 @@ pub fn run(path: &Path, compile: scenelang_lang::Options, tell: bool) -> std::io
     let Some((name, path)) = program_of(&path.display().to_string(), path) else { return Ok(Vec::new()) };
     let mended = mend(&name, &path, compile, &Disk);
     let mut fixed = Vec::new();
+    let set: Vec<_> = mended.files.iter().map(|file| (file.path.clone(), file.text.as_bytes())).collect();
+    scenelang_base::fs::write_set(&set)?;
     for file in &mended.files {
-        scenelang_base::fs::write_whole(&file.path, file.text.as_bytes())?;
         let made = file.made.iter();
         fixed.extend(made.map(|m| Fixed {
             file: file.name.clone(),

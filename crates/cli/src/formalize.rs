@@ -4,26 +4,32 @@ use crate::args::{Formalize, Judging, SummaryFormat};
 use crate::model::Asked;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
-use crate::{FAILED, FINDINGS, GOOD, interrupt, settings};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
 use scenelang_lang::sources::Disk;
+use scenelang_solve::Stop;
 use scenelang_synth::{Failure, rehearse};
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// What the outcome as JSON calls itself.
 const FORMALIZATION: &str = "scenelang.formalization/1";
+
+/// The part of the time after which the trial ends.
+const TRIAL: f64 = 0.6;
 
 /// More of a file than this is no request (bytes).
 const MOST: u64 = 4 << 20;
 
 /// Writes the program; 0 if something was understood, 1 if nothing was.
 pub fn run(args: &Formalize) -> u8 {
+    let time = args.time.map(Duration::from_secs_f64);
+    interrupt::within(time);
     let request = match (&args.request, &args.file) {
         (Some(request), _) => request.clone(),
         (None, Some(path)) => match text(path) {
@@ -32,6 +38,12 @@ pub fn run(args: &Formalize) -> u8 {
         },
         (None, None) => return fail("there is no request"),
     };
+    let inputs: Vec<&Path> = args.file.as_deref().into_iter().collect();
+    if let Some(path) = &args.output
+        && let Err(message) = replace::permit(path, &inputs, args.force)
+    {
+        return fail(&message);
+    }
     let beside = args.output.as_deref().unwrap_or(Path::new("room.scene"));
     let settings = match settings::all(&Judging::default(), beside, &Disk) {
         Ok((_, settings)) => settings,
@@ -41,18 +53,15 @@ pub fn run(args: &Formalize) -> u8 {
         Ok(model) => model,
         Err(error) => return fail(&error.to_string()),
     };
-    if model.is_some() {
-        interrupt::listen();
-    }
     let Understood { reading, program, diagnostics } =
-        match understand(&request, args.literal, !args.untried, model.as_mut()) {
+        match understand(&request, args.literal, !args.untried, time.map(|time| time.mul_f64(TRIAL)), model.as_mut()) {
             Ok(understood) => understood,
             Err(message) => return fail(&message),
         };
     if let Some(path) = &args.output
-        && let Err(e) = write_whole(path, program.as_bytes())
+        && let Err(message) = replace::program(path, &program)
     {
-        return fail(&e.to_string());
+        return fail(&message);
     }
     match args.format {
         SummaryFormat::Json => {
@@ -101,7 +110,16 @@ pub struct Understood {
 ///
 /// # Errors
 /// The model failed, and the reader understood nothing.
-pub fn understand(request: &str, literal: bool, tried: bool, model: Option<&mut Asked>) -> Result<Understood, String> {
+///
+/// With a time, the trial ends when it is over.
+pub fn understand(
+    request: &str,
+    literal: bool,
+    tried: bool,
+    time: Option<Duration>,
+    model: Option<&mut Asked>,
+) -> Result<Understood, String> {
+    let begun = Instant::now();
     let options = Options { literal };
     let (mut reading, mut diagnostics) = match model {
         None => (read(request, &options), Vec::new()),
@@ -110,7 +128,24 @@ pub fn understand(request: &str, literal: bool, tried: bool, model: Option<&mut 
             (formalized.reading(), formalized.diagnostics)
         }
     };
-    if tried && !try_out(&mut reading) {
+    let stop = interrupt::stop().below();
+    if let Some(time) = time {
+        let (stop, left) = (stop.clone(), time.saturating_sub(begun.elapsed()));
+        let wait = move || {
+            std::thread::sleep(left);
+            stop.set();
+        };
+        std::thread::Builder::new().spawn(wait).map_err(|e| e.to_string())?;
+    }
+    let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
+    let tried = tried && objects <= scenelang_solve::MOST_OBJECTS;
+    if objects > scenelang_solve::MOST_OBJECTS {
+        diagnostics.push(format!("{objects} objects are too many to try whether there is a layout"));
+    }
+    let holds = !tried || try_out(&mut reading, &stop);
+    if !holds && time.is_some() && stop.is_set() {
+        diagnostics.push("the time was over before a layout was found in which all of it holds".to_owned());
+    } else if !holds {
         diagnostics.push(
             "no layout was found in which all of it holds; `scenelang solve` looks longer, and says what is in the way"
                 .to_owned(),
@@ -120,13 +155,13 @@ pub fn understand(request: &str, literal: bool, tried: bool, model: Option<&mut 
 }
 
 /// Tries whether there is a layout, and gives up what is in the way. Whether there is one, or nothing to try.
-pub fn try_out(reading: &mut Reading) -> bool {
+pub fn try_out(reading: &mut Reading, stop: &Stop) -> bool {
     if reading.understood == 0 {
         return true;
     }
     let progress = Progress::new("trying whether there is a layout");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
-    let holds = rehearse(&mut reading.draft, &interrupt::stop(), &mut follow);
+    let holds = rehearse(&mut reading.draft, stop, &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     holds
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{Explain, New, Schema};
 use crate::{FAILED, GOOD};
+use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
 use scenelang_verify::schemas;
 
@@ -29,8 +30,8 @@ pub fn schema(args: &Schema) -> u8 {
 
 /// Writes a small program to start from; a file that is there already is left alone.
 pub fn new(args: &New) -> u8 {
-    if args.file.exists() {
-        eprintln!("error: {} is there already and is left alone", args.file.display());
+    if args.file.exists() && !is_stream(&args.file) {
+        eprintln!("error: {} is there already and is left alone; name another file", args.file.display());
         return FAILED;
     }
     match scenelang_base::fs::write_whole(&args.file, TEMPLATE.as_bytes()) {

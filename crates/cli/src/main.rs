@@ -22,6 +22,7 @@ mod model;
 mod parallel;
 mod progress;
 mod repair;
+mod replace;
 mod room;
 mod settings;
 mod solution;
@@ -48,6 +49,7 @@ pub const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
     let args = Args::parse();
+    interrupt::listen();
     let code = match args.command {
         Command::Check(check) => check::run(&check),
         Command::Solve(solve) => solve::run(&solve),

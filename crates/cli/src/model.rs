@@ -11,13 +11,17 @@ use scenelang_synth::{Advice, Adviser};
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
 use std::env;
-use std::path::PathBuf;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The longest wait for an answer, unless the settings say another.
 const TIMEOUT: Duration = Duration::from_secs(120);
 /// The largest answer (bytes): some ten times of what the longest one would need.
 const LARGEST: u64 = 4 << 20;
+/// What a recorded conversation says of itself.
+const CONVERSATION: &str = "\"format\": \"scenelang.conversation/";
 /// Says where answers are kept.
 const CACHE: &str = "SCENELANG_CACHE";
 
@@ -69,6 +73,9 @@ impl Asked {
             largest: LARGEST,
             stop: interrupt::asked,
         };
+        if let Some(path) = &chosen.record {
+            recordable(path)?;
+        }
         let session = connect(&reach, |name| limits(chosen, settings, name))?;
         let usual = Asking::default();
         let count = |given: Option<u64>, usual: usize| given.and_then(|n| usize::try_from(n).ok()).unwrap_or(usual);
@@ -106,6 +113,20 @@ impl Asked {
     pub fn adviser(&mut self) -> Adviser<'_> {
         Adviser { model: &mut self.session, asking: self.asking }
     }
+}
+
+/// A recording may take the place of another recording, and of nothing else.
+fn recordable(path: &Path) -> Result<(), Error> {
+    if !std::fs::metadata(path).is_ok_and(|data| data.is_file() && data.len() > 0) {
+        return Ok(());
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(200).read_to_end(&mut start));
+    if read.is_ok() && String::from_utf8_lossy(&start).contains(CONVERSATION) {
+        return Ok(());
+    }
+    let say = format!("{} is there already and is no recorded conversation; name another file", path.display());
+    Err(Error::File(say))
 }
 
 fn limits(chosen: &Chosen, settings: &Llm, name: &str) -> Limits {

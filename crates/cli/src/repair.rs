@@ -3,8 +3,9 @@
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
-use crate::{FAILED, FINDINGS, GOOD, settings};
-use scenelang_base::fs::write_whole;
+use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
+use scenelang_base::fs::{is_same, write_set};
+use scenelang_base::owned::sealed_json;
 use scenelang_base::{Edit, FileId};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
@@ -19,9 +20,14 @@ use scenelang_verify::report::{self, model::Place};
 use scenelang_verify::{Checked, Explain, check_file, program_of};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The part of the time that the search may take.
+const SEARCH: f64 = 0.6;
 
 /// Mends; 0 if the layout is or can be mended, 1 if not without asking, 2 if it cannot be judged.
 pub fn run(args: &Repair) -> u8 {
+    interrupt::within(args.time.map(Duration::from_secs_f64));
     match repair(args) {
         Ok(code) => code,
         Err(message) => {
@@ -32,6 +38,7 @@ pub fn run(args: &Repair) -> u8 {
 }
 
 fn repair(args: &Repair) -> Result<u8, String> {
+    let begun = Instant::now();
     let name = args.layout.display().to_string();
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         return Err(format!("{name} is no layout; repair mends layouts"));
@@ -56,6 +63,13 @@ fn repair(args: &Repair) -> Result<u8, String> {
     if !errors.is_empty() {
         return Ok(FAILED);
     }
+    if let Some(output) = args.output.as_ref().filter(|output| !is_same(output, &args.layout)) {
+        replace::permit(output, &[&path], args.force)?;
+    }
+    if let Some(finding) = scenelang_synth::too_large(program) {
+        eprint!("{}", report::diagnostics(&[finding], &checked.sources, color_err()));
+        return Ok(FAILED);
+    }
     let which = match &args.constraint {
         None => Which::All,
         Some(asked) => Which::Rows(rows(&checked, &main, asked)?),
@@ -69,7 +83,9 @@ fn repair(args: &Repair) -> Result<u8, String> {
     };
     let damaged = Damaged { program, layout, text: Some(text) };
     let progress = Progress::new(format!("mending {name}"));
-    let found = look(&damaged, &which, &RepairOptions { judge: options, ..RepairOptions::default() });
+    // The rest is for what was found to be judged and written.
+    let time = args.time.map(|time| Duration::from_secs_f64(SEARCH * time).saturating_sub(begun.elapsed()));
+    let found = look(&damaged, &which, &RepairOptions { judge: options, time, ..RepairOptions::default() });
     drop(progress);
     let found = found.map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
     let choice = choose(args, &found.alternatives)?;
@@ -121,21 +137,23 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
     }
 }
 
-/// Writes what an alternative changes, each file as a whole. Which files.
+/// Writes what an alternative changes, all of it or nothing. Which files.
 fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
-    let mut written = Vec::new();
+    let mut names = Vec::new();
+    let mut files = Vec::new();
     let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
     for (id, text) in texts {
         let source = checked.sources.get(id);
-        write_whole(source.path(), text.as_bytes()).map_err(|e| e.to_string())?;
-        written.push(source.name().to_owned());
+        names.push(source.name().to_owned());
+        files.push((source.path().to_path_buf(), text));
     }
     let output = args.output.as_ref().unwrap_or(&args.layout);
     let moved = !chosen.moves.is_empty() || !chosen.also.is_empty();
     if moved || args.output.is_some() {
         let same = |path: &Path| path == args.layout;
         let old = checked.sources.iter().find(|(_, source)| same(source.path())).map(|(_, source)| source.text());
-        let old = layout_file::read(old.unwrap_or_default(), FileId(0));
+        let text = old.unwrap_or_default();
+        let old = layout_file::read(text, FileId(0));
         let mut layout = chosen.layout.clone();
         // What a search has left undone is done, if all of it holds now.
         layout.incomplete &= args.constraint.is_some();
@@ -144,10 +162,16 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         {
             layout.scene = Some(crate::solve::relative(&scene, output));
         }
-        layout_file::write(output, &layout, old.usable.then_some(&old.document)).map_err(|e| e.to_string())?;
-        written.push(output.display().to_string());
+        let new = layout_file::checked(output, &layout, old.usable.then_some(&old.document));
+        let new = new.map_err(|e| e.to_string())?;
+        // What was edited by hand is still in it, and in no other file.
+        let ours = !is_same(output, &args.layout) || replace::is_ours(&args.layout, text);
+        files.push((output.clone(), if ours { sealed_json(&new) } else { new }));
+        names.push(output.display().to_string());
     }
-    Ok(written)
+    let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write_set(&set).map_err(|e| e.to_string())?;
+    Ok(names)
 }
 
 /// What is said of alternatives.

@@ -4,9 +4,10 @@ use crate::args::{Plain, Solve};
 use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
-use crate::{FAILED, INTERRUPTED, interrupt, settings, solution};
+use crate::{FAILED, INTERRUPTED, interrupt, replace, settings, solution};
+use scenelang_base::fs::is_same;
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered, save_layout};
+use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
 use std::path::{Path, PathBuf};
@@ -17,8 +18,20 @@ const FREE: u64 = 20_000_000;
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
-    let stop = interrupt::listen();
+    let stop = interrupt::stop();
+    interrupt::within(args.time.map(|time| patience(Duration::from_secs_f64(time))));
     let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));
+    let files: Vec<PathBuf> = match args.alternatives {
+        None => vec![output.clone()],
+        Some(n) => (1..=usize::from(n)).map(|n| numbered(&output, n)).collect(),
+    };
+    // Who names a layout to start from and to write to asks for it to be replaced.
+    let named = |file: &Path| args.layout.as_deref().is_some_and(|start| is_same(start, file));
+    for file in &files {
+        if let Err(message) = replace::permit(file, &[&args.scene], args.force || named(file)) {
+            return fail(&message);
+        }
+    }
     let start = match &args.layout {
         None => None,
         Some(path) => match read(path) {
@@ -55,7 +68,7 @@ pub fn run(args: &Solve) -> u8 {
         free: if args.free { FREE } else { 0 },
         threads: args.search.threads(),
         effort: args.search.effort,
-        stop,
+        stop: &stop,
         seed: args.seed,
         judge,
     };
@@ -71,13 +84,11 @@ pub fn run(args: &Solve) -> u8 {
         Err(failure) => return explain(&failure),
     };
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
-    let mut files = Vec::new();
-    for (index, found) in solved.all().enumerate() {
-        let file = if args.alternatives.is_some() { numbered(&output, index + 1) } else { output.clone() };
-        if let Err(e) = save_layout(found, &file) {
-            return fail(&e.to_string());
-        }
-        files.push(file);
+    let edited = |file: &Path| named(file) && start.as_ref().is_some_and(|(_, text)| !replace::is_ours(file, text));
+    let files: Vec<PathBuf> = files.into_iter().take(solved.all().count()).collect();
+    let texts: Vec<_> = solved.all().zip(&files).map(|(found, file)| (file.as_path(), found.text.as_str())).collect();
+    if let Err(message) = replace::layouts(&texts, edited) {
+        return fail(&message);
     }
     match args.format {
         Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
@@ -87,6 +98,12 @@ pub fn run(args: &Solve) -> u8 {
         }
     }
     if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
+}
+
+/// How long is waited for a search to begin that may take so long: from then on it looks at the time itself, and has a
+/// layout to show when it is over.
+pub fn patience(time: Duration) -> Duration {
+    2 * time + Duration::from_secs(1)
 }
 
 /// What is proved of a program that cannot hold, as `check` says it.
@@ -154,6 +171,7 @@ impl Observer for Watch {
     }
     fn leave(&mut self, _stage: Stage) {}
     fn solving(&mut self, p: &scenelang_solve::Progress) {
+        interrupt::gently();
         self.progress.say(crate::progress::solving(p));
     }
 }

@@ -4,12 +4,12 @@ use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
 use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
-use crate::solve::{color_err, explain};
+use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
-use crate::{FAILED, INTERRUPTED, formalize, interrupt, settings};
-use scenelang_export::{Exporter, exporters, unity};
+use crate::{FAILED, INTERRUPTED, formalize, interrupt, replace, settings};
+use scenelang_export::{Exporter, OutFile, exporters, unity};
 use scenelang_lang::sources::Disk;
-use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
+use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
 use serde_json::json;
@@ -21,11 +21,17 @@ const SYNTHESIS: &str = "scenelang.synthesis/1";
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
+    let begun = Instant::now();
+    let time = args.time.map(Duration::from_secs_f64);
+    interrupt::within(time.map(patience));
     let (path, request) = match asked_for(args) {
         Ok(both) => both,
         Err(message) => return fail(&message),
     };
-    let stop = interrupt::listen();
+    let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
+    if let Err(message) = permitted(args, &path, request.is_some(), &stem) {
+        return fail(&message);
+    }
     let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
@@ -39,7 +45,6 @@ pub fn run(args: &Synth) -> u8 {
     {
         return fail(&message);
     }
-    let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let request = Request {
         name: &path.display().to_string(),
         path: &path,
@@ -48,12 +53,12 @@ pub fn run(args: &Synth) -> u8 {
         layout_name: &format!("{stem}.layout.json"),
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
-        time: None,
+        time: time.map(|time| time.saturating_sub(begun.elapsed())),
         alternatives: None,
         free: 0,
         threads: args.search.threads(),
         effort: args.search.effort,
-        stop,
+        stop: &interrupt::stop(),
         seed: args.seed,
         judge,
     };
@@ -70,18 +75,18 @@ pub fn run(args: &Synth) -> u8 {
         }
     };
     stages.enter(Stage::Export);
-    let interrupted = interrupt::asked();
-    let written = if interrupted {
-        save(&solved, &stem, &args.output).map_err(|e| e.to_string())
-    } else {
-        export(&solved, &stem, &args.output, &chosen(args.pipeline)).map_err(|e| e.to_string())
-    };
-    let written = match written {
+    // A layout that was found is not lost to a Ctrl-C while it is exported.
+    interrupt::gently();
+    let written = exported(&solved, &stem, args.pipeline).and_then(|exported| {
+        let files = exported.as_ref().map_or_else(|| own_files(&solved, &stem), Clone::clone);
+        let inputs: Vec<&Path> = solved.compiled.sources.iter().map(|(_, file)| file.path()).collect();
+        Ok((replace::folder(&args.output, &files, &inputs, args.force)?, exported.is_none()))
+    });
+    let (written, interrupted) = match written {
         Ok(written) => written,
-        Err(e) => {
+        Err(message) => {
             drop(stages);
-            eprintln!("error: {e}");
-            return FAILED;
+            return fail(&message);
         }
     };
     stages.leave(Stage::Export);
@@ -125,14 +130,48 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
 
 /// Writes the program of a request.
 fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<(), String> {
-    let understood = formalize::understand(request, args.literal, true, model)?;
+    let understood = formalize::understand(
+        request,
+        args.literal,
+        true,
+        args.time.map(|time| Duration::from_secs_f64(time / 3.0)),
+        model,
+    )?;
     eprint!("{}", formalize::notes(&understood.reading));
     formalize::tell(&understood.diagnostics, None);
     if understood.reading.understood == 0 {
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
-    std::fs::create_dir_all(&args.output).map_err(|e| format!("cannot make {}: {e}", args.output.display()))?;
-    scenelang_base::fs::write_whole(path, understood.program.as_bytes()).map_err(|e| e.to_string())
+    replace::program(path, &understood.program)
+}
+
+/// Whether what is known before the work will be written may be: so that it is not done in vain.
+fn permitted(args: &Synth, path: &Path, asked: bool, stem: &str) -> Result<(), String> {
+    let named = PathBuf::from(&args.request);
+    let mut inputs: Vec<&Path> = vec![path];
+    if asked {
+        inputs = vec![&named];
+        replace::permit(path, &inputs, args.force)?;
+    }
+    replace::permit(&args.output.join(format!("{stem}.layout.json")), &inputs, args.force)?;
+    replace::permit(&args.output.join("report.json"), &inputs, args.force)?;
+    replace::unedited(&args.output, args.force)
+}
+
+/// All files of the scene; `None`: Ctrl-C was pressed before they were made.
+fn exported(solved: &Solved, stem: &str, pipeline: Pipeline) -> Result<Option<Vec<OutFile>>, String> {
+    let mut files = own_files(solved, stem);
+    if interrupt::asked() {
+        return Ok(None);
+    }
+    let scene = scenelang_synth::scene(solved, stem).map_err(|e| e.to_string())?;
+    for exporter in chosen(pipeline) {
+        files.extend(exporter.files(&scene).map_err(|e| e.to_string())?);
+        if interrupt::asked() {
+            return Ok(None);
+        }
+    }
+    Ok(Some(files))
 }
 
 fn fail(message: &str) -> u8 {
@@ -151,7 +190,7 @@ fn chosen(pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
     std::iter::once(unity).chain(exporters().into_iter().filter(|e| e.name() != name)).collect()
 }
 
-fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], folder: &Path) {
+fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], folder: &Path) {
     let report = &solved.first.checked.report;
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     if exit_code(report) != 0 {
@@ -178,15 +217,15 @@ fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], fold
     for path in shown(written, folder) {
         println!("  {}", path.display());
     }
-    if let Some(page) = written.paths.iter().find(|p| p.ends_with("preview.html")) {
+    if let Some(page) = written.iter().find(|p| p.ends_with("preview.html")) {
         println!("\nopen {} to look around", page.display());
     }
 }
 
 /// Files directly in the output folder, and folders in it, each once.
-fn shown(written: &Written, folder: &Path) -> Vec<PathBuf> {
+fn shown(written: &[PathBuf], folder: &Path) -> Vec<PathBuf> {
     let mut out: Vec<PathBuf> = Vec::new();
-    for path in &written.paths {
+    for path in written {
         let first = path.strip_prefix(folder).ok().and_then(|p| p.components().next());
         let top = first.map_or_else(|| path.clone(), |c| folder.join(c));
         if !out.contains(&top) {
@@ -196,7 +235,7 @@ fn shown(written: &Written, folder: &Path) -> Vec<PathBuf> {
     out
 }
 
-fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> serde_json::Value {
+fn json(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)]) -> serde_json::Value {
     let stages: serde_json::Map<String, serde_json::Value> =
         seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
     json!({
@@ -208,7 +247,7 @@ fn json(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)]) -> se
         "summary": solved.first.checked.report.summary,
         "warnings": solved.warnings.iter().map(|d| &d.message).collect::<Vec<_>>(),
         "seconds": stages,
-        "files": written.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
+        "files": written.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
     })
 }
 
@@ -230,6 +269,7 @@ impl Observer for Stages {
         self.seconds.push((stage, time));
     }
     fn solving(&mut self, p: &scenelang_solve::Progress) {
+        interrupt::gently();
         self.progress.say(solving(p));
     }
 }

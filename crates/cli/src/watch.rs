@@ -21,7 +21,6 @@ const PATIENCE: usize = 40;
 
 /// Judges until Ctrl-C; the last exit code.
 pub fn run(args: &Check) -> u8 {
-    interrupt::listen();
     let people = args.format == Format::Human;
     loop {
         if people && io::stdout().is_terminal() {
@@ -72,6 +71,7 @@ impl Loader for Seen {
 
 /// Waits for a change, until it is complete; false: Ctrl-C.
 pub fn wait(seen: &BTreeMap<PathBuf, Stamp>, others: impl Fn() -> bool) -> bool {
+    let _gentle = interrupt::Gentle::new();
     let now = || seen.keys().map(|path| stamp(path)).collect::<Vec<_>>();
     let before: Vec<Stamp> = seen.values().copied().collect();
     loop {

@@ -8,9 +8,11 @@
 
 use crate::ast::Allow;
 pub use crate::natives::BuiltIn;
+use crate::overlaps::Overlaps;
 pub use crate::wording::Wording;
 use scenelang_base::{Span, TextRange};
 use smol_str::SmolStr;
+use std::sync::Arc;
 
 /// Index into [`Program::objects`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -225,8 +227,8 @@ pub enum Pinned {
 /// What the program says about the physical rules.
 #[derive(Clone, Debug, Default)]
 pub struct Allowances {
-    /// Pairs that may overlap, smaller id first, sorted, each once. (`inside` pairs are in `contents`.)
-    pub collide: Vec<(ObjectId, ObjectId)>,
+    /// Pairs that may overlap. (`inside` pairs are in `contents`.)
+    pub collide: Arc<Overlaps>,
     /// Objects that may be outside every region, sorted.
     pub outside: Vec<ObjectId>,
     /// Objects that need no support, sorted.

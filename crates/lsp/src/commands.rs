@@ -5,7 +5,7 @@ use crate::jobs::{Job, Outcome};
 use crate::mending::{self, Wanted};
 use crate::state::State;
 use scenelang_solve::Phase;
-use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange};
+use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
 use scenelang_verify::Verdict;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -84,6 +84,9 @@ fn solve(job: &Job, seed: u64) -> Result<Outcome, Fault> {
     let how = Arranging { seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
     let mut model = job.advisers.model(&job.llm, &job.progress).map_err(|e| Fault::Failed(e.to_string()))?;
     let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
+    if let Some(finding) = too_large(&job.compiled.program) {
+        return Err(Fault::Failed(finding.message));
+    }
     let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
     let mut layout = arranged.outcome.layout;
     layout.seed = Some(seed);

@@ -6,6 +6,7 @@ use crate::dispatch::{Context, Fault};
 use crate::model::Advisers;
 use crate::state::{Event, State, Stop, guarded};
 use crate::text::Text;
+use scenelang_base::owned::{self, Standing};
 use scenelang_base::{Edit, FileId, SourceMap};
 use scenelang_ide::{Compiled, Judging, LayoutFile};
 use scenelang_layout::{Layout, file as layout_file};
@@ -86,6 +87,9 @@ impl Job {
         let document = self.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.document);
         let text = layout_file::to_json(&layout, document);
         let old = self.layout.as_ref().map(|l| self.sources.get(l.file).text());
+        // The command line replaces what scenelang wrote, and nothing that somebody edited.
+        let ours = old.is_none_or(|old| matches!(owned::said(old.as_bytes()), Standing::Ours | Standing::Free));
+        let text = if ours { owned::sealed_json(&text) } else { text };
         Ok(LayoutEdit { path, uri, text, old: old.map(|old| Text::new(old.to_owned())) })
     }
 

@@ -36,6 +36,9 @@ const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 /// # Errors
 /// There is nothing to mend, or no way was found.
 pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
+    if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
+        return Err(Fault::Failed(finding.message));
+    }
     let layout = job.layout.as_ref().filter(|l| l.read.usable);
     let layout =
         &layout.ok_or_else(|| Fault::Failed("there is no layout to mend; solve first".to_owned()))?.read.layout;

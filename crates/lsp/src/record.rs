@@ -12,16 +12,27 @@ use std::path::Path;
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
+/// How each line of a recording begins.
+const START: &str = "{\"from\":";
+
 /// Writes down what is said.
 #[derive(Clone)]
 pub struct Recorder(Arc<Mutex<BufWriter<File>>>);
 
 impl Recorder {
-    /// A recording in a new file.
+    /// A recording in a new file, or in place of another recording.
     ///
     /// # Errors
-    /// What the file system says.
+    /// What the file system says; or that the file is none of ours.
     pub fn new(path: &Path) -> io::Result<Self> {
+        if std::fs::metadata(path).is_ok_and(|data| data.is_file() && data.len() > 0) {
+            let mut start = Vec::new();
+            File::open(path)?.take(START.len() as u64).read_to_end(&mut start)?;
+            if start != START.as_bytes() {
+                let say = format!("{} is there already and is no recorded session; name another file", path.display());
+                return Err(io::Error::new(io::ErrorKind::AlreadyExists, say));
+            }
+        }
         Ok(Self(Arc::new(Mutex::new(BufWriter::new(File::create(path)?)))))
     }
 

@@ -4,14 +4,15 @@ use crate::again::mended;
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
 use scenelang_solve::{
-    Asking, End, Finisher, Free, Hybrid, Outcome, Placed, Problem, Progress, Stop, Tally, alternatives, freedom, hybrid,
+    Asking, End, Finisher, Free, Hybrid, MOST_OBJECTS, Outcome, Placed, Problem, Progress, Stop, Tally, alternatives,
+    freedom, hybrid,
 };
 use scenelang_verify::{Checked, Explain, check_layout_of, check_program};
 use std::ops::ControlFlow;
@@ -181,6 +182,9 @@ pub fn solve_with(
     let Some(program) = &compiled.program else {
         return Err(Failure::Input(compiled.sources, compiled.diagnostics));
     };
+    if let Some(finding) = too_large(program) {
+        return Err(Failure::Input(compiled.sources, vec![finding]));
+    }
     let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
     let locked = request.hold.objects(program, start.as_ref().map(|s| &s.layout));
     let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
@@ -263,6 +267,14 @@ pub fn solve_with(
     let others = all.collect();
     observer.leave(Stage::Layout);
     Ok(Solved { first, others, advice, warnings, compiled })
+}
+
+/// Says so where a program has more objects than are laid out: each pair of them may collide.
+pub fn too_large(program: &Program) -> Option<Diagnostic> {
+    let object = program.objects.get(MOST_OBJECTS)?;
+    let say = format!("{} objects are more than are laid out", program.objects.len());
+    let note = format!("at most {MOST_OBJECTS}; split the scene, or let one object stand for many");
+    Some(Diagnostic::new(codes::E0005, object.span, say).note(note))
 }
 
 /// How a program that is compiled already is laid out.

@@ -12,9 +12,9 @@ mod rehearse;
 
 pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
-    solve_with,
+    solve_with, too_large,
 };
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
-pub use output::{Written, export, save, save_layout};
+pub use output::{own_files, scene};
 pub use rehearse::rehearse;

@@ -1,67 +1,19 @@
-//! Stage IV: what is written, and where. All bytes are made before the first file is touched.
+//! Stage IV: what is to be written. Who writes it decides where, and what it may replace.
 
-use crate::corridor::{Found, Solved};
-use scenelang_base::fs::write_whole;
-use scenelang_export::{ExportError, Exporter, OutFile, Scene, SceneInput};
+use crate::corridor::Solved;
+use scenelang_export::{ExportError, OutFile, Scene, SceneInput};
 use scenelang_lang::program::Program;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Files written, in order.
-#[derive(Debug)]
-pub struct Written {
-    /// Paths, below the output folder or as asked.
-    pub paths: Vec<PathBuf>,
-}
-
-/// Writes a layout alone.
+/// A scene as exporters want it.
 ///
 /// # Errors
-/// What the file system says.
-pub fn save_layout(found: &Found, path: &Path) -> io::Result<()> {
-    write_whole(path, found.text.as_bytes())
-}
-
-/// Writes the scene below `folder`: the program with its imports, the layout, the report, and what the exporters make.
-///
-/// # Errors
-/// An exporter that cannot hold the scene (nothing is written then), or what the file system says.
-pub fn export(
-    solved: &Solved,
-    stem: &str,
-    folder: &Path,
-    exporters: &[Box<dyn Exporter>],
-) -> Result<Written, ExportError> {
+/// Something is not placed, or a floor is no polygon.
+pub fn scene(solved: &Solved, stem: &str) -> Result<Scene, ExportError> {
     let Some(program) = &solved.compiled.program else {
         return Err(ExportError::Format("scene", "the program did not compile".into()));
     };
-    let mut files = own_files(solved, stem);
-    let scene = build(solved, program, stem)?;
-    for exporter in exporters {
-        files.extend(exporter.files(&scene)?);
-    }
-    write(files, folder).map_err(ExportError::Write)
-}
-
-/// Writes below `folder` what is there without the exporters: the program with its imports, the layout, the report.
-///
-/// # Errors
-/// What the file system says.
-pub fn save(solved: &Solved, stem: &str, folder: &Path) -> io::Result<Written> {
-    write(own_files(solved, stem), folder)
-}
-
-fn write(files: Vec<OutFile>, folder: &Path) -> io::Result<Written> {
-    let mut paths = Vec::with_capacity(files.len());
-    for file in files {
-        let path = folder.join(&file.path);
-        // A scene may be built beside its own program, which stays as it is.
-        if std::fs::read(&path).ok().as_deref() != Some(file.bytes.as_slice()) {
-            write_whole(&path, &file.bytes)?;
-        }
-        paths.push(path);
-    }
-    Ok(Written { paths })
+    build(solved, program, stem)
 }
 
 fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, ExportError> {
@@ -80,8 +32,8 @@ fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, Export
     .map_err(|e| failed(&e))
 }
 
-/// The program, its imports, the layout and the report.
-fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
+/// What is there without the exporters: the program, its imports, the layout and the report.
+pub fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
     let sources = &solved.compiled.sources;
     let main = sources.get(solved.compiled.main);
     let folder = main.path().parent().unwrap_or(Path::new(""));

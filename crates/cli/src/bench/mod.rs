@@ -12,35 +12,41 @@ mod trial;
 
 use crate::args::{BenchSolve, Plain};
 use crate::progress::Progress;
-use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, parallel};
+use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, parallel, replace};
 use problems::Case;
-use scenelang_base::fs::write_whole;
 use std::time::Duration;
 use trial::{Limits, Trial};
 
 /// Runs the problems; 0 if each run gave the answer, be it a layout or the proof that there is none.
 pub fn solve(args: &BenchSolve) -> u8 {
-    interrupt::listen();
     let cases = match problems::below(&args.paths) {
         Ok(cases) if cases.is_empty() => return fail("there is no .scene file"),
         Ok(cases) => cases,
         Err(message) => return fail(&message),
     };
+    let inputs: Vec<_> = cases.iter().map(|case| case.path.as_path()).collect();
+    if let Some(path) = &args.output
+        && let Err(message) = replace::permit(path, &inputs, args.force)
+    {
+        return fail(&message);
+    }
     let limits = Limits {
         seeds: args.seeds,
         time: args.time.map(Duration::from_secs_f64),
         layouts: args.layouts.as_deref(),
+        force: args.force,
         judge: scenelang_verify::Options::default(),
     };
+    interrupt::gently();
     let (trials, failures) = run(&cases, &limits, usize::from(args.threads));
     for failure in &failures {
         eprintln!("error: {failure}");
     }
     let record = record::json(args, &trials);
     if let Some(path) = &args.output
-        && let Err(e) = write_whole(path, format!("{record:#}\n").as_bytes())
+        && let Err(message) = replace::json(path, &format!("{record:#}\n"))
     {
-        return fail(&format!("{}: {e}", path.display()));
+        return fail(&message);
     }
     match args.format {
         Plain::Json => println!("{record}"),

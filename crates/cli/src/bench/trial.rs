@@ -1,10 +1,9 @@
 //! One problem, from some seeds: solved, timed, judged.
 
 use super::problems::Case;
-use crate::interrupt;
 use crate::solve::relative;
+use crate::{interrupt, replace};
 use scenelang_base::Diagnostic;
-use scenelang_base::fs::write_whole;
 use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_solve::{End, Outcome, Phase, Placed, Problem, Progress};
@@ -24,6 +23,8 @@ pub struct Limits<'a> {
     pub time: Option<Duration>,
     /// Where layouts go.
     pub layouts: Option<&'a Path>,
+    /// Whether they replace whatever is there.
+    pub force: bool,
     /// How layouts are judged.
     pub judge: scenelang_verify::Options,
 }
@@ -95,7 +96,10 @@ pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
         return Err(format!("{name} does not compile: {why}"));
     };
     let begun = Instant::now();
-    let findings = prove(program, &ProveOptions { judging: limits.judge, ..ProveOptions::default() });
+    let findings = prove(
+        program,
+        &ProveOptions { judging: limits.judge, cancel: Some(interrupt::stop().flag()), ..ProveOptions::default() },
+    );
     let proving = begun.elapsed();
     let mut trials = Vec::new();
     for seed in 0..limits.seeds {
@@ -113,6 +117,9 @@ pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
             rounds: 0,
             cut: false,
         };
+        if interrupt::asked() {
+            break;
+        }
         if findings.contradictions.is_empty() {
             solve(case, &compiled, program, limits, &mut trial)?;
         } else {
@@ -160,12 +167,17 @@ fn solve(
     trial.cut = outcome.end == End::Time;
     (trial.work, trial.rounds) = (outcome.work, outcome.iterations);
 
+    if interrupt::asked() {
+        // A search that was broken off is no trial.
+        return Ok(());
+    }
     let file = limits.layouts.map(|folder| folder.join(format!("{}.s{}.layout.json", case.name, trial.seed)));
     outcome.layout.scene = file.as_ref().map(|file| relative(&case.path, file));
     outcome.layout.seed = Some(trial.seed);
     let text = scenelang_layout::file::to_json(&outcome.layout, None);
     if let Some(file) = &file {
-        write_whole(file, text.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+        replace::permit(file, &[&case.path], limits.force)?;
+        replace::json(file, &text)?;
     }
     let name = compiled.sources.get(compiled.main).name();
     let options = scenelang_lang::Options::default();

@@ -11,7 +11,7 @@ mod site;
 
 use crate::args::View;
 use crate::watch::{Seen, wait};
-use crate::{FAILED, GOOD, interrupt};
+use crate::{FAILED, GOOD};
 use live::Shown;
 use scenelang_export::preview;
 use std::io::Write;
@@ -20,7 +20,6 @@ use std::sync::Arc;
 
 /// Serves until Ctrl-C.
 pub fn run(args: &View) -> u8 {
-    interrupt::listen();
     let Some(viewer) = preview::viewer() else {
         eprintln!("error: this scenelang was built without the viewer; `./x demo` builds it with one");
         return FAILED;

@@ -42,7 +42,8 @@ fn facts(program: &Program) -> serde_json::Value {
     let mounted = allow.mounts.iter().map(|m| &m.object);
     let doors = allow.doors.iter().map(|d| &d.object);
     let held: Vec<_> = mounted.chain(doors).chain(&allow.float).map(name).collect();
-    let overlap: Vec<_> = allow.collide.iter().chain(&allow.contents).map(|(a, b)| [name(a), name(b)]).collect();
+    let overlap: Vec<_> =
+        allow.collide.iter().chain(allow.contents.iter().copied()).map(|(a, b)| [name(&a), name(&b)]).collect();
     json!({ "held": held, "overlap": overlap })
 }
 

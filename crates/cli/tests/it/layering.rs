@@ -11,7 +11,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("layout", &["base"]),
     ("verify", &["lang", "layout"]),
     ("assets", &["layout"]),
-    ("llm", &[]),
+    ("llm", &["base"]),
     ("formalize", &["verify", "llm"]),
     ("solve", &["verify", "llm"]),
     ("export", &["lang", "layout", "assets", "verify"]),

@@ -2,6 +2,7 @@
 //! of the house (layering, licences), and what the documents claim.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod bounded;
 mod carriers;
 mod checkers;
 mod cli;
@@ -24,6 +25,8 @@ mod model;
 mod pipes;
 mod problems;
 mod repair;
+mod replacing;
+mod signals;
 mod solving;
 mod stability;
 mod stage_one;

@@ -11,6 +11,7 @@
 
 mod chunk;
 mod clause;
+mod counts;
 mod defaults;
 mod grid;
 mod lexicon;
@@ -60,7 +61,8 @@ const MOST_WORDS: usize = 12_000;
 
 /// Reads a request. Any text will do; of one that is no English nothing comes but notes.
 pub fn read(request: &str, options: &Options) -> Reading {
-    let (tokens, end) = token::tokens(request, MOST_WORDS);
+    let (mut tokens, end) = token::tokens(request, MOST_WORDS);
+    counts::none(&mut tokens);
     let clauses = clauses(&tokens);
     let mut scene =
         Scene { rooms: vec![scene::Room { name: "room".into(), ..Default::default() }], ..Default::default() };
@@ -80,6 +82,7 @@ pub fn read(request: &str, options: &Options) -> Reading {
     if end < request.len() {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });
     }
+    notes.extend(counts::odd(&tokens).into_iter().map(|(at, reason)| Note { at, reason }));
     defaults::counted(&mut scene, &tokens);
     let understood = read.iter().filter(|r| r.1).count();
     if understood > 0 && !options.literal {
@@ -293,12 +296,31 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
     windows(&named, &mut draft, &mut stated);
     draft.statements = stated.statements;
     draft.notes.extend(stated.notes);
+    draft.notes.extend(scene.notes.iter().map(|(at, reason)| Note { at: at.clone(), reason: reason.clone() }));
+    draft.notes.extend(limited(scene, &draft));
     for (name, at) in &scene.absent {
         if scene.items.iter().any(|i| i.name() == *name) {
             draft.notes.push(Note { at: at.clone(), reason: format!("{name} is asked for elsewhere") });
         }
     }
     draft
+}
+
+/// Numbers of things that follow from others, and sizes of rooms, that are not taken as they are.
+fn limited(scene: &Scene, draft: &Draft) -> Vec<Note> {
+    let mut out = Vec::new();
+    for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| item.per.is_some() && item.part.is_none()) {
+        let reason = counts::said(scene.stated(i) as f64);
+        out.extend(reason.map(|reason| Note { at: item.at.clone(), reason }));
+    }
+    for (room, made) in scene.rooms.iter().zip(&draft.rooms) {
+        for (said, is) in room.size.iter().zip(made.size) {
+            let said = said.filter(|said| (said - is).abs() > 0.001);
+            let reason = said.map(|said| format!("no room is so large or so small: {said} m is read as {is} m"));
+            out.extend(reason.map(|reason| Note { at: room.at.clone(), reason }));
+        }
+    }
+    out
 }
 
 /// A window that something stands under begins above it.

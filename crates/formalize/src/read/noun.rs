@@ -67,6 +67,8 @@ pub struct Np {
     pub det: Det,
     /// How many.
     pub count: Option<usize>,
+    /// The number as it is written, where that is no count of things.
+    pub number: Option<f64>,
     /// A plural with no number.
     pub many: bool,
     /// What it speaks of.
@@ -113,6 +115,7 @@ impl Np {
         Self {
             det: Det::None,
             count: None,
+            number: None,
             many: false,
             kind,
             words: Vec::new(),
@@ -341,10 +344,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     };
     if measure(&rest[used..]).is_none()
         && let Some((n, k)) = number::count(&rest[from..])
-        && n.fract() == 0.0
-        && (0.0..=100_000.0).contains(&n)
+        && (n.fract() == 0.0 || rest.get(from + k).is_some_and(Token::word))
+        && (0.0..=1e9).contains(&n)
     {
-        np.count = Some(n as usize);
+        np.number = super::counts::said(n).map(|_| n);
+        np.count = Some(if n.fract() == 0.0 { n as usize } else { super::counts::whole(n) });
         used = from + k;
         if last_det == Det::None || last_det == Det::Indefinite {
             np.det = Det::Number;

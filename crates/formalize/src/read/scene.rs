@@ -220,6 +220,8 @@ pub struct Scene {
     pub facts: Vec<Fact>,
     /// What must not be there, and where that is said.
     pub absent: Vec<(String, Range<usize>)>,
+    /// Counts and sizes that were not taken as they are, and why.
+    pub notes: Vec<(Range<usize>, String)>,
     /// Items that were taken back: "no, forget the carpet".
     pub gone: Vec<usize>,
 }
@@ -316,8 +318,16 @@ impl Scene {
         if let Some(part) = &it.part {
             return self.elements(part).len();
         }
-        let said = match (it.per, it.count) {
-            (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => self.count(owner) * each,
+        self.stated(item).clamp(1, MOST_COUNT)
+    }
+
+    /// The same, however many that are.
+    pub fn stated(&self, item: usize) -> usize {
+        let it = &self.items[item];
+        match (it.per, it.count) {
+            (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => {
+                self.count(owner).saturating_mul(each)
+            }
             (_, Some(n)) => n,
             (_, None) if it.many => {
                 if matches!(it.group, Group::Ceiling | Group::Seat) {
@@ -327,8 +337,7 @@ impl Scene {
                 }
             }
             (_, None) => 1,
-        };
-        said.clamp(1, MOST_COUNT)
+        }
     }
 
     /// The indices of some of an item.
@@ -365,6 +374,7 @@ impl Scene {
             _ => Some(np.count.unwrap_or(1)),
         };
         let group = np.group.unwrap_or(Group::Floor);
+        self.notes.extend(np.number.and_then(super::counts::said).map(|why| (at.clone(), why)));
         let mut item = Item {
             words: np.words.clone(),
             last: np.last,

@@ -17,6 +17,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_base::{Diagnostic, FileId, SourceMap, Span, TextRange, codes};
 use smol_str::{SmolStr, format_smolstr};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// How many nodes a program may have after expansion.
 pub const MAX_NODES: usize = 4_000_000;
@@ -335,11 +336,7 @@ impl<'a> Lowerer<'a, '_> {
                 })?;
                 let allow = &mut self.program.allow;
                 match (rule, sets.as_slice()) {
-                    (Allow::Collide, [a, b]) => {
-                        for &x in a.iter() {
-                            allow.collide.extend(b.iter().filter(|y| **y != x).map(|&y| (x.min(y), x.max(y))));
-                        }
-                    }
+                    (Allow::Collide, [a, b]) => Arc::make_mut(&mut allow.collide).add(a, b),
                     (Allow::Outside, [a]) => allow.outside.extend(a.iter()),
                     (Allow::Float, [a]) => allow.float.extend(a.iter()),
                     _ => {}
@@ -438,8 +435,7 @@ impl<'a> Lowerer<'a, '_> {
 
     fn finish(mut self) -> (Program, Vec<Diagnostic>) {
         let p = &mut self.program;
-        p.allow.collide.sort_unstable();
-        p.allow.collide.dedup();
+        Arc::make_mut(&mut p.allow.collide).finish();
         for list in [&mut p.allow.outside, &mut p.allow.float] {
             list.sort_unstable();
             list.dedup();

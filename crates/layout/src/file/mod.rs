@@ -8,7 +8,7 @@ mod write;
 pub use json::MAX_DEPTH;
 pub use places::{Block, Entry, MemberPlace, Places};
 pub use read::{FORMAT, LARGEST};
-pub use write::{to_json, write};
+pub use write::{checked, to_json, write};
 
 use crate::Layout;
 use scenelang_base::{Diagnostic, FileId, TextRange, codes};

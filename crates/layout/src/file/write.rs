@@ -33,6 +33,8 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
     let root = old.merged(vec![
         ("format", Some(text(FORMAT))),
         ("scene", layout.scene.as_deref().map(text)),
+        // The sum of the whole file is for whoever writes it, and that of the old file is wrong now.
+        ("written", None),
         ("seed", layout.seed.map(|s| Out::Raw(s.to_string().into()))),
         ("incomplete", layout.incomplete.then(|| Out::Raw("true".into()))),
         ("objects", old.member("objects").block(objects, object)),
@@ -49,16 +51,23 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
 /// Writes a layout, whole or not at all.
 ///
 /// # Errors
-/// What the file system says; or that the layout has a value that no file can hold (a number that is not finite, a size
-/// that is not positive), in which case nothing is written.
+/// What the file system says; or what [`checked`] says, in which case nothing is written.
 pub fn write(path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
+    fs::write_whole(path, checked(path, layout, previous)?.as_bytes())
+}
+
+/// The text of a layout that is to be written to `path`.
+///
+/// # Errors
+/// The layout has a value that no file can hold (a number that is not finite, a size that is not positive).
+pub fn checked(path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<String> {
     let text = to_json(layout, previous);
     // Never leave a file behind that we would not read.
     if let Some(error) = super::read(&text, FileId(0)).diagnostics.iter().find(|d| d.is_error()) {
         let say = format!("cannot write {}: {}", path.display(), error.message);
         return Err(io::Error::new(io::ErrorKind::InvalidData, say));
     }
-    fs::write_whole(path, text.as_bytes())
+    Ok(text)
 }
 
 fn text<'a>(value: &str) -> Out<'a> {

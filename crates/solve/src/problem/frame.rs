@@ -11,6 +11,7 @@ use scenelang_lang::program::{
 };
 use scenelang_layout::Vec3;
 use scenelang_verify::rules::{Scope, Support};
+use std::sync::Arc;
 
 /// Which properties of a region the program assigns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,7 +70,7 @@ pub(crate) struct Frame<'a> {
     /// By object: other objects that share a term with it, and how much it has to do with them; greatest first.
     pub related: Vec<Vec<(ObjectId, f64)>>,
     /// By object: other elements of its array.
-    pub siblings: Vec<Vec<ObjectId>>,
+    pub siblings: Vec<Siblings>,
     /// By object: regions that its terms read.
     pub regions: Vec<Vec<RegionId>>,
     /// By object, by region, by variable: the terms that read it.
@@ -121,7 +122,7 @@ impl<'a> Frame<'a> {
             onlookers: (0..terms.len()).filter(|&t| terms[t].sees_all && !terms[t].walks).collect(),
             walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
             related: related(&terms, n),
-            siblings: objects.clone().map(|o| siblings(program, o)).collect(),
+            siblings: siblings(program),
             followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
             region_followers: (0..program.regions.len() as u32)
                 .map(|r| rules.after(Source::Region(RegionId(r))))
@@ -227,11 +228,36 @@ fn tilts(terms: &[Term], n: usize) -> Vec<bool> {
     found
 }
 
-fn siblings(program: &Program, id: ObjectId) -> Vec<ObjectId> {
-    let array = |i: usize| program.objects[i].array.as_ref().map(|(name, _)| name);
-    let Some(own) = array(id.0 as usize) else { return Vec::new() };
-    let all = (0..program.objects.len()).filter(|&i| i != id.0 as usize && array(i) == Some(own));
-    all.map(|i| ObjectId(i as u32)).collect()
+/// The other objects of an array. All of an array share one list: of 6,000 objects each has 5,999 others.
+#[derive(Clone, Debug)]
+pub(crate) struct Siblings {
+    own: ObjectId,
+    all: Arc<[ObjectId]>,
+}
+
+impl Siblings {
+    pub fn is_empty(&self) -> bool {
+        self.all.len() <= 1
+    }
+    pub fn iter(&self) -> impl Iterator<Item = &ObjectId> {
+        self.all.iter().filter(|o| **o != self.own)
+    }
+}
+
+fn siblings(program: &Program) -> Vec<Siblings> {
+    let mut arrays: FxHashMap<&str, Vec<ObjectId>> = FxHashMap::default();
+    for (i, object) in program.objects.iter().enumerate() {
+        if let Some((name, _)) = &object.array {
+            arrays.entry(name.as_str()).or_default().push(ObjectId(i as u32));
+        }
+    }
+    let arrays: FxHashMap<&str, Arc<[ObjectId]>> = arrays.into_iter().map(|(name, all)| (name, all.into())).collect();
+    let nobody: Arc<[ObjectId]> = Arc::default();
+    let of = |(i, object): (usize, &scenelang_lang::program::Object)| {
+        let all = object.array.as_ref().and_then(|(name, _)| arrays.get(name.as_str()));
+        Siblings { own: ObjectId(i as u32), all: all.unwrap_or(&nobody).clone() }
+    };
+    program.objects.iter().enumerate().map(of).collect()
 }
 
 /// Who shares terms with whom. A term of many objects says less about each pair.

@@ -18,6 +18,9 @@ use scenelang_layout::Layout;
 use smol_str::SmolStr;
 use std::time::Duration;
 
+/// More objects than this are not laid out: every pair of them may collide, and is a check of its own.
+pub const MOST_OBJECTS: usize = 4000;
+
 /// A scene to be laid out.
 #[derive(Clone, Debug)]
 pub struct Problem<'a> {

@@ -173,7 +173,7 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
     let mut state = State::new(&frame, world);
     let all: Vec<Change> = frame.objects().map(|id| Change::Object(id, state.pose(id))).collect();
     if state.attempt(&all, f64::INFINITY).is_some() {
-        state.keep();
+        state.keep_sizes();
     }
     let mut polisher = Polisher::new(&state);
     let targets = Targets { sizes: true, ..Targets::objects(&state, targets) };

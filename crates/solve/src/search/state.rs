@@ -337,6 +337,12 @@ impl<'a> State<'a> {
         }
     }
 
+    /// Keeps a trial of sizes alone: what carries an object is not asked before it has a place.
+    pub fn keep_sizes(&mut self) {
+        self.journal = Journal::default();
+        self.walks_stale = true;
+    }
+
     /// Takes the trial back.
     pub fn undo(&mut self) {
         let journal = std::mem::take(&mut self.journal);

@@ -21,6 +21,13 @@ const ONE: u64 = 300;
 /// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
 const BRIEF: u64 = 10;
 
+/// What is said of more objects than this is not looked at as a whole: its model would take hundreds of megabytes.
+pub(super) const LARGEST: usize = 1500;
+
+/// The same for what is said of them, in nodes of formulas; what a built-in means takes more.
+pub(super) const MOST_SAID: usize = 500_000;
+const BUILT_IN: usize = 4;
+
 /// What a refutation rests on.
 struct Core {
     statements: Vec<usize>,
@@ -35,11 +42,13 @@ pub(super) struct Prover<'a> {
     spent: u64,
     /// Whether some question ended for lack of work.
     short: bool,
+    /// Whether some question was about more than is looked at.
+    too_large: bool,
 }
 
 impl<'a> Prover<'a> {
     pub fn new(program: &'a Program, options: &'a ProveOptions) -> Self {
-        Self { program, options, spent: 0, short: false }
+        Self { program, options, spent: 0, short: false, too_large: false }
     }
 
     /// Everything.
@@ -49,6 +58,10 @@ impl<'a> Prover<'a> {
         // Crowded regions by themselves, then everything, again and again without what was found.
         let mut looks = crowds(self.program, &self.options.judging, &open);
         looks.reverse();
+        if self.is_too_large(&open) {
+            // What has nothing to do with the rest can be looked at by itself.
+            looks.splice(0..0, parts(self.program, &open).into_iter().rev());
+        }
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
             let (among, part, last) = match looks.pop() {
                 Some(crowd) => (crowd, SMALLER, false),
@@ -70,6 +83,7 @@ impl<'a> Prover<'a> {
         }
         findings.work_spent = self.spent;
         findings.complete = !self.short && !self.is_stopped();
+        findings.too_large = self.too_large;
         findings
     }
 
@@ -81,6 +95,9 @@ impl<'a> Prover<'a> {
         let mut given_up = Vec::new();
         for mut among in looks {
             among.retain(|s| !given_up.contains(s));
+            if self.is_too_large(&among) {
+                continue;
+            }
             let model = self.model(whole(&among));
             let mut problem = model.problem();
             // What is no longer asked of the model.
@@ -142,11 +159,34 @@ impl<'a> Prover<'a> {
             self.short = true;
             return None;
         }
+        if self.is_too_large(choice.statements) {
+            (self.short, self.too_large) = (true, true);
+            return None;
+        }
         let model = self.model(choice);
         self.search(&model, &mut model.problem(), &[], most, tell)
     }
 
+    /// Whether statements say more, or of more objects, than is looked at.
+    fn is_too_large(&self, statements: &[usize]) -> bool {
+        let mut objects = FxHashSet::default();
+        let mut said = 0;
+        statements.iter().any(|s| {
+            let formula = &self.program.constraints[*s].formula;
+            if self.program.objects.len() > LARGEST {
+                objects.extend(formula.objects());
+            }
+            let built_in = |node: &&Node| matches!(node, Node::BuiltIn(..));
+            said += formula.nodes.len() + BUILT_IN * formula.nodes.iter().filter(built_in).count();
+            objects.len() > LARGEST || said > MOST_SAID
+        })
+    }
+
     fn model(&mut self, choice: Choice<'_>) -> Model {
+        if self.program.objects.len() > LARGEST {
+            // Before a part is looked at, all objects are.
+            self.spent += self.program.objects.len() as u64;
+        }
         let model = Model::new(self.program, &self.options.judging, choice);
         // Making the model is work, too.
         self.spent += size(&model);

@@ -66,6 +66,8 @@ pub struct Findings {
     pub work_spent: u64,
     /// Whether the search came to its end; if not, more work might find more.
     pub complete: bool,
+    /// Whether something was left out because it says too much, or speaks of too many objects.
+    pub too_large: bool,
 }
 
 /// A minimal set of statements that cannot hold together.

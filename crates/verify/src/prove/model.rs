@@ -65,6 +65,8 @@ pub(super) struct Choice<'a> {
 
 /// Boxes in one region between which every order is looked at, at most.
 const CLOSE_COMPANY: usize = 8;
+/// Of more objects than this in a region, those are left out that may overlap others.
+const CROWD: usize = 400;
 /// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
 const SKEW: f64 = 0.0018;
 
@@ -200,8 +202,16 @@ impl Builder<'_> {
                     }
                 }
             }
-            let excepted = (0..objects.len())
-                .flat_map(|i| (i + 1..objects.len()).map(move |k| (i, k)))
+            // Of a crowd only those count that keep clear of everything: to list who may overlap whom would take long.
+            let objects = if objects.len() > CROWD {
+                let excepted = scope.excepted();
+                objects.into_iter().filter(|o| !excepted.contains(o)).collect()
+            } else {
+                objects
+            };
+            let pairs = if objects.len() > CROWD { 0 } else { objects.len() };
+            let excepted = (0..pairs)
+                .flat_map(|i| (i + 1..pairs).map(move |k| (i, k)))
                 .filter(|(i, k)| !scope.collide(objects[*i], objects[*k]))
                 .collect();
             let members = objects.iter().map(|o| unknowns.member(*o, region)).collect();

@@ -1,5 +1,6 @@
 //! Findings in words: diagnostics, and the steps of a proof.
 
+use super::minimal::{LARGEST, MOST_SAID};
 use super::model::{Model, Source};
 use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
 use super::refute::Told;
@@ -27,6 +28,13 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
             finding = finding.related(program.constraints[by].span, "one of them");
         }
         out.push(finding);
+    }
+    if let (true, Some(first)) = (findings.too_large, program.constraints.first()) {
+        let say = "there is too much to be searched for contradictions together";
+        let note = format!(
+            "at most {LARGEST} objects, and statements that become at most {MOST_SAID} parts, are searched as a whole"
+        );
+        out.push(Diagnostic::new(codes::W0403, first.span, say).note(note));
     }
     out.sort_by_key(|d| d.primary.as_ref().map(|p| (p.place.file, p.place.range.start)));
     out

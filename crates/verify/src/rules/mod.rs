@@ -13,12 +13,16 @@ pub use near::pairs_within;
 use crate::number::Number;
 use crate::world::World;
 use rustc_hash::FxHashSet;
+use scenelang_lang::overlaps::Overlaps;
 use scenelang_lang::program::{Allowances, Mount, ObjectId};
+use std::sync::Arc;
 
 /// Which physical rules apply to what, by the statements of the program and by which containers are solid boxes.
 #[derive(Clone, Debug, Default)]
 pub struct Scope {
-    /// Pairs that may overlap, smaller id first.
+    /// Pairs that may overlap by a statement.
+    allowed: Arc<Overlaps>,
+    /// Pairs of contents and containers, smaller id first.
     may_overlap: FxHashSet<(ObjectId, ObjectId)>,
     outside: FxHashSet<ObjectId>,
     float: FxHashSet<ObjectId>,
@@ -47,7 +51,7 @@ impl Scope {
     pub fn new<N: Number>(world: &World<N>) -> Self {
         let allow = &world.allow;
         let pair = |a: ObjectId, b: ObjectId| (a.min(b), a.max(b));
-        let mut may_overlap: FxHashSet<_> = allow.collide.iter().map(|&(a, b)| pair(a, b)).collect();
+        let mut may_overlap = FxHashSet::default();
         let mut held = FxHashSet::default();
         for &(content, container) in hollow(world).iter() {
             held.insert(content);
@@ -57,6 +61,7 @@ impl Scope {
             may_overlap.insert(pair(content, container));
         }
         Self {
+            allowed: allow.collide.clone(),
             may_overlap,
             outside: allow.outside.iter().copied().collect(),
             float: allow.float.iter().copied().collect(),
@@ -67,13 +72,18 @@ impl Scope {
     }
     /// Whether P-COLLIDE speaks of a pair.
     pub fn collide(&self, a: ObjectId, b: ObjectId) -> bool {
-        a != b && !self.may_overlap.contains(&(a.min(b), a.max(b)))
+        a != b && !self.may_overlap.contains(&(a.min(b), a.max(b))) && !self.allowed.contains(a, b)
     }
     /// How many pairs P-COLLIDE speaks of, among those of `objects` that pass.
     pub fn pairs(&self, objects: usize, passes: impl Fn(ObjectId) -> bool) -> usize {
         let n = (0..objects as u32).filter(|&i| passes(ObjectId(i))).count();
-        let excepted = self.may_overlap.iter().filter(|(a, b)| passes(*a) && passes(*b)).count();
+        let apart = |a: ObjectId, b: ObjectId| passes(a) && passes(b) && !self.allowed.contains(a, b);
+        let excepted = self.may_overlap.iter().filter(|(a, b)| apart(*a, *b)).count() + self.allowed.count(&passes);
         n * n.saturating_sub(1) / 2 - excepted
+    }
+    /// Objects that may overlap any other.
+    pub fn excepted(&self) -> FxHashSet<ObjectId> {
+        self.allowed.objects().into_iter().chain(self.may_overlap.iter().flat_map(|(a, b)| [*a, *b])).collect()
     }
     /// Whether P-BOUNDS speaks of an object, in a program that has regions.
     pub fn bounds(&self, object: ObjectId) -> bool {

@@ -199,6 +199,8 @@ impl Reader<'_> {
             return None;
         }
         item.count = Some(n.min(crate::read::scene::MOST_COUNT));
+        let at = item.at.clone();
+        self.scene.notes.extend(crate::read::counts::said(n as f64).map(|why| (at, why)));
         item.many = n > 1;
         self.mark(k + 1);
         Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
@@ -207,6 +209,7 @@ impl Reader<'_> {
     /// "no television and no whiteboard".
     pub(super) fn deny(&mut self, i: usize, end: usize) -> usize {
         let mut k = i;
+        let first = self.np(i, end).map_or(Det::None, |np| np.det);
         while let Some(np) = self.np(k, end).filter(|n| n.kind == Kind::Thing) {
             let at = self.bytes(k..k + 1);
             // "no blorbing" rules out nothing that could be there.
@@ -215,9 +218,18 @@ impl Reader<'_> {
                 self.mark(k);
             }
             k += 1;
-            while matches!(self.piece(k, end), Some(Piece::And | Piece::Comma)) {
-                k += 1;
+            let mut next = k;
+            while matches!(self.piece(next, end), Some(Piece::And | Piece::Comma)) {
+                next += 1;
             }
+            // "no beds and two chairs": the chairs are there.
+            let counted = self.np(next, end).is_some_and(|n| {
+                n.kind == Kind::Thing && (n.count.is_some() || n.det == Det::Indefinite && first != Det::Indefinite)
+            });
+            if counted {
+                break;
+            }
+            k = next;
         }
         // Where it must not be says nothing more; one that must not be there is none that must not be at all.
         if matches!(self.piece(k, end), Some(Piece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near))) {

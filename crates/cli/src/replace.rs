@@ -1,0 +1,128 @@
+//! What a command may replace: what scenelang wrote and nobody edited since, or what the user says (`--force`). What it
+//! reads it never writes over.
+
+use scenelang_base::fs::{is_same, is_stream, write_set};
+use scenelang_base::owned::{self, Standing, Why, sealed_json, sealed_program, write_folder};
+use scenelang_export::OutFile;
+use std::path::{Path, PathBuf};
+
+/// So many files are named.
+const NAMED: usize = 5;
+
+/// Whether a file may be written, before any work is done for it.
+///
+/// # Errors
+/// Why not, and how to go on.
+pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> {
+    if let Some(input) = inputs.iter().find(|input| is_same(input, path)) {
+        return Err(format!(
+            "{} is the same file as the input {}, which would be lost; name another file with -o",
+            path.display(),
+            input.display()
+        ));
+    }
+    if force {
+        return Ok(());
+    }
+    let why = match owned::standing(path).map_err(|e| e.to_string())? {
+        Standing::Free | Standing::Ours => return Ok(()),
+        Standing::Edited => "was edited since scenelang wrote it",
+        Standing::Foreign => "is there already, and scenelang did not write it",
+    };
+    Err(format!("{} {why}, so it stays as it is; --force replaces it, or name another file", path.display()))
+}
+
+/// Writes a program, with a sum by which it is known again.
+///
+/// # Errors
+/// What the file system says.
+pub fn program(path: &Path, text: &str) -> Result<(), String> {
+    write(path, if is_stream(path) { text.to_owned() } else { sealed_program(text) })
+}
+
+/// Writes a JSON document in the same way.
+///
+/// # Errors
+/// What the file system says.
+pub fn json(path: &Path, text: &str) -> Result<(), String> {
+    layouts(&[(path, text)], |_| false)
+}
+
+/// Writes layouts, all or none of them. `edited`: whether somebody's work is in it, which the next command is not to take
+/// for ours.
+///
+/// # Errors
+/// What the file system says.
+pub fn layouts(files: &[(&Path, &str)], edited: impl Fn(&Path) -> bool) -> Result<(), String> {
+    let plain = |path: &Path| edited(path) || is_stream(path);
+    let sealed = |(path, text): &(&Path, &str)| {
+        (path.to_path_buf(), if plain(path) { (*text).to_owned() } else { sealed_json(text) })
+    };
+    let files: Vec<(PathBuf, String)> = files.iter().map(sealed).collect();
+    let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write_set(&set).map_err(|e| e.to_string())
+}
+
+fn write(path: &Path, text: String) -> Result<(), String> {
+    write_set(&[(path.to_path_buf(), text.as_bytes())]).map_err(|e| e.to_string())
+}
+
+/// Whether a file that was read as `text` is as we wrote it.
+pub fn is_ours(path: &Path, text: &str) -> bool {
+    owned::said(text.as_bytes()) == Standing::Ours || owned::standing(path).is_ok_and(|is| is == Standing::Ours)
+}
+
+/// Whether the files that were written into a folder before are as they were: asked before the work, so that it is not
+/// done in vain.
+///
+/// # Errors
+/// Which are not, and how to go on.
+pub fn unedited(folder: &Path, force: bool) -> Result<(), String> {
+    let edited = if force { Vec::new() } else { owned::edited_below(folder) };
+    if edited.is_empty() {
+        return Ok(());
+    }
+    let files = edited.into_iter().map(|path| (path, Why::Edited)).collect::<Vec<_>>();
+    Err(refused(&files))
+}
+
+/// Writes a set of files into a folder, all or none of them. Which files.
+///
+/// # Errors
+/// Which are in the way, and how to go on; or what the file system says.
+pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], force: bool) -> Result<Vec<PathBuf>, String> {
+    let set: Vec<(PathBuf, &[u8])> = files.iter().map(|file| (file.path.clone(), file.bytes.as_slice())).collect();
+    for (name, bytes) in &set {
+        let path = folder.join(name);
+        // A scene may be built beside its own program, which stays as it is.
+        let lost = |input: &&&Path| is_same(input, &path) && std::fs::read(input).ok().as_deref() != Some(*bytes);
+        if let Some(input) = inputs.iter().find(lost) {
+            let input = input.display();
+            return Err(format!("{} would replace the input {input}; name another folder with -o", path.display()));
+        }
+    }
+    if !force {
+        let found = owned::in_the_way(folder, &set).map_err(|e| e.to_string())?;
+        if !found.is_empty() {
+            return Err(refused(&found.into_iter().map(|found| (found.path, found.why)).collect::<Vec<_>>()));
+        }
+    }
+    write_folder(folder, &set).map_err(|e| e.to_string())?;
+    Ok(set.into_iter().map(|(name, _)| folder.join(name)).collect())
+}
+
+fn refused(files: &[(PathBuf, Why)]) -> String {
+    let mut out = "nothing is written, since these files are not scenelang's to replace:\n".to_owned();
+    for (path, why) in files.iter().take(NAMED) {
+        let why = match why {
+            Why::Edited => "was edited since scenelang wrote it",
+            Why::Foreign => "is there already, and scenelang did not write it",
+            Why::Outside => "is reached by a link out of the folder",
+        };
+        out += &format!("  {} {why}\n", path.display());
+    }
+    if files.len() > NAMED {
+        out += &format!("  and {} more\n", files.len() - NAMED);
+    }
+    out + "--force replaces them, or name another folder with -o"
+}
