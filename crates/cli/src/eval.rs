@@ -6,7 +6,7 @@ use crate::formalize::try_out;
 use crate::progress::Progress;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
 use scenelang_formalize::Options;
 use std::fmt::Write;
@@ -49,8 +49,8 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
     let took = Some(begun.elapsed());
     if let Some(folder) = &args.output {
         let path = folder.join(format!("{}.scene", request.name));
-        let written = std::fs::create_dir_all(folder).and_then(|()| write_whole(&path, program.as_bytes()));
-        written.map_err(|e| format!("{}: {e}", path.display()))?;
+        let written = Door::within(folder).write(&path, program.as_bytes());
+        written.map_err(|e| e.to_string())?;
     }
     Ok(Reading { program, clauses: read.clauses, understood: read.understood, took })
 }
@@ -58,7 +58,8 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
 /// The program that a folder has for a request.
 fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
     let path = folder.join(format!("{}.scene", request.name));
-    let program = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let bytes = Door::within(folder).read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let program = String::from_utf8(bytes).map_err(|_| format!("{} is no text in UTF-8", path.display()))?;
     Ok(Reading { program, ..Reading::default() })
 }
 

@@ -3,9 +3,8 @@
 use crate::args::Export;
 use crate::room::Room;
 use crate::{FAILED, interrupt};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use scenelang_export::exporters;
-use scenelang_lang::sources::Disk;
 use scenelang_verify::exit_code;
 use std::path::PathBuf;
 
@@ -27,7 +26,7 @@ pub fn run(args: &Export) -> u8 {
 }
 
 fn export(args: &Export) -> Result<(u8, Vec<PathBuf>), String> {
-    let room = Room::read(&args.layout, &Disk)?;
+    let room = Room::read(&args.layout, None)?;
     let scene = room.scene().map_err(|e| format!("error: {e}"))?;
     let mut files = Vec::new();
     // All bytes before the first file.
@@ -37,10 +36,11 @@ fn export(args: &Export) -> Result<(u8, Vec<PathBuf>), String> {
             return Err("interrupted; nothing is written".to_owned());
         }
     }
+    let door = Door::within(&args.output);
     let mut written = Vec::with_capacity(files.len());
     for file in files {
         let path = args.output.join(&file.path);
-        write_whole(&path, &file.bytes).map_err(|e| format!("error: {e}"))?;
+        door.write(&path, &file.bytes).map_err(|e| format!("error: {e}"))?;
         written.push(path);
     }
     Ok((exit_code(&room.checked.report), written))

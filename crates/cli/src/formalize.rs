@@ -5,11 +5,10 @@ use crate::model::Asked;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, settings};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
-use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, rehearse};
 use serde_json::json;
 use std::fmt::Write;
@@ -33,7 +32,7 @@ pub fn run(args: &Formalize) -> u8 {
         (None, None) => return fail("there is no request"),
     };
     let beside = args.output.as_deref().unwrap_or(Path::new("room.scene"));
-    let settings = match settings::all(&Judging::default(), beside, &Disk) {
+    let settings = match settings::all(&Judging::default(), &Door::of(beside)) {
         Ok((_, settings)) => settings,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -50,7 +49,7 @@ pub fn run(args: &Formalize) -> u8 {
             Err(message) => return fail(&message),
         };
     if let Some(path) = &args.output
-        && let Err(e) = write_whole(path, program.as_bytes())
+        && let Err(e) = Door::of(path).write(path, program.as_bytes())
     {
         return fail(&e.to_string());
     }
@@ -148,7 +147,10 @@ pub fn text(path: &Path) -> Result<String, String> {
     let read = if path == Path::new("-") {
         std::io::stdin().take(MOST + 1).read_to_end(&mut bytes)
     } else {
-        std::fs::File::open(path).and_then(|f| f.take(MOST + 1).read_to_end(&mut bytes))
+        Door::of(path).read(path).map(|read| {
+            bytes = read;
+            bytes.len()
+        })
     };
     read.map_err(|e| format!("cannot read {name}: {e}"))?;
     if bytes.len() as u64 > MOST {

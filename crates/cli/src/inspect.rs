@@ -5,11 +5,11 @@ use crate::args::{Inspect, Plain};
 use crate::out::Out;
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD, input};
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceMap, TextRange};
 use scenelang_ide::forms;
 use scenelang_lang::db::Analysis;
 use scenelang_lang::parse::parse_file;
-use scenelang_lang::sources::Disk;
 use scenelang_lang::{Options, compile_main};
 use scenelang_verify::report;
 use std::fmt::Display;
@@ -37,7 +37,7 @@ pub fn syntax(args: &Inspect) -> u8 {
 pub fn hir(args: &Inspect) -> u8 {
     let Some((mut sources, main)) = read(&args.file) else { return FAILED };
     let mut analysis = Analysis::new(Options::default());
-    analysis.update(main, &mut sources, &Disk);
+    analysis.update(main, &mut sources, &Door::of(&args.file));
     let (Ok(meanings), Ok(diagnostics)) = (analysis.meanings(main), analysis.diagnostics()) else { return FAILED };
     let file = sources.get(main);
     match args.format {
@@ -50,7 +50,7 @@ pub fn hir(args: &Inspect) -> u8 {
 /// Prints one line for each constraint, or all as JSON. A program that does not compile has none.
 pub fn constraints(args: &Inspect) -> u8 {
     let Some((sources, main)) = read(&args.file) else { return FAILED };
-    let compiled = compile_main(main, Options::default(), &Disk, sources);
+    let compiled = compile_main(main, Options::default(), &Door::of(&args.file), sources);
     show(&compiled.diagnostics, &compiled.sources);
     let Some(program) = &compiled.program else { return FAILED };
     match args.format {

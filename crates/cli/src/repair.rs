@@ -4,17 +4,16 @@ use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD, settings};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::{Door, Named};
 use scenelang_base::{Edit, FileId};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::sources::Disk;
 use scenelang_layout::{Vec3, file as layout_file};
 use scenelang_solve::mend::{Alternative, Damaged, How, MendOptions, Moved, Text, Unjudged, Which, edited, mend};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
-use scenelang_verify::{Checked, Explain, check_file, program_of};
+use scenelang_verify::{Checked, Explain, check_file_with, program_of};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -34,20 +33,23 @@ fn repair(args: &Repair) -> Result<u8, String> {
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         return Err(format!("{name} is no layout; repair mends layouts"));
     }
-    let (mut options, allowed) = match settings::options(&args.judging, &args.layout, &Disk) {
+    let named = Named::new(std::iter::once(args.layout.as_path()));
+    let door = &Door::of(&args.layout).named(&named);
+    let (judging, _) = match settings::all(&args.judging, door) {
         Ok(both) => both,
         Err(refused) => {
             eprint!("{}", report::diagnostics(&refused.diagnostics, &refused.sources, color_err()));
             return Ok(FAILED);
         }
     };
+    let mut options = judging.options;
     options.detail.explain = Explain::First(0);
-    let mut checked = check_file(&name, &args.layout, &options, scenelang_lang::Options::default());
-    checked.silence(&allowed);
+    let mut checked = check_file_with(&name, &args.layout, &options, scenelang_lang::Options::default(), door);
+    checked.silence(&judging.allow);
     let errors: Vec<_> = checked.verdict.diagnostics.iter().filter(|d| d.is_error()).cloned().collect();
     eprint!("{}", report::diagnostics(&errors, &checked.sources, color_err()));
     let (Some(program), Some(layout), Some((main, path))) =
-        (&checked.program, &checked.layout, program_of(&name, &args.layout))
+        (&checked.program, &checked.layout, program_of(&name, &args.layout, door))
     else {
         return Ok(FAILED);
     };
@@ -62,7 +64,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
         name: &main,
         path: &path,
         compile: scenelang_lang::Options::default(),
-        loader: &Disk,
+        loader: door,
         sources: &checked.sources,
     };
     let damaged = Damaged { program, layout, text: Some(text) };
@@ -73,7 +75,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let choice = choose(args, &found.alternatives)?;
     let mut written = Vec::new();
     if let Some(chosen) = choice.filter(|_| !args.dry_run) {
-        written = apply(args, &checked, &found.alternatives[chosen])?;
+        written = apply(args, door, &checked, &found.alternatives[chosen])?;
     }
     let told = Told { checked: &checked, program, name: &name };
     let all_holds = found.failing.is_empty();
@@ -120,12 +122,12 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
 }
 
 /// Writes what an alternative changes, each file as a whole. Which files.
-fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
+fn apply(args: &Repair, door: &Door, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
     let mut written = Vec::new();
     let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
     for (id, text) in texts {
         let source = checked.sources.get(id);
-        write_whole(source.path(), text.as_bytes()).map_err(|e| e.to_string())?;
+        door.write(source.path(), text.as_bytes()).map_err(|e| e.to_string())?;
         written.push(source.name().to_owned());
     }
     let output = args.output.as_ref().unwrap_or(&args.layout);
@@ -138,11 +140,12 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         // What a search has left undone is done, if all of it holds now.
         layout.incomplete &= args.constraint.is_some();
         if let (Some(_), Some((_, scene))) =
-            (&args.output, program_of(&args.layout.display().to_string(), &args.layout))
+            (&args.output, program_of(&args.layout.display().to_string(), &args.layout, door))
         {
             layout.scene = Some(crate::solve::relative(&scene, output));
         }
-        layout_file::write(output, &layout, old.usable.then_some(&old.document)).map_err(|e| e.to_string())?;
+        let to = Door::of(output);
+        layout_file::write(&to, output, &layout, old.usable.then_some(&old.document)).map_err(|e| e.to_string())?;
         written.push(output.display().to_string());
     }
     Ok(written)

@@ -5,7 +5,7 @@ use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, settings, solution};
-use scenelang_lang::sources::Disk;
+use scenelang_base::door::Door;
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered, save_layout};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
@@ -26,7 +26,7 @@ pub fn run(args: &Solve) -> u8 {
             Err(message) => return fail(&message),
         },
     };
-    let (judge, settings) = match settings::all(&args.judging, &args.scene, &Disk) {
+    let (judging, settings) = match settings::all(&args.judging, &Door::of(&args.scene)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -57,7 +57,7 @@ pub fn run(args: &Solve) -> u8 {
         effort: args.search.effort,
         stop,
         seed: args.seed,
-        judge,
+        judge: judging.options,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
     let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
@@ -127,7 +127,8 @@ pub fn relative(scene: &Path, layout: &Path) -> String {
 }
 
 fn read(path: &Path) -> Result<String, String> {
-    let bytes = std::fs::read(path)
+    let bytes = Door::of(path)
+        .read(path)
         .map_err(|e| format!("cannot read {}: {}", path.display(), scenelang_lang::sources::plain(&e)))?;
     scenelang_layout::file::decode(bytes).map_err(|d| format!("{}: {}", path.display(), d.message))
 }

@@ -7,8 +7,8 @@ use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
 use crate::{FAILED, INTERRUPTED, formalize, interrupt, settings};
+use scenelang_base::door::Door;
 use scenelang_export::{Exporter, exporters, unity};
-use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
@@ -26,7 +26,7 @@ pub fn run(args: &Synth) -> u8 {
         Err(message) => return fail(&message),
     };
     let stop = interrupt::listen();
-    let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
+    let (judging, settings) = match settings::all(&Judging::default(), &Door::of(&path)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -55,7 +55,7 @@ pub fn run(args: &Synth) -> u8 {
         effort: args.search.effort,
         stop,
         seed: args.seed,
-        judge,
+        judge: judging.options,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
@@ -131,8 +131,7 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
     if understood.reading.understood == 0 {
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
-    std::fs::create_dir_all(&args.output).map_err(|e| format!("cannot make {}: {e}", args.output.display()))?;
-    scenelang_base::fs::write_whole(path, understood.program.as_bytes()).map_err(|e| e.to_string())
+    Door::within(&args.output).write(path, understood.program.as_bytes()).map_err(|e| e.to_string())
 }
 
 fn fail(message: &str) -> u8 {

@@ -1,11 +1,11 @@
 //! Stage IV: what is written, and where. All bytes are made before the first file is touched.
 
 use crate::corridor::{Found, Solved};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use scenelang_export::{ExportError, Exporter, OutFile, Scene, SceneInput};
 use scenelang_lang::program::Program;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Files written, in order.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub struct Written {
 /// # Errors
 /// What the file system says.
 pub fn save_layout(found: &Found, path: &Path) -> io::Result<()> {
-    write_whole(path, found.text.as_bytes())
+    Door::of(path).write(path, found.text.as_bytes())
 }
 
 /// Writes the scene below `folder`: the program with its imports, the layout, the report, and what the exporters make.
@@ -52,12 +52,13 @@ pub fn save(solved: &Solved, stem: &str, folder: &Path) -> io::Result<Written> {
 }
 
 fn write(files: Vec<OutFile>, folder: &Path) -> io::Result<Written> {
+    let door = Door::within(folder);
     let mut paths = Vec::with_capacity(files.len());
     for file in files {
         let path = folder.join(&file.path);
         // A scene may be built beside its own program, which stays as it is.
-        if std::fs::read(&path).ok().as_deref() != Some(file.bytes.as_slice()) {
-            write_whole(&path, &file.bytes)?;
+        if door.read(&path).ok().as_deref() != Some(file.bytes.as_slice()) {
+            door.write(&path, &file.bytes)?;
         }
         paths.push(path);
     }
@@ -90,6 +91,7 @@ fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
         // An import from above the program's folder would land outside of ours; its text is embedded in the scene.
         if id != solved.compiled.main
             && let Ok(relative) = file.path().strip_prefix(folder)
+            && relative.components().all(|part| matches!(part, Component::Normal(_)))
         {
             out.push(OutFile::new(relative, file.text()));
         }

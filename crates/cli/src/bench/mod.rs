@@ -14,7 +14,7 @@ use crate::args::{BenchSolve, Plain};
 use crate::progress::Progress;
 use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, parallel};
 use problems::Case;
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use std::time::Duration;
 use trial::{Limits, Trial};
 
@@ -38,7 +38,7 @@ pub fn solve(args: &BenchSolve) -> u8 {
     }
     let record = record::json(args, &trials);
     if let Some(path) = &args.output
-        && let Err(e) = write_whole(path, format!("{record:#}\n").as_bytes())
+        && let Err(e) = Door::of(path).write(path, format!("{record:#}\n").as_bytes())
     {
         return fail(&format!("{}: {e}", path.display()));
     }

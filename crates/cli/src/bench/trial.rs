@@ -4,8 +4,7 @@ use super::problems::Case;
 use crate::interrupt;
 use crate::solve::relative;
 use scenelang_base::Diagnostic;
-use scenelang_base::fs::write_whole;
-use scenelang_lang::sources::Disk;
+use scenelang_base::door::Door;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_solve::{End, Outcome, Phase, Placed, Problem, Progress};
 use scenelang_synth::furnish;
@@ -165,11 +164,12 @@ fn solve(
     outcome.layout.seed = Some(trial.seed);
     let text = scenelang_layout::file::to_json(&outcome.layout, None);
     if let Some(file) = &file {
-        write_whole(file, text.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+        Door::of(file).write(file, text.as_bytes()).map_err(|e| e.to_string())?;
     }
     let name = compiled.sources.get(compiled.main).name();
     let options = scenelang_lang::Options::default();
-    let checked = check_layout_of("layout.json", text, (name, &case.path), &limits.judge, options, &Disk);
+    let checked =
+        check_layout_of("layout.json", text, (name, &case.path), &limits.judge, options, &Door::of(&case.path));
     trial.held = checked.report.summary;
     if exit_code(&checked.report) == 0 {
         trial.answer = Answer::Solved;

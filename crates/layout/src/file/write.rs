@@ -3,7 +3,8 @@
 use super::json::{Json, Member, Node, find};
 use super::{Document, FORMAT};
 use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
-use scenelang_base::{FileId, fs};
+use scenelang_base::FileId;
+use scenelang_base::door::Door;
 use std::borrow::Cow;
 use std::fmt::Write;
 use std::io;
@@ -46,19 +47,19 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
     out
 }
 
-/// Writes a layout, whole or not at all.
+/// Writes a layout through a door, whole or not at all.
 ///
 /// # Errors
 /// What the file system says; or that the layout has a value that no file can hold (a number that is not finite, a size
 /// that is not positive), in which case nothing is written.
-pub fn write(path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
+pub fn write(door: &Door, path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
     let text = to_json(layout, previous);
     // Never leave a file behind that we would not read.
     if let Some(error) = super::read(&text, FileId(0)).diagnostics.iter().find(|d| d.is_error()) {
         let say = format!("cannot write {}: {}", path.display(), error.message);
         return Err(io::Error::new(io::ErrorKind::InvalidData, say));
     }
-    fs::write_whole(path, text.as_bytes())
+    door.write(path, text.as_bytes())
 }
 
 fn text<'a>(value: &str) -> Out<'a> {

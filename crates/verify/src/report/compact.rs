@@ -1,6 +1,6 @@
 //! The report for people in a hurry: a line for each finding, in the form that editors and terminals make clickable.
 
-use super::human::{Human, holding, summary};
+use super::human::{Human, holding, judged_with, summary};
 use super::model::{Finding, Kind, Place, Report, Row};
 use std::fmt::Write;
 
@@ -24,6 +24,7 @@ pub fn compact(report: &Report, Human { color, all }: Human) -> String {
         holding(report, &mut out);
     }
     let _infallible = writeln!(out, "{}: {}", report.file, summary(report));
+    judged_with(report, &mut out);
     out
 }
 

@@ -1,7 +1,7 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
 use super::exit_code;
-use super::model::{Kind, Summary, Tally};
+use super::model::{JudgedWith, Kind, Summary, Tally};
 use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -43,7 +43,15 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
         line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
     }
     line(&mut out, format_args!("{}: {}", report.file, summary(report)));
+    judged_with(report, &mut out);
     out
+}
+
+/// The settings that make the verdict another than the usual one.
+pub(super) fn judged_with(report: &super::Report, out: &mut String) {
+    if let Some(JudgedWith { file, changes }) = &report.judged_with {
+        line(out, format_args!("judged with {file}: {}", changes.join(", ")));
+    }
 }
 
 /// A line for each row that does not fail.
