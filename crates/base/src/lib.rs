@@ -9,6 +9,7 @@ pub mod door;
 pub mod fix;
 pub mod fs;
 mod pages;
+pub mod plain;
 pub mod source;
 pub mod suggest;
 

@@ -31,7 +31,7 @@ pub fn run(args: &Diff) -> u8 {
             for checked in [&before, &after] {
                 eprint!("{}", errors(checked));
             }
-            print!("{}", human(&comparison));
+            crate::out::show(&human(&comparison));
         }
         SummaryFormat::Json => match serde_json::to_string(&comparison) {
             Ok(text) => println!("{text}"),

@@ -32,7 +32,7 @@ pub fn requests(args: &EvalRequests) -> u8 {
     };
     match args.format {
         SummaryFormat::Json => println!("{}", requests.json()),
-        SummaryFormat::Human => print!("{}", text(&requests, args.worst)),
+        SummaryFormat::Human => crate::out::show(&text(&requests, args.worst)),
     }
     let free = requests.free();
     if free.part == free.whole { GOOD } else { FINDINGS }

@@ -2,7 +2,7 @@
 
 use crate::args::Export;
 use crate::room::Room;
-use crate::{FAILED, interrupt};
+use crate::{FAILED, interrupt, out};
 use scenelang_base::door::Door;
 use scenelang_export::exporters;
 use scenelang_verify::exit_code;
@@ -14,7 +14,7 @@ pub fn run(args: &Export) -> u8 {
     match export(args) {
         Ok((code, written)) => {
             for path in written {
-                println!("{}", path.display());
+                out::show(&format!("{}\n", path.display()));
             }
             code
         }

@@ -1,5 +1,6 @@
 //! `check --fix`: makes the safe fixes before the judgement.
 
+use crate::out;
 use scenelang_base::door::Door;
 use scenelang_lang::mend::mend;
 use scenelang_verify::program_of;
@@ -32,13 +33,13 @@ pub fn run(path: &Path, compile: scenelang_lang::Options, door: &Door, tell: boo
         for file in mended.files.iter().filter(|file| is_ours(&file.path)) {
             let (made, all) = (file.made.len(), file.made.len() + file.left);
             let plural = if all == 1 { "" } else { "s" };
-            println!("fixed {made} of {all} finding{plural} in {}", file.name);
+            out::show(&format!("fixed {made} of {all} finding{plural} in {}\n", file.name));
         }
         if mended.refused > 0 {
             println!("{} not fixed, since what they change overlaps", mended.refused);
         }
         for name in &mended.foreign {
-            println!("{name} is outside the program's folder and stays as it is");
+            out::show(&format!("{name} is outside the program's folder and stays as it is\n"));
         }
     }
     Ok(fixed)

@@ -73,7 +73,7 @@ pub fn run(args: &Formalize) -> u8 {
         SummaryFormat::Human => {
             match (&args.output, args.explain) {
                 (None, _) => print!("{program}"),
-                (Some(_), true) => print!("{}", explained(&reading)),
+                (Some(_), true) => crate::out::show(&explained(&reading)),
                 (Some(path), false) => println!("{} written", path.display()),
             }
             if args.explain && args.output.is_none() {

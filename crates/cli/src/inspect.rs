@@ -21,7 +21,7 @@ pub fn syntax(args: &Inspect) -> u8 {
     let Some((sources, id)) = read(&args.file) else { return FAILED };
     let file = sources.get(id);
     match args.format {
-        Plain::Text => print(forms::syntax::text(file.text())),
+        Plain::Text => crate::out::show(&forms::syntax::text(file.text())),
         Plain::Json => print(format_args!("{}\n", forms::syntax::json(file.name(), file.text()))),
     }
     let errors: Vec<Diagnostic> = parse_file(file.text())
@@ -41,7 +41,7 @@ pub fn hir(args: &Inspect) -> u8 {
     let (Ok(meanings), Ok(diagnostics)) = (analysis.meanings(main), analysis.diagnostics()) else { return FAILED };
     let file = sources.get(main);
     match args.format {
-        Plain::Text => print(forms::hir::text(file, &sources, &meanings)),
+        Plain::Text => crate::out::show(&forms::hir::text(file, &sources, &meanings)),
         Plain::Json => print(format_args!("{}\n", forms::hir::json(file, &sources, &meanings))),
     }
     if show(&diagnostics, &sources) { FINDINGS } else { GOOD }
@@ -54,7 +54,7 @@ pub fn constraints(args: &Inspect) -> u8 {
     show(&compiled.diagnostics, &compiled.sources);
     let Some(program) = &compiled.program else { return FAILED };
     match args.format {
-        Plain::Text => print(forms::constraints::text(program, &compiled.sources, main)),
+        Plain::Text => crate::out::show(&forms::constraints::text(program, &compiled.sources, main)),
         Plain::Json => print(format_args!("{}\n", forms::constraints::json(program, &compiled.sources, main))),
     }
     GOOD

@@ -3,7 +3,7 @@
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
-use crate::{FAILED, FINDINGS, GOOD, settings};
+use crate::{FAILED, FINDINGS, GOOD, out, settings};
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Edit, FileId};
 use scenelang_lang::Program;
@@ -84,7 +84,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
             let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
             println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
         }
-        Plain::Text => print!("{}", told.text(&found.failing, &found.alternatives, choice, args, &written)),
+        Plain::Text => out::show(&told.text(&found.failing, &found.alternatives, choice, args, &written)),
     }
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
 }

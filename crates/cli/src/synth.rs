@@ -6,7 +6,7 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain};
 use crate::table::Table;
-use crate::{FAILED, INTERRUPTED, formalize, interrupt, settings};
+use crate::{FAILED, INTERRUPTED, formalize, interrupt, out, settings};
 use scenelang_base::door::Door;
 use scenelang_export::{Exporter, exporters, unity};
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, Written, export, save};
@@ -175,7 +175,7 @@ fn human(solved: &Solved, written: &Written, seconds: &[(Stage, Duration)], fold
     println!("{} in {}\n", count(layout.objects.len(), "object"), count(layout.regions.len(), "region"));
     println!("{}\n{}", held.render(), times.render());
     for path in shown(written, folder) {
-        println!("  {}", path.display());
+        out::show(&format!("  {}\n", path.display()));
     }
     if let Some(page) = written.paths.iter().find(|p| p.ends_with("preview.html")) {
         println!("\nopen {} to look around", page.display());

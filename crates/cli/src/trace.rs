@@ -4,7 +4,7 @@ use crate::args::{By, SummaryFormat, Trace as Args};
 use crate::solve::color_err;
 use crate::{FAILED, input, settings};
 use scenelang_base::door::Door;
-use scenelang_base::{Diagnostic, SourceMap};
+use scenelang_base::{Diagnostic, SourceMap, plain};
 use scenelang_lang::sources::plain;
 use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
@@ -32,7 +32,7 @@ pub fn run(args: &Args) -> u8 {
     };
     let trace = trace(&name, &compiled, judged.as_ref().map(|(layout, checked)| (layout.as_str(), &checked.report)));
     let text = match args.format {
-        SummaryFormat::Human => human(&trace, args.by),
+        SummaryFormat::Human => plain::lines(&human(&trace, args.by)).into_owned(),
         SummaryFormat::Json => match serde_json::to_string(&trace) {
             Ok(text) => text + "\n",
             Err(e) => {

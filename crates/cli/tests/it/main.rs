@@ -14,6 +14,8 @@ mod faults;
 mod fixing;
 mod formats;
 mod hostile;
+#[cfg(unix)]
+mod hostile_repositories;
 mod inspect;
 mod interrupts;
 mod kills;
