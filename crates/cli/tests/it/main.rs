@@ -2,6 +2,7 @@
 //! of the house (layering, licences), and what the documents claim.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod agreement;
 mod carriers;
 mod checkers;
 mod cli;
@@ -26,6 +27,7 @@ mod pipes;
 mod problems;
 mod repair;
 mod solving;
+mod speaking;
 mod stability;
 mod stage_one;
 mod support;
