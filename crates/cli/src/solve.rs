@@ -62,7 +62,7 @@ pub fn run(args: &Solve) -> u8 {
     let mut watch = Watch { progress: Progress::new("reading") };
     let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
     drop(watch);
-    let solved = match solved {
+    let mut solved = match solved {
         Ok(solved) => solved,
         Err(Failure::Contradiction(checked)) if args.format == Plain::Json => {
             println!("{}", solution::refuted(request.name, &checked));
@@ -70,6 +70,9 @@ pub fn run(args: &Solve) -> u8 {
         }
         Err(failure) => return explain(&failure),
     };
+    for found in std::iter::once(&mut solved.first).chain(&mut solved.others) {
+        found.checked.report.judged_with.clone_from(&judging.with);
+    }
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     let mut files = Vec::new();
     for (index, found) in solved.all().enumerate() {

@@ -58,7 +58,7 @@ pub fn run(args: &Synth) -> u8 {
         judge: judging.options,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
-    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
+    let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
         Err(failure) => {
             drop(stages);
@@ -69,6 +69,7 @@ pub fn run(args: &Synth) -> u8 {
             return explain(&failure);
         }
     };
+    solved.first.checked.report.judged_with = judging.with;
     stages.enter(Stage::Export);
     let interrupted = interrupt::asked();
     let written = if interrupted {

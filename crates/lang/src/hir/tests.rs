@@ -13,7 +13,7 @@ fn meaning(text: &str) -> String {
     let mut sources = SourceMap::new();
     let main = sources.add(SourceFile::new("a.scene", "a.scene", text));
     let mut analysis = Analysis::new(Options::default());
-    analysis.update(main, &mut sources, &Door::of(Path::new("a.scene")));
+    analysis.update(main, &mut sources, &Door::of("a.scene".as_ref()));
     let meanings = analysis.meanings(main).expect("nobody changes it");
     let (Place { offset, stmt, .. }, hir) = *meanings.statements.last().expect("a statement");
     let slice = |range: TextRange| &text[range.shifted(offset).bytes()];
