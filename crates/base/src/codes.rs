@@ -59,6 +59,7 @@ codes! {
     E0006 "the file is too large"
     E0007 "settings that cannot be used"
     E0008 "no scene is embedded"
+    E0009 "a file outside the workspace"
 
     E0101 "a character that means nothing here"
     E0102 "a string that does not close"

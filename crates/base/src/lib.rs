@@ -1,14 +1,16 @@
-//! The ground floor: places in source text, the one diagnostic type with its table of codes, and file writes
-//! that happen whole or not at all.
+//! The ground floor: places in source text, the one diagnostic type with its table of codes, the one door to the disk,
+//! and file writes that happen whole or not at all.
 //!
 //! Absent here: anything about scenes, and any rendering of diagnostics.
 
 pub mod codes;
 pub mod diagnostic;
+pub mod door;
 pub mod fix;
 pub mod fs;
 pub mod owned;
 mod pages;
+pub mod plain;
 pub mod source;
 pub mod suggest;
 

@@ -3,31 +3,37 @@
 use crate::args::{Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
 use crate::targets::Target;
+use crate::watch::{Seen, Watched};
 use crate::{FAILED, GOOD, fix, interrupt, out, parallel, settings, targets, watch};
+use scenelang_analysis::Question;
+use scenelang_base::door::{Door, Named};
 use scenelang_base::{Diagnostic, SourceMap, codes};
 use scenelang_export::embedded;
-use scenelang_lang::sources::{Disk, Loader};
+use scenelang_lang::sources::Loader;
 use scenelang_verify::report::{self, Human};
-use scenelang_verify::{Checked, Detail, Options, check_file_with, check_layout_text, exit_code};
+use scenelang_verify::{Checked, Detail, check_layout_text, exit_code};
 use std::io::IsTerminal;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Judges each file; the worst exit code.
 pub fn run(args: &Check) -> u8 {
     interrupt::within(args.time.filter(|_| !args.watch).map(Duration::from_secs_f64));
-    if args.watch { watch::run(args) } else { pass(args, &Disk) }
+    if args.watch { watch::run(args) } else { pass(args, None) }
 }
 
-/// Judges each file once, with files from `loader`, and prints the reports in the order of the files.
-pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
+/// Judges each file once, and prints the reports in the order of the files. What is read is remembered in `seen`.
+pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
     let targets = targets::find(&args.files);
+    let named = Named::new(args.files.iter().map(PathBuf::as_path));
     let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
     let mut kept: Vec<Checked> = Vec::new();
     let mut worst = GOOD;
     let compile = scenelang_lang::Options { core: args.core };
     let people = args.format == Format::Human;
     let wanted = if args.fix { targets.as_slice() } else { &[] };
-    let fixes: Vec<_> = wanted.iter().map(|t| fix::run(t.path(), compile, people)).collect();
+    let fixes: Vec<_> =
+        wanted.iter().map(|t| fix::run(t.path(), compile, &Door::of(t.path()).named(&named), people)).collect();
     let mut fixed = fixes.into_iter();
     let progress = match targets.as_slice() {
         [one] => Progress::new(format!("checking {}", one.path().display())),
@@ -42,7 +48,12 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
         explain: args.explain,
         proofs: args.explain_proof,
     };
-    let work = |target: &Target| judge(target, &args.judging, detail, args.core, loader);
+    let work = |target: &Target| {
+        let door = Door::of(target.path()).named(&named);
+        let watched = seen.map(|seen| Watched { seen, door: &door });
+        let loader = watched.as_ref().map_or(&door as &dyn Loader, |watched| watched);
+        judge(target, &args.judging, detail, args.core, &door, loader)
+    };
     parallel::in_order(&targets, jobs, work, |mut checked| {
         match fixed.next() {
             Some(Ok(fixed)) => checked.report.fixed = fixed,
@@ -80,35 +91,39 @@ pub fn pass(args: &Check, loader: &(dyn Loader + Sync)) -> u8 {
     worst
 }
 
-/// Judges one target by its settings.
-pub fn judge(target: &Target, judging: &Judging, detail: Detail, core: bool, loader: &dyn Loader) -> Checked {
+/// Judges one target by its settings; files come from `loader`, where `door` allows them.
+pub fn judge(
+    target: &Target,
+    judging: &Judging,
+    detail: Detail,
+    core: bool,
+    door: &Door,
+    loader: &dyn Loader,
+) -> Checked {
     let (path, name) = (target.path(), target.path().display().to_string());
-    let (options, allowed) = match settings::options(judging, path, loader) {
-        Ok((options, allowed)) => (Options { detail, ..options }, allowed),
-        Err(settings::Refused { sources, diagnostics }) => {
-            return Checked::refused(&name, sources, diagnostics, &Options::default());
-        }
-    };
+    let found = settings::find(door, loader);
+    let given = settings::given(judging);
     let compile = scenelang_lang::Options { core };
-    let nothing = |finding: Diagnostic| Checked::refused(&name, SourceMap::new(), vec![finding], &options);
-    let mut checked = match target {
-        Target::File(path) => check_file_with(&name, path, &options, compile, loader),
+    let question = Question { name: &name, path, given: &given, detail, compile };
+    let nothing = |finding: Diagnostic| {
+        question.judge_by(&found, |options| Checked::refused(&name, SourceMap::new(), vec![finding], options))
+    };
+    match target {
+        Target::File(_) => scenelang_analysis::judge(&question, &found, loader),
         Target::Empty(_) => {
             let say = format!("there is no .scene and no .layout.json file in {name}");
             nothing(Diagnostic::without_place(codes::E0001, say))
         }
         Target::Carrier(path, kind) => match embedded::read(&name, path, *kind, loader) {
             Err(finding) => nothing(*finding),
-            Ok(scene) => {
+            Ok(scene) => question.judge_by(&found, |options| {
                 let (called, at, text) = (&scene.layout_name, &scene.layout_path, scene.layout.clone());
-                let mut checked = check_layout_text(called, at, text, &options, compile, &scene);
-                checked.report.file = name;
+                let mut checked = check_layout_text(called, at, text, options, compile, &scene);
+                checked.report.file.clone_from(&name);
                 checked
-            }
+            }),
         },
-    };
-    checked.silence(&allowed);
-    checked
+    }
 }
 
 /// Whether standard output takes colours: a terminal, and `NO_COLOR` not set.

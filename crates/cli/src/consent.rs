@@ -3,8 +3,9 @@
 //! user does. The user is the command line, `SCENELANG_MODEL`, the file `config.toml` of their own, or the editor's setting.
 
 use crate::args::Model as Given;
+use scenelang_base::door::Door;
 use scenelang_base::{FileId, SourceFile, SourceMap};
-use scenelang_lang::sources::{Disk, Loader, plain as why};
+use scenelang_lang::sources::plain as why;
 use scenelang_layout::file::decode;
 use scenelang_llm::{Budget, Error, plain};
 use scenelang_verify::settings::{Llm, read_own};
@@ -140,7 +141,9 @@ fn least<T: PartialOrd>(a: Option<T>, b: Option<T>) -> Option<T> {
 /// What the user's own file says; nothing, where there is none.
 fn own() -> Result<Llm, Error> {
     let Some(path) = own_file() else { return Ok(Llm::default()) };
-    match Disk.load(&path) {
+    // Many keep such files elsewhere, and a link here: it is theirs wherever it is.
+    let real = path.canonicalize().unwrap_or_else(|_| path.clone());
+    match Door::of(&real).read(&real) {
         Ok(bytes) => read(&path, bytes),
         Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => Ok(Llm::default()),
         Err(e) => Err(Error::Setup(format!("cannot read {}: {}", path.display(), why(&e)))),

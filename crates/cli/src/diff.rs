@@ -7,15 +7,19 @@ use crate::solve::color_err;
 use crate::table::Table;
 use crate::targets::{Target, find};
 use scenelang_base::Diagnostic;
-use scenelang_lang::sources::Disk;
+use scenelang_base::door::{Door, Named};
 use scenelang_verify::compare::{Changed, Comparison, Difference, Side, Thing, compare};
 use scenelang_verify::{Checked, Detail, report};
 use std::path::PathBuf;
 
 /// Compares; 0 if geometry and verdicts are the same, 1 if not, 2 if one cannot be judged.
 pub fn run(args: &Diff) -> u8 {
+    let named = Named::new([args.before.as_path(), args.after.as_path()]);
     let [before, after] = match [&args.before, &args.after].map(target) {
-        [Ok(before), Ok(after)] => [before, after].map(|t| judge(&t, &args.judging, Detail::default(), false, &Disk)),
+        [Ok(before), Ok(after)] => [before, after].map(|target| {
+            let door = Door::of(target.path()).named(&named);
+            judge(&target, &args.judging, Detail::default(), false, &door, &door)
+        }),
         [Err(message), _] | [_, Err(message)] => {
             eprintln!("error: {message}");
             return FAILED;
@@ -27,7 +31,7 @@ pub fn run(args: &Diff) -> u8 {
             for checked in [&before, &after] {
                 eprint!("{}", errors(checked));
             }
-            print!("{}", human(&comparison));
+            crate::out::show(&human(&comparison));
         }
         SummaryFormat::Json => match serde_json::to_string(&comparison) {
             Ok(text) => println!("{text}"),

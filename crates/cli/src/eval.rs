@@ -6,6 +6,7 @@ use crate::formalize::try_out;
 use crate::progress::Progress;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, replace};
+use scenelang_base::door::Door;
 use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
 use scenelang_formalize::Options;
 use std::fmt::Write;
@@ -31,7 +32,7 @@ pub fn requests(args: &EvalRequests) -> u8 {
     };
     match args.format {
         SummaryFormat::Json => println!("{}", requests.json()),
-        SummaryFormat::Human => print!("{}", text(&requests, args.worst)),
+        SummaryFormat::Human => crate::out::show(&text(&requests, args.worst)),
     }
     let free = requests.free();
     if free.part == free.whole { GOOD } else { FINDINGS }
@@ -57,7 +58,8 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
 /// The program that a folder has for a request.
 fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
     let path = folder.join(format!("{}.scene", request.name));
-    let program = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let bytes = Door::within(folder).read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let program = String::from_utf8(bytes).map_err(|_| format!("{} is no text in UTF-8", path.display()))?;
     Ok(Reading { program, ..Reading::default() })
 }
 

@@ -2,9 +2,8 @@
 
 use crate::args::Export;
 use crate::room::Room;
-use crate::{FAILED, replace};
+use crate::{FAILED, out, replace};
 use scenelang_export::exporters;
-use scenelang_lang::sources::Disk;
 use scenelang_verify::exit_code;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +12,7 @@ pub fn run(args: &Export) -> u8 {
     match export(args) {
         Ok((code, written)) => {
             for path in written {
-                println!("{}", path.display());
+                out::show(&format!("{}\n", path.display()));
             }
             code
         }
@@ -25,7 +24,7 @@ pub fn run(args: &Export) -> u8 {
 }
 
 fn export(args: &Export) -> Result<(u8, Vec<PathBuf>), String> {
-    let room = Room::read(&args.layout, &Disk)?;
+    let room = Room::read(&args.layout, None)?;
     replace::unedited(&args.output, args.force).map_err(|message| format!("error: {message}"))?;
     let scene = room.scene().map_err(|e| format!("error: {e}"))?;
     let mut files = Vec::new();

@@ -1,7 +1,8 @@
 //! `check --fix`: makes the safe fixes before the judgement.
 
+use crate::out;
+use scenelang_base::door::Door;
 use scenelang_lang::mend::mend;
-use scenelang_lang::sources::Disk;
 use scenelang_verify::program_of;
 use scenelang_verify::report::model::Fixed;
 use std::path::Path;
@@ -11,14 +12,18 @@ use std::path::Path;
 ///
 /// # Errors
 /// What the file system says of a file that cannot be written.
-pub fn run(path: &Path, compile: scenelang_lang::Options, tell: bool) -> std::io::Result<Vec<Fixed>> {
+pub fn run(path: &Path, compile: scenelang_lang::Options, door: &Door, tell: bool) -> std::io::Result<Vec<Fixed>> {
     // A layout without a program is an error that the check reports.
-    let Some((name, path)) = program_of(&path.display().to_string(), path) else { return Ok(Vec::new()) };
-    let mended = mend(&name, &path, compile, &Disk);
+    let Some((name, program)) = program_of(&path.display().to_string(), path, door) else { return Ok(Vec::new()) };
+    let mended = mend(&name, &program, compile, door);
+    // What a layout or an import names may be anything.
+    let is_ours = |file: &Path| file == path || file.extension().is_some_and(|e| e.eq_ignore_ascii_case("scene"));
     let mut fixed = Vec::new();
-    let set: Vec<_> = mended.files.iter().map(|file| (file.path.clone(), file.text.as_bytes())).collect();
+    let ours: Vec<_> = mended.files.iter().filter(|file| is_ours(&file.path)).collect();
+    ours.iter().try_for_each(|file| door.permits(&file.path))?;
+    let set: Vec<_> = ours.iter().map(|file| (file.path.clone(), file.text.as_bytes())).collect();
     scenelang_base::fs::write_set(&set)?;
-    for file in &mended.files {
+    for file in ours {
         let made = file.made.iter();
         fixed.extend(made.map(|m| Fixed {
             file: file.name.clone(),
@@ -28,16 +33,16 @@ pub fn run(path: &Path, compile: scenelang_lang::Options, tell: bool) -> std::io
         }));
     }
     if tell {
-        for file in &mended.files {
+        for file in mended.files.iter().filter(|file| is_ours(&file.path)) {
             let (made, all) = (file.made.len(), file.made.len() + file.left);
             let plural = if all == 1 { "" } else { "s" };
-            println!("fixed {made} of {all} finding{plural} in {}", file.name);
+            out::show(&format!("fixed {made} of {all} finding{plural} in {}\n", file.name));
         }
         if mended.refused > 0 {
             println!("{} not fixed, since what they change overlaps", mended.refused);
         }
         for name in &mended.foreign {
-            println!("{name} is outside the program's folder and stays as it is");
+            out::show(&format!("{name} is outside the program's folder and stays as it is\n"));
         }
     }
     Ok(fixed)

@@ -4,6 +4,7 @@ use crate::args::Fmt;
 use crate::input::{self, is_stdin, name_of};
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD};
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, TextRange};
 use scenelang_lang::fmt::{FormatOptions, format};
 use scenelang_lang::parse::parse_file;
@@ -51,7 +52,7 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         return GOOD;
     }
     if formatted != text
-        && let Err(e) = scenelang_base::fs::write_whole(path, formatted.as_bytes())
+        && let Err(e) = Door::of(path).write(path, formatted.as_bytes())
     {
         return fail(&e.to_string());
     }

@@ -5,10 +5,10 @@ use crate::model::Asked;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
+use scenelang_base::door::Door;
 use scenelang_formalize::draft::Source;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, Reading, read};
-use scenelang_lang::sources::Disk;
 use scenelang_solve::Stop;
 use scenelang_synth::{Failure, rehearse};
 use serde_json::json;
@@ -45,7 +45,7 @@ pub fn run(args: &Formalize) -> u8 {
         return fail(&message);
     }
     let beside = args.output.as_deref().unwrap_or(Path::new("room.scene"));
-    let settings = match settings::all(&Judging::default(), beside, &Disk) {
+    let settings = match settings::all(&Judging::default(), &Door::of(beside)) {
         Ok((_, settings)) => settings,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -83,7 +83,7 @@ pub fn run(args: &Formalize) -> u8 {
         SummaryFormat::Human => {
             match (&args.output, args.explain) {
                 (None, _) => print!("{program}"),
-                (Some(_), true) => print!("{}", explained(&reading)),
+                (Some(_), true) => crate::out::show(&explained(&reading)),
                 (Some(path), false) => println!("{} written", path.display()),
             }
             if args.explain && args.output.is_none() {
@@ -183,7 +183,10 @@ pub fn text(path: &Path) -> Result<String, String> {
     let read = if path == Path::new("-") {
         std::io::stdin().take(MOST + 1).read_to_end(&mut bytes)
     } else {
-        std::fs::File::open(path).and_then(|f| f.take(MOST + 1).read_to_end(&mut bytes))
+        Door::of(path).read(path).map(|read| {
+            bytes = read;
+            bytes.len()
+        })
     };
     read.map_err(|e| format!("cannot read {name}: {e}"))?;
     if bytes.len() as u64 > MOST {

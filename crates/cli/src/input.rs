@@ -1,7 +1,8 @@
 //! Programs from files or from standard input.
 
+use scenelang_base::door::{Door, MOST};
 use scenelang_base::{FileId, SourceMap};
-use scenelang_lang::sources::{Disk, Loader, decode, plain};
+use scenelang_lang::sources::{decode, plain};
 use std::io::Read;
 use std::path::Path;
 
@@ -23,9 +24,10 @@ pub fn read(path: &Path) -> Result<(SourceMap, FileId), String> {
     let name = name_of(path);
     let bytes = if is_stdin(path) {
         let mut bytes = Vec::new();
-        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+        // One byte more than is taken, so that it is refused as too large and not cut.
+        std::io::stdin().take(MOST + 1).read_to_end(&mut bytes).map(|_| bytes)
     } else {
-        Disk.load(path)
+        Door::of(path).read(path)
     };
     let bytes = bytes.map_err(|e| format!("cannot read {name}: {}", plain(&e)))?;
     let mut sources = SourceMap::new();

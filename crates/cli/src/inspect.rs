@@ -5,11 +5,11 @@ use crate::args::{Inspect, Plain};
 use crate::out::Out;
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD, input};
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceMap, TextRange};
 use scenelang_ide::forms;
 use scenelang_lang::db::Analysis;
 use scenelang_lang::parse::parse_file;
-use scenelang_lang::sources::Disk;
 use scenelang_lang::{Options, compile_main};
 use scenelang_verify::report;
 use std::fmt::Display;
@@ -21,7 +21,7 @@ pub fn syntax(args: &Inspect) -> u8 {
     let Some((sources, id)) = read(&args.file) else { return FAILED };
     let file = sources.get(id);
     match args.format {
-        Plain::Text => print(forms::syntax::text(file.text())),
+        Plain::Text => crate::out::show(&forms::syntax::text(file.text())),
         Plain::Json => print(format_args!("{}\n", forms::syntax::json(file.name(), file.text()))),
     }
     let errors: Vec<Diagnostic> = parse_file(file.text())
@@ -37,11 +37,11 @@ pub fn syntax(args: &Inspect) -> u8 {
 pub fn hir(args: &Inspect) -> u8 {
     let Some((mut sources, main)) = read(&args.file) else { return FAILED };
     let mut analysis = Analysis::new(Options::default());
-    analysis.update(main, &mut sources, &Disk);
+    analysis.update(main, &mut sources, &Door::of(&args.file));
     let (Ok(meanings), Ok(diagnostics)) = (analysis.meanings(main), analysis.diagnostics()) else { return FAILED };
     let file = sources.get(main);
     match args.format {
-        Plain::Text => print(forms::hir::text(file, &sources, &meanings)),
+        Plain::Text => crate::out::show(&forms::hir::text(file, &sources, &meanings)),
         Plain::Json => print(format_args!("{}\n", forms::hir::json(file, &sources, &meanings))),
     }
     if show(&diagnostics, &sources) { FINDINGS } else { GOOD }
@@ -50,11 +50,11 @@ pub fn hir(args: &Inspect) -> u8 {
 /// Prints one line for each constraint, or all as JSON. A program that does not compile has none.
 pub fn constraints(args: &Inspect) -> u8 {
     let Some((sources, main)) = read(&args.file) else { return FAILED };
-    let compiled = compile_main(main, Options::default(), &Disk, sources);
+    let compiled = compile_main(main, Options::default(), &Door::of(&args.file), sources);
     show(&compiled.diagnostics, &compiled.sources);
     let Some(program) = &compiled.program else { return FAILED };
     match args.format {
-        Plain::Text => print(forms::constraints::text(program, &compiled.sources, main)),
+        Plain::Text => crate::out::show(&forms::constraints::text(program, &compiled.sources, main)),
         Plain::Json => print(format_args!("{}\n", forms::constraints::json(program, &compiled.sources, main))),
     }
     GOOD

@@ -2,6 +2,7 @@
 
 use crate::args::{Explain, New, Schema};
 use crate::{FAILED, GOOD};
+use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
 use scenelang_verify::schemas;
@@ -34,7 +35,7 @@ pub fn new(args: &New) -> u8 {
         eprintln!("error: {} is there already and is left alone; name another file", args.file.display());
         return FAILED;
     }
-    match scenelang_base::fs::write_whole(&args.file, TEMPLATE.as_bytes()) {
+    match Door::of(&args.file).write(&args.file, TEMPLATE.as_bytes()) {
         Ok(()) => {
             println!("{} written; `scenelang synth {}` furnishes it", args.file.display(), args.file.display());
             GOOD

@@ -5,8 +5,9 @@
 //! [`end`] gives it the exit code of a closed pipe.
 
 use crate::FAILED;
+use scenelang_base::plain;
 use std::fmt::Arguments;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
 
 /// The exit code of a program whose reader is gone, as shells have it.
@@ -58,9 +59,31 @@ pub fn print(what: Arguments<'_>) {
     let _ = Out.write_fmt(what);
 }
 
-/// Prints to standard error. Where that fails there is nobody left to tell.
+/// Prints a text that is for people, and has words of files in it: nothing in it acts on a terminal or a build server.
+pub fn show(text: &str) {
+    print(format_args!("{}", plain::lines(text)));
+}
+
+/// Prints to standard error, nothing that acts there but colours. Where that fails there is nobody left to tell.
 pub fn tell(what: Arguments<'_>) {
-    let _ = io::stderr().write_fmt(what);
+    let _ = io::stderr().write_all(painted(&what.to_string()).as_bytes());
+}
+
+/// The text as [`plain::lines`] has it, but with the colours that a terminal is given: what files say has been cleaned
+/// before it was painted.
+fn painted(text: &str) -> String {
+    if !io::stderr().is_terminal() {
+        return plain::lines(text).into_owned();
+    }
+    let mut out = String::new();
+    for (i, part) in text.split("\x1b[").enumerate() {
+        let end = part.find(|c: char| !c.is_ascii_digit() && c != ';').filter(|at| part[*at..].starts_with('m'));
+        match end {
+            Some(at) if i > 0 => out += &format!("\x1b[{}m{}", &part[..at], plain::lines(&part[at + 1..])),
+            _ => out += &plain::lines(part),
+        }
+    }
+    out
 }
 
 /// Whether whoever read standard output has seen enough.

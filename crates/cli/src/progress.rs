@@ -1,6 +1,7 @@
 //! A line of progress on a terminal; nothing in a pipe.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use scenelang_base::plain;
 use std::io::IsTerminal;
 use std::time::Duration;
 
@@ -19,12 +20,12 @@ impl Progress {
         } else {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }
-        bar.set_message(what.into());
+        bar.set_message(clean(what));
         Self(bar)
     }
     /// Says what is being done now.
     pub fn say(&self, what: impl Into<String>) {
-        self.0.set_message(what.into());
+        self.0.set_message(clean(what));
     }
     /// Does something that prints, with the spinner out of the way.
     pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {
@@ -40,6 +41,11 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.0.finish_and_clear();
     }
+}
+
+/// On a terminal a file's name must not act.
+fn clean(what: impl Into<String>) -> String {
+    plain::line(&what.into()).into_owned()
 }
 
 /// The solver's progress in words.

@@ -3,13 +3,13 @@
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
-use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
+use crate::{FAILED, FINDINGS, GOOD, interrupt, out, replace, settings};
+use scenelang_base::door::{Door, Named};
 use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
 use scenelang_base::{Edit, FileId};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::sources::Disk;
 use scenelang_layout::{Vec3, file as layout_file};
 use scenelang_solve::repair::{
     Alternative, Damaged, How, Moved, RepairOptions, Text, Unjudged, Which, edited, repair as look,
@@ -17,7 +17,7 @@ use scenelang_solve::repair::{
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
-use scenelang_verify::{Checked, Explain, check_file, program_of};
+use scenelang_verify::{Checked, Explain, check_file_with, program_of};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -43,20 +43,23 @@ fn repair(args: &Repair) -> Result<u8, String> {
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         return Err(format!("{name} is no layout; repair mends layouts"));
     }
-    let (mut options, allowed) = match settings::options(&args.judging, &args.layout, &Disk) {
+    let named = Named::new(std::iter::once(args.layout.as_path()));
+    let door = &Door::of(&args.layout).named(&named);
+    let (judging, _) = match settings::all(&args.judging, door) {
         Ok(both) => both,
         Err(refused) => {
             eprint!("{}", report::diagnostics(&refused.diagnostics, &refused.sources, color_err()));
             return Ok(FAILED);
         }
     };
+    let mut options = judging.options;
     options.detail.explain = Explain::First(0);
-    let mut checked = check_file(&name, &args.layout, &options, scenelang_lang::Options::default());
-    checked.silence(&allowed);
+    let mut checked = check_file_with(&name, &args.layout, &options, scenelang_lang::Options::default(), door);
+    checked.silence(&judging.allow);
     let errors: Vec<_> = checked.verdict.diagnostics.iter().filter(|d| d.is_error()).cloned().collect();
     eprint!("{}", report::diagnostics(&errors, &checked.sources, color_err()));
     let (Some(program), Some(layout), Some((main, path))) =
-        (&checked.program, &checked.layout, program_of(&name, &args.layout))
+        (&checked.program, &checked.layout, program_of(&name, &args.layout, door))
     else {
         return Ok(FAILED);
     };
@@ -78,7 +81,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
         name: &main,
         path: &path,
         compile: scenelang_lang::Options::default(),
-        loader: &Disk,
+        loader: door,
         sources: &checked.sources,
     };
     let damaged = Damaged { program, layout, text: Some(text) };
@@ -91,7 +94,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let choice = choose(args, &found.alternatives)?;
     let mut written = Vec::new();
     if let Some(chosen) = choice.filter(|_| !args.dry_run) {
-        written = apply(args, &checked, &found.alternatives[chosen])?;
+        written = apply(args, door, &checked, &found.alternatives[chosen])?;
     }
     let told = Told { checked: &checked, program, name: &name };
     let all_holds = found.failing.is_empty();
@@ -100,7 +103,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
             let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
             println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
         }
-        Plain::Text => print!("{}", told.text(&found.failing, &found.alternatives, choice, args, &written)),
+        Plain::Text => out::show(&told.text(&found.failing, &found.alternatives, choice, args, &written)),
     }
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
 }
@@ -138,12 +141,13 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
 }
 
 /// Writes what an alternative changes, all of it or nothing. Which files.
-fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
+fn apply(args: &Repair, door: &Door, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
     let mut names = Vec::new();
     let mut files = Vec::new();
     let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
     for (id, text) in texts {
         let source = checked.sources.get(id);
+        door.permits(source.path()).map_err(|e| e.to_string())?;
         names.push(source.name().to_owned());
         files.push((source.path().to_path_buf(), text));
     }
@@ -158,7 +162,7 @@ fn apply(args: &Repair, checked: &Checked, chosen: &Alternative) -> Result<Vec<S
         // What a search has left undone is done, if all of it holds now.
         layout.incomplete &= args.constraint.is_some();
         if let (Some(_), Some((_, scene))) =
-            (&args.output, program_of(&args.layout.display().to_string(), &args.layout))
+            (&args.output, program_of(&args.layout.display().to_string(), &args.layout, door))
         {
             layout.scene = Some(crate::solve::relative(&scene, output));
         }

@@ -1,6 +1,7 @@
 //! What a command may replace: what scenelang wrote and nobody edited since, or what the user says (`--force`). What it
 //! reads it never writes over.
 
+use scenelang_base::door::Door;
 use scenelang_base::fs::{is_same, is_stream, write_set};
 use scenelang_base::owned::{self, Standing, Why, sealed_json, sealed_program, write_folder};
 use scenelang_export::OutFile;
@@ -21,9 +22,11 @@ pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> 
             input.display()
         ));
     }
-    if force {
+    if force || is_stream(path) {
         return Ok(());
     }
+    // A link that leads elsewhere may be somebody else's.
+    Door::of(path).permits(path).map_err(|e| format!("cannot write {}: {e}; --force does", path.display()))?;
     let why = match owned::standing(path).map_err(|e| e.to_string())? {
         Standing::Free | Standing::Ours => return Ok(()),
         Standing::Edited => "was edited since scenelang wrote it",

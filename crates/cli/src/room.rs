@@ -1,14 +1,17 @@
 //! A layout with its program, judged and ready to be shown or written in other formats.
 
-use crate::args::Judging;
 use crate::settings;
+use crate::watch::{Seen, Watched};
+use scenelang_analysis::Question;
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId};
 use scenelang_export::{Scene, SceneInput};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
 use scenelang_verify::report::{self, Human};
-use scenelang_verify::{Checked, Options, check_file_with};
+use scenelang_verify::settings::Settings;
+use scenelang_verify::{Checked, Detail, Options};
 use std::path::{Path, PathBuf};
 
 /// A layout that can be drawn.
@@ -30,19 +33,21 @@ impl Room {
     ///
     /// # Errors
     /// What is wrong with it, for people: a line for each error.
-    pub fn read(path: &Path, loader: &dyn Loader) -> Result<Self, String> {
+    pub fn read(path: &Path, seen: Option<&Seen>) -> Result<Self, String> {
         let path = layout_of(path);
         let name = path.display().to_string();
-        let refused = |checked: &Checked| report::compact(&checked.report, Human { color: false, all: false });
-        let (options, allowed) = settings::options(&Judging::default(), &path, loader).map_err(|settings| {
-            refused(&Checked::refused(&name, settings.sources, settings.diagnostics, &Options::default()))
-        })?;
-        let mut checked = check_file_with(&name, &path, &options, scenelang_lang::Options::default(), loader);
-        checked.silence(&allowed);
+        let door = Door::of(&path);
+        let watched = seen.map(|seen| Watched { seen, door: &door });
+        let loader = watched.as_ref().map_or(&door as &dyn Loader, |watched| watched);
+        let found = settings::find(&door, loader);
+        let (given, detail, compile) = (Settings::default(), Detail::default(), scenelang_lang::Options::default());
+        let question = Question { name: &name, path: &path, given: &given, detail, compile };
+        let mut checked = scenelang_analysis::judge(&question, &found, loader);
+        let options = found.judging(&given).options;
         let whole = !checked.verdict.diagnostics.iter().any(Diagnostic::is_error);
         match (checked.program.take(), checked.layout.take()) {
             (Some(program), Some(layout)) if whole => Ok(Self { path, checked, options, program, layout }),
-            _ => Err(refused(&checked).trim_end().to_owned()),
+            _ => Err(report::compact(&checked.report, Human { color: false, all: false }).trim_end().to_owned()),
         }
     }
 

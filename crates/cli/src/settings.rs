@@ -1,12 +1,12 @@
-//! How files are judged: the nearest `scenelang.toml` above them, and the options that take precedence over it.
+//! How files are judged: the settings of their workspace, and the options that take precedence over them.
 
 use crate::args::{Geometry, Judging};
-use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
-use scenelang_lang::sources::{Loader, plain};
-use scenelang_layout::file::decode;
-use scenelang_verify::settings::{FILE, Settings, measure as in_range, read, unknown};
-use scenelang_verify::{Options, Tolerances};
-use std::io::ErrorKind;
+use scenelang_analysis::Found;
+use scenelang_base::door::Door;
+use scenelang_base::{Diagnostic, SourceMap};
+use scenelang_lang::sources::Loader;
+use scenelang_verify::Tolerances;
+use scenelang_verify::settings::{Settings, measure as in_range, unknown};
 use std::path::{Path, PathBuf};
 
 /// Settings that cannot be used, and why; places refer to `sources`.
@@ -15,28 +15,25 @@ pub struct Refused {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The verifier's options for a file or folder, and the warnings that are not to be reported.
-///
-/// # Errors
-/// The settings file cannot be read or has errors.
-pub fn options(judging: &Judging, path: &Path, loader: &dyn Loader) -> Result<(Options, Vec<Code>), Refused> {
-    all(judging, path, loader).map(|(options, settings)| (options, settings.allow))
+/// The settings for the file of a door.
+pub fn find(door: &Door, loader: &dyn Loader) -> Found {
+    Found::of(door, loader, |path| shown(path).display().to_string())
 }
 
-/// The verifier's options for a file or folder, and the settings as they are.
+/// How the file of a door is judged, and its settings as they are.
 ///
 /// # Errors
 /// The settings file cannot be read or has errors.
-pub fn all(judging: &Judging, path: &Path, loader: &dyn Loader) -> Result<(Options, Settings), Refused> {
-    let mut options = Options::default();
-    let settings = above(path, loader)?;
-    settings.apply(&mut options);
-    given(judging).apply(&mut options);
-    Ok((options, settings))
+pub fn all(judging: &Judging, door: &Door) -> Result<(scenelang_analysis::Judging, Settings), Refused> {
+    let found = find(door, door);
+    if found.is_broken() {
+        return Err(Refused { sources: found.sources, diagnostics: found.diagnostics });
+    }
+    Ok((found.judging(&given(judging)), found.settings))
 }
 
 /// What the command line says.
-fn given(judging: &Judging) -> Settings {
+pub fn given(judging: &Judging) -> Settings {
     Settings {
         physics: (judging.physics || judging.no_physics).then_some(judging.physics),
         geometry: judging.geometry.map(|geometry| match geometry {
@@ -47,28 +44,6 @@ fn given(judging: &Judging) -> Settings {
         tolerances: judging.tolerances.clone(),
         ..Settings::default()
     }
-}
-
-/// The settings file in the folder of `path` or the nearest one above.
-fn above(path: &Path, loader: &dyn Loader) -> Result<Settings, Refused> {
-    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
-    for folder in whole.ancestors().skip(1) {
-        let file = folder.join(FILE);
-        let name = shown(&file).display().to_string();
-        let refused = |d: Diagnostic| Refused { sources: SourceMap::new(), diagnostics: vec![d] };
-        let text = match loader.load(&file) {
-            Ok(bytes) => decode(bytes).map_err(|d| refused(*d))?,
-            Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => continue,
-            Err(e) => {
-                let say = format!("cannot read {name}: {}", plain(&e));
-                return Err(refused(Diagnostic::without_place(codes::E0001, say)));
-            }
-        };
-        let mut sources = SourceMap::new();
-        let id = sources.add(SourceFile::new(name, &file, text));
-        return read(sources.get(id).text(), id).map_err(|diagnostics| Refused { sources, diagnostics });
-    }
-    Ok(Settings::default())
 }
 
 /// A path as seen from where we are, if it is below.

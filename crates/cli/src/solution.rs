@@ -1,6 +1,7 @@
 //! What `scenelang solve` says of what it found: for people, and as JSON.
 
 use crate::check::color;
+use scenelang_base::plain;
 use scenelang_solve::{End, Freedom};
 use scenelang_synth::{Found, Solved};
 use scenelang_verify::Checked;
@@ -24,7 +25,8 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
             End::Budget => ", when the budget was spent (--effort raises it)",
             _ => "",
         };
-        out += &format!("{} written after {} rounds{end}\n", file.display(), found.outcome.iterations);
+        let file = file.display().to_string();
+        out += &format!("{} written after {} rounds{end}\n", plain::line(&file), found.outcome.iterations);
         out += &in_the_way(found);
     }
     out += &still_free(&solved.first);
@@ -58,7 +60,8 @@ fn in_the_way(found: &Found) -> String {
     };
     let mut out = format!("without {which} the rest can hold, as in this layout (found by search, not proved):\n");
     for (id, text) in list {
-        out += &format!("  {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        out += &format!("  {}: {}\n", plain::line(&id), plain::line(&text));
     }
     out
 }

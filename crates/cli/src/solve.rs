@@ -5,8 +5,8 @@ use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, replace, settings, solution};
+use scenelang_base::door::Door;
 use scenelang_base::fs::is_same;
-use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
@@ -39,7 +39,7 @@ pub fn run(args: &Solve) -> u8 {
             Err(message) => return fail(&message),
         },
     };
-    let (judge, settings) = match settings::all(&args.judging, &args.scene, &Disk) {
+    let (judging, settings) = match settings::all(&args.judging, &Door::of(&args.scene)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -70,12 +70,12 @@ pub fn run(args: &Solve) -> u8 {
         effort: args.search.effort,
         stop: &stop,
         seed: args.seed,
-        judge,
+        judge: judging.options,
     };
     let mut watch = Watch { progress: Progress::new("reading") };
     let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
     drop(watch);
-    let solved = match solved {
+    let mut solved = match solved {
         Ok(solved) => solved,
         Err(Failure::Contradiction(checked)) if args.format == Plain::Json => {
             println!("{}", solution::refuted(request.name, &checked));
@@ -83,6 +83,9 @@ pub fn run(args: &Solve) -> u8 {
         }
         Err(failure) => return explain(&failure),
     };
+    for found in std::iter::once(&mut solved.first).chain(&mut solved.others) {
+        found.checked.report.judged_with.clone_from(&judging.with);
+    }
     eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
     let edited = |file: &Path| named(file) && start.as_ref().is_some_and(|(_, text)| !replace::is_ours(file, text));
     let files: Vec<PathBuf> = files.into_iter().take(solved.all().count()).collect();
@@ -144,7 +147,8 @@ pub fn relative(scene: &Path, layout: &Path) -> String {
 }
 
 fn read(path: &Path) -> Result<String, String> {
-    let bytes = std::fs::read(path)
+    let bytes = Door::of(path)
+        .read(path)
         .map_err(|e| format!("cannot read {}: {}", path.display(), scenelang_lang::sources::plain(&e)))?;
     scenelang_layout::file::decode(bytes).map_err(|d| format!("{}: {}", path.display(), d.message))
 }

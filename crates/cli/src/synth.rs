@@ -6,9 +6,9 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
-use crate::{FAILED, INTERRUPTED, formalize, interrupt, replace, settings};
+use crate::{FAILED, INTERRUPTED, formalize, interrupt, out, replace, settings};
+use scenelang_base::door::Door;
 use scenelang_export::{Exporter, OutFile, exporters, unity};
-use scenelang_lang::sources::Disk;
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
@@ -32,7 +32,7 @@ pub fn run(args: &Synth) -> u8 {
     if let Err(message) = permitted(args, &path, request.is_some(), &stem) {
         return fail(&message);
     }
-    let (judge, settings) = match settings::all(&Judging::default(), &path, &Disk) {
+    let (judging, settings) = match settings::all(&Judging::default(), &Door::of(&path)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
@@ -60,10 +60,10 @@ pub fn run(args: &Synth) -> u8 {
         effort: args.search.effort,
         stop: &interrupt::stop(),
         seed: args.seed,
-        judge,
+        judge: judging.options,
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
-    let solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
+    let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
         Err(failure) => {
             drop(stages);
@@ -74,6 +74,7 @@ pub fn run(args: &Synth) -> u8 {
             return explain(&failure);
         }
     };
+    solved.first.checked.report.judged_with = judging.with;
     stages.enter(Stage::Export);
     // A layout that was found is not lost to a Ctrl-C while it is exported.
     interrupt::gently();
@@ -215,7 +216,7 @@ fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], fo
     println!("{} in {}\n", count(layout.objects.len(), "object"), count(layout.regions.len(), "region"));
     println!("{}\n{}", held.render(), times.render());
     for path in shown(written, folder) {
-        println!("  {}", path.display());
+        out::show(&format!("  {}\n", path.display()));
     }
     if let Some(page) = written.iter().find(|p| p.ends_with("preview.html")) {
         println!("\nopen {} to look around", page.display());

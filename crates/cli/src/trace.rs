@@ -3,8 +3,9 @@
 use crate::args::{By, SummaryFormat, Trace as Args};
 use crate::solve::color_err;
 use crate::{FAILED, input, settings};
-use scenelang_base::{Diagnostic, SourceMap};
-use scenelang_lang::sources::{Disk, Loader, plain};
+use scenelang_base::door::Door;
+use scenelang_base::{Diagnostic, SourceMap, plain};
+use scenelang_lang::sources::plain;
 use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
 use scenelang_verify::trace::{Kind, Requirement, Statement, Trace, Verdict, trace};
@@ -20,7 +21,7 @@ pub fn run(args: &Args) -> u8 {
             return FAILED;
         }
     };
-    let compiled = compile_main(main, Options::default(), &Disk, sources);
+    let compiled = compile_main(main, Options::default(), &Door::of(&args.file), sources);
     if compiled.has_errors() {
         tell(&compiled.diagnostics, &compiled.sources);
         return FAILED;
@@ -31,7 +32,7 @@ pub fn run(args: &Args) -> u8 {
     };
     let trace = trace(&name, &compiled, judged.as_ref().map(|(layout, checked)| (layout.as_str(), &checked.report)));
     let text = match args.format {
-        SummaryFormat::Human => human(&trace, args.by),
+        SummaryFormat::Human => plain::lines(&human(&trace, args.by)).into_owned(),
         SummaryFormat::Json => match serde_json::to_string(&trace) {
             Ok(text) => text + "\n",
             Err(e) => {
@@ -60,18 +61,20 @@ fn judged(args: &Args, name: &str, compiled: &Compiled) -> Result<Option<(String
         return Ok(None);
     }
     let layout = path.display().to_string();
-    let bytes = Disk.load(&path).map_err(|e| format!("cannot read {layout}: {}", plain(&e)));
+    let door = Door::of(&path);
+    let bytes = door.read(&path).map_err(|e| format!("cannot read {layout}: {}", plain(&e)));
     let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(|_| format!("{layout} is not UTF-8")));
     let text = text.map_err(|message| {
         eprintln!("error: {message}");
         FAILED
     })?;
-    let (options, _) = settings::options(&args.judging, &path, &Disk).map_err(|refused| {
+    let (judging, _) = settings::all(&args.judging, &door).map_err(|refused| {
         tell(&refused.diagnostics, &refused.sources);
         FAILED
     })?;
     let program = compiled.sources.get(compiled.main).path();
-    let checked = check_layout_of(&layout, text, (name, program), &options, Options::default(), &Disk);
+    let own = Door::of(&args.file);
+    let checked = check_layout_of(&layout, text, (name, program), &judging.options, Options::default(), &own);
     tell(&checked.verdict.diagnostics, &checked.sources);
     Ok(Some((layout, checked)))
 }

@@ -5,7 +5,8 @@
 
 use crate::args::{Check, Format};
 use crate::{check, interrupt, targets};
-use scenelang_lang::sources::{Disk, Loader};
+use scenelang_base::door::Door;
+use scenelang_lang::sources::Loader;
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -29,7 +30,7 @@ pub fn run(args: &Check) -> u8 {
         }
         let seen = Seen::default();
         let found = targets::find(&args.files);
-        let code = check::pass(args, &seen);
+        let code = check::pass(args, Some(&seen));
         let seen = seen.files();
         if people {
             let count = seen.values().filter(|stamp| stamp.is_some()).count();
@@ -49,7 +50,7 @@ fn stamp(path: &Path) -> Stamp {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// The disk, with a memory of what was asked for.
+/// A memory of what was asked for.
 #[derive(Default)]
 pub struct Seen(Mutex<BTreeMap<PathBuf, Stamp>>);
 
@@ -60,12 +61,18 @@ impl Seen {
     }
 }
 
-impl Loader for Seen {
+/// The disk behind a door, and what was asked of it.
+pub struct Watched<'a> {
+    pub seen: &'a Seen,
+    pub door: &'a Door,
+}
+
+impl Loader for Watched<'_> {
     fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
         // Before the file is read: a change in between is then seen as one. Of several looks the first counts.
         let stamp = stamp(path);
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).entry(path.to_path_buf()).or_insert(stamp);
-        Disk.load(path)
+        self.seen.0.lock().unwrap_or_else(PoisonError::into_inner).entry(path.to_path_buf()).or_insert(stamp);
+        self.door.read(path)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::expect::Expectation;
 use crate::score::{Score, Share, score};
+use scenelang_base::door::Door;
 use scenelang_verify::prove::{ProveOptions, prove};
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -87,6 +88,11 @@ pub fn read_folder(
     mut follow: impl FnMut(usize, usize),
 ) -> Result<Requests, String> {
     let say = |path: &Path, e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
+    let door = Door::of(folder);
+    let text = |path: &Path| {
+        let bytes = door.read(path).map_err(|e| say(path, &e))?;
+        String::from_utf8(bytes).map_err(|_| say(path, &"this is no text in UTF-8"))
+    };
     let mut texts = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(|e| say(folder, &e))? {
         let path = entry.map_err(|e| say(folder, &e))?.path();
@@ -98,9 +104,9 @@ pub fn read_folder(
     let mut requests = Requests::default();
     for (i, path) in texts.iter().enumerate() {
         follow(i, texts.len());
-        let request = std::fs::read_to_string(path).map_err(|e| say(path, &e))?;
+        let request = text(path)?;
         let truth = path.with_extension("expect.json");
-        let expect = std::fs::read_to_string(&truth).map_err(|e| say(&truth, &e))?;
+        let expect = text(&truth)?;
         let expect: Expectation = serde_json::from_str(&expect).map_err(|e| say(&truth, &e))?;
         let name = path.file_stem().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
         requests.cases.push(Case::of(Request { name: &name, text: &request }, &expect, reader)?);

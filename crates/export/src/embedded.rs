@@ -3,7 +3,7 @@
 //! Absent here: what somebody has moved in such a file since. The layout is the one that was embedded.
 
 use scenelang_base::{Diagnostic, codes};
-use scenelang_lang::sources::{Loader, normal, plain};
+use scenelang_lang::sources::{Loader, normal, unreadable};
 use scenelang_layout::file::decode;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -61,9 +61,7 @@ pub fn read(name: &str, path: &Path, carrier: Carrier, loader: &dyn Loader) -> R
 }
 
 fn glb(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
-    let bytes = loader
-        .load(path)
-        .map_err(|e| Box::new(Diagnostic::without_place(codes::E0001, format!("cannot read {name}: {}", plain(&e)))))?;
+    let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
     let Some(document) = json_chunk(&bytes) else { return Err(nothing(format!("{name} is not a GLB file"))) };
     let own = &document["scenes"][document["scene"].as_u64().unwrap_or(0) as usize]["extras"]["scenelang"];
     let (Some(spec), Some(layout)) = (own["spec"].as_str(), own["layout"].as_str()) else {

@@ -1,7 +1,7 @@
 //! What an exporter is, the list of them, and the one function that writes their files.
 
 use crate::{Scene, glb, picture, plan, preview, unity};
-use scenelang_base::fs::write_whole;
+use scenelang_base::door::Door;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -73,10 +73,11 @@ pub fn write_all(scene: &Scene, dir: &Path, exporters: &[Box<dyn Exporter>]) -> 
     for exporter in exporters {
         files.extend(exporter.files(scene)?);
     }
+    let door = Door::within(dir);
     let mut written = Vec::with_capacity(files.len());
     for file in files {
         let path = dir.join(&file.path);
-        write_whole(&path, &file.bytes).map_err(ExportError::Write)?;
+        door.write(&path, &file.bytes).map_err(ExportError::Write)?;
         written.push(path);
     }
     Ok(written)

@@ -2,10 +2,10 @@
 //! length of a program; and what an edit of one statement costs. `cargo bench -p scenelang-grammars`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use scenelang_base::door::Door;
 use scenelang_base::{FileId, SourceFile, SourceMap};
 use scenelang_lang::db::Analysis;
 use scenelang_lang::parse::parse_file;
-use scenelang_lang::sources::Disk;
 use scenelang_lang::token::lex;
 use scenelang_lang::{Options, compile_text};
 use std::fmt::Write;
@@ -84,7 +84,7 @@ impl Opened {
     }
 
     fn diagnose(&mut self) {
-        self.analysis.update(self.file, &mut self.sources, &Disk);
+        self.analysis.update(self.file, &mut self.sources, &Door::of(Path::new("bench.scene")));
         black_box(self.analysis.diagnostics().expect("nobody cancels it"));
     }
 }

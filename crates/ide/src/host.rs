@@ -1,24 +1,16 @@
 //! A program under edit beside its layout: the one place that is written to, and snapshots that everything else reads.
 
-use scenelang_base::{Code, Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
+use scenelang_analysis::{Judging, silence};
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
 use scenelang_lang::Program;
 use scenelang_lang::db::{Analysis, Cancelled};
 use scenelang_lang::hir::Meanings;
-use scenelang_lang::sources::{Loader, plain};
+use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{ReadLayout, file as layout_file};
-use scenelang_verify::{Explain, Options, Verdict, check_read};
+use scenelang_verify::{Explain, Verdict, check_read};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// How a layout is judged, and what is not told of.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Judging {
-    /// Tolerances, η, what a solid is, whether the physical rules apply.
-    pub options: Options,
-    /// Warnings that are not reported.
-    pub allow: Vec<Code>,
-}
 
 /// A program and its layout. Snapshots of it say what is known; a change of its text ends their questions.
 pub struct Host {
@@ -117,9 +109,7 @@ impl Host {
                 return None;
             }
             let sources = Arc::make_mut(&mut self.known.sources);
-            let told = |e: io::Error| {
-                Box::new(Diagnostic::without_place(codes::E0001, format!("cannot read {name}: {}", plain(&e))))
-            };
+            let told = |e: io::Error| Box::new(unreadable(&format!("read {name}"), &e));
             let (text, unreadable) = match bytes.map_err(told).and_then(layout_file::decode) {
                 Ok(text) => (text, None),
                 Err(finding) => (String::new(), Some(*finding)),
@@ -215,7 +205,7 @@ impl Snapshot {
         self.known.compiled.get_or(|| {
             let (program, mut diagnostics) = self.analysis.partial(&self.known.sources)?;
             let complete = !diagnostics.iter().any(Diagnostic::is_error);
-            diagnostics.retain(|d| !self.known.judging.allow.contains(&d.code) || d.is_error());
+            silence(&mut diagnostics, &self.known.judging);
             Ok(Compiled { program, complete, diagnostics })
         })
     }
@@ -240,7 +230,7 @@ impl Snapshot {
                     verdict.diagnostics.retain(|d| d.code != codes::E0506);
                 }
                 scenelang_lang::lint::allow::silence(&self.known.sources, &mut verdict.diagnostics);
-                verdict.diagnostics.retain(|d| !self.known.judging.allow.contains(&d.code) || d.is_error());
+                silence(&mut verdict.diagnostics, &self.known.judging);
                 Ok(Judged { verdict, compiled })
             })
             .map(Some)

@@ -23,5 +23,5 @@ pub mod signature;
 pub mod symbols;
 pub mod tokens;
 
-pub use host::{Compiled, Host, Judged, Judging, LayoutFile, Snapshot};
+pub use host::{Compiled, Host, Judged, LayoutFile, Snapshot};
 pub use scenelang_lang::db::Cancelled;

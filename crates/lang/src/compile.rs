@@ -2,8 +2,9 @@
 
 use crate::db::Analysis;
 use crate::program::Program;
-use crate::sources::{Disk, Loader, decode, plain};
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
+use crate::sources::{Loader, decode, unreadable};
+use scenelang_base::door::Door;
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
 use std::path::Path;
 
 /// At most so many errors of a file are listed, and as many warnings.
@@ -38,14 +39,14 @@ impl Compiled {
 
 /// Compiles a file from disk; `name` is how it is called in messages.
 pub fn compile_file(name: &str, path: &Path, options: Options) -> Compiled {
-    compile_with(name, path, options, &Disk, SourceMap::new())
+    compile_with(name, path, options, &Door::of(path), SourceMap::new())
 }
 
 /// Compiles a text; imports come from disk, relative to `path`.
 pub fn compile_text(name: &str, path: &Path, text: &str, options: Options) -> Compiled {
     let mut sources = SourceMap::new();
     let main = sources.add(SourceFile::new(name, path, text));
-    compile_main(main, options, &Disk, sources)
+    compile_main(main, options, &Door::of(path), sources)
 }
 
 /// Compiles `path` with files from `loader`; `sources` may hold other files already (a layout).
@@ -59,7 +60,7 @@ pub fn compile_with(
     match loader.load(path) {
         Err(e) => {
             let main = sources.add(SourceFile::new(name, path, ""));
-            let d = Diagnostic::without_place(codes::E0001, format!("cannot read {name}: {}", plain(&e)));
+            let d = unreadable(&format!("read {name}"), &e);
             Compiled { sources, main, program: None, diagnostics: vec![d] }
         }
         Ok(bytes) => match decode(name, path, bytes, &mut sources) {

@@ -1,13 +1,16 @@
-//! Where files come from, and what a file must be to be read.
+//! Where files come from, and what a file must be to be read. The disk is behind a [`Door`].
 
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, TextRange, codes};
+use scenelang_base::door::{Door, outside};
+use scenelang_base::{Code, Diagnostic, FileId, SourceFile, SourceMap, TextRange, codes};
 use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::Path;
+
+pub use scenelang_base::door::normal;
 
 /// Files larger than this are refused (bytes).
-pub const MAX_FILE: usize = 64 << 20;
+pub const MAX_FILE: usize = scenelang_base::door::MOST as usize;
 
-/// Where files come from: the disk, an editor's buffers, a test's table.
+/// Where files come from: the disk behind its door, an editor's buffers, a test's table.
 pub trait Loader {
     /// The bytes of a file.
     ///
@@ -16,15 +19,31 @@ pub trait Loader {
     fn load(&self, path: &Path) -> io::Result<Vec<u8>>;
 }
 
-/// The disk.
-pub struct Disk;
-
-impl Loader for Disk {
+impl Loader for Door {
     fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
-        if path.is_dir() {
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));
-        }
-        std::fs::read(path)
+        self.read(path)
+    }
+}
+
+/// Why a file cannot be used, as a diagnostic without a place; `what` is done to it: "read room.scene".
+pub fn unreadable(what: &str, e: &io::Error) -> Diagnostic {
+    with_advice(Diagnostic::without_place(code_of(e, codes::E0001), format!("cannot {what}: {}", plain(e))), e)
+}
+
+/// The code of what the file system says; `usual`, where there is no better one.
+pub(crate) fn code_of(e: &io::Error, usual: Code) -> Code {
+    match e.kind() {
+        _ if outside(e).is_some() => codes::E0009,
+        io::ErrorKind::FileTooLarge => codes::E0006,
+        _ => usual,
+    }
+}
+
+/// A diagnostic with what to do about a file outside the workspace, if it is about one.
+pub(crate) fn with_advice(diagnostic: Diagnostic, e: &io::Error) -> Diagnostic {
+    match outside(e) {
+        Some(refused) => diagnostic.note(refused.advice()),
+        None => diagnostic,
     }
 }
 
@@ -67,6 +86,8 @@ pub fn decode(
 /// An operating system's message without its error number.
 pub fn plain(e: &io::Error) -> String {
     match e.kind() {
+        // An error of ours says it itself.
+        _ if e.get_ref().is_some() => e.to_string(),
         io::ErrorKind::NotFound => "there is no such file".into(),
         io::ErrorKind::PermissionDenied => "it may not be read".into(),
         io::ErrorKind::IsADirectory => "it is a directory".into(),
@@ -77,19 +98,4 @@ pub fn plain(e: &io::Error) -> String {
 /// The last part of a path, to show.
 pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned())
-}
-
-/// The path without `.` and, where possible, without `..`; not resolved on disk, so that it works for any loader.
-pub fn normal(path: &Path) -> PathBuf {
-    let mut out = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir if matches!(out.components().next_back(), Some(Component::Normal(_))) => {
-                out.pop();
-            }
-            other => out.push(other),
-        }
-    }
-    out
 }

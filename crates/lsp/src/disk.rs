@@ -1,11 +1,11 @@
 //! Files: addresses of documents as paths and back, open buffers before the disk, settings, and what lies in the folders of
 //! a workspace.
 
+use crate::reading::Reading;
 use crate::text::Text;
-use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
-use scenelang_ide::Judging;
-use scenelang_lang::sources::{Disk, Loader, normal, plain};
-use scenelang_verify::settings::{self, Settings};
+use scenelang_analysis::Found;
+use scenelang_base::door::{Door, Named};
+use scenelang_lang::sources::{Loader, normal};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -36,62 +36,63 @@ pub fn uri_of(path: &Path) -> Option<Uri> {
 
 /// The texts of open documents, and the disk for all others.
 #[derive(Clone, Default)]
-pub struct Files(pub Arc<BTreeMap<PathBuf, Arc<Text>>>);
+pub struct Files {
+    /// Of open documents, by path.
+    pub texts: Arc<BTreeMap<PathBuf, Arc<Text>>>,
+    /// Folders of the workspace.
+    pub named: Arc<Named>,
+    /// Who reads for a thread that must not wait.
+    pub reading: Option<Arc<Reading>>,
+}
 
-impl Loader for Files {
+impl Files {
+    /// The files that a program, or what belongs to it, may name.
+    pub fn of(&self, path: &Path) -> Reach {
+        Reach { files: self.clone(), door: Arc::new(Door::of(path).named(&self.named)) }
+    }
+}
+
+/// The files of one workspace: open texts before the disk.
+#[derive(Clone)]
+pub struct Reach {
+    files: Files,
+    door: Arc<Door>,
+}
+
+impl Reach {
+    /// What may be read and written.
+    pub fn door(&self) -> &Arc<Door> {
+        &self.door
+    }
+
+    /// Whether there is such a file, open or not.
+    pub fn has(&self, path: &Path) -> bool {
+        self.files.texts.contains_key(path) && self.door.permits(path).is_ok() || self.door.is_file(path)
+    }
+}
+
+impl Loader for Reach {
     fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
-        match self.0.get(path) {
-            Some(text) => Ok(text.as_str().as_bytes().to_vec()),
-            None => Disk.load(path),
+        // What has no file names none.
+        if !path.is_absolute() {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        let (text, door, path) = (self.files.texts.get(path).cloned(), Arc::clone(&self.door), path.to_owned());
+        let own = path.clone();
+        let read = move || match text {
+            Some(text) => door.permits(&own).map(|()| text.as_str().as_bytes().to_vec()),
+            None => door.read(&own),
+        };
+        match &self.files.reading {
+            Some(reading) => reading.read(&path, read),
+            None => read(),
         }
     }
 }
 
-/// The settings of a workspace as they are in the nearest `scenelang.toml`.
-#[derive(Debug, Default)]
-pub struct Found {
-    /// The file, if there is one.
-    pub file: Option<PathBuf>,
-    /// Its text, for places.
-    pub sources: SourceMap,
-    /// What it says, or the usual where it has errors.
-    pub settings: Settings,
-    /// What is wrong with it.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-impl Found {
-    /// How layouts are judged.
-    pub fn judging(&self) -> Judging {
-        let mut judging = Judging { allow: self.settings.allow.clone(), ..Judging::default() };
-        self.settings.apply(&mut judging.options);
-        judging
-    }
-}
-
-/// The settings for a file: from its folder, or the nearest one above that has any.
-pub fn settings_for(path: &Path, files: &Files) -> Found {
-    for folder in path.ancestors().skip(1).filter(|folder| folder.is_absolute()) {
-        let file = folder.join(settings::FILE);
-        let bytes = match files.load(&file) {
-            Ok(bytes) => bytes,
-            Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => continue,
-            Err(e) => {
-                let say = format!("cannot read {}: {}", settings::FILE, plain(&e));
-                let diagnostics = vec![Diagnostic::without_place(codes::E0001, say)];
-                return Found { file: Some(file), diagnostics, ..Found::default() };
-            }
-        };
-        let mut sources = SourceMap::new();
-        let text = String::from_utf8_lossy(&bytes).into_owned();
-        let id = sources.add(SourceFile::new(settings::FILE, &file, text));
-        let (settings, diagnostics) = match settings::read(sources.get(id).text(), id) {
-            Ok(settings) => (settings, Vec::new()),
-            Err(found) => (Settings::default(), found),
-        };
-        return Found { file: Some(file), sources, settings, diagnostics };
-    }
-    Found::default()
+/// The settings that count for the file of a workspace.
+pub fn settings_for(reach: &Reach) -> Found {
+    Found::of(reach.door(), reach, crate::documents::name_of)
 }
 
 /// What tells one state of a file from another: its time and its length; `None`: there is none.

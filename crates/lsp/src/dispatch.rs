@@ -3,10 +3,11 @@
 use crate::client::Client;
 use crate::config::Config;
 use crate::convert::Places;
-use crate::disk::{Files, Found};
+use crate::disk::Files;
 use crate::features;
 use crate::state::State;
 use crate::text::Text;
+use scenelang_analysis::Found;
 use scenelang_base::{FileId, TextRange};
 use scenelang_ide::{Cancelled, Snapshot};
 use serde::de::DeserializeOwned;

@@ -1,11 +1,15 @@
 //! Open documents, and the programs among them.
 
 use crate::config::Config;
-use crate::disk::{Files, Found, is_file, path_of, settings_for};
+use crate::disk::{Files, Reach, is_file, path_of, settings_for};
 use crate::dispatch::Tokens;
+use crate::reading::Reading;
 use crate::text::Text;
+use scenelang_analysis::Found;
+use scenelang_base::door::Named;
 use scenelang_ide::Host;
 use scenelang_lang::sources::{Loader, normal};
+use scenelang_verify::settings::Settings;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -64,6 +68,10 @@ pub struct Documents {
     assumed: BTreeMap<PathBuf, Arc<Text>>,
     /// The last generation of any program.
     generation: u64,
+    /// The folders of the workspace.
+    named: Arc<Named>,
+    /// Who reads for the thread that owns all of this.
+    reading: Option<Arc<Reading>>,
 }
 
 impl Documents {
@@ -75,7 +83,7 @@ impl Documents {
         let key = uri.as_str().to_owned();
         self.open.insert(key.clone(), Document { uri, path: path.clone(), version, text, scene: None });
         if !is_data(&path, language) {
-            let files = self.files();
+            let files = self.own_files().of(&path);
             let document = &self.open[&key];
             let name = name_of(&path);
             let host = Host::new(&name, &path, document.text.as_str(), &files);
@@ -166,7 +174,30 @@ impl Documents {
     pub fn files(&self) -> Files {
         let mut texts = self.assumed.clone();
         texts.extend(self.open.values().map(|d| (d.path.clone(), Arc::clone(&d.text))));
-        Files(Arc::new(texts))
+        Files { texts: Arc::new(texts), named: Arc::clone(&self.named), reading: None }
+    }
+
+    /// The same for the thread that owns all of this, which does not wait for a disk.
+    fn own_files(&self) -> Files {
+        Files { reading: self.reading.clone(), ..self.files() }
+    }
+
+    /// From now on files are read by somebody else.
+    pub fn read_by(&mut self, reading: Arc<Reading>) {
+        self.reading = Some(reading);
+    }
+
+    /// The workspace has other folders.
+    pub fn set_folders(&mut self, folders: &[PathBuf]) {
+        self.named = Named::new(folders.iter().map(PathBuf::as_path));
+        self.read_again();
+    }
+
+    /// Whatever was read is read again.
+    pub fn read_again(&mut self) {
+        for scene in self.open.values_mut().filter_map(|document| document.scene.as_mut()) {
+            (scene.stale_text, scene.stale_layout, scene.outside) = (true, true, true);
+        }
     }
 
     /// The editor has made an edit of a file that it has not opened with us: until it says more of it, this is its text.
@@ -188,24 +219,25 @@ impl Documents {
         if !self.open.get(uri).and_then(|d| d.scene.as_ref()).is_some_and(stale) {
             return;
         }
-        let files = self.files();
+        let files = self.own_files();
         self.generation += 1;
         let Some(Document { path, text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
+        let files = files.of(path);
         if std::mem::take(&mut scene.stale_text) {
             scene.host.set_text(text.as_str(), &files);
             scene.proofs.clear();
         }
         if std::mem::take(&mut scene.stale_layout) {
-            scene.settings = judge_by(&mut scene.host, path, scene.layout.as_deref(), &files);
+            scene.settings = judge_by(&mut scene.host, scene.layout.as_deref(), &files);
         }
         scene.generation = self.generation;
     }
 }
 
 /// Gives a program its layout and the settings of its workspace.
-pub fn judge_by(host: &mut Host, path: &Path, layout: Option<&Path>, files: &Files) -> Arc<Found> {
-    let found = settings_for(path, files);
-    host.set_judging(found.judging());
+pub fn judge_by(host: &mut Host, layout: Option<&Path>, files: &Reach) -> Arc<Found> {
+    let found = settings_for(files);
+    host.set_judging(found.judging(&Settings::default()));
     let layout = layout.map(|path| (name_of(path), path, files.load(path)));
     host.set_layout(layout);
     Arc::new(found)

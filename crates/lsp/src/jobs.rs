@@ -1,14 +1,15 @@
 //! Long work: it has a thread of its own, says how far it is, can be cancelled, and its result is an edit.
 
 use crate::convert::{Places, workspace_edit};
-use crate::disk::{Files, uri_of};
+use crate::disk::{Reach, uri_of};
 use crate::dispatch::{Context, Fault};
 use crate::model::Advisers;
 use crate::state::{Event, State, Stop, guarded};
 use crate::text::Text;
+use scenelang_analysis::Judging;
 use scenelang_base::owned::{self, Standing};
 use scenelang_base::{Edit, FileId, SourceMap};
-use scenelang_ide::{Compiled, Judging, LayoutFile};
+use scenelang_ide::{Compiled, LayoutFile};
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
 use scenelang_verify::{Explain, Verdict, check_read};
@@ -42,7 +43,7 @@ pub struct Job {
     /// Which language model is asked.
     pub llm: Llm,
     /// Open texts, then the disk.
-    pub files: Files,
+    pub files: Reach,
     /// Whether the result is wanted.
     pub stop: Stop,
     /// Where progress is told.
@@ -80,6 +81,12 @@ impl Job {
             .and_then(|path| Some((self.open.get(&path).cloned().or_else(|| uri_of(&path))?, path)))
             .map(|(uri, path)| (path, uri))
             .ok_or_else(|| Fault::Failed("save the program first: its layout is written beside it".to_owned()))?;
+        self.files.door().permits(&path).map_err(|e| Fault::Failed(format!("cannot write {}: {e}", path.display())))?;
+        // Where layouts are is said by a setting, which may come with the workspace; it does not say to overwrite other files.
+        let known = path.to_string_lossy().ends_with(".layout.json");
+        if !known && self.layout.as_ref().is_some_and(|l| !l.read.usable) {
+            return Err(Fault::Failed(format!("{} is no layout, and is left alone", path.display())));
+        }
         let mut layout = layout.clone();
         if layout.scene.is_none() {
             layout.scene = Some(relative(&self.path, &path));
@@ -291,9 +298,15 @@ impl State {
         let Some(layout) = layout else {
             return self.reply(id, Err(Fault::Failed("the editor cannot make changes".to_owned())));
         };
-        let written = scenelang_base::fs::write_whole(&layout.path, layout.text.as_bytes());
-        self.documents.touched(&layout.path, "");
-        self.reply(id, written.map(|()| answer).map_err(|e| Fault::Failed(e.to_string())));
+        let door = self.documents.files().of(&layout.path);
+        let (id, events) = (id.clone(), self.events());
+        self.in_background(move || {
+            let written = door.door().write(&layout.path, layout.text.as_bytes());
+            let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
+                state.documents.touched(&layout.path, "");
+                state.reply(&id, written.map(|()| answer).map_err(|e| Fault::Failed(e.to_string())));
+            })));
+        });
     }
 }
 
@@ -303,6 +316,10 @@ fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) 
         return Err(Fault::Failed("the program has errors; mend these first".to_owned()));
     }
     let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, files, .. } = context;
+    if settings.is_broken() {
+        return Err(Fault::Failed("scenelang.toml has errors; mend these first".to_owned()));
+    }
+    let files = files.of(&path);
     let llm = settings.settings.llm.clone();
     let judging = snapshot.judging().clone();
     let layout = snapshot.layout_file();

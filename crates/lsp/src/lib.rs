@@ -24,6 +24,7 @@ mod model;
 mod parent;
 mod pool;
 mod publish;
+mod reading;
 mod record;
 mod state;
 mod text;

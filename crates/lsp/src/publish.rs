@@ -2,13 +2,13 @@
 //! that nothing stays marked which nobody says any more.
 
 use crate::convert::Places;
-use crate::disk::{Found, uri_of};
+use crate::disk::uri_of;
 use crate::dispatch::{Context, Fault};
 use crate::text::Text;
+use scenelang_analysis::Found;
 use scenelang_base::{Diagnostic, FileId, Severity, TextRange, codes};
 use scenelang_ide::Cancelled;
 use scenelang_ide::diagnostics::{Finding, diagnostics};
-use scenelang_verify::prove::{ProveOptions, prove};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -37,9 +37,13 @@ pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
     if let Some(uri) = snapshot.layout().and_then(|layout| places.uri(layout.file)) {
         marks.insert(uri.as_str().to_owned(), Vec::new());
     }
-    for Finding { diagnostic, .. } in diagnostics(snapshot)? {
-        // What has no place is about the layout: that of a program has its text.
-        let nowhere = || snapshot.layout().map_or(snapshot.main(), |layout| layout.file);
+    // By settings that cannot be used nothing is judged.
+    let found = if context.settings.is_broken() { Vec::new() } else { diagnostics(snapshot)? };
+    for Finding { diagnostic, .. } in found {
+        // What has no place is about the layout: that of a program has its text. What is outside the workspace has no place
+        // at all here.
+        let layout = snapshot.layout().filter(|_| diagnostic.code != codes::E0009);
+        let nowhere = || layout.map_or(snapshot.main(), |layout| layout.file);
         let file = diagnostic.primary.as_ref().map_or_else(nowhere, |label| label.place.file);
         let Some(uri) = places.uri(file) else { continue };
         marks.entry(uri.as_str().to_owned()).or_default().push(mark(
@@ -54,7 +58,8 @@ pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
         let mut seen = BTreeSet::new();
         list.retain(|mark| seen.insert(mark.to_string()));
     }
-    let count = snapshot.judged()?.map(|judged| {
+    let judged = if context.settings.is_broken() { None } else { snapshot.judged()? };
+    let count = judged.map(|judged| {
         let rows = &judged.verdict.rows;
         [rows.iter().filter(|row| row.satisfied == Some(true)).count(), rows.len()]
     });
@@ -79,20 +84,17 @@ fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Value>>) {
 /// The text has changed.
 pub fn proofs(context: Context) -> Result<Vec<Value>, Fault> {
     let compiled = context.snapshot.compiled()?;
-    if !compiled.complete {
+    if !compiled.complete || context.settings.is_broken() {
         return Ok(Vec::new());
     }
     let judging = context.snapshot.judging().clone();
     let Context { snapshot, text, client, open, .. } = context;
     let (sources, main) = (snapshot.into_sources(), Arc::clone(&text));
     // From here on the text may change: what is read is a copy.
-    let proofs = ProveOptions { judging: judging.options, ..ProveOptions::default() };
-    let mut found = prove(&compiled.program, &proofs).diagnostics(&compiled.program);
-    scenelang_lang::lint::allow::silence(&sources.0, &mut found);
+    let found = scenelang_analysis::proofs(&compiled.program, &sources.0, &judging);
     let places = Places::new(&sources.0, client.encoding, &open, (sources.1, main));
     let here = |d: &&Diagnostic| d.primary.as_ref().is_some_and(|label| label.place.file == sources.1);
-    let told = |d: &&Diagnostic| d.is_error() || !judging.allow.contains(&d.code);
-    Ok(found.iter().filter(here).filter(told).map(|d| mark(d, sources.1, &places, client.related)).collect())
+    Ok(found.iter().filter(here).map(|d| mark(d, sources.1, &places, client.related)).collect())
 }
 
 /// A finding as the protocol has it.

@@ -9,6 +9,7 @@ use crate::drag::Drag;
 use crate::model::Connect;
 use crate::pool::Pool;
 use crate::publish::{Board, Verdict, proofs, verdict};
+use crate::reading::Reading;
 use crate::record::Recorder;
 use crate::text::Encoding;
 use crate::trace::Trace;
@@ -128,12 +129,14 @@ pub struct State {
 impl State {
     /// Nothing is open yet.
     pub fn new(setup: &Setup, events: queue::Sender<Event>, to_client: mpsc::UnboundedSender<Request>) -> Self {
+        let mut documents = Documents::default();
+        documents.read_by(Reading::new(events.clone()));
         Self {
             phase: Phase::New,
             trace: Trace::Off,
             client: Arc::new(Client::new(&Value::Null)),
             config: Arc::default(),
-            documents: Documents::default(),
+            documents,
             roots: Arc::default(),
             board: Board::default(),
             pool: Pool::new(),
@@ -427,6 +430,7 @@ impl State {
         let removed: Vec<PathBuf> = params.event.removed.iter().map(|f| disk::path_of(&f.uri)).collect();
         let kept = self.roots.iter().filter(|root| !removed.contains(root)).cloned();
         self.roots = kept.chain(params.event.added.iter().map(|f| disk::path_of(&f.uri))).collect();
+        self.documents.set_folders(&self.roots);
         self.wake();
     }
 
@@ -442,6 +446,7 @@ impl State {
             Some(list) => list.iter().filter_map(|f| folder(&f["uri"])).collect(),
             None => folder(&params["rootUri"]).into_iter().collect(),
         };
+        self.documents.set_folders(&self.roots);
         if params["initializationOptions"].is_object() {
             self.config = Arc::new(Config::read(&params["initializationOptions"]));
         }

@@ -4,9 +4,9 @@ use crate::again::mended;
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::sources::Disk;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
@@ -383,7 +383,8 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option
     }
     let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let program = (request.name, request.path);
-    let checked = check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), &Disk);
+    let checked =
+        check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), &Door::of(program.1));
     Found { outcome, text, checked, free: Free::default() }
 }
 

@@ -3,7 +3,7 @@
 use crate::corridor::Solved;
 use scenelang_export::{ExportError, OutFile, Scene, SceneInput};
 use scenelang_lang::program::Program;
-use std::path::Path;
+use std::path::{Component, Path};
 
 /// A scene as exporters want it.
 ///
@@ -42,6 +42,7 @@ pub fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
         // An import from above the program's folder would land outside of ours; its text is embedded in the scene.
         if id != solved.compiled.main
             && let Ok(relative) = file.path().strip_prefix(folder)
+            && relative.components().all(|part| matches!(part, Component::Normal(_)))
         {
             out.push(OutFile::new(relative, file.text()));
         }

@@ -11,7 +11,7 @@ use std::ops::Range;
 use toml_edit::{Document, Item, Table, TableLike, Value};
 
 /// What the file is called.
-pub const FILE: &str = "scenelang.toml";
+pub const FILE: &str = scenelang_base::door::MARK;
 
 /// Tolerances and η beyond this are errors (metres, degrees).
 const LARGEST: f64 = 1e6;
@@ -44,6 +44,30 @@ impl Settings {
                 *tolerance = *value;
             }
         }
+    }
+
+    /// What they change, in words, of how files are usually judged; what `options` has otherwise is not theirs.
+    pub fn changes(&self, options: &Options) -> Vec<String> {
+        let usual = Options::default();
+        let mut out = Vec::new();
+        if self.physics == Some(options.physics) && options.physics != usual.physics {
+            out.push(format!("physics {}", if options.physics { "on" } else { "off" }));
+        }
+        if self.geometry == Some(options.geometry) && options.geometry != usual.geometry {
+            out.push("geometry box".to_owned());
+        }
+        let measure = |name: &str, said: f64, now: f64, usual: f64| {
+            (said == now && now != usual).then(|| format!("{name} {now}"))
+        };
+        out.extend(self.eta.and_then(|eta| measure("eta", eta, options.eta, usual.eta)));
+        let (mut now, mut before) = (options.tolerances, usual.tolerances);
+        for (name, said) in &self.tolerances {
+            if let (Some(now), Some(before)) = (now.named(name), before.named(name)) {
+                out.extend(measure(name, *said, *now, *before));
+            }
+        }
+        out.extend(self.allow.iter().map(|code| format!("{code} silenced")));
+        out
     }
 }
 

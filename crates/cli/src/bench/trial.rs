@@ -4,7 +4,7 @@ use super::problems::Case;
 use crate::solve::relative;
 use crate::{interrupt, replace};
 use scenelang_base::Diagnostic;
-use scenelang_lang::sources::Disk;
+use scenelang_base::door::Door;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_solve::{End, Outcome, Phase, Placed, Problem, Progress};
 use scenelang_synth::furnish;
@@ -181,7 +181,8 @@ fn solve(
     }
     let name = compiled.sources.get(compiled.main).name();
     let options = scenelang_lang::Options::default();
-    let checked = check_layout_of("layout.json", text, (name, &case.path), &limits.judge, options, &Disk);
+    let checked =
+        check_layout_of("layout.json", text, (name, &case.path), &limits.judge, options, &Door::of(&case.path));
     trial.held = checked.report.summary;
     if exit_code(&checked.report) == 0 {
         trial.answer = Answer::Solved;

@@ -1,9 +1,10 @@
 //! The room that is shown: read anew when a file changes, judged while something in it is dragged, written when it is let go.
 
 use crate::room::Room;
+use crate::watch::Seen;
+use scenelang_base::door::Door;
 use scenelang_export::preview;
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::sources::{Disk, Loader};
 use scenelang_layout::{Layout, Vec3, file as layout_file};
 use scenelang_verify::check::check;
 use scenelang_verify::{Live, report};
@@ -82,8 +83,8 @@ impl Shown {
     }
 
     /// Reads the files again, and tells all pages if anything is different.
-    pub fn read(&self, loader: &dyn Loader) {
-        let read = Room::read(&self.file, loader).and_then(|room| Ok((Told::new(&room)?, room)));
+    pub fn read(&self, seen: &Seen) {
+        let read = Room::read(&self.file, Some(seen)).and_then(|room| Ok((Told::new(&room)?, room)));
         let mut state = self.lock();
         match read {
             Ok((data, _)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
@@ -134,15 +135,16 @@ impl Shown {
         let name = &room.checked.report.file;
         let report = report::build(name, &verdict, Some(&room.program), &room.checked.sources, &room.options);
         // What somebody else has written meanwhile is not ours to undo.
-        let same = Disk.load(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
+        let door = Door::of(&room.path);
+        let same = door.read(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
         if !same {
             return Err(Refused::Changed(format!("{} has changed meanwhile", room.path.display())));
         }
         let old = layout_file::read(room.text(), scenelang_base::FileId(0));
-        layout_file::write(&room.path, &moved, old.usable.then_some(&old.document))
+        layout_file::write(&door, &room.path, &moved, old.usable.then_some(&old.document))
             .map_err(|e| Refused::Failed(e.to_string()))?;
         // Another move may come before the file is looked at.
-        if let Ok(now) = Room::read(&self.file, &Disk) {
+        if let Ok(now) = Room::read(&self.file, None) {
             state.room = Some(Arc::new(now));
         }
         Ok(answer(&report))

@@ -22,6 +22,8 @@ fn ids(report: &Value) -> Vec<(String, Value, Value)> {
 fn with_imports() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in [
+        // Makes one workspace of both folders.
+        ("scenelang.toml", ""),
         ("above.scene", "predicate closeTo(Object a, Object b) := distance(a, b) <= rand(1, 2);\n"),
         ("rooms/lib/words.scene", "import \"../../above.scene\";\npredicate isLow(Object a) := a.top < 1;\n"),
         (

@@ -77,6 +77,8 @@ fn files_elsewhere_and_files_that_are_not_there_stay_as_they_are() {
     let at = folder.path();
     let shared = "object table;;\n";
     write(at, &[("in/room.scene", "import \"../shared.scene\";\nassert table.pos.x > 1;\n"), ("shared.scene", shared)]);
+    // Makes one workspace of both folders.
+    write(at, &[("scenelang.toml", "")]);
     let ended = scenelang(at, ["check", "--fix", "in/room.scene"]);
     assert_eq!(ended.code, 0, "{ended:?}");
     assert!(ended.stdout.contains("shared.scene is outside the program's folder"), "{}", ended.stdout);

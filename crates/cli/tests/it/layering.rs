@@ -17,7 +17,8 @@ const TABLE: &[(&str, &[&str])] = &[
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve", "formalize"]),
     ("eval", &["synth"]),
-    ("ide", &["verify"]),
+    ("analysis", &["verify"]),
+    ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
     ("cli", &["lsp", "eval"]),
     ("grammars", &["lang"]),
@@ -66,6 +67,48 @@ fn no_arrow_against_the_table() {
 fn the_table_and_the_workspace_name_the_same_crates() {
     let table: BTreeSet<_> = TABLE.iter().map(|(name, _)| (*name).to_owned()).collect();
     assert_eq!(table, arrows().into_keys().collect());
+}
+
+/// Who reads or writes files without the door of `base`, and why.
+const AT_THE_DISK: &[(&str, &str)] = &[
+    ("base/src/door", "it is the door"),
+    ("base/src/fs.rs", "what the door writes with"),
+    ("grammars/src", "no part of the program: it writes files of this repository"),
+    ("llm/src/cache.rs", "`llm` knows nothing of ours; the cache has a folder of its own"),
+    ("llm/src/tape.rs", "`llm` knows nothing of ours; conversations are named by options"),
+    ("llm/src/whole.rs", "`llm` knows nothing of ours; writes what the other two have"),
+    ("lsp/src/record.rs", "a session is recorded where the option `--record` says, message by message"),
+];
+
+#[test]
+fn only_the_door_touches_the_disk() {
+    let calls = ["fs::read(", "fs::read_to_string(", "fs::write(", "fs::copy(", "fs::rename(", "fs::hard_link("];
+    let more = ["fs::create_dir", "fs::remove_", "File::open(", "File::create(", "OpenOptions", "write_whole("];
+    let crates = support::root().join("crates");
+    let mut folders: Vec<_> = std::fs::read_dir(&crates).unwrap().map(|e| e.unwrap().path().join("src")).collect();
+    let (mut wrong, mut needed) = (Vec::new(), BTreeSet::new());
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
+            let name = entry.strip_prefix(&crates).unwrap().to_string_lossy().replace('\\', "/");
+            if entry.is_dir() {
+                folders.push(entry);
+                continue;
+            }
+            // What stands behind `mod tests` is no part of the program.
+            let text = std::fs::read_to_string(&entry).unwrap();
+            let text = text.split("#[cfg(test)]\nmod ").next().unwrap();
+            let found = calls.iter().chain(&more).find(|call| text.contains(**call));
+            match (found, AT_THE_DISK.iter().find(|(path, _)| name.starts_with(path))) {
+                _ if name.ends_with("/tests.rs") => {}
+                (Some(call), None) => wrong.push(format!("{name}: {call}…)")),
+                (Some(_), Some((path, _))) => drop(needed.insert(*path)),
+                (None, _) => {}
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "files are read and written through scenelang_base::door: {}", wrong.join(", "));
+    let unused: Vec<_> = AT_THE_DISK.iter().filter(|(path, _)| !needed.contains(path)).collect();
+    assert!(unused.is_empty(), "these need not be in the list any more: {unused:?}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! of the house (layering, licences), and what the documents claim.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod agreement;
 mod bounded;
 mod carriers;
 mod checkers;
@@ -16,6 +17,8 @@ mod fixing;
 mod formats;
 mod hostile;
 mod hostile_models;
+#[cfg(unix)]
+mod hostile_repositories;
 mod inspect;
 mod interrupts;
 mod kills;
@@ -28,6 +31,7 @@ mod repair;
 mod replacing;
 mod signals;
 mod solving;
+mod speaking;
 mod stability;
 mod stage_one;
 mod support;

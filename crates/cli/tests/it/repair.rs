@@ -70,6 +70,10 @@ fn nothing_is_written_but_what_was_chosen() {
     same("room.layout.json", &layout);
     let new = read_json(&here.join("mended/new.json"));
     assert_eq!((&new["note"], &new["objects"]["table"]["label"]), (&"kept".into(), &"oak".into()));
+    // Its program is in another folder, which must be of the same workspace, or be named, too.
+    assert!(scenelang(here, ["check", "mended/new.json"]).stdout.contains("E0009"));
+    assert_eq!(scenelang(here, ["check", "mended/new.json", "room.scene"]).code, 0);
+    fs::write(here.join("scenelang.toml"), "").unwrap();
     assert_eq!(scenelang(here, ["check", "mended/new.json"]).code, 0);
     // A number of the program.
     assert_eq!(repair(here, &["--apply", "2"]).code, 0);

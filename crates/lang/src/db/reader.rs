@@ -4,7 +4,7 @@ use super::Database;
 use super::names::{Head, outline};
 use super::runs::{File, parsed, placed_runs};
 use crate::ast::StmtKind;
-use crate::sources::{Loader, decode, file_name, normal, plain};
+use crate::sources::{Loader, code_of, decode, file_name, normal, plain, with_advice};
 use salsa::Setter;
 use scenelang_base::{Diagnostic, FileId, SourceMap, Span, codes};
 use std::path::{Path, PathBuf};
@@ -117,10 +117,12 @@ impl<'a> Reader<'a> {
             },
             Err(e) => {
                 let message = format!("cannot import `{written}`: {}", plain(&e));
-                self.found.push(
-                    Diagnostic::new(codes::E0206, place, message)
-                        .note("the path is relative to the folder of this file"),
-                );
+                let found = Diagnostic::new(code_of(&e, codes::E0206), place, message);
+                self.found.push(if found.code == codes::E0206 {
+                    found.note("the path is relative to the folder of this file")
+                } else {
+                    with_advice(found, &e)
+                });
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::ast::{ExprKind, StmtKind};
 use crate::compile::Options;
 use crate::db::Analysis;
 use crate::items::PredicateHead;
-use crate::sources::Disk;
+use scenelang_base::door::Door;
 use scenelang_base::{SourceFile, SourceMap};
 
 /// What the last statement of a program means: `text: type = what it stands for`, children before parents.
@@ -13,7 +13,7 @@ fn meaning(text: &str) -> String {
     let mut sources = SourceMap::new();
     let main = sources.add(SourceFile::new("a.scene", "a.scene", text));
     let mut analysis = Analysis::new(Options::default());
-    analysis.update(main, &mut sources, &Disk);
+    analysis.update(main, &mut sources, &Door::of("a.scene".as_ref()));
     let meanings = analysis.meanings(main).expect("nobody changes it");
     let (Place { offset, stmt, .. }, hir) = *meanings.statements.last().expect("a statement");
     let slice = |range: TextRange| &text[range.shifted(offset).bytes()];

@@ -3,7 +3,8 @@
 use super::json::{Json, Member, Node, find};
 use super::{Document, FORMAT};
 use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
-use scenelang_base::{FileId, fs};
+use scenelang_base::FileId;
+use scenelang_base::door::Door;
 use std::borrow::Cow;
 use std::fmt::Write;
 use std::io;
@@ -48,12 +49,12 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
     out
 }
 
-/// Writes a layout, whole or not at all.
+/// Writes a layout through a door, whole or not at all.
 ///
 /// # Errors
 /// What the file system says; or what [`checked`] says, in which case nothing is written.
-pub fn write(path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
-    fs::write_whole(path, checked(path, layout, previous)?.as_bytes())
+pub fn write(door: &Door, path: &Path, layout: &Layout, previous: Option<&Document>) -> io::Result<()> {
+    door.write(path, checked(path, layout, previous)?.as_bytes())
 }
 
 /// The text of a layout that is to be written to `path`.

@@ -168,9 +168,9 @@ fn a_layout_that_no_file_can_hold_is_not_written() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("a.layout.json");
     let mut layout = Layout { seed: Some(1), ..Layout::default() };
-    write(&path, &layout, None).unwrap();
+    write(&scenelang_base::door::Door::of(&path), &path, &layout, None).unwrap();
     layout.draws.push(("d".to_owned(), f64::NAN));
-    let error = write(&path, &layout, None).unwrap_err();
+    let error = write(&scenelang_base::door::Door::of(&path), &path, &layout, None).unwrap_err();
     assert!(error.to_string().contains("the draw `d`"), "{error}");
     assert_eq!(read(&std::fs::read_to_string(&path).unwrap(), FileId(0)).layout.seed, Some(1));
 }

@@ -33,7 +33,7 @@ impl Other {
 fn others(context: &Context, shared: &Shared) -> Vec<Other> {
     let is_program = |path: &&PathBuf| path.extension().is_some_and(|e| e == "scene");
     let mut paths: Vec<PathBuf> = context.roots.iter().flat_map(|root| disk::programs(root)).collect();
-    paths.extend(context.files.0.keys().filter(is_program).cloned());
+    paths.extend(context.files.texts.keys().filter(is_program).cloned());
     paths.sort_unstable();
     paths.dedup();
     paths.retain(|path| *path != context.path);
@@ -41,16 +41,17 @@ fn others(context: &Context, shared: &Shared) -> Vec<Other> {
 }
 
 fn other(context: &Context, shared: &Shared, path: PathBuf) -> Option<Other> {
-    let text = String::from_utf8(context.files.load(&path).ok()?).ok()?;
+    let files = context.files.of(&path);
+    let text = String::from_utf8(files.load(&path).ok()?).ok()?;
     // Most programs read no other, and are not looked into.
     if path != shared.path && !text.contains("import") {
         return None;
     }
-    let mut host = Host::new(&name_of(&path), &path, &text, &context.files);
+    let mut host = Host::new(&name_of(&path), &path, &text, &files);
     if !shared.is_read_by(host.files()) {
         return None;
     }
-    judge_by(&mut host, &path, layout_of(&path, &context.config).as_deref(), &context.files);
+    judge_by(&mut host, layout_of(&path, &context.config).as_deref(), &files);
     Some(Other { snapshot: host.snapshot(), path })
 }
 

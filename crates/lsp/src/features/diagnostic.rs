@@ -101,10 +101,11 @@ impl Workspace {
     }
 
     fn report(&self, path: &Path, uri: &Uri, before: Option<&str>) -> Option<(Value, bool)> {
-        let text = String::from_utf8_lossy(&self.files.load(path).ok()?).into_owned();
-        let mut host = Host::new(&name_of(path), path, &text, &self.files);
+        let files = self.files.of(path);
+        let text = String::from_utf8_lossy(&files.load(path).ok()?).into_owned();
+        let mut host = Host::new(&name_of(path), path, &text, &files);
         let layout = layout_of(path, &self.config);
-        let settings = judge_by(&mut host, path, layout.as_deref(), &self.files);
+        let settings = judge_by(&mut host, layout.as_deref(), &files);
         let snapshot = host.snapshot();
         let mut hasher = FxHasher::default();
         snapshot.sources().iter().for_each(|(_, file)| file.text().hash(&mut hasher));

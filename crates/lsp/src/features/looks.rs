@@ -133,10 +133,10 @@ pub fn links(context: &Context, _: &Whole) -> Result<Value, Fault> {
 
 /// The link from a layout to its program, if that is there.
 pub fn layout_links(layout: &Path, text: &Text, encoding: Encoding, files: &Files) -> Value {
+    let reach = files.of(layout);
     let target = |path: String| {
         let path = normal(&layout.parent()?.join(path));
-        let there = files.0.contains_key(&path) || path.is_file();
-        disk::uri_of(&path).filter(|_| there)
+        disk::uri_of(&path).filter(|_| reach.has(&path))
     };
     let found = shape::program_of(text.as_str()).and_then(|(range, path)| Some((range, target(path)?)));
     let found = found.map(|(range, target)| json!({ "range": text.range(range, encoding), "target": target }));

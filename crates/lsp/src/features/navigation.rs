@@ -4,6 +4,7 @@ use super::{At, Whole, across};
 use crate::disk;
 use crate::dispatch::{Context, Fault};
 use scenelang_base::TextRange;
+use scenelang_base::door::Door;
 use scenelang_ide::calls::{self, Item, Node};
 use scenelang_ide::names::{Role, name_at};
 use scenelang_ide::navigate::{self, Target};
@@ -71,12 +72,22 @@ fn cover(a: Range, b: Range) -> Range {
     Range { start: a.start.min(b.start), end: a.end.max(b.end) }
 }
 
+/// Where files are kept that can be made again: the user's own folder, since into the one for temporary files anybody may
+/// have put something else under the same name.
+fn kept() -> PathBuf {
+    let set = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let own = if cfg!(windows) { set("LOCALAPPDATA") } else { set("XDG_CACHE_HOME") };
+    let own = own.or_else(|| std::env::home_dir().map(|home| home.join(".cache")));
+    own.unwrap_or_else(std::env::temp_dir).join("scenelang").join(env!("CARGO_PKG_VERSION"))
+}
+
 /// A file of the standard library where an editor can open it, written once.
 fn library_file(index: usize) -> Result<(PathBuf, &'static str), Fault> {
     let (name, text) = library::FILES.get(index).ok_or(Fault::Internal)?;
-    let path = std::env::temp_dir().join(concat!("scenelang-", env!("CARGO_PKG_VERSION"))).join(name);
-    if std::fs::read_to_string(&path).ok().as_deref() != Some(*text) {
-        let written = scenelang_base::fs::write_whole(&path, text.as_bytes());
+    let folder = kept();
+    let (path, door) = (folder.join(name), Door::within(&folder));
+    if door.read(&path).ok().as_deref() != Some(text.as_bytes()) {
+        let written = door.write(&path, text.as_bytes());
         written.map_err(|e| Fault::Failed(format!("the library cannot be shown: {e}")))?;
     }
     Ok((path, text))
@@ -243,11 +254,11 @@ pub fn workspace_symbols(
     const MOST: usize = 500;
     let mut out: Vec<Value> = Vec::new();
     let mut paths: Vec<PathBuf> = roots.iter().flat_map(|root| disk::programs(root)).collect();
-    paths.extend(files.0.keys().filter(|path| path.extension().is_some_and(|e| e == "scene")).cloned());
+    paths.extend(files.texts.keys().filter(|path| path.extension().is_some_and(|e| e == "scene")).cloned());
     paths.sort_unstable();
     paths.dedup();
     for path in paths {
-        let (Ok(bytes), Some(uri)) = (files.load(&path), disk::uri_of(&path)) else { continue };
+        let (Ok(bytes), Some(uri)) = (files.of(&path).load(&path), disk::uri_of(&path)) else { continue };
         let text = crate::text::Text::new(String::from_utf8_lossy(&bytes).into_owned());
         let file = crate::documents::name_of(&path);
         for entry in symbols::declarations(text.as_str()).into_iter().filter(|e| symbols::matches(query, &e.name)) {

@@ -5,11 +5,11 @@ use super::judge::row;
 use super::{Alternative, Damaged, How, RepairOptions, Repaired, Text, Which, repair};
 use crate::pipeline::solve;
 use crate::problem::{Options, Placed, Problem};
+use scenelang_base::door::Door;
 use scenelang_base::{SourceFile, SourceMap};
 use scenelang_lang::Program;
 use scenelang_lang::compile::compile_main;
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::sources::Disk;
 use scenelang_layout::{Layout, Vec3, file};
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::{RowRef, Step};
@@ -140,7 +140,7 @@ fn told(scene: &str, layout: &Layout, which: &Which) -> (Repaired, Vec<String>) 
     let path = Path::new("room.scene");
     let mut sources = SourceMap::new();
     let main = sources.add(SourceFile::new("room.scene", path, scene));
-    let compiled = compile_main(main, scenelang_lang::Options::default(), &Disk, sources);
+    let compiled = compile_main(main, scenelang_lang::Options::default(), &Door::of(path), sources);
     let program = compiled.program.unwrap();
     struct Memory<'t>(&'t str);
     impl scenelang_lang::sources::Loader for Memory<'_> {

@@ -4,10 +4,11 @@ use super::{Verdict, check_at, matching};
 use crate::prove::{Findings, ProveOptions, prove};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
+use scenelang_base::door::Door;
 use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
 use scenelang_lang::compile::{self, Compiled, compile_with};
 use scenelang_lang::program::Program;
-use scenelang_lang::sources::{Disk, Loader, plain};
+use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use std::path::{Path, PathBuf};
 
@@ -59,7 +60,7 @@ struct Job<'a> {
 ///
 /// Of a program alone it tells what is proved of it.
 pub fn check_file(name: &str, path: &Path, options: &Options, compile: compile::Options) -> Checked {
-    check_file_with(name, path, options, compile, &Disk)
+    check_file_with(name, path, options, compile, &Door::of(path))
 }
 
 /// The same with files from `loader`.
@@ -79,10 +80,7 @@ pub fn check_file_with(
     }
     let text = match loader.load(path) {
         Ok(bytes) => layout_file::decode(bytes),
-        Err(e) => {
-            let say = format!("cannot read {name}: {}", plain(&e));
-            Err(Box::new(Diagnostic::without_place(codes::E0001, say)))
-        }
+        Err(e) => Err(Box::new(unreadable(&format!("read {name}"), &e))),
     };
     match text {
         Ok(text) => judge_layout(text, &job),
@@ -98,7 +96,9 @@ pub fn check_file_with(
 pub fn check_program(name: &str, compiled: Compiled, findings: &Findings, options: &Options) -> Checked {
     let Compiled { sources, program, mut diagnostics, .. } = compiled;
     if let Some(program) = &program {
-        diagnostics.extend(findings.diagnostics(program));
+        let mut proved = findings.diagnostics(program);
+        scenelang_lang::lint::allow::silence(&sources, &mut proved);
+        diagnostics.extend(proved);
     }
     let verdict = Verdict { diagnostics, ..Verdict::default() };
     Unfinished { sources, program, layout: None, verdict }.finish(name, options)
@@ -204,7 +204,11 @@ fn unfit(scene: &str, place: scenelang_base::Span, diagnostics: Vec<Diagnostic>)
         Some(d) => d.message.clone(),
         None => format!("the program {scene} has errors"),
     };
-    let mut finding = Diagnostic::new(codes::E0510, place, message);
+    let code = unread.filter(|d| d.code == codes::E0009).map_or(codes::E0510, |d| d.code);
+    let mut finding = Diagnostic::new(code, place, message);
+    if let Some(d) = unread {
+        finding.notes.clone_from(&d.notes);
+    }
     if let Some(label) = first.and_then(|d| d.primary.as_ref()) {
         finding = finding.related(label.place, "the first of them");
     }
@@ -235,12 +239,13 @@ fn beside(scene: &Path, name: &str, path: &Path) -> (String, PathBuf) {
 }
 
 /// The program that a file is or, if it is a layout, that it belongs to: what it is called, and where it is. `None`: the
-/// layout cannot be read, or names no program.
-pub fn program_of(name: &str, path: &Path) -> Option<(String, PathBuf)> {
+/// layout cannot be read, or names no program. The layout comes from `loader`; whether the program may be read is for that
+/// to say, too.
+pub fn program_of(name: &str, path: &Path, loader: &dyn Loader) -> Option<(String, PathBuf)> {
     if !is_layout(path) {
         return Some((name.to_owned(), path.to_path_buf()));
     }
-    let text = layout_file::decode(Disk.load(path).ok()?).ok()?;
+    let text = layout_file::decode(loader.load(path).ok()?).ok()?;
     let mut sources = SourceMap::new();
     let file = sources.add(SourceFile::new(name, path, text));
     let read = layout_file::read(sources.get(file).text(), file);

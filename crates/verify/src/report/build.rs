@@ -26,6 +26,7 @@ pub fn build(
         constraints: verdict.rows.iter().map(|row| builder.row(row)).collect(),
         diagnostics: verdict.diagnostics.iter().map(|d| builder.finding(d)).collect(),
         fixed: Vec::new(),
+        judged_with: None,
         tolerances: options.tolerances,
         eta: options.eta,
     };

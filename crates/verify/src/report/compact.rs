@@ -1,7 +1,8 @@
 //! The report for people in a hurry: a line for each finding, in the form that editors and terminals make clickable.
 
-use super::human::{Human, holding, summary};
+use super::human::{Human, holding, judged_with, summary};
 use super::model::{Finding, Kind, Place, Report, Row};
+use scenelang_base::plain;
 use std::fmt::Write;
 
 /// `file:line:column: error[V0101]: what is wrong`, one line each; then one line that sums up.
@@ -9,8 +10,8 @@ pub fn compact(report: &Report, Human { color, all }: Human) -> String {
     let mut out = String::new();
     let mut add = |place: Option<&Place>, level: Level, code: &str, message: &str| {
         let place = place.map_or_else(|| report.file.clone(), |p| format!("{}:{}:{}", p.file, p.start[0], p.start[1]));
-        let message = message.replace(['\n', '\r'], " ");
-        let _infallible = writeln!(out, "{place}: {}: {message}", level.painted(code, color));
+        let text = format!("{}: {}: {}", plain::line(&place), level.painted(code, color), plain::line(message));
+        let _infallible = writeln!(out, "{}", plain::no_command(&text));
     };
     for Finding { code, severity, message, span, .. } in &report.diagnostics {
         let level = if severity == "error" { Level::Error } else { Level::Warning };
@@ -23,7 +24,9 @@ pub fn compact(report: &Report, Human { color, all }: Human) -> String {
     if all {
         holding(report, &mut out);
     }
-    let _infallible = writeln!(out, "{}: {}", report.file, summary(report));
+    let text = format!("{}: {}", plain::line(&report.file), summary(report));
+    let _infallible = writeln!(out, "{}", plain::no_command(&text));
+    judged_with(report, &mut out);
     out
 }
 

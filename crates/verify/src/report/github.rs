@@ -2,6 +2,7 @@
 
 use super::compact::main_fact;
 use super::model::{Place, Report};
+use scenelang_base::plain;
 use std::fmt::Write;
 
 /// A line for each finding; nothing where there is none.
@@ -36,9 +37,10 @@ fn region(Place { start, end, .. }: &Place) -> String {
     lines
 }
 
-/// Text after `::`, escaped as the runner undoes it.
+/// Text after `::`, escaped as the runner undoes it: a line.
 fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    // The runner would make line breaks of these again; what else acts is not for a log.
+    plain::line(text).replace('%', "%25")
 }
 
 /// The value of a property, which a comma or colon would end.

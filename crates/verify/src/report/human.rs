@@ -1,11 +1,11 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
 use super::exit_code;
-use super::model::{Kind, Summary, Tally};
+use super::model::{JudgedWith, Kind, Summary, Tally};
 use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
-use scenelang_base::{Diagnostic, FileId, Severity, SourceMap, Span};
+use scenelang_base::{Diagnostic, FileId, Severity, SourceMap, Span, plain};
 use scenelang_lang::program::Unit;
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -42,8 +42,16 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
     if failing.len() > MOST {
         line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
     }
-    line(&mut out, format_args!("{}: {}", report.file, summary(report)));
+    line(&mut out, format_args!("{}: {}", plain::line(&report.file), summary(report)));
+    judged_with(report, &mut out);
     out
+}
+
+/// The settings that make the verdict another than the usual one.
+pub(super) fn judged_with(report: &super::Report, out: &mut String) {
+    if let Some(JudgedWith { file, changes }) = &report.judged_with {
+        line(out, format_args!("judged with {}: {}", plain::line(file), changes.join(", ")));
+    }
 }
 
 /// A line for each row that does not fail.
@@ -54,7 +62,7 @@ pub(super) fn holding(report: &super::Report, out: &mut String) {
             (Some(margin), Some(unit)) => format!(", margin {margin:.4} {unit}"),
             _ => String::new(),
         };
-        line(out, format_args!("{}: {} {verdict}{margin}", row.id, row.text));
+        line(out, format_args!("{}: {} {verdict}{margin}", plain::line(&row.id), plain::line(&row.text)));
     }
 }
 
@@ -178,6 +186,8 @@ impl Finding<'_> {
             Look::Warning => ("Warning", ReportKind::Warning, Color::Yellow),
             Look::Advice => ("Advice", ReportKind::Advice, Color::Cyan),
         };
+        let clean = |texts: &[String]| texts.iter().map(|text| plain::line(text).into_owned()).collect::<Vec<_>>();
+        let headline = plain::line(self.message);
         let shown = self.primary.as_ref().filter(|(place, _)| files.can_show(*place));
         let Some((place, message)) = shown else {
             self.write_plainly(word, files, out);
@@ -198,10 +208,10 @@ impl Finding<'_> {
         let mut report = Report::build(kind, files.id(place))
             .with_config(Config::default().with_index_type(IndexType::Byte).with_color(color))
             .with_code(self.code)
-            .with_message(self.message)
+            .with_message(headline)
             .with_labels(labels);
-        report.with_notes(&self.notes);
-        report.with_helps(&self.hints);
+        report.with_notes(clean(&self.notes));
+        report.with_helps(clean(&self.hints));
         let mut bytes = Vec::new();
         match report.finish().write(&mut *files, &mut bytes) {
             Ok(()) => {
@@ -218,28 +228,28 @@ impl Finding<'_> {
     fn write_plainly(&self, word: &str, files: &Files<'_>, out: &mut String) {
         let place = self.primary.as_ref().map_or(String::new(), |(place, _)| {
             let start = files.sources.lines(*place).0;
-            format!("{}:{}:{}: ", files.sources.get(place.file).name(), start.line, start.column)
+            format!("{}:{}:{}: ", plain::line(files.sources.get(place.file).name()), start.line, start.column)
         });
-        line(out, format_args!("[{}] {word}: {place}{}", self.code, self.message));
+        line(out, format_args!("[{}] {word}: {place}{}", self.code, plain::line(self.message)));
         for note in self.notes.iter().chain(&self.hints) {
-            line(out, format_args!("  {note}"));
+            line(out, format_args!("  {}", plain::line(note)));
         }
     }
 }
 
 fn label(id: Id, message: &str, color: Color) -> Label<Id> {
     // Without a message it would not be underlined.
-    Label::new(id).with_color(color).with_message(if message.is_empty() { "here" } else { message })
+    Label::new(id).with_color(color).with_message(if message.is_empty() { "here".into() } else { plain::line(message) })
 }
 
 fn line(out: &mut String, text: std::fmt::Arguments<'_>) {
-    let _infallible = writeln!(out, "{text}");
+    let _infallible = writeln!(out, "{}", plain::no_command(&text.to_string()));
 }
 
 /// The source files as ariadne reads them.
 struct Files<'a> {
     sources: &'a SourceMap,
-    read: Vec<(FileId, Source<&'a str>)>,
+    read: Vec<(FileId, Source<Cow<'a, str>>)>,
 }
 
 impl<'a> Files<'a> {
@@ -274,15 +284,15 @@ impl<'a> Files<'a> {
 }
 
 impl<'a> ariadne::Cache<FileId> for Files<'a> {
-    type Storage = &'a str;
-    fn fetch(&mut self, id: &FileId) -> Result<&Source<&'a str>, impl std::fmt::Debug> {
+    type Storage = Cow<'a, str>;
+    fn fetch(&mut self, id: &FileId) -> Result<&Source<Cow<'a, str>>, impl std::fmt::Debug> {
         let index = self.read.iter().position(|(file, _)| file == id).unwrap_or_else(|| {
-            self.read.push((*id, Source::from(self.sources.get(*id).text())));
+            self.read.push((*id, Source::from(plain::excerpt(self.sources.get(*id).text()))));
             self.read.len() - 1
         });
         Ok::<_, std::convert::Infallible>(&self.read[index].1)
     }
     fn display<'b>(&self, id: &'b FileId) -> Option<impl std::fmt::Display + 'b> {
-        Some(self.sources.get(*id).name().to_owned())
+        Some(plain::line(self.sources.get(*id).name()).into_owned())
     }
 }

@@ -1,6 +1,7 @@
 //! The report for test runners: a test case per constraint, a failure where it fails, an error where the file is wrong.
 
 use super::model::{Finding, Report, Row};
+use scenelang_base::plain;
 use std::fmt::Write;
 
 /// A JUnit XML document with a suite per report.
@@ -76,7 +77,8 @@ fn line(out: &mut String, text: std::fmt::Arguments<'_>) {
 /// Text as XML takes it; characters that XML has no way to write become the replacement character.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    // Viewers show it, and some print it.
+    for c in plain::line(text).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),

@@ -27,10 +27,22 @@ pub struct Report {
     /// Fixes that were made before the file was judged (`check --fix`).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fixed: Vec<Fixed>,
+    /// The settings file by which it was judged, where that makes a difference.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judged_with: Option<JudgedWith>,
     /// Tolerances in force.
     pub tolerances: crate::Tolerances,
     /// Thickness of the walls of a room (metres).
     pub eta: f64,
+}
+
+/// The settings file that makes a judgement another than the usual one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct JudgedWith {
+    /// What the file is called.
+    pub file: String,
+    /// What it changes: "physics off".
+    pub changes: Vec<String>,
 }
 
 /// How many rows there are of each kind, and how many of them hold.
