@@ -68,7 +68,12 @@ impl Site {
     pub async fn answer(self: Arc<Self>, connection: Arc<Connection>, request: Request<Incoming>) -> Response<Answer> {
         let (parts, body) = request.into_parts();
         match self.door.admit(&parts) {
-            Admission::Out => return text(StatusCode::FORBIDDEN, "not for you; `scenelang view` says the address"),
+            Admission::Out => {
+                return text(
+                    StatusCode::FORBIDDEN,
+                    "not for you: paste the address that `scenelang view` printed into the address bar",
+                );
+            }
             _ if is_larger(&body, MOST) => return text(StatusCode::PAYLOAD_TOO_LARGE, "too large"),
             Admission::Exchange => {
                 let mut response = text(StatusCode::SEE_OTHER, "");

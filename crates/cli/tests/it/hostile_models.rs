@@ -24,6 +24,7 @@ enum Asked {
 use Asked::{Never, UpTo};
 
 /// A case: `{url}` is where the scripted model is, `{elsewhere}` another server, which must never hear anything.
+#[derive(Clone, Copy)]
 struct Case {
     name: &'static str,
     /// `scenelang.toml`, a stranger's.
@@ -34,7 +35,7 @@ struct Case {
     environment: Option<&'static str>,
     args: &'static [&'static str],
     /// What the model does; a lamp is moved where it does not belong, unless said otherwise.
-    act: Option<Act>,
+    act: Option<fn() -> Act>,
     asked: Asked,
     code: i32,
     /// What is said of it, on either stream.
@@ -169,7 +170,7 @@ fn addresses_and_keys() -> Vec<Case> {
         Case {
             name: "a redirection",
             args: ON,
-            act: Some(Act::fails(302, "").with("location", "{elsewhere}/steal")),
+            act: Some(|| Act::fails(302, "").with("location", "{elsewhere}/steal")),
             asked: UpTo(1),
             said: "it sends us elsewhere, where the key shall not go",
             ..CASE
@@ -177,7 +178,7 @@ fn addresses_and_keys() -> Vec<Case> {
         Case {
             name: "a redirection that keeps the body",
             args: ON,
-            act: Some(Act::fails(307, "").with("location", "{elsewhere}/steal")),
+            act: Some(|| Act::fails(307, "").with("location", "{elsewhere}/steal")),
             asked: UpTo(1),
             said: "it sends us elsewhere, where the key shall not go",
             ..CASE
@@ -281,14 +282,14 @@ fn numbers() -> Vec<Case> {
     ]
 }
 
+/// An answer without moves, and what it says of its tokens.
+fn says(usage: &Value) -> Act {
+    let content = json!({ "moves": [] }).to_string();
+    Act::json(&json!({ "choices": [{ "message": { "content": content }, "finish_reason": "stop" }], "usage": usage }))
+}
+
 fn budgets() -> Vec<Case> {
     let on = Case { args: ON, ..CASE };
-    let says = |usage: Value| {
-        let content = json!({ "moves": [] }).to_string();
-        Act::json(
-            &json!({ "choices": [{ "message": { "content": content }, "finish_reason": "stop" }], "usage": usage }),
-        )
-    };
     vec![
         Case {
             name: "a workspace that wants a million calls",
@@ -320,21 +321,21 @@ fn budgets() -> Vec<Case> {
         },
         Case {
             name: "a server that boasts of its work",
-            act: Some(says(json!({ "prompt_tokens": u64::MAX, "completion_tokens": u64::MAX }))),
+            act: Some(|| says(&json!({ "prompt_tokens": u64::MAX, "completion_tokens": u64::MAX }))),
             asked: UpTo(1),
             said: "the budget is spent: 18446744073709551615 of 500000 tokens",
             ..on
         },
         Case {
             name: "a server that counts below zero",
-            act: Some(says(json!({ "prompt_tokens": -5, "completion_tokens": 1.5 }))),
+            act: Some(|| says(&json!({ "prompt_tokens": -5, "completion_tokens": 1.5 }))),
             asked: UpTo(10),
             said: "",
             ..on
         },
         Case {
             name: "an answer without an end",
-            act: Some(Act::Endless),
+            act: Some(|| Act::Endless),
             asked: UpTo(1),
             said: "the answer is larger than 4194304 bytes",
             ..on
@@ -342,7 +343,7 @@ fn budgets() -> Vec<Case> {
         Case {
             name: "a server that is always busy",
             workspace: "[llm]\ntries = 10\nrounds = 100\n",
-            act: Some(Act::fails(503, "later").with("retry-after", "0")),
+            act: Some(|| Act::fails(503, "later").with("retry-after", "0")),
             args: &["--model", "compatible:m", "--base-url", "{url}", "--max-calls", "3"],
             asked: UpTo(3),
             said: "the budget is spent: 3 of 3 calls",
@@ -353,7 +354,7 @@ fn budgets() -> Vec<Case> {
 
 fn tried(case: &Case) {
     let elsewhere = Server::new(vec![lamp_to(2.0, 1.5)]);
-    let act = match case.act.clone().unwrap_or_else(|| lamp_to(2.0, 2.2)) {
+    let act = match case.act.map_or_else(|| lamp_to(2.0, 2.2), |act| act()) {
         Act::Answer(status, headers, body) => {
             let there = |(name, value): (&'static str, String)| (name, value.replace("{elsewhere}", &elsewhere.url));
             Act::Answer(status, headers.into_iter().map(there).collect(), body)
@@ -496,7 +497,13 @@ impl Editor {
             command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
         let (to, from) = (child.stdin.take().unwrap(), BufReader::new(child.stdout.take().unwrap()));
         let mut editor = Self { child, to, from, told: Vec::new() };
-        editor.ask(1, "initialize", &json!({ "capabilities": {}, "initializationOptions": options }));
+        editor.ask(
+            1,
+            "initialize",
+            &json!({
+                "capabilities": { "workspace": { "applyEdit": true } }, "initializationOptions": options,
+            }),
+        );
         editor.say(&json!({ "method": "initialized", "params": {} }));
         editor
     }

@@ -236,13 +236,13 @@ fn what_is_dragged_is_judged_and_written_when_let_go() {
     assert!(fails(&judged) > 0 && !judged["physical"].as_array().unwrap().is_empty(), "{judged}");
     assert_eq!(fs::read(&view.layout).unwrap(), before, "judging writes nothing");
 
-    for (wrong, what) in [
-        (json!({ "object": "nobody", "pos": [0, 0, 0], "rot": [0, 0, 0], "commit": true }), "no such object"),
-        (json!({ "object": "sideboard", "pos": [1e300, 0, 0], "rot": [0, 0, 0], "commit": true }), "too far"),
-        (json!({ "object": "sideboard", "pos": [0, 0], "rot": [0, 0, 0], "commit": true }), "two numbers"),
-        (json!("x".repeat(100_000)), "too much"),
+    for (wrong, status, what) in [
+        (json!({ "object": "nobody", "pos": [0, 0, 0], "rot": [0, 0, 0], "commit": true }), 400, "no such object"),
+        (json!({ "object": "sideboard", "pos": [1e300, 0, 0], "rot": [0, 0, 0], "commit": true }), 400, "too far"),
+        (json!({ "object": "sideboard", "pos": [0, 0], "rot": [0, 0, 0], "commit": true }), 400, "two numbers"),
+        (json!("x".repeat(100_000)), 413, "too much"),
     ] {
-        assert_eq!(view.go(&wrong).status, 400, "{what}");
+        assert_eq!(view.go(&wrong).status, status, "{what}");
     }
     assert_eq!(fs::read(&view.layout).unwrap(), before, "what is refused writes nothing");
 

@@ -116,7 +116,9 @@ fn hundreds_who_mean_no_good_are_in_nobodys_way() {
 
     // The page that was open all the time is still told of news.
     let text = std::fs::read_to_string(&view.layout).unwrap();
-    std::fs::write(&view.layout, text.replacen("\"seed\": 0", "\"seed\": 7", 1)).unwrap();
+    std::fs::write(&view.layout, "{ broken").unwrap();
+    page.until("stale");
+    std::fs::write(&view.layout, text).unwrap();
     page.until("changed");
     assert_eq!(view.go(&drag).status, 200);
 }

@@ -2,7 +2,7 @@
 
 use crate::server::{Act, Server};
 use crate::{question, remote};
-use scenelang_llm::{Budget, Clock, Error, Limits, Model, Price, Replay, Request, Retry, Session, typed};
+use scenelang_llm::{Account, Budget, Clock, Error, Limits, Model, Price, Replay, Request, Retry, Session, typed};
 use serde::Deserialize;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -166,6 +166,39 @@ fn a_budget_stops_everything() {
     let (mut session, _) =
         session(&server, Limits { budget: Budget { calls: Some(2), ..Budget::default() }, ..Limits::default() });
     assert!(matches!(session.ask(&question()), Err(Error::Spent(_))));
+}
+
+#[test]
+fn sessions_of_one_account_have_one_budget() {
+    let server = Server::new(vec![good()]);
+    let account = Account::default();
+    let budget = Budget { calls: Some(3), ..Budget::standard() };
+    let mut ask = || {
+        let (session, _) = session(&server, Limits { budget, ..Limits::default() });
+        session.spending_of(&account).ask(&question())
+    };
+    let answers: Vec<bool> = (0..5).map(|_| ask().is_ok()).collect();
+    assert_eq!(answers, [true, true, true, false, false]);
+    assert_eq!(ask().unwrap_err().to_string(), "the budget is spent: 3 of 3 calls");
+    assert_eq!(server.asked().len(), 3);
+}
+
+#[test]
+fn who_is_asked_is_said_once_and_only_where_somebody_is() {
+    for (calls, wanted) in [(2, 1), (0, 0)] {
+        let server = Server::new(vec![good()]);
+        let said = Arc::new(Mutex::new(Vec::new()));
+        let budget = Budget { calls: Some(calls), ..Budget::standard() };
+        let (session, _) = session(&server, Limits { budget, ..Limits::default() });
+        let (heard, asked) = (Arc::clone(&said), server.url.clone());
+        let mut session = session.announced_by(move |text| heard.lock().unwrap().push(text.to_owned()));
+        while session.ask(&question()).is_ok() {}
+        let said = said.lock().unwrap();
+        assert_eq!((said.len(), server.asked().len()), (wanted, calls as usize));
+        let sentence =
+            format!("asking the language model openai:m at {asked}: at most {calls} calls and 500000 tokens");
+        assert!(said.iter().all(|text| *text == sentence), "{said:?}");
+    }
 }
 
 #[test]

@@ -2,7 +2,11 @@
 //! and whatever else it says does no harm.
 
 use crate::client::{Client, Model, at, edited, edits_of, room, usual};
+use scenelang_llm::Error;
+use scenelang_lsp::{Asked, Setup};
+use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tempfile::TempDir;
 
 /// Where the model would put the stand; the solver by itself puts it nearer.
@@ -164,18 +168,36 @@ fn a_model_that_thinks_can_be_called_off() {
     assert_eq!(client.stop(), 0);
 }
 
-/// Whoever has not offered a model is not asked for one.
+/// How often the model of the settings was to be reached.
+static REACHED: AtomicUsize = AtomicUsize::new(0);
+
+fn reach(_: &Llm) -> Result<Option<Asked>, Error> {
+    REACHED.fetch_add(1, Ordering::SeqCst);
+    Ok(None)
+}
+
+/// Whoever has not offered a model is not asked for one, and nobody connects to that of the settings, or reads a key for it.
 #[test]
 fn nobody_is_asked_unasked() {
-    for options in [Value::Null, json!({ "languageModel": "none" }), json!({ "languageModel": "configured" })] {
+    for (options, reached) in [
+        (Value::Null, false),
+        (json!({}), false),
+        (json!({ "languageModel": "none" }), false),
+        (json!({ "languageModel": "openai:m" }), false),
+        (json!({ "languageModel": ["configured"] }), false),
+        (json!({ "languageModel": "configured" }), true),
+    ] {
         let (folder, scene, _) = room();
-        let mut client = Client::start_with(folder.path(), usual(), options);
+        REACHED.store(0, Ordering::SeqCst);
+        let silent = Client::silent(folder.path(), Setup { connect: Some(reach), ..Setup::default() });
+        let mut client = Client::introduced(silent, usual(), options.clone());
         let uri = client.open("room.scene", &scene);
         client.published(&uri);
         let all = json!({ "command": "scenelang.repairAll", "arguments": [{ "uri": uri }] });
         assert!(client.ask("workspace/executeCommand", all)["message"].as_str().unwrap().contains("stand[1]"));
         assert!(asked(&client).is_empty());
         client.stop();
+        assert_eq!(REACHED.load(Ordering::SeqCst) > 0, reached, "{options}");
     }
 }
 
