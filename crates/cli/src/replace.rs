@@ -40,7 +40,8 @@ pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> 
 /// # Errors
 /// What the file system says.
 pub fn program(path: &Path, text: &str) -> Result<(), String> {
-    write(path, if is_stream(path) { text.to_owned() } else { sealed_program(text) })
+    let text = if is_stream(path) { text.to_owned() } else { sealed_program(text) };
+    write_set(&[(path.to_path_buf(), text.as_bytes())]).map_err(|e| e.to_string())
 }
 
 /// Writes a JSON document in the same way.
@@ -64,10 +65,6 @@ pub fn layouts(files: &[(&Path, &str)], edited: impl Fn(&Path) -> bool) -> Resul
     let files: Vec<(PathBuf, String)> = files.iter().map(sealed).collect();
     let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
     write_set(&set).map_err(|e| e.to_string())
-}
-
-fn write(path: &Path, text: String) -> Result<(), String> {
-    write_set(&[(path.to_path_buf(), text.as_bytes())]).map_err(|e| e.to_string())
 }
 
 /// Whether a file that was read as `text` is as we wrote it.

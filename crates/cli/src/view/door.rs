@@ -112,7 +112,8 @@ mod tests {
     fn nobody_comes_in_without_the_secret() {
         let door = Door { secret: "s3cret".to_owned(), ..Door::new(80).unwrap() };
         let (host, cookie) = (("host", "127.0.0.1:80"), ("cookie", "a=b; scenelang-view-80=s3cret"));
-        let cases: &[(&str, &[(&str, &str)], Admission)] = &[
+        type Headers<'h> = &'h [(&'h str, &'h str)];
+        let cases: &[(&str, Headers<'_>, Admission)] = &[
             ("/", &[host, cookie], Admission::In),
             ("/scene?known=1", &[("host", "localhost:80"), cookie], Admission::In),
             ("/move", &[host, ("origin", "http://127.0.0.1:80"), cookie], Admission::In),
