@@ -319,7 +319,7 @@ mod tests {
         let b = dir.path().join("deep/b");
         fs::write(&b, "mine").unwrap();
         assert_eq!(in_the_way(dir.path(), &new).unwrap(), [InTheWay { path: b.clone(), why: Why::Edited }]);
-        assert_eq!(edited_below(dir.path()), [b.clone()]);
+        assert_eq!(edited_below(dir.path()), std::slice::from_ref(&b));
         fs::write(&b, "3").unwrap();
         assert_eq!(in_the_way(dir.path(), &old).unwrap(), []);
     }
