@@ -108,11 +108,14 @@ mod tests {
     use super::*;
     use hyper::Request;
 
+    /// An address, headers, and what becomes of them.
+    type Case<'a> = (&'a str, &'a [(&'a str, &'a str)], Admission);
+
     #[test]
     fn nobody_comes_in_without_the_secret() {
         let door = Door { secret: "s3cret".to_owned(), ..Door::new(80).unwrap() };
         let (host, cookie) = (("host", "127.0.0.1:80"), ("cookie", "a=b; scenelang-view-80=s3cret"));
-        let cases: &[(&str, &[(&str, &str)], Admission)] = &[
+        let cases: &[Case<'_>] = &[
             ("/", &[host, cookie], Admission::In),
             ("/scene?known=1", &[("host", "localhost:80"), cookie], Admission::In),
             ("/move", &[host, ("origin", "http://127.0.0.1:80"), cookie], Admission::In),
