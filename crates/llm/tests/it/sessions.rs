@@ -173,7 +173,7 @@ fn sessions_of_one_account_have_one_budget() {
     let server = Server::new(vec![good()]);
     let account = Account::default();
     let budget = Budget { calls: Some(3), ..Budget::standard() };
-    let mut ask = || {
+    let ask = || {
         let (session, _) = session(&server, Limits { budget, ..Limits::default() });
         session.spending_of(&account).ask(&question())
     };
