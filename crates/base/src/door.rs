@@ -149,10 +149,7 @@ impl Door {
     }
 
     fn allows(&self, real: &Path) -> bool {
-        let settings = |file: &PathBuf| {
-            let folder = file.parent().and_then(|folder| std::fs::canonicalize(folder).ok());
-            folder.is_some_and(|folder| real == folder.join(MARK))
-        };
+        let settings = |file: &PathBuf| file.parent().is_some_and(|folder| real == nearest(folder).join(MARK));
         let root = nearest(self.root());
         // A file at the very top does not make a workspace of the whole disk.
         let below = real.starts_with(&root) && (root.parent().is_some() || real == self.path);

@@ -57,9 +57,34 @@ fn settings_and_repositories_make_the_root() {
         let above = folder.path().join("scenelang.toml");
         assert_eq!(door.settings().contains(&above), !files.iter().any(|f| f.contains(".git")), "{files:?}");
     }
+    // Folders that are not there are no reason to refuse settings that could be in them.
+    let folder = made(&["scenelang.toml"]);
+    let door = Door::of(&folder.path().join("not/yet/there/room.scene"));
+    assert!(door.settings().len() > 3 && door.settings().iter().all(|file| door.permits(file).is_ok()));
     let folder = made(&["a/b/room.scene"]);
     let door = Door::of(&folder.path().join("a/b/room.scene")).named(&Named::new([folder.path().join("a").as_path()]));
     assert_eq!(door.root(), folder.path().join("a"));
+}
+
+#[cfg(unix)]
+#[test]
+fn settings_of_somebody_else_do_not_count() {
+    let folder = made(&["a/b/room.scene", "a/scenelang.toml", "scenelang.toml"]);
+    let at = |path: &str| folder.path().join(path);
+    // Only the administrator can give files away; others have nothing to try this with.
+    if std::os::unix::fs::chown(at("a/scenelang.toml"), Some(12345), None).is_err() {
+        return;
+    }
+    let door = Door::of(&at("a/b/room.scene"));
+    assert_eq!(door.root(), folder.path());
+    assert!(!door.settings().contains(&at("a/scenelang.toml")));
+    // Beyond a folder of somebody else nothing is looked for.
+    std::os::unix::fs::chown(at("a"), Some(12345), None).unwrap();
+    let door = Door::of(&at("a/b/room.scene"));
+    assert_eq!((door.root(), door.settings().len()), (at("a/b").as_path(), 1));
+    // What belongs to whoever owns the folder of the file is one workspace with it.
+    std::os::unix::fs::chown(at("a/b"), Some(12345), None).unwrap();
+    assert_eq!(Door::of(&at("a/b/room.scene")).root(), at("a"));
 }
 
 #[cfg(unix)]

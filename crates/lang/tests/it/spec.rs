@@ -394,4 +394,4 @@ fn every_code_has_its_page() {
 }
 
 /// Codes that no text in a book can trigger: files that are not there or not text, and those of furnishing.
-const PROSE: [&str; 7] = ["E0001", "E0003", "E0004", "E0006", "E0008", "W0601", "W0602"];
+const PROSE: [&str; 8] = ["E0001", "E0003", "E0004", "E0006", "E0008", "E0009", "W0601", "W0602"];

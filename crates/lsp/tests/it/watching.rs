@@ -107,6 +107,11 @@ fn settings_of_the_workspace_and_of_the_editor_count() {
     client.next_verdict(&uri);
     let toml = client.uri("scenelang.toml");
     assert_eq!(codes(&client.published(&toml)), ["E0007"]);
+    // As on the command line, nothing is judged by settings that cannot be used.
+    assert!(client.published(&uri).is_empty());
+    std::fs::write(folder.path().join("scenelang.toml"), "").unwrap();
+    changed(&mut client, "scenelang.toml");
+    client.next_verdict(&uri);
 
     // Another place for layouts, asked for when told that something has changed.
     std::fs::create_dir(folder.path().join("out")).unwrap();

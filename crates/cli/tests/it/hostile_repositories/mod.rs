@@ -27,6 +27,9 @@ pub const ROOM: &str = "object desk;\ndesk.scale <- vec3(1, 1, 1);\nassert desk.
 pub const LAYOUT: &str = r#"{ "format": "scenelang.layout/1", "scene": "room.scene",
     "objects": { "desk": { "pos": [0, 0.5, 0], "scale": [1, 1, 1] } } }"#;
 
+/// What looks as if it could be mended, and is no program.
+const TOOL: &str = "object tool;;\nassert tool.pos.x > 1;\n";
+
 /// A row of the table.
 pub struct Row {
     /// What it is about.
@@ -57,6 +60,8 @@ impl Repository {
             ("repo/.git/HEAD", "ref: refs/heads/main\n"),
             ("repo/room.scene", ROOM),
             ("repo/room.layout.json", LAYOUT),
+            // A file of the repository that is none of ours: whatever names it, it stays as it is.
+            ("repo/tool.js", TOOL),
             ("repo/good.scene", "object good;;\nassert good.pos.x > 1;\n"),
         ] {
             let path = made.around.path().join(file);
@@ -187,6 +192,7 @@ fn hold(name: &str) {
         clean(&out, &said, args.contains(&"github"));
         assert!(made.outside() == before, "{said} wrote outside");
         assert_eq!(made.leaked(), None, "{said}");
+        assert_eq!(fs::read_to_string(made.at("tool.js")).unwrap(), TOOL, "{said} changed a script");
     }
     // Commands have changed the repository: the server has its own.
     let made = Repository::new(row);
@@ -195,6 +201,7 @@ fn hold(name: &str) {
     assert!(!told.contains(SECRET), "{name}: the server told a secret: {told}");
     assert!(made.outside() == before, "{name}: the server wrote outside");
     assert_eq!(made.leaked(), None, "{name}: the server");
+    assert_eq!(fs::read_to_string(made.at("tool.js")).unwrap(), TOOL, "{name}: the server changed a script");
 }
 
 /// Nothing secret is said, and nothing that acts.

@@ -39,6 +39,7 @@ rows! {
     import_the_memory: |repo| import(repo, &format!("{}proc/self/mem", "../".repeat(40)));
     import_an_absolute_path: |repo| import(repo, &repo.at("../secret.scene").display().to_string());
     import_backslashes: |repo| import(repo, "..\\\\secret.scene");
+    import_a_script: |repo| import(repo, "tool.js");
     import_from_home: |repo| import(repo, "~/.ssh/key");
     import_an_address: |repo| import(repo, "file:///etc/passwd");
     import_through_a_file: |repo| import(repo, "good.scene/../../secret.scene");
@@ -101,6 +102,7 @@ rows! {
     a_layout_of_an_absolute_path: |repo| of(repo, &repo.at("../secret.scene").display().to_string());
     a_layout_of_the_environment: |repo| of(repo, "/proc/self/environ");
     a_layout_of_a_device: |repo| of(repo, "/dev/zero");
+    a_layout_of_a_script: |repo| of(repo, "tool.js");
     a_layout_of_a_folder: |repo| of(repo, ".");
     a_layout_of_itself: |repo| of(repo, "room.layout.json");
     a_layout_of_a_pipe: |repo| { repo.pipe("lib.scene"); of(repo, "lib.scene"); };
@@ -123,6 +125,7 @@ rows! {
     a_setting_that_leads_up with "../victim.json": |_| {};
     a_setting_with_an_absolute_path with "/dev/zero": |_| {};
     a_setting_of_another_file with ".git/HEAD": |_| {};
+    a_setting_of_a_script with "tool.js": |_| {};
     a_setting_through_a_link with "lib/victim.json": |repo| repo.link("lib", "..");
 }
 
