@@ -92,10 +92,13 @@ pub fn unedited(folder: &Path, force: bool) -> Result<(), String> {
 /// Which are in the way, and how to go on; or what the file system says.
 pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], force: bool) -> Result<Vec<PathBuf>, String> {
     let set: Vec<(PathBuf, &[u8])> = files.iter().map(|file| (file.path.clone(), file.bytes.as_slice())).collect();
+    let door = Door::within(folder);
     for (name, bytes) in &set {
         let path = folder.join(name);
+        door.permits(&path).map_err(|e| format!("cannot write {}: {e}", path.display()))?;
         // A scene may be built beside its own program, which stays as it is.
-        let lost = |input: &&&Path| is_same(input, &path) && std::fs::read(input).ok().as_deref() != Some(*bytes);
+        let lost =
+            |input: &&&Path| is_same(input, &path) && Door::of(input).read(input).ok().as_deref() != Some(*bytes);
         if let Some(input) = inputs.iter().find(lost) {
             let input = input.display();
             return Err(format!("{} would replace the input {input}; name another folder with -o", path.display()));

@@ -6,7 +6,7 @@ use crate::model::{Asked, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, interrupt, replace, settings, solution};
 use scenelang_base::door::Door;
-use scenelang_base::fs::is_same;
+use scenelang_base::fs::{is_same, is_stream};
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
@@ -92,6 +92,10 @@ pub fn run(args: &Solve) -> u8 {
     let texts: Vec<_> = solved.all().zip(&files).map(|(found, file)| (file.as_path(), found.text.as_str())).collect();
     if let Err(message) = replace::layouts(&texts, edited) {
         return fail(&message);
+    }
+    if let Some(file) = files.iter().find(|file| !is_stream(file) && Door::of(file).permits(&args.scene).is_err()) {
+        let (file, scene) = (file.display(), args.scene.display());
+        eprintln!("note: {file} is outside the folder of its program; `scenelang check {file} {scene}` judges it");
     }
     match args.format {
         Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),

@@ -96,11 +96,34 @@ impl Target {
             Self::Stdout => io::stdout().write_all(bytes).and_then(|()| io::stdout().flush()),
             Self::Stderr => io::stderr().write_all(bytes),
             Self::Plain(path) | Self::File { path, .. } => {
-                let mut file = File::options().write(true).truncate(true).open(path)?;
+                let mut file = open_plainly(path)?;
                 file.write_all(bytes)
             }
         }
     }
+}
+
+/// Opens what is written to as it is. Opening a pipe waits for somebody who reads it, unless told not to: nobody may.
+#[cfg(unix)]
+fn open_plainly(path: &Path) -> io::Result<File> {
+    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+    use std::os::unix::fs::OpenOptionsExt;
+    let flags = OFlags::NONBLOCK.bits().cast_signed();
+    let opened = File::options().write(true).truncate(true).custom_flags(flags).open(path);
+    let file = opened.map_err(|e| match e.raw_os_error() {
+        Some(code) if code == rustix::io::Errno::NXIO.raw_os_error() => {
+            io::Error::new(io::ErrorKind::BrokenPipe, "it is a pipe that nobody reads; start its reader first")
+        }
+        _ => e,
+    })?;
+    // From here on a slow reader is waited for.
+    fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn open_plainly(path: &Path) -> io::Result<File> {
+    File::options().write(true).truncate(true).open(path)
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -4,6 +4,7 @@
 use crate::support::{Ended, python, read_json, root, run, scenelang, skip};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -188,7 +189,10 @@ fn bench_solve_counts_what_the_judge_accepts() {
     let name = "tight-packing-n10-d85-s1";
     let folder = tempfile::tempdir().unwrap();
     let (scene, layouts, record) =
-        (file(name, "scene"), folder.path().join("layouts"), folder.path().join("bench.json"));
+        (folder.path().join(format!("{name}.scene")), folder.path().join("layouts"), folder.path().join("bench.json"));
+    // A layout may name a program beside its folder where one workspace holds both.
+    fs::write(folder.path().join("scenelang.toml"), "").unwrap();
+    fs::copy(file(name, "scene"), &scene).unwrap();
     let args = ["bench", "solve", "--seeds", "2", "--threads", "2", "--layouts"].map(PathBuf::from);
     let rest = [layouts.clone(), "-o".into(), record.clone(), scene];
     let ended = scenelang(folder.path(), args.iter().chain(&rest));

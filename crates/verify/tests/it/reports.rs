@@ -196,5 +196,5 @@ fn annotations_are_escaped_as_the_runner_undoes_it() {
     report.constraints[0].message = "100 %\r\nand: more, too".into();
     let span = report.constraints[0].span.as_mut().unwrap();
     (span.file, span.end) = ("a:b,c%.scene".into(), [5, 2]);
-    insta::assert_snapshot!(github(&[report]), @r##"::error file=a%3Ab%2Cc%25.scene,line=4,endLine=5,title=V0101::nightstand.pos.x > 2.5 fails: 100 %25%0D%0Aand: more, too (margin -0.370 m)"##);
+    insta::assert_snapshot!(github(&[report]), @r##"::error file=a%3Ab%2Cc%25.scene,line=4,endLine=5,title=V0101::nightstand.pos.x > 2.5 fails: 100 %25  and: more, too (margin -0.370 m)"##);
 }

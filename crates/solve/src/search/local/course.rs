@@ -76,9 +76,11 @@ impl LocalSearch<'_> {
             // Square turns and others come in pairs of the same length.
             let turn = luby(self.course.turn.div_ceil(2));
             let patience = patience.map(|steps| (steps * turn) as usize);
+            // What has its place already is not given up so soon.
+            let is_warm = self.course.turn == 1 && given.contains(&true);
             while self.work < end
                 && !late()
-                && self.course.idle < patience[usize::from(self.walking && !self.groups.is_empty())]
+                && self.course.idle < patience[usize::from(is_warm || self.walking && !self.groups.is_empty())]
             {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
