@@ -79,7 +79,6 @@ const AT_THE_DISK: &[(&str, &str)] = &[
     ("grammars/src", "no part of the program: it writes files of this repository"),
     ("llm/src/cache.rs", "`llm` knows nothing of ours; the cache has a folder of its own"),
     ("llm/src/tape.rs", "`llm` knows nothing of ours; conversations are named by options"),
-    ("llm/src/whole.rs", "`llm` knows nothing of ours; writes what the other two have"),
     ("lsp/src/record.rs", "a session is recorded where the option `--record` says, message by message"),
 ];
 

@@ -18,7 +18,7 @@ fn problems() -> PathBuf {
 
 /// Names of the sample's problems.
 pub fn sample() -> Vec<String> {
-    let files = std::fs::read_dir(problems().join("sample")).unwrap().map(|e| e.unwrap().path());
+    let files = fs::read_dir(problems().join("sample")).unwrap().map(|e| e.unwrap().path());
     let scenes = files.filter(|p| p.extension().is_some_and(|e| e == "scene"));
     let mut names: Vec<String> = scenes.map(|p| p.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
     names.sort();
@@ -146,12 +146,12 @@ fn the_judge_and_the_verifier_agree_on_broken_layouts() {
             continue;
         }
         let folder = tempfile::tempdir().unwrap();
-        std::fs::copy(file(&name, "scene"), folder.path().join(format!("{name}.scene"))).unwrap();
+        fs::copy(file(&name, "scene"), folder.path().join(format!("{name}.scene"))).unwrap();
         let witness = read_json(&file(&name, "witness.json"));
         let mut layouts = Vec::new();
         for (i, layout) in std::iter::once(witness.clone()).chain(broken(&witness)).enumerate() {
             let path = folder.path().join(format!("{i}.layout.json"));
-            std::fs::write(&path, layout.to_string()).unwrap();
+            fs::write(&path, layout.to_string()).unwrap();
             layouts.push(path);
         }
         let verdicts = judged(&python, &name, &layouts);
@@ -173,15 +173,15 @@ fn the_sample_is_what_the_generator_makes() {
     let folder = tempfile::tempdir().unwrap();
     let ended = run(script(&python, "generate.py").arg("--sample").arg("-o").arg(folder.path()), b"");
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    let read = |path: &Path| std::fs::read_to_string(path).unwrap();
+    let read = |path: &Path| fs::read_to_string(path).unwrap();
     let mut files = 0;
-    for entry in std::fs::read_dir(folder.path()).unwrap() {
+    for entry in fs::read_dir(folder.path()).unwrap() {
         let made = entry.unwrap().path();
         let kept = problems().join("sample").join(made.file_name().unwrap());
         assert_eq!(read(&made), read(&kept), "{}", kept.display());
         files += 1;
     }
-    assert_eq!(files, std::fs::read_dir(problems().join("sample")).unwrap().count());
+    assert_eq!(files, fs::read_dir(problems().join("sample")).unwrap().count());
 }
 
 #[test]
@@ -221,8 +221,8 @@ fn bench_solve_says_what_it_cannot_run() {
     let ended = bench();
     assert_eq!(ended.code, 2);
     assert!(ended.stderr.contains("there is no .scene file"), "{}", ended.stderr);
-    std::fs::write(folder.path().join("a.scene"), "object a; assert a.pos.x >").unwrap();
-    std::fs::write(folder.path().join("b.scene"), "object b; b.dimensions <- vec3(1, 1, 1);").unwrap();
+    fs::write(folder.path().join("a.scene"), "object a; assert a.pos.x >").unwrap();
+    fs::write(folder.path().join("b.scene"), "object b; b.dimensions <- vec3(1, 1, 1);").unwrap();
     let ended = bench();
     assert_eq!(ended.code, 2);
     assert!(ended.stderr.contains("a.scene does not compile"), "{}", ended.stderr);

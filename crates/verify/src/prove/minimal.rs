@@ -58,7 +58,7 @@ impl<'a> Prover<'a> {
         // Crowded regions by themselves, then everything, again and again without what was found.
         let mut looks = crowds(self.program, &self.options.judging, &open);
         looks.reverse();
-        if self.is_too_large(&open) {
+        if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
             looks.splice(0..0, parts(self.program, &open).into_iter().rev());
         }
@@ -95,7 +95,7 @@ impl<'a> Prover<'a> {
         let mut given_up = Vec::new();
         for mut among in looks {
             among.retain(|s| !given_up.contains(s));
-            if self.is_too_large(&among) {
+            if self.is_too_large(among.iter().copied()) {
                 continue;
             }
             let model = self.model(whole(&among));
@@ -159,7 +159,7 @@ impl<'a> Prover<'a> {
             self.short = true;
             return None;
         }
-        if self.is_too_large(choice.statements) {
+        if self.is_too_large(choice.statements.iter().copied().chain(choice.contrary)) {
             (self.short, self.too_large) = (true, true);
             return None;
         }
@@ -168,11 +168,11 @@ impl<'a> Prover<'a> {
     }
 
     /// Whether statements say more, or of more objects, than is looked at.
-    fn is_too_large(&self, statements: &[usize]) -> bool {
+    fn is_too_large(&self, mut statements: impl Iterator<Item = usize>) -> bool {
         let mut objects = FxHashSet::default();
         let mut said = 0;
-        statements.iter().any(|s| {
-            let formula = &self.program.constraints[*s].formula;
+        statements.any(|s| {
+            let formula = &self.program.constraints[s].formula;
             if self.program.objects.len() > LARGEST {
                 objects.extend(formula.objects());
             }

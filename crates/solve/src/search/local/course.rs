@@ -25,8 +25,9 @@ const LESS: f64 = 0.9;
 pub(super) struct Course {
     /// How often all was begun anew.
     turn: u32,
-    /// Whether the present turn goes on.
+    /// Whether the present turn goes on, and whether it began from places that were given.
     open: bool,
+    warm: bool,
     /// Steps without a new best in this turn, and how much was violated at its best.
     idle: usize,
     least: usize,
@@ -63,6 +64,7 @@ impl LocalSearch<'_> {
                 self.course = Course {
                     turn: turn + 1,
                     open: true,
+                    warm: given.contains(&true),
                     idle: 0,
                     least: usize::MAX,
                     begun,
@@ -77,10 +79,9 @@ impl LocalSearch<'_> {
             let turn = luby(self.course.turn.div_ceil(2));
             let patience = patience.map(|steps| (steps * turn) as usize);
             // What has its place already is not given up so soon.
-            let is_warm = self.course.turn == 1 && given.contains(&true);
             while self.work < end
                 && !late()
-                && self.course.idle < patience[usize::from(is_warm || self.walking && !self.groups.is_empty())]
+                && self.course.idle < patience[usize::from(self.is_warm() || self.walking && !self.groups.is_empty())]
             {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
@@ -120,6 +121,11 @@ impl LocalSearch<'_> {
     pub fn with_skew_first(mut self) -> Self {
         self.skew_first = 1;
         self
+    }
+
+    /// Whether things have places already, of which as few as possible are given up.
+    pub(super) fn is_warm(&self) -> bool {
+        self.course.warm
     }
 
     /// Whether an arrangement was soon found, but bars paths for long: it is better left than repaired.

@@ -33,7 +33,7 @@ impl LocalSearch<'_> {
     /// Whether to try the next such move: the more often the better they do.
     pub(super) fn rearranges(&self, chance: &mut ChaCha8Rng) -> bool {
         let [pays, tried] = self.rearranged;
-        chance.unit() < (PAYS * (pays + 2.0) / (tried + 2.0)).clamp(OFTEN[0], OFTEN[1])
+        !self.is_warm() && chance.unit() < (PAYS * (pays + 2.0) / (tried + 2.0)).clamp(OFTEN[0], OFTEN[1])
     }
 
     /// Moves something with its company. Whether it stays there.
