@@ -69,6 +69,8 @@ pub struct Np {
     pub count: Option<usize>,
     /// A plural with no number.
     pub many: bool,
+    /// "several", "a few": at least three.
+    pub several: bool,
     /// What it speaks of.
     pub kind: Kind,
     /// Words of the name in the singular, looks left out: "coffee", "table".
@@ -114,6 +116,7 @@ impl Np {
             det: Det::None,
             count: None,
             many: false,
+            several: false,
             kind,
             words: Vec::new(),
             last: 1,
@@ -268,7 +271,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             };
         } else if lexicon.is(w, Class::Det) && w != "one" {
             np.other |= w == "another";
-            np.many |= matches!(w, "some" | "several" | "few" | "many" | "various" | "multiple" | "numerous");
+            np.several |= matches!(w, "several" | "few" | "many" | "various" | "multiple" | "numerous");
+            np.many |= np.several || w == "some";
             if last_det == Det::None {
                 last_det = Det::Indefinite;
             }
@@ -319,6 +323,16 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     np.det = last_det;
     let begun = used > 0;
     let owner_end = used;
+    // "on its surface", "on their tops"
+    if np.det == Det::Own
+        && matches!(text(owner_end - 1), "its" | "their")
+        && lexicon.is(text(owner_end), Class::Surface)
+        && !before_noun(&rest[owner_end + 1..])
+    {
+        np.kind = Kind::Pronoun;
+        np.words = vec![if text(owner_end - 1) == "its" { "it" } else { "them" }.to_owned()];
+        return Some((np, owner_end + 1));
+    }
     // "each of them", "it", "all three"
     if begun && matches!(text(used), "it" | "them") {
         np.kind = Kind::Pronoun;
@@ -427,6 +441,33 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             used += 1;
             continue;
         }
+        // "the island surface", "the table's top": that thing.
+        let known = || lexicon.noun(nouns.last().map_or("", |n| n.0.as_str())).is_some();
+        if matches!(last_det, Det::Definite | Det::Own)
+            && !nouns.is_empty()
+            && known()
+            && lexicon.is(w, Class::Surface)
+            && !before_noun(&rest[used + 1..])
+        {
+            used += 1;
+            noun_end = used;
+            break;
+        }
+        if !nouns.is_empty() && !nouns.last().is_some_and(|n| n.1) {
+            let counted = counted && np.count != Some(1);
+            if tail_here(&rest[used..], counted || last_det == Det::None) {
+                nouns.push((singular(w), plural(w)));
+                used += 1;
+                noun_end = used;
+                continue;
+            }
+            // "a lamp casts light", "a vanity spans the wall": after "a", what ends so is a verb, known or not.
+            let one = article && !counted;
+            let acts = plural(w) && (one || lexicon.verb(&rest[used..]).is_some() && takes_object(&rest[used + 1..]));
+            if acts && noun_end > 0 && !(one && longest_noun(&rest[used..]).is_some_and(|(_, n)| n > 1)) {
+                break;
+            }
+        }
         // The longest noun of the tables that begins here.
         let table = longest_noun(&rest[used..]);
         let look = look_at(&rest[used..]);
@@ -501,10 +542,15 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         // Room names of several words: "living room".
         if let Some(n) = room_here(&rest[used..]) {
             let after = longest_noun(&rest[used + n..]);
+            // "a laundry hamper" is no room.
+            let more = article
+                && rest.get(used + n).is_some_and(|t| {
+                    t.word() && !lexicon.known(&t.text) && !["s", "ed", "ing", "ly"].iter().any(|e| t.text.ends_with(e))
+                });
             nouns.extend(rest[used..used + n].iter().map(|t| (singular(&t.text), false)));
             used += n;
             noun_end = used;
-            if after.is_none() && !before_noun(&rest[used..]) {
+            if after.is_none() && !more && !before_noun(&rest[used..]) {
                 break;
             }
             continue;
@@ -533,6 +579,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             && rest.get(used + 1).is_some_and(|n| {
                 n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing")
             });
+        // "the bookshelf lines the wall", "a fern and a lamp rest on it"
+        let verbal = lexicon.relation(&rest[used..]).is_some() || lexicon.verb(&rest[used..]).is_some();
+        if verbal && noun_end > 0 && lexicon.noun(nouns.last().map_or("", |n| n.0.as_str())).is_some() {
+            break;
+        }
         if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) && !modifies {
             if nouns.is_empty() {
                 if !(begun || counted) {
@@ -589,6 +640,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if nouns.is_empty()
             && adjective(w)
             && (before_noun(&rest[used + 1..])
+                || w.contains('-') && leads_to_noun(&rest[used + 1..])
                 || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text)))
         {
             add_look(&mut np.look, Look::Feature, &rest[used..=used]);
@@ -650,7 +702,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         _ => {
             let head = np.words.last().cloned().unwrap_or_default();
-            if lexicon.is(&head, Class::Abstract) {
+            let named = np.words.len() > 1 && lexicon.is(&head, Class::Tail);
+            if lexicon.is(&head, Class::Abstract) && !named {
                 np.kind = Kind::Abstract;
             }
         }
@@ -785,6 +838,37 @@ fn leads_to_place(rest: &[Token]) -> bool {
 /// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
 fn stops_here(rest: &[Token], expected: bool) -> bool {
     !expected && (get().verb(rest).is_some() || get().relation(rest).is_some())
+}
+
+/// Whether what stands here ends a name although alone it is no thing or a verb: "a headphone stand", "two game cases".
+/// `several`: there may be more than one.
+fn tail_here(rest: &[Token], several: bool) -> bool {
+    let lexicon = get();
+    let Some(word) = rest.first().map(|t| t.text.as_str()) else { return false };
+    let next = &rest[1..];
+    let verbal = lexicon.verb(rest).is_some() || lexicon.soft(rest).is_some();
+    let fits = match word {
+        // "an armchair set beside the table", "a chair that can be moved"
+        "set" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() || t.is("and") || t.is("on") || t.is("of")),
+        "can" => next.first().is_none_or(|t| {
+            !t.word() || lexicon.relation(next).is_some() || matches!(t.text.as_str(), "and" | "with")
+                || lexicon.verb(next).is_some() && ["s", "ed", "ing"].iter().any(|e| t.text.ends_with(e))
+        }),
+        _ => !verbal && !matches!(word, "display" | "support" | "block") || !takes_object(next),
+    };
+    lexicon.is(&singular(word), Class::Tail) && fits && (!plural(word) || several)
+}
+
+/// Whether what stands here is what a verb before it may be done to.
+fn takes_object(rest: &[Token]) -> bool {
+    let lexicon = get();
+    rest.first().is_some_and(|t| {
+        t.word()
+            && (lexicon.is(&t.text, Class::Det)
+                || lexicon.is(&t.text, Class::Def)
+                || lexicon.is(&t.text, Class::Each)
+                || number::small(&t.text).is_some())
+    })
 }
 
 /// Whether a word that no table has is an adjective by its end.

@@ -1,7 +1,7 @@
 //! What was read so far: rooms, things, and what is said of them. Indices only; names come at the end.
 
 use super::chunk::Pattern;
-use super::lexicon::{Group, Rel, get};
+use super::lexicon::{Class, Group, Rel, get};
 use super::measure::{Dim, Op};
 use super::noun::{Det, Np, Place};
 use crate::draft::Look;
@@ -22,6 +22,10 @@ pub struct Item {
     pub per: Option<(usize, usize)>,
     /// A plural.
     pub many: bool,
+    /// Of at least three: "several".
+    pub several: bool,
+    /// What it holds or is of, as part of its name: "of honey".
+    pub of: Option<String>,
     /// The room it is in.
     pub room: usize,
     /// For an opening: the room on the other side.
@@ -273,7 +277,14 @@ impl Scene {
             .enumerate()
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
-        best.filter(|b| b.1 > 0).max().map(|b| b.2)
+        let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
+        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(room) } else { None })
+    }
+
+    /// "the tabletop": what was spoken of last that has one.
+    fn surface(&self, room: usize) -> Option<usize> {
+        let with_top = |i: &Item| i.room == room && i.group == Group::Table && i.part.is_none();
+        (0..self.items.len()).rev().find(|i| with_top(&self.items[*i]) && !self.gone.contains(i))
     }
 
     /// Leaves out what was taken back, and what was said of it.
@@ -320,7 +331,7 @@ impl Scene {
             (Some((owner, each)), _) if owner < item || self.items[owner].per.is_none() => self.count(owner) * each,
             (_, Some(n)) => n,
             (_, None) if it.many => {
-                if matches!(it.group, Group::Ceiling | Group::Seat) {
+                if it.several || matches!(it.group, Group::Ceiling | Group::Seat) {
                     3
                 } else {
                     2
@@ -372,6 +383,8 @@ impl Scene {
             count: count.map(|c| c.clamp(1, MOST_COUNT)),
             per: None,
             many: np.many || count.is_some_and(|c| c > 1),
+            several: np.several,
+            of: None,
             room,
             beyond: None,
             look: np.look.clone(),

@@ -1,7 +1,7 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::read::chunk::{Chunk, Pattern, Piece};
-use crate::read::lexicon::{Group, Rel, Verb, get};
+use crate::read::lexicon::{Class, Group, Rel, Verb, get};
 use crate::read::measure::{Dim, Measure, Op};
 use crate::read::noun::{Det, Kind, Np, Nth, Place};
 use crate::read::rooms::Rooms;
@@ -415,7 +415,7 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Verb(verb) => {
-                self.on_verb(i, *verb);
+                self.on_verb(i, end, *verb);
                 i + 1
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
@@ -430,7 +430,8 @@ impl<'a> Reader<'a> {
                 });
                 let with_back = with_back && !self.relates_after(i + 2, end);
                 if !with_back && !self.near.is_empty() {
-                    self.s.expect = Expect::With(self.near.clone(), Join::Usual);
+                    let owner = self.bearer(self.near.clone(), i + 1, end);
+                    self.s.expect = Expect::With(owner, Join::Usual);
                 } else if with_back {
                     return self.with_part(i, end);
                 }
@@ -635,6 +636,9 @@ impl<'a> Reader<'a> {
 
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
+        if i > 0 && self.reduced(i - 1).is_some() && !(self.s.each && !matches!(self.s.expect, Expect::With(..))) {
+            return self.near.clone();
+        }
         let after_comma =
             i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
         let owned = matches!(self.s.expect, Expect::With(..));

@@ -333,6 +333,18 @@ impl Reader<'_> {
             Det::Indefinite if object && np.count.is_none() && np.look == crate::draft::Look::default() => {
                 exact.filter(|f| self.scene.items[*f].opening() && self.scene.items[*f].many)
             }
+            // "on one nightstand", where there are two: on one of these.
+            Det::Indefinite | Det::Number if object && np.count.unwrap_or(1) == 1 && !np.many => {
+                let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
+                let known = |f: &usize| {
+                    let item = &self.scene.items[*f];
+                    plain && item.many && item.words == np.words && item.room == self.room
+                };
+                match found.filter(known) {
+                    Some(of) if self.scene.items[of].count.is_some() => self.deal(i, of, 1),
+                    _ => None,
+                }
+            }
             Det::None | Det::Number | Det::Indefinite => None,
         };
         if np.other && np.det != Det::Definite {
@@ -435,6 +447,9 @@ impl Reader<'_> {
         if !np.known && matches!(np.det, Det::Definite | Det::Own | Det::Each) && !around {
             return None;
         }
+        if !np.known && abstraction(np) {
+            return None;
+        }
         let at = self.bytes(i..i + 1);
         let id = self.scene.add(np, self.room, at);
         if np.row {
@@ -455,6 +470,12 @@ impl Reader<'_> {
     pub(super) fn on_things(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
+        if matches!(self.s.expect, Expect::With(..)) && self.new_clause(i, end) {
+            self.s.expect = Expect::Nothing;
+            self.s.each = false;
+            self.s.hang = false;
+            self.s.it.clear();
+        }
         // What must not be there.
         let denied = np.det == Det::No
             || self.s.not
@@ -537,7 +558,8 @@ impl Reader<'_> {
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
-        (!verb_before).then_some(n)
+        let over = matches!(self.s.expect, Expect::With(..)) && self.new_clause(n, end);
+        (!verb_before && !over).then_some(n)
     }
 
     /// What a group of things is in its sentence.
@@ -668,4 +690,14 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// Whether a noun that nobody knows is no thing by its end: "warmth and functionality", "a playful and cozy touch".
+fn abstraction(np: &Np) -> bool {
+    const NOUNS: [&str; 9] = ["ity", "ness", "ance", "ence", "ship", "hood", "ism", "tude", "ation"];
+    const ADJECTIVES: [&str; 5] = ["ful", "ous", "ible", "less", "ish"];
+    let head = np.head();
+    let ends = |list: &[&str]| list.iter().any(|e| head.len() > e.len() + 2 && head.ends_with(e));
+    let thing = ["decoration", "installation", "appliance", "ambulance"].contains(&head.as_str());
+    !thing && (ends(&NOUNS) || np.words.len() == 1 && ends(&ADJECTIVES)) || get().is(&head, Class::Surface)
 }
