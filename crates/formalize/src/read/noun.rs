@@ -142,6 +142,9 @@ impl Np {
     }
 }
 
+/// Colours that are things where no noun follows.
+const FRUIT: [&str; 7] = ["apple", "cherry", "plum", "peach", "lemon", "lime", "rose"];
+
 /// Words before a place that tell which one.
 const WHICH: &[&str] = &[
     "left",
@@ -454,8 +457,9 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             break;
         }
         if !nouns.is_empty() && !nouns.last().is_some_and(|n| n.1) {
+            let several = np.count.map_or(last_det == Det::None || !article, |n| n > 1);
             let counted = counted && np.count != Some(1);
-            if tail_here(&rest[used..], counted || last_det == Det::None) {
+            if tail_here(&rest[used..], several) {
                 nouns.push((singular(w), plural(w)));
                 used += 1;
                 noun_end = used;
@@ -469,7 +473,16 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
         }
         // The longest noun of the tables that begins here.
-        let table = longest_noun(&rest[used..]);
+        let mut table = longest_noun(&rest[used..]);
+        // "a fern plant stands near the window": not two plant stands.
+        if let Some((_, n)) = &table
+            && *n > 1
+            && (article || np.count == Some(1))
+            && plural(text(used + n - 1))
+            && lexicon.verb(&rest[used + n - 1..]).is_some()
+        {
+            table = longest_noun(&rest[used..used + n - 1]);
+        }
         let look = look_at(&rest[used..]);
         if let Some((phrase, n)) = table
             .clone()
@@ -571,7 +584,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         let participle = noun_end > 0
             && (w.ends_with("ed") || w.ends_with("ing"))
             && !before_noun(&rest[used + 1..])
-            && nouns.iter().any(|n| lexicon.noun(&n.0).is_some());
+            && (nouns.iter().any(|n| lexicon.noun(&n.0).is_some())
+                || article && w.ends_with("ing") && lexicon.verb(&rest[used + 1..]).is_none());
         if participle {
             break;
         }
@@ -655,6 +669,17 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         nouns.push((singular(w), plural(w)));
         used += 1;
+        noun_end = used;
+    }
+    // "a single apple"
+    if noun_end == 0 && begun && used > owner_end && FRUIT.contains(&singular(text(used - 1)).as_str()) {
+        let last = used - 1;
+        np.look = draft::Look::default();
+        if let Some((look, n)) = super::chunk::looks(&rest[start..last]).filter(|(_, n)| start + n == last) {
+            let _ = n;
+            np.look = look;
+        }
+        nouns.push((singular(text(last)), plural(text(last))));
         noun_end = used;
     }
     if noun_end == 0 {
@@ -850,6 +875,8 @@ fn tail_here(rest: &[Token], several: bool) -> bool {
     let fits = match word {
         // "an armchair set beside the table", "a chair that can be moved"
         "set" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() || t.is("and") || t.is("on") || t.is("of")),
+        // "a bowl and a jar stand side by side"
+        "stand" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() && t.text.ends_with('s')),
         "can" => next.first().is_none_or(|t| {
             !t.word() || lexicon.relation(next).is_some() || matches!(t.text.as_str(), "and" | "with")
                 || lexicon.verb(next).is_some() && ["s", "ed", "ing"].iter().any(|e| t.text.ends_with(e))

@@ -126,6 +126,8 @@ struct Sentence {
     from: usize,
     /// "one": of several, so that nothing is multiplied.
     one: bool,
+    /// What comes with several things is said of them together: "two nightstands topped with a clock".
+    together: bool,
     /// "centre a table in the room".
     centre: bool,
     /// What the last relation was to.
@@ -431,6 +433,8 @@ impl<'a> Reader<'a> {
                 let with_back = with_back && !self.relates_after(i + 2, end);
                 if !with_back && !self.near.is_empty() {
                     let owner = self.bearer(self.near.clone(), i + 1, end);
+                    // "speakers in the corners, with a screen on the wall": one screen.
+                    self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
                     self.s.expect = Expect::With(owner, Join::Usual);
                 } else if with_back {
                     return self.with_part(i, end);
@@ -737,6 +741,7 @@ impl Sentence {
             rooms: vec![],
             from: 0,
             one: false,
+            together: false,
             centre: false,
             object: vec![],
             it: vec![],

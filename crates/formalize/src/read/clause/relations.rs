@@ -261,6 +261,8 @@ impl Reader<'_> {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
                             if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
+                                self.s.turned = Some(Rel::Beside);
+                                self.s.lead_twice |= !self.s.subject;
                                 self.double();
                             }
                             return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
@@ -665,6 +667,15 @@ impl Reader<'_> {
                 return self.relate(of, Rel::Along, &owner);
             }
             _ => {}
+        }
+        if place == Place::Corner && which.iter().any(|w| w == "each") {
+            // "speakers in every corner": rooms have four.
+            for o in of {
+                let item = &mut self.scene.items[*o];
+                if item.many && item.count.is_none() {
+                    item.count = Some(4);
+                }
+            }
         }
         match place {
             Place::Row => self.say(of, What::Pattern(Pattern::Row)),

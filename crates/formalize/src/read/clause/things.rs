@@ -329,10 +329,6 @@ impl Reader<'_> {
                 let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
                 exact.filter(here).or(found.filter(|_| plain))
             }
-            // "to an exit": any of those there are.
-            Det::Indefinite if object && np.count.is_none() && np.look == crate::draft::Look::default() => {
-                exact.filter(|f| self.scene.items[*f].opening() && self.scene.items[*f].many)
-            }
             // "on one nightstand", where there are two: on one of these.
             Det::Indefinite | Det::Number if object && np.count.unwrap_or(1) == 1 && !np.many => {
                 let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
@@ -341,6 +337,8 @@ impl Reader<'_> {
                     plain && item.many && item.words == np.words && item.room == self.room
                 };
                 match found.filter(known) {
+                    // "to an exit": any of those there are.
+                    Some(of) if self.scene.items[of].opening() && np.count.is_none() => Some(of),
                     Some(of) if self.scene.items[of].count.is_some() => self.deal(i, of, 1),
                     _ => None,
                 }
@@ -401,6 +399,7 @@ impl Reader<'_> {
             return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
         }
         let n = np.count?;
+        let others = self.chunks[i..end].iter().flat_map(|c| c.at.clone()).any(|t| matches!(self.tokens[t].text.as_str(), "other" | "others"));
         let of_them = word == "them";
         let bare = word == "ones" && np.det == Det::Number;
         let goes_on = matches!(
@@ -419,7 +418,7 @@ impl Reader<'_> {
             .chain(last)
             .map(|o| self.scene.whole(*o))
             .find(|o| many(o))
-            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o))))?;
+            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o) || others)))?;
         // "one on each side": of one thing, so many for each.
         let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
         if each(i + 2) || self.scene.items[of].count.is_none() && self.scene.items[of].per.is_none() && !of_them {
@@ -572,7 +571,11 @@ impl Reader<'_> {
                     // "six desks, with the printer in a corner": one printer.
                     let definite = std::mem::take(&mut self.s.definite);
                     let own: Vec<usize> = fresh.iter().copied().filter(|f| !definite.contains(f)).collect();
-                    self.multiply(&own, owner[0]);
+                    // "two monitors with a keyboard": one keyboard.
+                    let small = matches!(self.scene.items[owner[0]].group, Group::Top | Group::Screen | Group::Ceiling);
+                    if self.s.each || !(small || self.s.together) {
+                        self.multiply(&own, owner[0]);
+                    }
                 }
                 self.join(&owner, &fresh, join);
                 self.s.expect = Expect::With(owner, join);
@@ -610,8 +613,13 @@ impl Reader<'_> {
     /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
     pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
         let seat = self.scene.items[owner].group == Group::Seat;
+        let all = self.scene.count(owner);
         for f in fresh {
             let item = &mut self.scene.items[*f];
+            // "five placemats, aligned with each chair": one for each, where there are as many.
+            if item.count.is_some_and(|n| n > 1 && n == all) {
+                continue;
+            }
             let own = item.count.unwrap_or(1);
             let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
             if *f != owner && item.per.is_none() && !(seat && large) {

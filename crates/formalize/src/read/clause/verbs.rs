@@ -74,6 +74,7 @@ impl Reader<'_> {
                 } else {
                     owner
                 };
+                self.s.together = reduced.is_some();
                 let owner = reduced.map_or(owner, |last| self.bearer(vec![last], i + 1, end));
                 // "the room has", "we have": nothing that owns.
                 let of_room = self.s.of_room && !self.s.subject || owner.is_empty();
