@@ -481,6 +481,9 @@ pub fn singular(word: &str) -> String {
     if let Some(stem) = word.strip_suffix("shelves") {
         return format!("{stem}shelf");
     }
+    if word.ends_with("oes") && !["shoes", "toes", "hoes", "canoes"].contains(&word) {
+        return word[..word.len() - 2].to_owned();
+    }
     for (end, one) in [("ies", "y"), ("sses", "ss"), ("shes", "sh"), ("ches", "ch"), ("xes", "x"), ("sses", "ss")] {
         if let Some(stem) = word.strip_suffix(end).filter(|s| s.len() > 1) {
             return format!("{stem}{one}");

@@ -458,6 +458,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if !nouns.is_empty() && !nouns.last().is_some_and(|n| n.1) {
             let several = np.count.map_or(last_det == Det::None || !article, |n| n > 1);
+            let several = several && (np.count.is_some() || last_det == Det::None || lexicon.verb(&rest[used..]).is_none());
             let counted = counted && np.count != Some(1);
             if tail_here(&rest[used..], several) {
                 nouns.push((singular(w), plural(w)));
@@ -467,7 +468,9 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             // "a lamp casts light", "a vanity spans the wall": after "a", what ends so is a verb, known or not.
             let one = article && !counted;
-            let acts = plural(w) && (one || lexicon.verb(&rest[used..]).is_some() && takes_object(&rest[used + 1..]));
+            let acts = plural(w) && (one || (longest_noun(&rest[used..]).is_none() || lexicon.verb(&rest[used..]).is_some())
+                    && (takes_object(&rest[used + 1..])
+                        || matches!(text(used + 1), "through" | "into" | "onto" | "across" | "over")));
             if acts && noun_end > 0 && !(one && longest_noun(&rest[used..]).is_some_and(|(_, n)| n > 1)) {
                 break;
             }
@@ -508,6 +511,18 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if let Some((kind, n)) = look {
             let noun_after = nouns.is_empty() || before_noun(&rest[used + n..]);
+            // "a massage stone lies near the soap"
+            let named = article
+                && noun_end > 0
+                && kind == Look::Material
+                && longest_noun(&rest[used - 1..used]).is_none()
+                && (lexicon.verb(&rest[used + n..]).is_some() || lexicon.relation(&rest[used + n..]).is_some());
+            if named && !noun_after {
+                nouns.extend(rest[used..used + n].iter().map(|t| (singular(&t.text), false)));
+                used += n;
+                noun_end = used;
+                continue;
+            }
             if !noun_after {
                 break;
             }
@@ -630,7 +645,12 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             || w == "and"
             || w == "or"
             || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
-        let grammar = grammar || !nouns.is_empty() && super::chunk::fixed(&rest[used..]).is_some();
+        // "a round play rug"
+        let modifier = article && noun_end == 0 && lexicon.relation(&rest[used..]).is_none()
+            && !["s", "ed"].iter().any(|e| w.ends_with(e))
+            && lexicon.verb(&rest[used..]).is_some_and(|(_, n)| n == 1)
+            && longest_noun(&rest[used + 1..]).is_some();
+        let grammar = grammar && !modifier || !nouns.is_empty() && super::chunk::fixed(&rest[used..]).is_some();
         if grammar && !(lexicon.is(w, Class::Space) && before_noun(&rest[used + 1..])) {
             break;
         }
@@ -654,7 +674,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if nouns.is_empty()
             && adjective(w)
             && (before_noun(&rest[used + 1..])
-                || w.contains('-') && leads_to_noun(&rest[used + 1..])
+                || leads_to_noun(&rest[used + 1..])
                 || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text)))
         {
             add_look(&mut np.look, Look::Feature, &rest[used..=used]);
@@ -883,6 +903,7 @@ fn tail_here(rest: &[Token], several: bool) -> bool {
         }),
         _ => !verbal && !matches!(word, "display" | "support" | "block") || !takes_object(next),
     };
+    let fits = fits && longest_noun(next).is_none() && !(lexicon.is_look(word) && look_at(next).is_some());
     lexicon.is(&singular(word), Class::Tail) && fits && (!plural(word) || several)
 }
 

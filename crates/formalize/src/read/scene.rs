@@ -252,14 +252,21 @@ impl Scene {
             let color = np.look.color.is_none() || np.look.color == item.look.color;
             if item.words == np.words && color {
                 8
-            } else if all {
+            } else if all && same_tail {
                 7
             } else if (same_head || same_tail) && own {
                 6
             } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
-                // "the wardrobe door" is no wardrobe
+                // "the wardrobe door" is no wardrobe; "the desk" is rather a desk than a desk lamp
                 3
-            } else if lexicon.alike(&item.head(), &head) && np.words.len() <= np.last {
+            } else if np.words.len() == 1 && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head)) {
+                // "the bench" is the workbench
+                5
+            } else if all {
+                3
+            } else if lexicon.alike(&item.head(), &head)
+                && np.words[..np.words.len() - np.last].iter().all(|w| lexicon.alike(&item.head(), w))
+            {
                 4
             } else if fewer
                 && (same_head || same_tail)
@@ -278,13 +285,19 @@ impl Scene {
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
         let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
-        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(room) } else { None })
+        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(&head, room) } else { None })
     }
 
     /// "the tabletop": what was spoken of last that has one.
-    fn surface(&self, room: usize) -> Option<usize> {
-        let with_top = |i: &Item| i.room == room && i.group == Group::Table && i.part.is_none();
-        (0..self.items.len()).rev().find(|i| with_top(&self.items[*i]) && !self.gone.contains(i))
+    fn surface(&self, said: &str, room: usize) -> Option<usize> {
+        let with_top = |i: &usize| {
+            let item = &self.items[*i];
+            item.room == room && item.group == Group::Table && item.part.is_none() && !self.gone.contains(i)
+        };
+        // "the tabletop" is rather that of a table than of a sideboard.
+        let named = |i: &usize| self.items[*i].words.last().is_some_and(|w| said.starts_with(w.as_str()));
+        let all = || (0..self.items.len()).rev().filter(with_top);
+        all().find(named).or_else(|| all().next())
     }
 
     /// Leaves out what was taken back, and what was said of it.

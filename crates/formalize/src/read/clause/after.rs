@@ -55,6 +55,15 @@ impl Reader<'_> {
                     self.mark(k);
                     self.add_look(&[id], look);
                 }
+                // "a block of wood"
+                Some(Piece::Rel(Rel::Of))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
+                        && self.scene.items[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
+                {
+                    let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+                    self.scene.items[id].of = Some(format!("of {}", text.join(" ")));
+                    self.mark(k);
+                }
                 Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
                     self.mark(k)
                 }

@@ -126,6 +126,10 @@ struct Sentence {
     from: usize,
     /// "one": of several, so that nothing is multiplied.
     one: bool,
+    /// The last things of a list that another has: "with two chisels and two brushes on top" is of both.
+    owned: Vec<usize>,
+    /// What the sentence began with that things are on: "On the desk, …".
+    frame: Option<Vec<usize>>,
     /// What comes with several things is said of them together: "two nightstands topped with a clock".
     together: bool,
     /// "centre a table in the room".
@@ -301,9 +305,13 @@ impl<'a> Reader<'a> {
         let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
+        let unsaid = self.unsaid(from, end);
         let mut i = from;
         while i < end {
-            i = self.step(i, end).max(i + 1);
+            i = match unsaid.iter().find(|r| r.contains(&i)) {
+                Some(range) => range.end,
+                None => self.step(i, end).max(i + 1),
+            };
         }
         self.finish();
         self.carrier = std::mem::take(&mut self.s.object);
@@ -597,6 +605,29 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Clauses whose meaning turns on a word that nothing here can say: they are left to the notes.
+    /// "each with a lamp, except the last" says nothing of lamps, "a sofa rather than a bench" nothing of the bench.
+    fn unsaid(&self, from: usize, end: usize) -> Vec<Range<usize>> {
+        let mut out = Vec::new();
+        for i in from..end {
+            let at = self.chunks[i].at.start;
+            let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
+            let stop = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+            let to = (i + 1..end).find(stop).unwrap_or(end);
+            match (word(0), word(1)) {
+                ("except" | "excepting", _) | ("apart" | "aside", "from") => {
+                    // The clause it is said of is the one before it.
+                    let before = if i > from && stop(&(i - 1)) { i - 1 } else { i };
+                    let start = (from..before).rev().find(stop).unwrap_or(from);
+                    out.push(start..to);
+                }
+                ("rather", "than") | ("instead", "of") => out.push(i..to),
+                _ => {}
+            }
+        }
+        out
+    }
+
     /// "either a sofa or two armchairs by the window": nobody says which; where that ends.
     fn choice(&self, i: usize, end: usize) -> Option<usize> {
         let at = self.chunks[i].at.start;
@@ -741,6 +772,8 @@ impl Sentence {
             rooms: vec![],
             from: 0,
             one: false,
+            owned: vec![],
+            frame: None,
             together: false,
             centre: false,
             object: vec![],

@@ -9,6 +9,11 @@ impl Reader<'_> {
             return i + 1;
         }
         let chunks = self.chunks;
+        // "…, and nearby a table stands": of no thing.
+        if rel == Rel::Near && self.tokens[chunks[i].at.start].is("nearby") && self.stands_next(i + 1, end) {
+            self.s.expect = Expect::Nothing;
+            return i + 1;
+        }
         if let Some(next) = self.clusters(i, end, rel) {
             return next;
         }
@@ -52,7 +57,10 @@ impl Reader<'_> {
             self.near = self.main.clone();
             self.s.expect = Expect::Nothing;
         }
-        let of = self.subject(i);
+        let of = match &object {
+            Lead::Items(items, _) => self.all_owned(i, items).unwrap_or_else(|| self.subject(i)),
+            Lead::Place(..) => self.subject(i),
+        };
         match object {
             Lead::Items(items, each) => {
                 self.mark(i);
@@ -204,13 +212,14 @@ impl Reader<'_> {
             }
             // "at its foot", "by its side"
             Kind::Place(
-                place @ (Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
+                place @ (Place::Middle | Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
             ) if np.det == Det::Own && !self.their("it", false).is_empty() => {
                 let items = self.their("it", false);
                 self.mark(k);
                 self.s.turned = Some(match place {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
+                    Place::Middle if items.iter().all(|o| self.scene.items[*o].group == Group::Table) => Rel::On,
                     _ => Rel::Beside,
                 });
                 Some((Lead::Items(items, false), k + 1))
@@ -257,7 +266,11 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            if matches!(said, Rel::At | Rel::In) {
+                            let on = place == Place::Middle
+                                && matches!(self.scene.items[id].group, Group::Table | Group::Flat | Group::Bed | Group::Top);
+                            if on {
+                                self.s.turned = Some(Rel::On);
+                            } else if matches!(said, Rel::At | Rel::In) {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
                             if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
@@ -548,6 +561,7 @@ impl Reader<'_> {
             self.s.it = object.clone();
         }
         let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        let of = self.all_owned(i, &object).unwrap_or(of);
         // "to the left as you come in": in that part of the room.
         let next = self.tokens.get(self.chunks[i].at.end);
         if matches!(rel, Rel::LeftOf | Rel::RightOf)
@@ -590,6 +604,15 @@ impl Reader<'_> {
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
+    }
+
+    /// "with two chisels and two brushes on top": what a relation to the owner, right after a list of what it has,
+    /// is said of.
+    fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
+        let Expect::With(owner, _) = &self.s.expect else { return None };
+        let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
+        let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
+        (listed && owner == to && self.s.owned.len() > 1).then(|| self.s.owned.clone())
     }
 
     /// "one to the left and one to the right of the sofa": of the sofa both.
@@ -635,7 +658,9 @@ impl Reader<'_> {
     /// Says a relation.
     pub(super) fn relate(&mut self, of: &[usize], rel: Rel, to: &[usize]) {
         let of: Vec<usize> = of.iter().copied().filter(|o| !to.contains(o) || to.len() == 1 && of.len() == 1).collect();
-        if of.is_empty() {
+        // "sunlight streams through a window onto a table": windows are on nothing.
+        let opening = matches!(rel, Rel::On | Rel::In) && of.iter().all(|o| self.scene.items[*o].opening());
+        if of.is_empty() || opening {
             return;
         }
         // Nothing lies on what lies on it.

@@ -495,6 +495,11 @@ impl Reader<'_> {
             return self.deny(i, end);
         }
         self.s.not |= np.det == Det::No;
+        // "for bottle storage": no thing.
+        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for");
+        if purpose && np.det == Det::None && np.count.is_none() && !np.many {
+            return i + 1;
+        }
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;
@@ -578,6 +583,7 @@ impl Reader<'_> {
                     }
                 }
                 self.join(&owner, &fresh, join);
+                self.s.owned.clone_from(&fresh);
                 self.s.expect = Expect::With(owner, join);
                 self.near = group[group.len() - 1..].to_vec();
             }
@@ -651,6 +657,9 @@ impl Reader<'_> {
                         self.multiply(&fresh, items[0]);
                     }
                     self.relate(&of, *rel, items);
+                    if *rel == Rel::On {
+                        self.s.frame = Some(items.clone());
+                    }
                 }
                 Lead::Place(place, which) => self.at_place(&of, *rel, *place, which),
             }
@@ -690,6 +699,8 @@ impl Reader<'_> {
                 Join::On => Some((Rel::On, false)),
                 Join::Beside => Some((Rel::Sides, true)),
                 Join::Around => Some((Rel::Around, true)),
+                // "a sideboard illuminated by a table lamp"
+                Join::Above if group == Group::Top => Some((Rel::On, false)),
                 Join::Above => Some((Rel::Above, true)),
             };
             // A relation in words replaces the usual one: it is dropped again where one follows.

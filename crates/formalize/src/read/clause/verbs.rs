@@ -6,8 +6,16 @@ impl Reader<'_> {
     /// "a chair placed near the window", "a cart topped with a mat": the thing right before a participle, where the
     /// sentence is about another.
     pub(super) fn reduced(&self, i: usize) -> Option<usize> {
-        let before = self.chunks.get(i.checked_sub(1)?)?.np().filter(|np| np.kind == Kind::Thing)?;
         let Piece::Verb(_) = self.chunks[i].piece else { return None };
+        let mut before = self.chunks.get(i.checked_sub(1)?)?.np()?;
+        // "a ladder against the wall displaying plants"
+        let placed = matches!(before.kind, Kind::Place(_)) && i > 2 && matches!(self.chunks[i - 2].piece, Piece::Rel(_));
+        if placed {
+            before = self.chunks[i - 3].np()?;
+        }
+        if before.kind != Kind::Thing {
+            return None;
+        }
         let word = self.tokens[self.chunks[i].at.start].text.as_str();
         let participle = word.ends_with("ing") || word.ends_with("ed") || matches!(word, "set" | "hung" | "laid" | "laden");
         let last = self.recent.last().copied().filter(|l| self.scene.items[*l].words == before.words)?;
@@ -17,7 +25,7 @@ impl Reader<'_> {
 
     /// Who has what comes: doors and windows have curtains and nothing else.
     pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
-        let drape = self.np(next, end).is_some_and(|n| matches!(n.group, None | Some(Group::Drape)));
+        let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
         let opening = |l: &[usize]| l.iter().all(|o| self.scene.items[*o].opening());
         if !drape && opening(&near) && !self.main.is_empty() && !opening(&self.main) {
             self.main.clone()
@@ -33,12 +41,17 @@ impl Reader<'_> {
             Piece::Word(_) => matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but"),
             _ => false,
         };
+        i > 0 && joined(&self.chunks[i - 1]) && self.stands_next(i, end)
+    }
+
+    /// Whether a noun phrase begins here that a finite verb follows.
+    pub(super) fn stands_next(&self, i: usize, end: usize) -> bool {
         let Some(np) = self.np(i, end).filter(|np| np.kind == Kind::Thing) else { return false };
         let mut k = i + 1;
         while matches!(self.piece(k, end), Some(Piece::Attr(_) | Piece::Word(false))) {
             k += 1;
         }
-        let finite = match self.piece(k, end) {
+        match self.piece(k, end) {
             Some(Piece::Verb(_) | Piece::Rel(_)) => {
                 let word = self.tokens[self.chunks[k].at.start].text.as_str();
                 let one = word.ends_with('s') && !matches!(word, "across" | "towards" | "less");
@@ -47,8 +60,7 @@ impl Reader<'_> {
                 one || many
             }
             _ => false,
-        };
-        i > 0 && joined(&self.chunks[i - 1]) && finite
+        }
     }
 
     pub(super) fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {
