@@ -348,7 +348,8 @@ impl Lexicon {
 
     /// Whether a word is in any table.
     pub fn known(&self, word: &str) -> bool {
-        let grammar = |c: &Class| !matches!(c, Class::Holder | Class::Portion | Class::Tail | Class::Paired | Class::Surface);
+        let grammar =
+            |c: &Class| !matches!(c, Class::Holder | Class::Portion | Class::Tail | Class::Paired | Class::Surface);
         self.words.get(word).is_some_and(|classes| classes.iter().any(grammar))
             || self.looks.contains_key(word)
             || self.relations.contains_key(word)

@@ -317,7 +317,13 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             "row" | "line" | "series" | "set" | "group" | "cluster" | "collection" | "number" | "bunch" | "bank"
         )
     };
-    if article && of_them(text(used)) && text(used + 1) == "of" && rest.get(used + 2).is_some_and(Token::word) {
+    // "a stack of two books": two books.
+    let heap = matches!(text(used), "stack" | "pile") && rest.get(used + 2..).and_then(number::count).is_some();
+    if heap && text(used + 1) == "of" {
+        np.look.features.push("stacked".to_owned());
+    }
+    if article && (heap || of_them(text(used))) && text(used + 1) == "of" && rest.get(used + 2).is_some_and(Token::word)
+    {
         np.row = matches!(text(used), "row" | "line" | "series" | "bank");
         used += 2;
         last_det = Det::None;
@@ -458,7 +464,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if !nouns.is_empty() && !nouns.last().is_some_and(|n| n.1) {
             let several = np.count.map_or(last_det == Det::None || !article, |n| n > 1);
-            let several = several && (np.count.is_some() || last_det == Det::None || lexicon.verb(&rest[used..]).is_none());
+            let several =
+                several && (np.count.is_some() || last_det == Det::None || lexicon.verb(&rest[used..]).is_none());
             let counted = counted && np.count != Some(1);
             if tail_here(&rest[used..], several) {
                 nouns.push((singular(w), plural(w)));
@@ -468,9 +475,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
             // "a lamp casts light", "a vanity spans the wall": after "a", what ends so is a verb, known or not.
             let one = article && !counted;
-            let acts = plural(w) && (one || (longest_noun(&rest[used..]).is_none() || lexicon.verb(&rest[used..]).is_some())
-                    && (takes_object(&rest[used + 1..])
-                        || matches!(text(used + 1), "through" | "into" | "onto" | "across" | "over")));
+            let acts = plural(w)
+                && (one
+                    || (longest_noun(&rest[used..]).is_none() || lexicon.verb(&rest[used..]).is_some())
+                        && (takes_object(&rest[used + 1..])
+                            || matches!(text(used + 1), "through" | "into" | "onto" | "across" | "over")));
             if acts && noun_end > 0 && !(one && longest_noun(&rest[used..]).is_some_and(|(_, n)| n > 1)) {
                 break;
             }
@@ -646,7 +655,9 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             || w == "or"
             || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
         // "a round play rug"
-        let modifier = article && noun_end == 0 && lexicon.relation(&rest[used..]).is_none()
+        let modifier = article
+            && noun_end == 0
+            && lexicon.relation(&rest[used..]).is_none()
             && !["s", "ed"].iter().any(|e| w.ends_with(e))
             && lexicon.verb(&rest[used..]).is_some_and(|(_, n)| n == 1)
             && longest_noun(&rest[used + 1..]).is_some();
@@ -894,11 +905,15 @@ fn tail_here(rest: &[Token], several: bool) -> bool {
     let verbal = lexicon.verb(rest).is_some() || lexicon.soft(rest).is_some();
     let fits = match word {
         // "an armchair set beside the table", "a chair that can be moved"
-        "set" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() || t.is("and") || t.is("on") || t.is("of")),
+        "set" => next
+            .first()
+            .is_none_or(|t| !t.word() || lexicon.verb(next).is_some() || t.is("and") || t.is("on") || t.is("of")),
         // "a bowl and a jar stand side by side"
         "stand" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() && t.text.ends_with('s')),
         "can" => next.first().is_none_or(|t| {
-            !t.word() || lexicon.relation(next).is_some() || matches!(t.text.as_str(), "and" | "with")
+            !t.word()
+                || lexicon.relation(next).is_some()
+                || matches!(t.text.as_str(), "and" | "with")
                 || lexicon.verb(next).is_some() && ["s", "ed", "ing"].iter().any(|e| t.text.ends_with(e))
         }),
         _ => !verbal && !matches!(word, "display" | "support" | "block") || !takes_object(next),

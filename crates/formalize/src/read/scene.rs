@@ -259,7 +259,9 @@ impl Scene {
             } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
                 // "the wardrobe door" is no wardrobe; "the desk" is rather a desk than a desk lamp
                 3
-            } else if np.words.len() == 1 && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head)) {
+            } else if np.words.len() == 1
+                && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head))
+            {
                 // "the bench" is the workbench
                 5
             } else if all {

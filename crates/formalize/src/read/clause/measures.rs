@@ -355,7 +355,11 @@ impl Reader<'_> {
         self.framed();
         // "a scale on the counter, and a basket": on the counter too.
         if let Some((rel, to)) = self.s.shared.take() {
-            let bare = |i: &usize| self.small(*i, &to) && !self.scene.facts.iter().any(|f| f.of.contains(i));
+            let bare = |i: &usize| {
+                self.small(*i, &to)
+                    && self.scene.items[*i].group != Group::Wall
+                    && !self.scene.facts.iter().any(|f| f.of.contains(i))
+            };
             let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
             self.relate(&of, rel, &to);
         }
@@ -393,7 +397,7 @@ impl Reader<'_> {
         let [w, _, d] = crate::read::sizes::usual(item.group, &item.words);
         item.at.start >= self.s.at.start
             && !to.contains(&i)
-            && matches!(item.group, Group::Top | Group::Floor | Group::Soft)
-            && w * d < 0.3
+            && matches!(item.group, Group::Top | Group::Floor | Group::Soft | Group::Wall)
+            && w * d < if item.group == Group::Wall { 0.05 } else { 0.3 }
     }
 }

@@ -35,6 +35,8 @@ enum Join {
     Usual,
     /// On it.
     On,
+    /// In it.
+    In,
     /// At its sides.
     Beside,
     /// Around it.

@@ -17,6 +17,17 @@ impl Reader<'_> {
         if let Some(next) = self.clusters(i, end, rel) {
             return next;
         }
+        // "a lamp stands nearby", "with a mirror above": of what was spoken of before.
+        let alone = matches!(
+            self.tokens[chunks[i].at.start].text.as_str(),
+            "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
+        ) && chunks[i].at.len() == 1
+            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
+        if alone && self.s.pending.is_none() {
+            self.mark(i);
+            self.on_its(i, end, rel);
+            return i + 1;
+        }
         let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
@@ -139,6 +150,15 @@ impl Reader<'_> {
             k += 1;
         }
         let np = self.np(k, end)?;
+        // "on the lid of a chest", "on the surface of the desk"
+        if get().is(&np.head(), Class::Surface)
+            && np.words.len() == 1
+            && matches!(self.piece(k + 1, end), Some(Piece::Rel(Rel::Of)))
+            && self.np(k + 2, end).is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Pronoun))
+        {
+            self.mark(k);
+            return self.object(k + 2, end, rel);
+        }
         match np.kind {
             Kind::Thing => {
                 // "between two tables": any two of those there are.
@@ -171,7 +191,11 @@ impl Reader<'_> {
             Kind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
                 let contrast = self.other_side(rel).filter(|_| word == "it");
-                let items = contrast.unwrap_or_else(|| self.their(word, np.det == Det::Each));
+                // "A desk stands under the window. On its surface …": of the desk.
+                let led = word == "it" && !self.s.subject && self.s.expect == Expect::Nothing && self.before.len() == 1;
+                let items = contrast
+                    .or_else(|| led.then(|| self.before.clone()))
+                    .unwrap_or_else(|| self.their(word, np.det == Det::Each));
                 if items.is_empty() {
                     return None;
                 }
@@ -212,13 +236,20 @@ impl Reader<'_> {
             }
             // "at its foot", "by its side"
             Kind::Place(
-                place @ (Place::Middle | Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
+                place @ (Place::Middle
+                | Place::Foot
+                | Place::Head
+                | Place::Side
+                | Place::Front
+                | Place::Back
+                | Place::End),
             ) if np.det == Det::Own && !self.their("it", false).is_empty() => {
                 let items = self.their("it", false);
                 self.mark(k);
                 self.s.turned = Some(match place {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
+                    Place::Side if rel == Rel::On && np.words.first().is_some_and(|w| w == "edge") => Rel::On,
                     Place::Middle if items.iter().all(|o| self.scene.items[*o].group == Group::Table) => Rel::On,
                     _ => Rel::Beside,
                 });
@@ -258,7 +289,11 @@ impl Reader<'_> {
                     if let Some(id) = self.resolve(next + 1, np, true) {
                         self.mark(next);
                         self.mark(next + 1);
+                        let edge =
+                            said == Rel::On && self.tokens[self.chunks[k].at.clone()].iter().any(|t| t.is("edge"));
                         let rel = match place {
+                            // "on the edge of the tub"
+                            Place::Side if edge => Some(Rel::On),
                             Place::Side | Place::Head => Some(Rel::Beside),
                             Place::Foot | Place::Front => Some(Rel::InFrontOf),
                             Place::Back => Some(Rel::Behind),
@@ -267,7 +302,10 @@ impl Reader<'_> {
                         };
                         if rel.is_some() {
                             let on = place == Place::Middle
-                                && matches!(self.scene.items[id].group, Group::Table | Group::Flat | Group::Bed | Group::Top);
+                                && matches!(
+                                    self.scene.items[id].group,
+                                    Group::Table | Group::Flat | Group::Bed | Group::Top
+                                );
                             if on {
                                 self.s.turned = Some(Rel::On);
                             } else if matches!(said, Rel::At | Rel::In) {

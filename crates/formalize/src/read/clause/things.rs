@@ -399,7 +399,10 @@ impl Reader<'_> {
             return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
         }
         let n = np.count?;
-        let others = self.chunks[i..end].iter().flat_map(|c| c.at.clone()).any(|t| matches!(self.tokens[t].text.as_str(), "other" | "others"));
+        let others = self.chunks[i..end]
+            .iter()
+            .flat_map(|c| c.at.clone())
+            .any(|t| matches!(self.tokens[t].text.as_str(), "other" | "others"));
         let of_them = word == "them";
         let bare = word == "ones" && np.det == Det::Number;
         let goes_on = matches!(
@@ -497,6 +500,9 @@ impl Reader<'_> {
         self.s.not |= np.det == Det::No;
         // "for bottle storage": no thing.
         let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for");
+        // Nor is light that is cast: "provides soft light".
+        let purpose =
+            purpose || np.words == ["light"] && i > 0 && !matches!(chunks[i - 1].piece, Piece::Rel(_) | Piece::With);
         if purpose && np.det == Det::None && np.count.is_none() && !np.many {
             return i + 1;
         }
@@ -697,6 +703,7 @@ impl Reader<'_> {
             let rel = match join {
                 Join::Usual => usual.map(|r| (r, false)),
                 Join::On => Some((Rel::On, false)),
+                Join::In => Some((Rel::In, false)),
                 Join::Beside => Some((Rel::Sides, true)),
                 Join::Around => Some((Rel::Around, true)),
                 // "a sideboard illuminated by a table lamp"

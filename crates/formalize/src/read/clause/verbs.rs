@@ -9,7 +9,8 @@ impl Reader<'_> {
         let Piece::Verb(_) = self.chunks[i].piece else { return None };
         let mut before = self.chunks.get(i.checked_sub(1)?)?.np()?;
         // "a ladder against the wall displaying plants"
-        let placed = matches!(before.kind, Kind::Place(_)) && i > 2 && matches!(self.chunks[i - 2].piece, Piece::Rel(_));
+        let placed =
+            matches!(before.kind, Kind::Place(_)) && i > 2 && matches!(self.chunks[i - 2].piece, Piece::Rel(_));
         if placed {
             before = self.chunks[i - 3].np()?;
         }
@@ -17,8 +18,12 @@ impl Reader<'_> {
             return None;
         }
         let word = self.tokens[self.chunks[i].at.start].text.as_str();
-        let participle = word.ends_with("ing") || word.ends_with("ed") || matches!(word, "set" | "hung" | "laid" | "laden");
+        let participle =
+            word.ends_with("ing") || word.ends_with("ed") || matches!(word, "set" | "hung" | "laid" | "laden");
         let last = self.recent.last().copied().filter(|l| self.scene.items[*l].words == before.words)?;
+        // "a basket next to the shelf holding two rolls": what is spoken of again holds nothing new.
+        let again = self.scene.items[last].at.start < self.bytes(i - 1..i).start;
+        let last = if again && !placed { self.near.last().copied()? } else { last };
         let own = self.scene.whole(last);
         (participle && !self.main.is_empty() && !self.main.contains(&last) && !self.main.contains(&own)).then_some(last)
     }
@@ -27,18 +32,16 @@ impl Reader<'_> {
     pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
         let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
         let opening = |l: &[usize]| l.iter().all(|o| self.scene.items[*o].opening());
-        if !drape && opening(&near) && !self.main.is_empty() && !opening(&self.main) {
-            self.main.clone()
-        } else {
-            near
-        }
+        if !drape && opening(&near) && !self.main.is_empty() && !opening(&self.main) { self.main.clone() } else { near }
     }
 
     /// Whether the noun phrase that begins here is what a new clause is about: "…, while a basket sits …".
     pub(super) fn new_clause(&self, i: usize, end: usize) -> bool {
         let joined = |c: &Chunk| match c.piece {
             Piece::And | Piece::Comma => true,
-            Piece::Word(_) => matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but"),
+            Piece::Word(_) => {
+                matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but")
+            }
             _ => false,
         };
         i > 0 && joined(&self.chunks[i - 1]) && self.stands_next(i, end)
@@ -56,7 +59,10 @@ impl Reader<'_> {
                 let word = self.tokens[self.chunks[k].at.start].text.as_str();
                 let one = word.ends_with('s') && !matches!(word, "across" | "towards" | "less");
                 let many = (np.many || np.count.is_some_and(|c| c > 1))
-                    && matches!(word, "are" | "stand" | "sit" | "rest" | "lie" | "hang" | "face" | "flank" | "line" | "hold");
+                    && matches!(
+                        word,
+                        "are" | "stand" | "sit" | "rest" | "lie" | "hang" | "face" | "flank" | "line" | "hold"
+                    );
                 one || many
             }
             _ => false,
@@ -90,7 +96,12 @@ impl Reader<'_> {
                 let owner = reduced.map_or(owner, |last| self.bearer(vec![last], i + 1, end));
                 // "the room has", "we have": nothing that owns.
                 let of_room = self.s.of_room && !self.s.subject || owner.is_empty();
-                let join = if verb == Verb::Carry { Join::On } else { Join::Usual };
+                let word = self.tokens[self.chunks[i].at.start].text.as_str();
+                let join = match verb {
+                    Verb::Carry => Join::On,
+                    _ if matches!(word, "filled" | "stocked" | "contain" | "contains" | "containing") => Join::In,
+                    _ => Join::Usual,
+                };
                 self.s.expect = if of_room { Expect::Nothing } else { Expect::With(owner, join) };
                 self.s.listed = true;
             }
