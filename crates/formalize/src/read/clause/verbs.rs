@@ -39,7 +39,7 @@ impl Reader<'_> {
     pub(super) fn new_clause(&self, i: usize, end: usize) -> bool {
         let joined = |c: &Chunk| match c.piece {
             Piece::And | Piece::Comma => true,
-            Piece::Word(_) => {
+            Piece::Word(_) | Piece::Which => {
                 matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but")
             }
             _ => false,
