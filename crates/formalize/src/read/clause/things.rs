@@ -329,12 +329,14 @@ impl Reader<'_> {
                 let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
                 exact.filter(here).or(found.filter(|_| plain))
             }
-            // "on one nightstand", where there are two: on one of these.
+            // "on one nightstand", "on a nightstand" where there are two: on one of these. Where there are more,
+            // "a stool" is another.
             Det::Indefinite | Det::Number if object && np.count.unwrap_or(1) == 1 && !np.many => {
                 let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
                 let known = |f: &usize| {
                     let item = &self.scene.items[*f];
-                    plain && item.many && item.words == np.words && item.room == self.room
+                    let of_these = np.det == Det::Number || item.opening() || item.count == Some(2);
+                    plain && of_these && item.many && item.words == np.words && item.room == self.room
                 };
                 match found.filter(known) {
                     // "to an exit": any of those there are.
