@@ -607,29 +607,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Clauses whose meaning turns on a word that nothing here can say: they are left to the notes.
-    /// "each with a lamp, except the last" says nothing of lamps, "a sofa rather than a bench" nothing of the bench.
-    fn unsaid(&self, from: usize, end: usize) -> Vec<Range<usize>> {
-        let mut out = Vec::new();
-        for i in from..end {
-            let at = self.chunks[i].at.start;
-            let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
-            let stop = |k: &usize| self.chunks[*k].piece == Piece::Comma;
-            let to = (i + 1..end).find(stop).unwrap_or(end);
-            match (word(0), word(1)) {
-                ("except" | "excepting", _) | ("apart" | "aside", "from") => {
-                    // The clause it is said of is the one before it.
-                    let before = if i > from && stop(&(i - 1)) { i - 1 } else { i };
-                    let start = (from..before).rev().find(stop).unwrap_or(from);
-                    out.push(start..to);
-                }
-                ("rather", "than") | ("instead", "of") => out.push(i..to),
-                _ => {}
-            }
-        }
-        out
-    }
-
     /// "either a sofa or two armchairs by the window": nobody says which; where that ends.
     fn choice(&self, i: usize, end: usize) -> Option<usize> {
         let at = self.chunks[i].at.start;
@@ -673,7 +650,7 @@ impl<'a> Reader<'a> {
 
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
-        if i > 0 && self.reduced(i - 1).is_some() && !(self.s.each && !matches!(self.s.expect, Expect::With(..))) {
+        if i > 0 && self.reduced(i - 1).is_some() && (!self.s.each || matches!(self.s.expect, Expect::With(..))) {
             return self.near.clone();
         }
         let after_comma =

@@ -69,6 +69,29 @@ impl Reader<'_> {
         }
     }
 
+    /// Clauses whose meaning turns on a word that nothing here can say: they are left to the notes.
+    /// "each with a lamp, except the last" says nothing of lamps, "a sofa rather than a bench" nothing of the bench.
+    pub(super) fn unsaid(&self, from: usize, end: usize) -> Vec<Range<usize>> {
+        let mut out = Vec::new();
+        for i in from..end {
+            let at = self.chunks[i].at.start;
+            let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
+            let stop = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+            let to = (i + 1..end).find(stop).unwrap_or(end);
+            match (word(0), word(1)) {
+                ("except" | "excepting", _) | ("apart" | "aside", "from") => {
+                    // The clause it is said of is the one before it.
+                    let before = if i > from && stop(&(i - 1)) { i - 1 } else { i };
+                    let start = (from..before).rev().find(stop).unwrap_or(from);
+                    out.push(start..to);
+                }
+                ("rather", "than") | ("instead", "of") => out.push(i..to),
+                _ => {}
+            }
+        }
+        out
+    }
+
     pub(super) fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {
         let after = self.main.clone();
         let reduced = self.reduced(i);
