@@ -770,30 +770,6 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     Some((np, noun_end))
 }
 
-/// "half the desks", "half of the desks": the words before the noun.
-fn half(rest: &[Token]) -> usize {
-    let of = usize::from(rest.first().is_some_and(|t| t.is("of")));
-    let the = rest.get(of).is_some_and(|t| get().is(&t.text, Class::Def));
-    if the && rest.get(of + 1).is_some_and(|t| plural(&t.text)) { of + 1 } else { 0 }
-}
-
-fn ordinal(word: &str) -> Option<Nth> {
-    const WORDS: [&str; 10] =
-        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
-    if word == "last" {
-        return Some(Nth::Last);
-    }
-    WORDS.iter().position(|w| *w == word).map(Nth::At)
-}
-
-/// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
-fn names_something(rest: &[Token]) -> bool {
-    rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
-        Some(place) => place == Place::Row,
-        None => before_noun(rest),
-    })
-}
-
 /// Adds sizes given as "2 m wide" or "2 by 1 m".
 pub fn add_dims(dims: &mut Dims, values: &[f64], named: &[Dim]) {
     match (values, named) {

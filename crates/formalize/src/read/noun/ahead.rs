@@ -139,3 +139,27 @@ pub(super) fn adjective(word: &str) -> bool {
             .iter()
             .any(|e| word.len() > e.len() + 2 && word.ends_with(e))
 }
+
+/// "half the desks", "half of the desks": the words before the noun.
+pub(super) fn half(rest: &[Token]) -> usize {
+    let of = usize::from(rest.first().is_some_and(|t| t.is("of")));
+    let the = rest.get(of).is_some_and(|t| get().is(&t.text, Class::Def));
+    if the && rest.get(of + 1).is_some_and(|t| plural(&t.text)) { of + 1 } else { 0 }
+}
+
+pub(super) fn ordinal(word: &str) -> Option<Nth> {
+    const WORDS: [&str; 10] =
+        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+    if word == "last" {
+        return Some(Nth::Last);
+    }
+    WORDS.iter().position(|w| *w == word).map(Nth::At)
+}
+
+/// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
+pub(super) fn names_something(rest: &[Token]) -> bool {
+    rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
+        Some(place) => place == Place::Row,
+        None => before_noun(rest),
+    })
+}
