@@ -319,7 +319,10 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
         let (words, longest) = (used, relation.map_or(0, |r| r.1).max(verb.map_or(0, |v| v.1)));
         let begins_as_verb = longest > 0;
         let fresh = !matches!(before.last().map(|c| &c.piece), Some(Piece::Np(_)));
+        // "picture frames": one noun of the tables, whatever its first word may be besides.
+        let whole = words > longest && np.known && np.last == used && np.det == super::noun::Det::None;
         if !begins_as_verb
+            || whole && listed
             || (words > longest
                 && np.known
                 && np.det == super::noun::Det::None

@@ -162,6 +162,8 @@ fn push(scene: &mut Scene, room: usize, name: &str, count: usize, why: &str) -> 
         at: 0..0,
         inferred: Some(why.to_owned()),
         part: None,
+        several: false,
+        of: None,
     });
     scene.items.len() - 1
 }

@@ -121,6 +121,11 @@ pub enum Class {
     Space,
     Abstract,
     Stop,
+    Holder,
+    Portion,
+    Tail,
+    Paired,
+    Surface,
 }
 
 /// A kind of room.
@@ -272,6 +277,11 @@ impl Lexicon {
             ("space", Class::Space),
             ("abstract", Class::Abstract),
             ("stop", Class::Stop),
+            ("holder", Class::Holder),
+            ("portion", Class::Portion),
+            ("tail", Class::Tail),
+            ("paired", Class::Paired),
+            ("surface", Class::Surface),
         ];
         let mut words: BTreeMap<&str, Vec<Class>> = BTreeMap::new();
         for (key, items) in table(include_str!("../../data/words.txt")) {
@@ -338,7 +348,9 @@ impl Lexicon {
 
     /// Whether a word is in any table.
     pub fn known(&self, word: &str) -> bool {
-        self.words.contains_key(word)
+        let grammar =
+            |c: &Class| !matches!(c, Class::Holder | Class::Portion | Class::Tail | Class::Paired | Class::Surface);
+        self.words.get(word).is_some_and(|classes| classes.iter().any(grammar))
             || self.looks.contains_key(word)
             || self.relations.contains_key(word)
             || self.verbs.contains_key(word)
@@ -429,7 +441,15 @@ pub fn singular(word: &str) -> String {
         ("scarves", "scarf"),
         ("men", "man"),
     ];
-    const SAME: [&str; 22] = [
+    const SAME: [&str; 30] = [
+        "scissors",
+        "tongs",
+        "pliers",
+        "binoculars",
+        "goggles",
+        "tweezers",
+        "trousers",
+        "jeans",
         "glass",
         "canvas",
         "cactus",
@@ -461,6 +481,9 @@ pub fn singular(word: &str) -> String {
     }
     if let Some(stem) = word.strip_suffix("shelves") {
         return format!("{stem}shelf");
+    }
+    if word.ends_with("oes") && !["shoes", "toes", "hoes", "canoes"].contains(&word) {
+        return word[..word.len() - 2].to_owned();
     }
     for (end, one) in [("ies", "y"), ("sses", "ss"), ("shes", "sh"), ("ches", "ch"), ("xes", "x"), ("sses", "ss")] {
         if let Some(stem) = word.strip_suffix(end).filter(|s| s.len() > 1) {

@@ -257,7 +257,7 @@ fn drafted(request: &str, scene: &Scene) -> Draft {
         } else {
             draft.things.push(Thing {
                 name: given[i][0].clone(),
-                category: item.words.join("_"),
+                category: item.of.iter().fold(item.words.join("_"), |name, of| format!("{name} {of}")),
                 count: counts[i],
                 room: Some(item.room),
                 size: Some(sizes[i]),

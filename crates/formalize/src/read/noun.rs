@@ -6,6 +6,9 @@ use super::measure::{Dim, measure};
 use super::number;
 use super::token::{Kind as TokenKind, Token};
 use crate::draft;
+use ahead::*;
+
+mod ahead;
 
 /// How a noun phrase begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +74,8 @@ pub struct Np {
     pub number: Option<f64>,
     /// A plural with no number.
     pub many: bool,
+    /// "several", "a few": at least three.
+    pub several: bool,
     /// What it speaks of.
     pub kind: Kind,
     /// Words of the name in the singular, looks left out: "coffee", "table".
@@ -117,6 +122,7 @@ impl Np {
             count: None,
             number: None,
             many: false,
+            several: false,
             kind,
             words: Vec::new(),
             last: 1,
@@ -141,6 +147,9 @@ impl Np {
         self.words.join(" ")
     }
 }
+
+/// Colours that are things where no noun follows.
+const FRUIT: [&str; 7] = ["apple", "cherry", "plum", "peach", "lemon", "lime", "rose"];
 
 /// Words before a place that tell which one.
 const WHICH: &[&str] = &[
@@ -271,7 +280,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             };
         } else if lexicon.is(w, Class::Det) && w != "one" {
             np.other |= w == "another";
-            np.many |= matches!(w, "some" | "several" | "few" | "many" | "various" | "multiple" | "numerous");
+            np.several |= matches!(w, "several" | "few" | "many" | "various" | "multiple" | "numerous");
+            np.many |= np.several || w == "some";
             if last_det == Det::None {
                 last_det = Det::Indefinite;
             }
@@ -313,7 +323,13 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             "row" | "line" | "series" | "set" | "group" | "cluster" | "collection" | "number" | "bunch" | "bank"
         )
     };
-    if article && of_them(text(used)) && text(used + 1) == "of" && rest.get(used + 2).is_some_and(Token::word) {
+    // "a stack of two books": two books.
+    let heap = matches!(text(used), "stack" | "pile") && rest.get(used + 2..).and_then(number::count).is_some();
+    if heap && text(used + 1) == "of" {
+        np.look.features.push("stacked".to_owned());
+    }
+    if article && (heap || of_them(text(used))) && text(used + 1) == "of" && rest.get(used + 2).is_some_and(Token::word)
+    {
         np.row = matches!(text(used), "row" | "line" | "series" | "bank");
         used += 2;
         last_det = Det::None;
@@ -322,6 +338,16 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     np.det = last_det;
     let begun = used > 0;
     let owner_end = used;
+    // "on its surface", "on their tops"
+    if np.det == Det::Own
+        && matches!(text(owner_end - 1), "its" | "their")
+        && lexicon.is(text(owner_end), Class::Surface)
+        && !before_noun(&rest[owner_end + 1..])
+    {
+        np.kind = Kind::Pronoun;
+        np.words = vec![if text(owner_end - 1) == "its" { "it" } else { "them" }.to_owned()];
+        return Some((np, owner_end + 1));
+    }
     // "each of them", "it", "all three"
     if begun && matches!(text(used), "it" | "them") {
         np.kind = Kind::Pronoun;
@@ -431,8 +457,51 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             used += 1;
             continue;
         }
+        // "the island surface", "the table's top": that thing.
+        let known = || lexicon.noun(nouns.last().map_or("", |n| n.0.as_str())).is_some();
+        if matches!(last_det, Det::Definite | Det::Own)
+            && !nouns.is_empty()
+            && known()
+            && lexicon.is(w, Class::Surface)
+            && !before_noun(&rest[used + 1..])
+        {
+            used += 1;
+            noun_end = used;
+            break;
+        }
+        if !nouns.is_empty() && !nouns.last().is_some_and(|n| n.1) {
+            let several = np.count.map_or(last_det == Det::None || !article, |n| n > 1);
+            let several =
+                several && (np.count.is_some() || last_det == Det::None || lexicon.verb(&rest[used..]).is_none());
+            let counted = counted && np.count != Some(1);
+            if tail_here(&rest[used..], several) {
+                nouns.push((singular(w), plural(w)));
+                used += 1;
+                noun_end = used;
+                continue;
+            }
+            // "a lamp casts light", "a vanity spans the wall": after "a", what ends so is a verb, known or not.
+            let one = article && !counted;
+            let acts = plural(w)
+                && (one
+                    || (longest_noun(&rest[used..]).is_none() || lexicon.verb(&rest[used..]).is_some())
+                        && (takes_object(&rest[used + 1..])
+                            || matches!(text(used + 1), "through" | "into" | "onto" | "across" | "over")));
+            if acts && noun_end > 0 && !(one && longest_noun(&rest[used..]).is_some_and(|(_, n)| n > 1)) {
+                break;
+            }
+        }
         // The longest noun of the tables that begins here.
-        let table = longest_noun(&rest[used..]);
+        let mut table = longest_noun(&rest[used..]);
+        // "a fern plant stands near the window": not two plant stands.
+        if let Some((_, n)) = &table
+            && *n > 1
+            && (article || np.count == Some(1))
+            && plural(text(used + n - 1))
+            && lexicon.verb(&rest[used + n - 1..]).is_some()
+        {
+            table = longest_noun(&rest[used..used + n - 1]);
+        }
         let look = look_at(&rest[used..]);
         if let Some((phrase, n)) = table
             .clone()
@@ -458,6 +527,18 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         if let Some((kind, n)) = look {
             let noun_after = nouns.is_empty() || before_noun(&rest[used + n..]);
+            // "a massage stone lies near the soap"
+            let named = article
+                && noun_end > 0
+                && kind == Look::Material
+                && longest_noun(&rest[used - 1..used]).is_none()
+                && (lexicon.verb(&rest[used + n..]).is_some() || lexicon.relation(&rest[used + n..]).is_some());
+            if named && !noun_after {
+                nouns.extend(rest[used..used + n].iter().map(|t| (singular(&t.text), false)));
+                used += n;
+                noun_end = used;
+                continue;
+            }
             if !noun_after {
                 break;
             }
@@ -505,10 +586,15 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         // Room names of several words: "living room".
         if let Some(n) = room_here(&rest[used..]) {
             let after = longest_noun(&rest[used + n..]);
+            // "a laundry hamper" is no room.
+            let more = article
+                && rest.get(used + n).is_some_and(|t| {
+                    t.word() && !lexicon.known(&t.text) && !["s", "ed", "ing", "ly"].iter().any(|e| t.text.ends_with(e))
+                });
             nouns.extend(rest[used..used + n].iter().map(|t| (singular(&t.text), false)));
             used += n;
             noun_end = used;
-            if after.is_none() && !before_noun(&rest[used..]) {
+            if after.is_none() && !more && !before_noun(&rest[used..]) {
                 break;
             }
             continue;
@@ -529,7 +615,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         let participle = noun_end > 0
             && (w.ends_with("ed") || w.ends_with("ing"))
             && !before_noun(&rest[used + 1..])
-            && nouns.iter().any(|n| lexicon.noun(&n.0).is_some());
+            && (nouns.iter().any(|n| lexicon.noun(&n.0).is_some())
+                || article && w.ends_with("ing") && lexicon.verb(&rest[used + 1..]).is_none());
         if participle {
             break;
         }
@@ -537,6 +624,11 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             && rest.get(used + 1).is_some_and(|n| {
                 n.word() && !lexicon.known(&n.text) && !n.text.ends_with("ed") && !n.text.ends_with("ing")
             });
+        // "the bookshelf lines the wall", "a fern and a lamp rest on it"
+        let verbal = lexicon.relation(&rest[used..]).is_some() || lexicon.verb(&rest[used..]).is_some();
+        if verbal && noun_end > 0 && lexicon.noun(nouns.last().map_or("", |n| n.0.as_str())).is_some() {
+            break;
+        }
         if lexicon.is(w, Class::Abstract) && !before_noun(&rest[used + 1..]) && !modifies {
             if nouns.is_empty() {
                 if !(begun || counted) {
@@ -569,7 +661,14 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             || w == "and"
             || w == "or"
             || lexicon.is(w, Class::Space) && w != "floor" && !before_noun(&rest[used + 1..]);
-        let grammar = grammar || !nouns.is_empty() && super::chunk::fixed(&rest[used..]).is_some();
+        // "a round play rug"
+        let modifier = article
+            && noun_end == 0
+            && lexicon.relation(&rest[used..]).is_none()
+            && !["s", "ed"].iter().any(|e| w.ends_with(e))
+            && lexicon.verb(&rest[used..]).is_some_and(|(_, n)| n == 1)
+            && longest_noun(&rest[used + 1..]).is_some();
+        let grammar = grammar && !modifier || !nouns.is_empty() && super::chunk::fixed(&rest[used..]).is_some();
         if grammar && !(lexicon.is(w, Class::Space) && before_noun(&rest[used + 1..])) {
             break;
         }
@@ -593,6 +692,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         if nouns.is_empty()
             && adjective(w)
             && (before_noun(&rest[used + 1..])
+                || leads_to_noun(&rest[used + 1..])
                 || rest.get(used + 1).is_some_and(|t| t.word() && !lexicon.known(&t.text)))
         {
             add_look(&mut np.look, Look::Feature, &rest[used..=used]);
@@ -607,6 +707,17 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         nouns.push((singular(w), plural(w)));
         used += 1;
+        noun_end = used;
+    }
+    // "a single apple"
+    if noun_end == 0 && begun && used > owner_end && FRUIT.contains(&singular(text(used - 1)).as_str()) {
+        let last = used - 1;
+        np.look = draft::Look::default();
+        if let Some((look, n)) = super::chunk::looks(&rest[start..last]).filter(|(_, n)| start + n == last) {
+            let _ = n;
+            np.look = look;
+        }
+        nouns.push((singular(text(last)), plural(text(last))));
         noun_end = used;
     }
     if noun_end == 0 {
@@ -654,36 +765,13 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         }
         _ => {
             let head = np.words.last().cloned().unwrap_or_default();
-            if lexicon.is(&head, Class::Abstract) {
+            let named = np.words.len() > 1 && lexicon.is(&head, Class::Tail);
+            if lexicon.is(&head, Class::Abstract) && !named {
                 np.kind = Kind::Abstract;
             }
         }
     }
     Some((np, noun_end))
-}
-
-/// "half the desks", "half of the desks": the words before the noun.
-fn half(rest: &[Token]) -> usize {
-    let of = usize::from(rest.first().is_some_and(|t| t.is("of")));
-    let the = rest.get(of).is_some_and(|t| get().is(&t.text, Class::Def));
-    if the && rest.get(of + 1).is_some_and(|t| plural(&t.text)) { of + 1 } else { 0 }
-}
-
-fn ordinal(word: &str) -> Option<Nth> {
-    const WORDS: [&str; 10] =
-        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
-    if word == "last" {
-        return Some(Nth::Last);
-    }
-    WORDS.iter().position(|w| *w == word).map(Nth::At)
-}
-
-/// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
-fn names_something(rest: &[Token]) -> bool {
-    rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
-        Some(place) => place == Place::Row,
-        None => before_noun(rest),
-    })
 }
 
 /// Adds sizes given as "2 m wide" or "2 by 1 m".
@@ -697,104 +785,4 @@ pub fn add_dims(dims: &mut Dims, values: &[f64], named: &[Dim]) {
             }
         }
     }
-}
-
-/// The longest noun of the tables that begins here: in the singular, and its tokens.
-fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
-    let lexicon = get();
-    let words = rest.iter().take(4).take_while(|t| t.word()).count();
-    (1..=words).rev().find_map(|n| {
-        if rest[..n - 1].iter().any(|t| t.owner) {
-            return None;
-        }
-        let mut phrase: Vec<String> = rest[..n].iter().map(|t| t.text.clone()).collect();
-        let plain = phrase.join(" ");
-        if let Some(last) = phrase.last_mut() {
-            *last = singular(last);
-        }
-        let phrase = phrase.join(" ");
-        // "chest of drawers" is written in the plural.
-        let found = [phrase, plain].into_iter().find_map(|p| {
-            // "first-aid cabinet", "note-board"
-            let apart = p.replace('-', " ");
-            [p, apart].into_iter().find(|p| lexicon.noun(p).is_some())
-        });
-        found.map(|p| (p, n))
-    })
-}
-
-/// Whether a room's name begins here, and its tokens.
-fn room_here(rest: &[Token]) -> Option<usize> {
-    let lexicon = get();
-    let words = rest.iter().take(3).take_while(|t| t.word()).count();
-    (1..=words).rev().find(|n| {
-        let mut phrase: Vec<String> = rest[..*n].iter().map(|t| t.text.clone()).collect();
-        if lexicon.room(&phrase.join(" ")).is_some() {
-            return true;
-        }
-        if let Some(last) = phrase.last_mut() {
-            *last = singular(last);
-        }
-        lexicon.room(&phrase.join(" ")).is_some()
-    })
-}
-
-/// Whether a noun of the tables comes right here, or after looks or one more word.
-fn before_noun(rest: &[Token]) -> bool {
-    let Some(first) = rest.first().filter(|t| t.word()) else { return false };
-    let lexicon = get();
-    // "stands", "lights" after a noun are verbs more often than not.
-    if lexicon.verb(rest).is_some()
-        || lexicon.relation(rest).is_some_and(|(_, n)| n > 0)
-        || lexicon.is(&first.text, Class::Stop)
-    {
-        return false;
-    }
-    longest_noun(rest).is_some()
-        || look_at(rest)
-            .is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word) && longest_noun(&rest[n..]).is_some())
-        || !lexicon.known(&first.text)
-            && rest.get(1).is_some_and(Token::word)
-            && longest_noun(&rest[1..]).is_some()
-            && lexicon.verb(&rest[1..]).is_none()
-}
-
-/// Whether looks that begin here end in a noun.
-fn leads_to_noun(rest: &[Token]) -> bool {
-    let mut used = 0;
-    while let Some((_, n)) = look_at(&rest[used..]) {
-        used += n;
-        let after = &rest[used..];
-        if after.first().is_some_and(|t| t.is(",") || t.is("and")) && look_at(&after[1..]).is_some() {
-            used += 1;
-        }
-        if used > 12 {
-            return false;
-        }
-    }
-    let rest = &rest[used..];
-    longest_noun(rest).is_some() || before_noun(rest) || rest.first().is_some_and(|t| t.word() && !get().known(&t.text))
-}
-
-/// Whether words that tell which place end in a place: "left front corner".
-fn leads_to_place(rest: &[Token]) -> bool {
-    let words = rest.iter().take(4).take_while(|t| t.word() && WHICH.contains(&t.text.as_str())).count();
-    (1..=words).any(|n| {
-        rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words))
-    }) && rest
-        .get(words)
-        .is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
-}
-
-/// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
-fn stops_here(rest: &[Token], expected: bool) -> bool {
-    !expected && (get().verb(rest).is_some() || get().relation(rest).is_some())
-}
-
-/// Whether a word that no table has is an adjective by its end.
-fn adjective(word: &str) -> bool {
-    word.contains('-')
-        || ["ed", "able", "ible", "less", "ful", "ous", "ish", "ern", "ian", "ese", "esque", "ic", "ive", "y", "al"]
-            .iter()
-            .any(|e| word.len() > e.len() + 2 && word.ends_with(e))
 }

@@ -48,7 +48,10 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
     let of = |n: usize| n + usize::from(text(n) == "of");
     match text(article) {
         "dozen" => return Some((12.0, of(article + 1))),
-        "pair" | "couple" => return Some((2.0, of(article + 1))),
+        "pair" | "couple" => {
+            let one = paired(&tokens[article + 1..]);
+            return Some((if one { 1.0 } else { 2.0 }, of(article + 1)));
+        }
         "trio" => return Some((3.0, of(article + 1))),
         _ => {}
     }
@@ -84,7 +87,8 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         return Some((value * 12.0, of(used + 1)));
     }
     if matches!(text(used), "pairs" | "couples") {
-        return Some((value * 2.0, of(used + 1)));
+        let each = if paired(&tokens[used + 1..]) { 1.0 } else { 2.0 };
+        return Some((value * each, of(used + 1)));
     }
     if text(used) == "and" && text(used + 1) == "a" && text(used + 2) == "half" {
         return Some((value + 0.5, used + 3));
@@ -104,6 +108,13 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         }
     }
     Some((value, used))
+}
+
+/// "of black headphones": of what a pair is one thing.
+fn paired(rest: &[Token]) -> bool {
+    let words = rest.iter().skip(1).take(4).take_while(|t| t.word());
+    rest.first().is_some_and(|t| t.is("of"))
+        && words.map(|t| t.text.as_str()).any(|w| super::lexicon::get().is(w, super::lexicon::Class::Paired))
 }
 
 /// Metres in a unit of length.

@@ -1,7 +1,7 @@
 //! What was read so far: rooms, things, and what is said of them. Indices only; names come at the end.
 
 use super::chunk::Pattern;
-use super::lexicon::{Group, Rel, get};
+use super::lexicon::{Class, Group, Rel, get};
 use super::measure::{Dim, Op};
 use super::noun::{Det, Np, Place};
 use crate::draft::Look;
@@ -22,6 +22,10 @@ pub struct Item {
     pub per: Option<(usize, usize)>,
     /// A plural.
     pub many: bool,
+    /// Of at least three: "several".
+    pub several: bool,
+    /// What it holds or is of, as part of its name: "of honey".
+    pub of: Option<String>,
     /// The room it is in.
     pub room: usize,
     /// For an opening: the room on the other side.
@@ -250,14 +254,23 @@ impl Scene {
             let color = np.look.color.is_none() || np.look.color == item.look.color;
             if item.words == np.words && color {
                 8
-            } else if all {
+            } else if all && same_tail {
                 7
             } else if (same_head || same_tail) && own {
                 6
             } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
-                // "the wardrobe door" is no wardrobe
+                // "the wardrobe door" is no wardrobe; "the desk" is rather a desk than a desk lamp
                 3
-            } else if lexicon.alike(&item.head(), &head) && np.words.len() <= np.last {
+            } else if np.words.len() == 1
+                && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head))
+            {
+                // "the bench" is the workbench
+                5
+            } else if all {
+                3
+            } else if lexicon.alike(&item.head(), &head)
+                && np.words[..np.words.len() - np.last].iter().all(|w| lexicon.alike(&item.head(), w))
+            {
                 4
             } else if fewer
                 && (same_head || same_tail)
@@ -275,7 +288,20 @@ impl Scene {
             .enumerate()
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == room), score(item), i));
-        best.filter(|b| b.1 > 0).max().map(|b| b.2)
+        let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
+        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(&head, room) } else { None })
+    }
+
+    /// "the tabletop": what was spoken of last that has one.
+    fn surface(&self, said: &str, room: usize) -> Option<usize> {
+        let with_top = |i: &usize| {
+            let item = &self.items[*i];
+            item.room == room && item.group == Group::Table && item.part.is_none() && !self.gone.contains(i)
+        };
+        // "the tabletop" is rather that of a table than of a sideboard.
+        let named = |i: &usize| self.items[*i].words.last().is_some_and(|w| said.starts_with(w.as_str()));
+        let all = || (0..self.items.len()).rev().filter(with_top);
+        all().find(named).or_else(|| all().next())
     }
 
     /// Leaves out what was taken back, and what was said of it.
@@ -330,7 +356,7 @@ impl Scene {
             }
             (_, Some(n)) => n,
             (_, None) if it.many => {
-                if matches!(it.group, Group::Ceiling | Group::Seat) {
+                if it.several || matches!(it.group, Group::Ceiling | Group::Seat) {
                     3
                 } else {
                     2
@@ -382,6 +408,8 @@ impl Scene {
             count: count.map(|c| c.clamp(1, MOST_COUNT)),
             per: None,
             many: np.many || count.is_some_and(|c| c > 1),
+            several: np.several,
+            of: None,
             room,
             beyond: None,
             look: np.look.clone(),

@@ -192,6 +192,15 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
             && number_before
             && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end)
         {
+            let unit = |n: &Token| super::number::unit(n.text.split('-').next().unwrap_or("")).is_some();
+            // "a 4-burner stove": one stove.
+            if !tokens.peek().is_some_and(unit)
+                && let Some(number) = out.pop()
+                && let Some(rest) = tokens.next()
+            {
+                let text = format!("{}-{}", number.text, rest.text);
+                out.push(Token { kind: Kind::Word, text, at: number.at.start..rest.at.end, ..rest });
+            }
             continue;
         }
         // "5x4", "6x4m": the sign between two sizes, not a letter of a word.

@@ -55,6 +55,15 @@ impl Reader<'_> {
                     self.mark(k);
                     self.add_look(&[id], look);
                 }
+                // "a block of wood"
+                Some(Piece::Rel(Rel::Of))
+                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
+                        && self.scene.items[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
+                {
+                    let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+                    self.scene.items[id].of = Some(format!("of {}", text.join(" ")));
+                    self.mark(k);
+                }
                 Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
                     self.mark(k)
                 }
@@ -65,6 +74,20 @@ impl Reader<'_> {
                 {
                     // "a bowl of mints", "a stack of books"
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+                    let name = text.join(" ");
+                    let head = self.scene.items[id].words.last().cloned().unwrap_or_default();
+                    if get().is(&head, Class::Holder) && self.np(k + 1, end).is_some_and(|n| n.count.is_none()) {
+                        // "a jar of honey", "a bar of soap"
+                        let item = &mut self.scene.items[id];
+                        item.of = Some(format!("of {name}"));
+                        if get().is(&head, Class::Portion) && matches!(item.group, Group::Floor | Group::Table) {
+                            item.group = Group::Top;
+                        }
+                        self.mark(k);
+                        self.mark(k + 1);
+                        k += 2;
+                        continue;
+                    }
                     let heap =
                         self.scene.items[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
                     match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
@@ -73,7 +96,7 @@ impl Reader<'_> {
                             let words = np.words.clone();
                             self.scene.items[id].words.splice(0..0, words);
                         }
-                        None => self.scene.items[id].look.features.push(format!("of {}", text.join(" "))),
+                        None => self.scene.items[id].look.features.push(format!("of {name}")),
                     }
                     self.mark(k);
                     self.mark(k + 1);

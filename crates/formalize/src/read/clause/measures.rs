@@ -352,22 +352,52 @@ impl Reader<'_> {
             self.apply_lead();
         }
         self.s.pending = None;
+        self.framed();
         // "a scale on the counter, and a basket": on the counter too.
         if let Some((rel, to)) = self.s.shared.take() {
-            let start = self.s.at.start;
             let bare = |i: &usize| {
-                let item = &self.scene.items[*i];
-                item.at.start >= start
-                    && !to.contains(i)
+                self.small(*i, &to)
+                    && self.scene.items[*i].group != Group::Wall
                     && !self.scene.facts.iter().any(|f| f.of.contains(i))
-                    && matches!(item.group, Group::Top | Group::Floor | Group::Soft)
-                    && {
-                        let [w, _, d] = crate::read::sizes::usual(item.group, &item.words);
-                        w * d < 0.3
-                    }
             };
             let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
             self.relate(&of, rel, &to);
         }
+    }
+
+    /// "On the desk, a cup stands next to a lamp, and a pen lies beside a pad": on the desk all four.
+    fn framed(&mut self) {
+        let Some(to) = self.s.frame.take() else { return };
+        let carried = |i: usize| {
+            self.scene.facts.iter().any(|f| {
+                let place = matches!(
+                    f.what,
+                    What::Place(..)
+                        | What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Above | Rel::Mounted | Rel::Hang, _)
+                );
+                f.of.contains(&i) && place
+            })
+        };
+        let related = |i: usize| {
+            self.scene.facts.iter().any(|f| {
+                f.at == self.s.at && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
+            })
+        };
+        let of: Vec<usize> = (0..self.scene.items.len())
+            .filter(|i| self.small(*i, &to) && self.scene.items[*i].part.is_none() && !carried(*i) && related(*i))
+            .collect();
+        for item in of {
+            self.relate(&[item], Rel::On, &to);
+        }
+    }
+
+    /// Whether a thing of this sentence is small enough to stand on others.
+    fn small(&self, i: usize, to: &[usize]) -> bool {
+        let item = &self.scene.items[i];
+        let [w, _, d] = crate::read::sizes::usual(item.group, &item.words);
+        item.at.start >= self.s.at.start
+            && !to.contains(&i)
+            && matches!(item.group, Group::Top | Group::Floor | Group::Soft | Group::Wall)
+            && w * d < if item.group == Group::Wall { 0.05 } else { 0.3 }
     }
 }

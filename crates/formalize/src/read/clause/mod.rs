@@ -1,7 +1,7 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::read::chunk::{Chunk, Pattern, Piece};
-use crate::read::lexicon::{Group, Rel, Verb, get};
+use crate::read::lexicon::{Class, Group, Rel, Verb, get};
 use crate::read::measure::{Dim, Measure, Op};
 use crate::read::noun::{Det, Kind, Np, Nth, Place};
 use crate::read::rooms::Rooms;
@@ -35,6 +35,8 @@ enum Join {
     Usual,
     /// On it.
     On,
+    /// In it.
+    In,
     /// At its sides.
     Beside,
     /// Around it.
@@ -126,6 +128,12 @@ struct Sentence {
     from: usize,
     /// "one": of several, so that nothing is multiplied.
     one: bool,
+    /// The last things of a list that another has: "with two chisels and two brushes on top" is of both.
+    owned: Vec<usize>,
+    /// What the sentence began with that things are on: "On the desk, …".
+    frame: Option<Vec<usize>>,
+    /// What comes with several things is said of them together: "two nightstands topped with a clock".
+    together: bool,
     /// "centre a table in the room".
     centre: bool,
     /// What the last relation was to.
@@ -299,9 +307,13 @@ impl<'a> Reader<'a> {
         let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
+        let unsaid = self.unsaid(from, end);
         let mut i = from;
         while i < end {
-            i = self.step(i, end).max(i + 1);
+            i = match unsaid.iter().find(|r| r.contains(&i)) {
+                Some(range) => range.end,
+                None => self.step(i, end).max(i + 1),
+            };
         }
         self.finish();
         self.carrier = std::mem::take(&mut self.s.object);
@@ -415,7 +427,7 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Verb(verb) => {
-                self.on_verb(i, *verb);
+                self.on_verb(i, end, *verb);
                 i + 1
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
@@ -430,7 +442,10 @@ impl<'a> Reader<'a> {
                 });
                 let with_back = with_back && !self.relates_after(i + 2, end);
                 if !with_back && !self.near.is_empty() {
-                    self.s.expect = Expect::With(self.near.clone(), Join::Usual);
+                    let owner = self.bearer(self.near.clone(), i + 1, end);
+                    // "speakers in the corners, with a screen on the wall": one screen.
+                    self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
+                    self.s.expect = Expect::With(owner, Join::Usual);
                 } else if with_back {
                     return self.with_part(i, end);
                 }
@@ -635,6 +650,9 @@ impl<'a> Reader<'a> {
 
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
+        if i > 0 && self.reduced(i - 1).is_some() && (!self.s.each || matches!(self.s.expect, Expect::With(..))) {
+            return self.near.clone();
+        }
         let after_comma =
             i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
         let owned = matches!(self.s.expect, Expect::With(..));
@@ -733,6 +751,9 @@ impl Sentence {
             rooms: vec![],
             from: 0,
             one: false,
+            owned: vec![],
+            frame: None,
+            together: false,
             centre: false,
             object: vec![],
             it: vec![],

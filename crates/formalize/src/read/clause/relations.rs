@@ -9,8 +9,24 @@ impl Reader<'_> {
             return i + 1;
         }
         let chunks = self.chunks;
+        // "…, and nearby a table stands": of no thing.
+        if rel == Rel::Near && self.tokens[chunks[i].at.start].is("nearby") && self.stands_next(i + 1, end) {
+            self.s.expect = Expect::Nothing;
+            return i + 1;
+        }
         if let Some(next) = self.clusters(i, end, rel) {
             return next;
+        }
+        // "a lamp stands nearby", "with a mirror above": of what was spoken of before.
+        let alone = matches!(
+            self.tokens[chunks[i].at.start].text.as_str(),
+            "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
+        ) && chunks[i].at.len() == 1
+            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
+        if alone && self.s.pending.is_none() {
+            self.mark(i);
+            self.on_its(i, end, rel);
+            return i + 1;
         }
         let negative = std::mem::take(&mut self.s.not);
         let Some((object, next)) = self.object(i + 1, end, rel) else {
@@ -52,7 +68,10 @@ impl Reader<'_> {
             self.near = self.main.clone();
             self.s.expect = Expect::Nothing;
         }
-        let of = self.subject(i);
+        let of = match &object {
+            Lead::Items(items, _) => self.all_owned(i, items).unwrap_or_else(|| self.subject(i)),
+            Lead::Place(..) => self.subject(i),
+        };
         match object {
             Lead::Items(items, each) => {
                 self.mark(i);
@@ -131,6 +150,15 @@ impl Reader<'_> {
             k += 1;
         }
         let np = self.np(k, end)?;
+        // "on the lid of a chest", "on the surface of the desk"
+        if get().is(&np.head(), Class::Surface)
+            && np.words.len() == 1
+            && matches!(self.piece(k + 1, end), Some(Piece::Rel(Rel::Of)))
+            && self.np(k + 2, end).is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Pronoun))
+        {
+            self.mark(k);
+            return self.object(k + 2, end, rel);
+        }
         match np.kind {
             Kind::Thing => {
                 // "between two tables": any two of those there are.
@@ -163,7 +191,11 @@ impl Reader<'_> {
             Kind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
                 let contrast = self.other_side(rel).filter(|_| word == "it");
-                let items = contrast.unwrap_or_else(|| self.their(word, np.det == Det::Each));
+                // "A desk stands under the window. On its surface …": of the desk.
+                let led = word == "it" && !self.s.subject && self.s.expect == Expect::Nothing && self.before.len() == 1;
+                let items = contrast
+                    .or_else(|| led.then(|| self.before.clone()))
+                    .unwrap_or_else(|| self.their(word, np.det == Det::Each));
                 if items.is_empty() {
                     return None;
                 }
@@ -204,13 +236,21 @@ impl Reader<'_> {
             }
             // "at its foot", "by its side"
             Kind::Place(
-                place @ (Place::Foot | Place::Head | Place::Side | Place::Front | Place::Back | Place::End),
+                place @ (Place::Middle
+                | Place::Foot
+                | Place::Head
+                | Place::Side
+                | Place::Front
+                | Place::Back
+                | Place::End),
             ) if np.det == Det::Own && !self.their("it", false).is_empty() => {
                 let items = self.their("it", false);
                 self.mark(k);
                 self.s.turned = Some(match place {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
+                    Place::Side if rel == Rel::On && np.words.first().is_some_and(|w| w == "edge") => Rel::On,
+                    Place::Middle if items.iter().all(|o| self.scene.items[*o].group == Group::Table) => Rel::On,
                     _ => Rel::Beside,
                 });
                 Some((Lead::Items(items, false), k + 1))
@@ -249,7 +289,11 @@ impl Reader<'_> {
                     if let Some(id) = self.resolve(next + 1, np, true) {
                         self.mark(next);
                         self.mark(next + 1);
+                        let edge =
+                            said == Rel::On && self.tokens[self.chunks[k].at.clone()].iter().any(|t| t.is("edge"));
                         let rel = match place {
+                            // "on the edge of the tub"
+                            Place::Side if edge => Some(Rel::On),
                             Place::Side | Place::Head => Some(Rel::Beside),
                             Place::Foot | Place::Front => Some(Rel::InFrontOf),
                             Place::Back => Some(Rel::Behind),
@@ -257,10 +301,19 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            if matches!(said, Rel::At | Rel::In) {
+                            let on = place == Place::Middle
+                                && matches!(
+                                    self.scene.items[id].group,
+                                    Group::Table | Group::Flat | Group::Bed | Group::Top
+                                );
+                            if on {
+                                self.s.turned = Some(Rel::On);
+                            } else if matches!(said, Rel::At | Rel::In) {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
                             if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
+                                self.s.turned = Some(Rel::Beside);
+                                self.s.lead_twice |= !self.s.subject;
                                 self.double();
                             }
                             return (Lead::Items(vec![id], np.det == Det::Each), next + 2);
@@ -546,6 +599,7 @@ impl Reader<'_> {
             self.s.it = object.clone();
         }
         let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        let of = self.all_owned(i, &object).unwrap_or(of);
         // "to the left as you come in": in that part of the room.
         let next = self.tokens.get(self.chunks[i].at.end);
         if matches!(rel, Rel::LeftOf | Rel::RightOf)
@@ -588,6 +642,15 @@ impl Reader<'_> {
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
+    }
+
+    /// "with two chisels and two brushes on top": what a relation to the owner, right after a list of what it has,
+    /// is said of.
+    fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
+        let Expect::With(owner, _) = &self.s.expect else { return None };
+        let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
+        let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
+        (listed && owner == to && self.s.owned.len() > 1).then(|| self.s.owned.clone())
     }
 
     /// "one to the left and one to the right of the sofa": of the sofa both.
@@ -633,7 +696,9 @@ impl Reader<'_> {
     /// Says a relation.
     pub(super) fn relate(&mut self, of: &[usize], rel: Rel, to: &[usize]) {
         let of: Vec<usize> = of.iter().copied().filter(|o| !to.contains(o) || to.len() == 1 && of.len() == 1).collect();
-        if of.is_empty() {
+        // "sunlight streams through a window onto a table": windows are on nothing.
+        let opening = matches!(rel, Rel::On | Rel::In) && of.iter().all(|o| self.scene.items[*o].opening());
+        if of.is_empty() || opening {
             return;
         }
         // Nothing lies on what lies on it.
@@ -665,6 +730,15 @@ impl Reader<'_> {
                 return self.relate(of, Rel::Along, &owner);
             }
             _ => {}
+        }
+        if place == Place::Corner && which.iter().any(|w| w == "each") {
+            // "speakers in every corner": rooms have four.
+            for o in of {
+                let item = &mut self.scene.items[*o];
+                if item.many && item.count.is_none() {
+                    item.count = Some(4);
+                }
+            }
         }
         match place {
             Place::Row => self.say(of, What::Pattern(Pattern::Row)),

@@ -329,9 +329,21 @@ impl Reader<'_> {
                 let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
                 exact.filter(here).or(found.filter(|_| plain))
             }
-            // "to an exit": any of those there are.
-            Det::Indefinite if object && np.count.is_none() && np.look == crate::draft::Look::default() => {
-                exact.filter(|f| self.scene.items[*f].opening() && self.scene.items[*f].many)
+            // "on one nightstand", "on a nightstand" where there are two: on one of these. Where there are more,
+            // "a stool" is another.
+            Det::Indefinite | Det::Number if object && np.count.unwrap_or(1) == 1 && !np.many => {
+                let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
+                let known = |f: &usize| {
+                    let item = &self.scene.items[*f];
+                    let of_these = np.det == Det::Number || item.opening() || item.count == Some(2);
+                    plain && of_these && item.many && item.words == np.words && item.room == self.room
+                };
+                match found.filter(known) {
+                    // "to an exit": any of those there are.
+                    Some(of) if self.scene.items[of].opening() && np.count.is_none() => Some(of),
+                    Some(of) if self.scene.items[of].count.is_some() => self.deal(i, of, 1),
+                    _ => None,
+                }
             }
             Det::None | Det::Number | Det::Indefinite => None,
         };
@@ -389,6 +401,10 @@ impl Reader<'_> {
             return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
         }
         let n = np.count?;
+        let others = self.chunks[i..end]
+            .iter()
+            .flat_map(|c| c.at.clone())
+            .any(|t| matches!(self.tokens[t].text.as_str(), "other" | "others"));
         let of_them = word == "them";
         let bare = word == "ones" && np.det == Det::Number;
         let goes_on = matches!(
@@ -407,7 +423,7 @@ impl Reader<'_> {
             .chain(last)
             .map(|o| self.scene.whole(*o))
             .find(|o| many(o))
-            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o))))?;
+            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o) || others)))?;
         // "one on each side": of one thing, so many for each.
         let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
         if each(i + 2) || self.scene.items[of].count.is_none() && self.scene.items[of].per.is_none() && !of_them {
@@ -435,6 +451,9 @@ impl Reader<'_> {
         if !np.known && matches!(np.det, Det::Definite | Det::Own | Det::Each) && !around {
             return None;
         }
+        if !np.known && abstraction(np) {
+            return None;
+        }
         let at = self.bytes(i..i + 1);
         let id = self.scene.add(np, self.room, at);
         if np.row {
@@ -455,6 +474,12 @@ impl Reader<'_> {
     pub(super) fn on_things(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
+        if matches!(self.s.expect, Expect::With(..)) && self.new_clause(i, end) {
+            self.s.expect = Expect::Nothing;
+            self.s.each = false;
+            self.s.hang = false;
+            self.s.it.clear();
+        }
         // What must not be there.
         let denied = np.det == Det::No
             || self.s.not
@@ -475,6 +500,14 @@ impl Reader<'_> {
             return self.deny(i, end);
         }
         self.s.not |= np.det == Det::No;
+        // "for bottle storage": no thing.
+        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for");
+        // Nor is light that is cast: "provides soft light".
+        let purpose =
+            purpose || np.words == ["light"] && i > 0 && !matches!(chunks[i - 1].piece, Piece::Rel(_) | Piece::With);
+        if purpose && np.det == Det::None && np.count.is_none() && !np.many {
+            return i + 1;
+        }
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;
@@ -537,7 +570,8 @@ impl Reader<'_> {
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
-        (!verb_before).then_some(n)
+        let over = matches!(self.s.expect, Expect::With(..)) && self.new_clause(n, end);
+        (!verb_before && !over).then_some(n)
     }
 
     /// What a group of things is in its sentence.
@@ -550,9 +584,14 @@ impl Reader<'_> {
                     // "six desks, with the printer in a corner": one printer.
                     let definite = std::mem::take(&mut self.s.definite);
                     let own: Vec<usize> = fresh.iter().copied().filter(|f| !definite.contains(f)).collect();
-                    self.multiply(&own, owner[0]);
+                    // "two monitors with a keyboard": one keyboard.
+                    let small = matches!(self.scene.items[owner[0]].group, Group::Top | Group::Screen | Group::Ceiling);
+                    if self.s.each || !(small || self.s.together) {
+                        self.multiply(&own, owner[0]);
+                    }
                 }
                 self.join(&owner, &fresh, join);
+                self.s.owned.clone_from(&fresh);
                 self.s.expect = Expect::With(owner, join);
                 self.near = group[group.len() - 1..].to_vec();
             }
@@ -588,8 +627,13 @@ impl Reader<'_> {
     /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
     pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
         let seat = self.scene.items[owner].group == Group::Seat;
+        let all = self.scene.count(owner);
         for f in fresh {
             let item = &mut self.scene.items[*f];
+            // "five placemats, aligned with each chair": one for each, where there are as many.
+            if item.count.is_some_and(|n| n > 1 && n == all) {
+                continue;
+            }
             let own = item.count.unwrap_or(1);
             let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
             if *f != owner && item.per.is_none() && !(seat && large) {
@@ -621,6 +665,9 @@ impl Reader<'_> {
                         self.multiply(&fresh, items[0]);
                     }
                     self.relate(&of, *rel, items);
+                    if *rel == Rel::On {
+                        self.s.frame = Some(items.clone());
+                    }
                 }
                 Lead::Place(place, which) => self.at_place(&of, *rel, *place, which),
             }
@@ -658,8 +705,11 @@ impl Reader<'_> {
             let rel = match join {
                 Join::Usual => usual.map(|r| (r, false)),
                 Join::On => Some((Rel::On, false)),
+                Join::In => Some((Rel::In, false)),
                 Join::Beside => Some((Rel::Sides, true)),
                 Join::Around => Some((Rel::Around, true)),
+                // "a sideboard illuminated by a table lamp"
+                Join::Above if group == Group::Top => Some((Rel::On, false)),
                 Join::Above => Some((Rel::Above, true)),
             };
             // A relation in words replaces the usual one: it is dropped again where one follows.
@@ -668,4 +718,14 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// Whether a noun that nobody knows is no thing by its end: "warmth and functionality", "a playful and cozy touch".
+fn abstraction(np: &Np) -> bool {
+    const NOUNS: [&str; 9] = ["ity", "ness", "ance", "ence", "ship", "hood", "ism", "tude", "ation"];
+    const ADJECTIVES: [&str; 5] = ["ful", "ous", "ible", "less", "ish"];
+    let head = np.head();
+    let ends = |list: &[&str]| list.iter().any(|e| head.len() > e.len() + 2 && head.ends_with(e));
+    let thing = ["decoration", "installation", "appliance", "ambulance"].contains(&head.as_str());
+    !thing && (ends(&NOUNS) || np.words.len() == 1 && ends(&ADJECTIVES)) || get().is(&head, Class::Surface)
 }

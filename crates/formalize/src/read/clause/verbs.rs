@@ -3,12 +3,105 @@
 use super::*;
 
 impl Reader<'_> {
-    pub(super) fn on_verb(&mut self, i: usize, verb: Verb) {
+    /// "a chair placed near the window", "a cart topped with a mat": the thing right before a participle, where the
+    /// sentence is about another.
+    pub(super) fn reduced(&self, i: usize) -> Option<usize> {
+        let Piece::Verb(_) = self.chunks[i].piece else { return None };
+        let mut before = self.chunks.get(i.checked_sub(1)?)?.np()?;
+        // "a ladder against the wall displaying plants"
+        let placed =
+            matches!(before.kind, Kind::Place(_)) && i > 2 && matches!(self.chunks[i - 2].piece, Piece::Rel(_));
+        if placed {
+            before = self.chunks[i - 3].np()?;
+        }
+        if before.kind != Kind::Thing {
+            return None;
+        }
+        let word = self.tokens[self.chunks[i].at.start].text.as_str();
+        let participle =
+            word.ends_with("ing") || word.ends_with("ed") || matches!(word, "set" | "hung" | "laid" | "laden");
+        let last = self.recent.last().copied().filter(|l| self.scene.items[*l].words == before.words)?;
+        // "a basket next to the shelf holding two rolls": what is spoken of again holds nothing new.
+        let again = self.scene.items[last].at.start < self.bytes(i - 1..i).start;
+        let last = if again && !placed { self.near.last().copied()? } else { last };
+        let own = self.scene.whole(last);
+        (participle && !self.main.is_empty() && !self.main.contains(&last) && !self.main.contains(&own)).then_some(last)
+    }
+
+    /// Who has what comes: doors and windows have curtains and nothing else.
+    pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
+        let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
+        let opening = |l: &[usize]| l.iter().all(|o| self.scene.items[*o].opening());
+        if !drape && opening(&near) && !self.main.is_empty() && !opening(&self.main) { self.main.clone() } else { near }
+    }
+
+    /// Whether the noun phrase that begins here is what a new clause is about: "…, while a basket sits …".
+    pub(super) fn new_clause(&self, i: usize, end: usize) -> bool {
+        let joined = |c: &Chunk| match c.piece {
+            Piece::And | Piece::Comma => true,
+            Piece::Word(_) | Piece::Which => {
+                matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but")
+            }
+            _ => false,
+        };
+        i > 0 && joined(&self.chunks[i - 1]) && self.stands_next(i, end)
+    }
+
+    /// Whether a noun phrase begins here that a finite verb follows.
+    pub(super) fn stands_next(&self, i: usize, end: usize) -> bool {
+        let Some(np) = self.np(i, end).filter(|np| np.kind == Kind::Thing) else { return false };
+        let mut k = i + 1;
+        while matches!(self.piece(k, end), Some(Piece::Attr(_) | Piece::Word(false))) {
+            k += 1;
+        }
+        match self.piece(k, end) {
+            Some(Piece::Verb(_) | Piece::Rel(_)) => {
+                let word = self.tokens[self.chunks[k].at.start].text.as_str();
+                let one = word.ends_with('s') && !matches!(word, "across" | "towards" | "less");
+                let many = (np.many || np.count.is_some_and(|c| c > 1))
+                    && matches!(
+                        word,
+                        "are" | "stand" | "sit" | "rest" | "lie" | "hang" | "face" | "flank" | "line" | "hold"
+                    );
+                one || many
+            }
+            _ => false,
+        }
+    }
+
+    /// Clauses whose meaning turns on a word that nothing here can say: they are left to the notes.
+    /// "each with a lamp, except the last" says nothing of lamps, "a sofa rather than a bench" nothing of the bench.
+    pub(super) fn unsaid(&self, from: usize, end: usize) -> Vec<Range<usize>> {
+        let mut out = Vec::new();
+        for i in from..end {
+            let at = self.chunks[i].at.start;
+            let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
+            let stop = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+            let to = (i + 1..end).find(stop).unwrap_or(end);
+            match (word(0), word(1)) {
+                ("except" | "excepting", _) | ("apart" | "aside", "from") => {
+                    // The clause it is said of is the one before it.
+                    let before = if i > from && stop(&(i - 1)) { i - 1 } else { i };
+                    let start = (from..before).rev().find(stop).unwrap_or(from);
+                    out.push(start..to);
+                }
+                ("rather", "than") | ("instead", "of") => out.push(i..to),
+                _ => {}
+            }
+        }
+        out
+    }
+
+    pub(super) fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {
         let after = self.main.clone();
+        let reduced = self.reduced(i);
+        if let Some(last) = reduced {
+            self.near = vec![last];
+        }
         match verb {
             Verb::Be | Verb::Keep => {
                 self.s.verb = true;
-                if !self.main.is_empty() && self.s.subject {
+                if !self.main.is_empty() && self.s.subject && reduced.is_none() {
                     self.near = self.main.clone();
                 }
                 if verb == Verb::Keep {
@@ -22,9 +115,16 @@ impl Reader<'_> {
                 } else {
                     owner
                 };
+                self.s.together = reduced.is_some();
+                let owner = reduced.map_or(owner, |last| self.bearer(vec![last], i + 1, end));
                 // "the room has", "we have": nothing that owns.
                 let of_room = self.s.of_room && !self.s.subject || owner.is_empty();
-                let join = if verb == Verb::Carry { Join::On } else { Join::Usual };
+                let word = self.tokens[self.chunks[i].at.start].text.as_str();
+                let join = match verb {
+                    Verb::Carry => Join::On,
+                    _ if matches!(word, "filled" | "stocked" | "contain" | "contains" | "containing") => Join::In,
+                    _ => Join::Usual,
+                };
                 self.s.expect = if of_room { Expect::Nothing } else { Expect::With(owner, join) };
                 self.s.listed = true;
             }
@@ -39,7 +139,7 @@ impl Reader<'_> {
             Verb::Hang => {
                 self.s.hang = true;
                 self.s.verb = true;
-                if !self.main.is_empty() {
+                if !self.main.is_empty() && reduced.is_none() {
                     self.near = self.main.clone();
                 }
             }

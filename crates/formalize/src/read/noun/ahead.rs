@@ -1,0 +1,165 @@
+//! What comes next in a text, as far as a noun phrase has to know: nouns, rooms, places, the end of a name.
+
+use super::*;
+
+/// The longest noun of the tables that begins here: in the singular, and its tokens.
+pub(super) fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
+    let lexicon = get();
+    let words = rest.iter().take(4).take_while(|t| t.word()).count();
+    (1..=words).rev().find_map(|n| {
+        if rest[..n - 1].iter().any(|t| t.owner) {
+            return None;
+        }
+        let mut phrase: Vec<String> = rest[..n].iter().map(|t| t.text.clone()).collect();
+        let plain = phrase.join(" ");
+        if let Some(last) = phrase.last_mut() {
+            *last = singular(last);
+        }
+        let phrase = phrase.join(" ");
+        // "chest of drawers" is written in the plural.
+        let found = [phrase, plain].into_iter().find_map(|p| {
+            // "first-aid cabinet", "note-board"
+            let apart = p.replace('-', " ");
+            [p, apart].into_iter().find(|p| lexicon.noun(p).is_some())
+        });
+        found.map(|p| (p, n))
+    })
+}
+
+/// Whether a room's name begins here, and its tokens.
+pub(super) fn room_here(rest: &[Token]) -> Option<usize> {
+    let lexicon = get();
+    let words = rest.iter().take(3).take_while(|t| t.word()).count();
+    (1..=words).rev().find(|n| {
+        let mut phrase: Vec<String> = rest[..*n].iter().map(|t| t.text.clone()).collect();
+        if lexicon.room(&phrase.join(" ")).is_some() {
+            return true;
+        }
+        if let Some(last) = phrase.last_mut() {
+            *last = singular(last);
+        }
+        lexicon.room(&phrase.join(" ")).is_some()
+    })
+}
+
+/// Whether a noun of the tables comes right here, or after looks or one more word.
+pub(super) fn before_noun(rest: &[Token]) -> bool {
+    let Some(first) = rest.first().filter(|t| t.word()) else { return false };
+    let lexicon = get();
+    // "stands", "lights" after a noun are verbs more often than not.
+    if lexicon.verb(rest).is_some()
+        || lexicon.relation(rest).is_some_and(|(_, n)| n > 0)
+        || lexicon.is(&first.text, Class::Stop)
+    {
+        return false;
+    }
+    longest_noun(rest).is_some()
+        || look_at(rest)
+            .is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word) && longest_noun(&rest[n..]).is_some())
+        || !lexicon.known(&first.text)
+            && rest.get(1).is_some_and(Token::word)
+            && longest_noun(&rest[1..]).is_some()
+            && lexicon.verb(&rest[1..]).is_none()
+}
+
+/// Whether looks that begin here end in a noun.
+pub(super) fn leads_to_noun(rest: &[Token]) -> bool {
+    let mut used = 0;
+    while let Some((_, n)) = look_at(&rest[used..]) {
+        used += n;
+        let after = &rest[used..];
+        if after.first().is_some_and(|t| t.is(",") || t.is("and")) && look_at(&after[1..]).is_some() {
+            used += 1;
+        }
+        if used > 12 {
+            return false;
+        }
+    }
+    let rest = &rest[used..];
+    longest_noun(rest).is_some() || before_noun(rest) || rest.first().is_some_and(|t| t.word() && !get().known(&t.text))
+}
+
+/// Whether words that tell which place end in a place: "left front corner".
+pub(super) fn leads_to_place(rest: &[Token]) -> bool {
+    let words = rest.iter().take(4).take_while(|t| t.word() && WHICH.contains(&t.text.as_str())).count();
+    (1..=words).any(|n| {
+        rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words))
+    }) && rest
+        .get(words)
+        .is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
+}
+
+/// A word that is a noun and a verb: here the verb, where no noun phrase has begun.
+pub(super) fn stops_here(rest: &[Token], expected: bool) -> bool {
+    !expected && (get().verb(rest).is_some() || get().relation(rest).is_some())
+}
+
+/// Whether what stands here ends a name although alone it is no thing or a verb: "a headphone stand", "two game cases".
+/// `several`: there may be more than one.
+pub(super) fn tail_here(rest: &[Token], several: bool) -> bool {
+    let lexicon = get();
+    let Some(word) = rest.first().map(|t| t.text.as_str()) else { return false };
+    let next = &rest[1..];
+    let verbal = lexicon.verb(rest).is_some() || lexicon.soft(rest).is_some();
+    let fits = match word {
+        // "an armchair set beside the table", "a chair that can be moved"
+        "set" => next
+            .first()
+            .is_none_or(|t| !t.word() || lexicon.verb(next).is_some() || t.is("and") || t.is("on") || t.is("of")),
+        // "a bowl and a jar stand side by side"
+        "stand" => next.first().is_none_or(|t| !t.word() || lexicon.verb(next).is_some() && t.text.ends_with('s')),
+        "can" => next.first().is_none_or(|t| {
+            !t.word()
+                || lexicon.relation(next).is_some()
+                || matches!(t.text.as_str(), "and" | "with")
+                || lexicon.verb(next).is_some() && ["s", "ed", "ing"].iter().any(|e| t.text.ends_with(e))
+        }),
+        _ => !verbal && !matches!(word, "display" | "support" | "block") || !takes_object(next),
+    };
+    let fits = fits && longest_noun(next).is_none() && !(lexicon.is_look(word) && look_at(next).is_some());
+    lexicon.is(&singular(word), Class::Tail) && fits && (!plural(word) || several)
+}
+
+/// Whether what stands here is what a verb before it may be done to.
+pub(super) fn takes_object(rest: &[Token]) -> bool {
+    let lexicon = get();
+    rest.first().is_some_and(|t| {
+        t.word()
+            && (lexicon.is(&t.text, Class::Det)
+                || lexicon.is(&t.text, Class::Def)
+                || lexicon.is(&t.text, Class::Each)
+                || number::small(&t.text).is_some())
+    })
+}
+
+/// Whether a word that no table has is an adjective by its end.
+pub(super) fn adjective(word: &str) -> bool {
+    word.contains('-')
+        || ["ed", "able", "ible", "less", "ful", "ous", "ish", "ern", "ian", "ese", "esque", "ic", "ive", "y", "al"]
+            .iter()
+            .any(|e| word.len() > e.len() + 2 && word.ends_with(e))
+}
+
+/// "half the desks", "half of the desks": the words before the noun.
+pub(super) fn half(rest: &[Token]) -> usize {
+    let of = usize::from(rest.first().is_some_and(|t| t.is("of")));
+    let the = rest.get(of).is_some_and(|t| get().is(&t.text, Class::Def));
+    if the && rest.get(of + 1).is_some_and(|t| plural(&t.text)) { of + 1 } else { 0 }
+}
+
+pub(super) fn ordinal(word: &str) -> Option<Nth> {
+    const WORDS: [&str; 10] =
+        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+    if word == "last" {
+        return Some(Nth::Last);
+    }
+    WORDS.iter().position(|w| *w == word).map(Nth::At)
+}
+
+/// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
+pub(super) fn names_something(rest: &[Token]) -> bool {
+    rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
+        Some(place) => place == Place::Row,
+        None => before_noun(rest),
+    })
+}
