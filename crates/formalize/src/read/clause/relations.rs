@@ -211,7 +211,7 @@ impl Reader<'_> {
                 self.s.turned = Some(match place {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
-                    _ => Rel::Beside,
+                    _ => of_length(&np.which).unwrap_or(Rel::Beside),
                 });
                 Some((Lead::Items(items, false), k + 1))
             }
@@ -257,7 +257,15 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            if matches!(said, Rel::At | Rel::In) {
+                            let carries = !matches!(
+                                self.scene.items[id].group,
+                                Group::Seat | Group::Wall | Group::Ceiling | Group::Door | Group::Window
+                            );
+                            if place == Place::Middle && carries && matches!(said, Rel::At | Rel::In | Rel::On) {
+                                self.s.turned = Some(Rel::Centre);
+                            } else if let (Place::Side, Some(side)) = (place, of_length(&which)) {
+                                self.s.turned = Some(side);
+                            } else if matches!(said, Rel::At | Rel::In) {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
                             if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
@@ -683,4 +691,13 @@ impl Reader<'_> {
         }
         self.s.last = None;
     }
+}
+
+/// The long or the short side of a thing, if that is said.
+fn of_length(which: &[String]) -> Option<Rel> {
+    which.iter().find_map(|w| match w.as_str() {
+        "long" | "longer" | "longest" => Some(Rel::LongSide),
+        "short" | "shorter" | "shortest" => Some(Rel::ShortSide),
+        _ => None,
+    })
 }

@@ -1,0 +1,142 @@
+//! What the words of a request leave open about where small things are: a mouse beside a keyboard is on the keyboard's desk,
+//! a novel "on" a bookcase is in it, a wallet on the left of a desk lies on it. Read before sizes and statements are made.
+
+use super::lexicon::{Group, Rel, get};
+use super::scene::{Fact, Scene, What};
+use scenelang_lang::library::usual_size;
+
+/// What has shelves inside, so that what is "on" it is in it.
+const SHELVED: [&str; 14] = [
+    "bookshelf",
+    "bookcase",
+    "book shelf",
+    "book case",
+    "bookstand",
+    "toy shelf",
+    "shelf unit",
+    "wall unit",
+    "cubby",
+    "cubbies",
+    "display cabinet",
+    "china cabinet",
+    "display case",
+    "hutch",
+];
+/// No side of a thing that people stand something on is longer, if nothing is known of it (metres).
+const SMALL: f64 = 0.45;
+/// Things beside things beside things: so many in a chain.
+const CHAIN: usize = 4;
+
+/// Settles it. `request` is the text that the facts have their places in.
+pub fn settle(scene: &mut Scene, request: &str) {
+    for _ in 0..CHAIN {
+        let small: Vec<usize> = (0..scene.items.len()).filter(|a| is_small(scene, *a)).collect();
+        if small.is_empty() {
+            break;
+        }
+        small.into_iter().for_each(|a| scene.items[a].group = Group::Top);
+    }
+    let mut added: Vec<(usize, Fact)> = Vec::new();
+    for k in 0..scene.facts.len() {
+        let fact = &scene.facts[k];
+        let What::Rel(rel, to) = &fact.what else { continue };
+        let ([b], false) = (to.as_slice(), fact.not) else { continue };
+        let words = request.get(fact.at.clone()).unwrap_or("").to_lowercase();
+        let top = fact.of.iter().all(|a| scene.items[*a].group == Group::Top);
+        let new = match rel {
+            Rel::LeftOf | Rel::RightOf if top && scene.items[*b].group == Group::Table && on_side(&words) => {
+                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
+            }
+            Rel::On if shelved(scene, *b) && !words.contains("top") && fact.of.iter().all(|a| shelvable(scene, *a)) => {
+                Rel::In
+            }
+            Rel::Centre => {
+                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                continue;
+            }
+            _ => continue,
+        };
+        scene.facts[k].what = What::Rel(new, vec![*b]);
+    }
+    for (k, fact) in added.into_iter().rev() {
+        scene.facts.insert(k, fact);
+    }
+    for _ in 0..scene.items.len() {
+        let Some((at, fact)) = (0..scene.facts.len()).find_map(|k| Some((k + 1, beside(scene, k)?))) else { break };
+        scene.facts.insert(at, fact);
+    }
+}
+
+/// Whether words say that a thing lies on a side of another, rather than beside it.
+fn on_side(words: &str) -> bool {
+    words.contains("on the left") || words.contains("on the right")
+}
+
+/// Whether an item that no table of nouns knows is small: something carries it, or it is beside something small.
+fn is_small(scene: &Scene, a: usize) -> bool {
+    let item = &scene.items[a];
+    let known = get().noun_ending(&item.words).is_some();
+    let size = usual_size(&item.name());
+    let large = size.is_some_and(|s| s.iter().any(|v| *v > SMALL)) || item.size.iter().flatten().any(|v| *v > SMALL);
+    if item.group != Group::Floor || large || known && size.is_none() {
+        return false;
+    }
+    let group = |b: &usize| scene.items[*b].group;
+    let carries = |b: &usize| matches!(group(b), Group::Table | Group::Storage | Group::Bed | Group::Seat | Group::Top);
+    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
+        What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
+        What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
+            to.iter().all(|b| group(b) == Group::Top)
+        }
+        _ => false,
+    })
+}
+
+/// Whether a thing has shelves.
+fn shelved(scene: &Scene, b: usize) -> bool {
+    let name = scene.items[b].name();
+    let ends = |kind: &&str| name == **kind || name.ends_with(&format!(" {kind}"));
+    SHELVED.iter().any(|kind| ends(&kind))
+}
+
+/// Whether a thing can be in a shelf.
+fn shelvable(scene: &Scene, a: usize) -> bool {
+    let item = &scene.items[a];
+    let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
+    !lamp && matches!(item.group, Group::Top | Group::Soft | Group::Wall | Group::Floor) && item.size[1].is_none()
+}
+
+/// Of a small thing beside another small thing: on what that is on.
+fn beside(scene: &Scene, k: usize) -> Option<Fact> {
+    let fact = &scene.facts[k];
+    let What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) = &fact.what
+    else {
+        return None;
+    };
+    let placed = |a: &usize| {
+        scene.facts.iter().any(|f| {
+            !f.not
+                && f.of.contains(a)
+                && matches!(
+                    f.what,
+                    What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..)
+                )
+        })
+    };
+    let small = |a: &usize| scene.items[*a].group == Group::Top;
+    if fact.not || !fact.of.iter().all(|a| small(a) && !placed(a)) {
+        return None;
+    }
+    let (what, from) = scene.facts.iter().find_map(|f| match &f.what {
+        What::Rel(Rel::On, on)
+            if !f.not
+                && matches!(on.as_slice(), [c] if !fact.of.contains(c) && scene.items[*c].group != Group::Flat)
+                && to.iter().any(|b| f.of.contains(b) && (small(b) || scene.items[*b].group == Group::Screen)) =>
+        {
+            Some((What::Rel(Rel::On, on.clone()), f))
+        }
+        _ => None,
+    })?;
+    Some(Fact { of: fact.of.clone(), what, soft: fact.soft || from.soft, not: false, at: fact.at.clone() })
+}
