@@ -20,8 +20,15 @@ const SHELVED: [&str; 14] = [
     "display cabinet",
     "china cabinet",
     "display case",
-    "hutch",
+    "organizer",
 ];
+/// What things are in rather than on, unless they are said to be on top.
+const HOLLOW: [&str; 14] = [
+    "vase", "basket", "bucket", "jar", "cooler", "crate", "hamper", "bin", "pot", "cup", "glass", "sink", "bathtub",
+    "tub",
+];
+/// What nothing stands on: what is "on" it stands where it does.
+const THIN: [&str; 5] = ["monitor", "screen", "tv", "television", "keyboard"];
 /// No side of a thing that people stand something on is longer, if nothing is known of it (metres).
 const SMALL: f64 = 0.45;
 /// Things beside things beside things: so many in a chain.
@@ -48,8 +55,15 @@ pub fn settle(scene: &mut Scene, request: &str) {
                 added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
             }
-            Rel::On if shelved(scene, *b) && !words.contains("top") && fact.of.iter().all(|a| shelvable(scene, *a)) => {
+            Rel::On
+                if shelved(scene, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(scene, *a)) =>
+            {
                 Rel::In
+            }
+            Rel::On if last(scene, *b, &THIN) && !words.contains("on top") => {
+                let Some(c) = carrier(scene, *b).filter(|c| !fact.of.contains(c)) else { continue };
+                scene.facts[k].what = What::Rel(Rel::On, vec![c]);
+                continue;
             }
             Rel::Centre => {
                 added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
@@ -84,6 +98,15 @@ fn is_small(scene: &Scene, a: usize) -> bool {
     }
     let group = |b: &usize| scene.items[*b].group;
     let carries = |b: &usize| matches!(group(b), Group::Table | Group::Storage | Group::Bed | Group::Seat | Group::Top);
+    // "a cup on the desk stands next to a gadget"
+    let met = |f: &Fact| {
+        !f.not
+            && matches!(&f.what, What::Rel(Rel::Beside | Rel::LeftOf | Rel::RightOf, to) if to.contains(&a))
+            && f.of.iter().all(|b| group(b) == Group::Top && carrier(scene, *b).is_some())
+    };
+    if scene.facts.iter().any(met) {
+        return true;
+    }
     scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
         What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
         What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
@@ -93,11 +116,23 @@ fn is_small(scene: &Scene, a: usize) -> bool {
     })
 }
 
-/// Whether a thing has shelves.
+/// Whether things are in it rather than on it.
 fn shelved(scene: &Scene, b: usize) -> bool {
+    last(scene, b, &SHELVED) || last(scene, b, &HOLLOW)
+}
+
+/// Whether the name of a thing ends in one of these.
+fn last(scene: &Scene, b: usize, kinds: &[&str]) -> bool {
     let name = scene.items[b].name();
-    let ends = |kind: &&str| name == **kind || name.ends_with(&format!(" {kind}"));
-    SHELVED.iter().any(|kind| ends(&kind))
+    kinds.iter().any(|kind| name.strip_suffix(kind).is_some_and(|rest| rest.is_empty() || rest.ends_with(' ')))
+}
+
+/// What a thing is said to be on; not a rug.
+fn carrier(scene: &Scene, a: usize) -> Option<usize> {
+    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).find_map(|f| match &f.what {
+        What::Rel(Rel::On, on) => on.first().copied().filter(|c| scene.items[*c].group != Group::Flat),
+        _ => None,
+    })
 }
 
 /// Whether a thing can be in a shelf.
@@ -107,7 +142,7 @@ fn shelvable(scene: &Scene, a: usize) -> bool {
     !lamp && matches!(item.group, Group::Top | Group::Soft | Group::Wall | Group::Floor) && item.size[1].is_none()
 }
 
-/// Of a small thing beside another small thing: on what that is on.
+/// Of a small thing beside another small thing, or that has one beside it: on what that is on.
 fn beside(scene: &Scene, k: usize) -> Option<Fact> {
     let fact = &scene.facts[k];
     let What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) = &fact.what
@@ -115,28 +150,29 @@ fn beside(scene: &Scene, k: usize) -> Option<Fact> {
         return None;
     };
     let placed = |a: &usize| {
-        scene.facts.iter().any(|f| {
-            !f.not
-                && f.of.contains(a)
-                && matches!(
-                    f.what,
-                    What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..)
-                )
-        })
+        let says = |what: &What| {
+            matches!(what, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..))
+        };
+        scene.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
     };
-    let small = |a: &usize| scene.items[*a].group == Group::Top;
-    if fact.not || !fact.of.iter().all(|a| small(a) && !placed(a)) {
+    let group = |a: &usize| scene.items[*a].group;
+    let free = |list: &[usize]| list.iter().all(|a| group(a) == Group::Top && !placed(a));
+    let carried = |list: &[usize]| {
+        let small = list.iter().filter(|b| matches!(group(b), Group::Top | Group::Screen));
+        small.filter_map(|b| carrier(scene, *b)).next()
+    };
+    let (of, on) = if fact.not {
+        return None;
+    } else if free(&fact.of) {
+        (&fact.of, carried(to)?)
+    } else if free(to) {
+        (to, carried(&fact.of)?)
+    } else {
+        return None;
+    };
+    if of.contains(&on) {
         return None;
     }
-    let (what, from) = scene.facts.iter().find_map(|f| match &f.what {
-        What::Rel(Rel::On, on)
-            if !f.not
-                && matches!(on.as_slice(), [c] if !fact.of.contains(c) && scene.items[*c].group != Group::Flat)
-                && to.iter().any(|b| f.of.contains(b) && (small(b) || scene.items[*b].group == Group::Screen)) =>
-        {
-            Some((What::Rel(Rel::On, on.clone()), f))
-        }
-        _ => None,
-    })?;
-    Some(Fact { of: fact.of.clone(), what, soft: fact.soft || from.soft, not: false, at: fact.at.clone() })
+    let what = What::Rel(Rel::On, vec![on]);
+    Some(Fact { of: of.clone(), what, soft: fact.soft, not: false, at: fact.at.clone() })
 }

@@ -211,7 +211,7 @@ impl Reader<'_> {
                 self.s.turned = Some(match place {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
-                    _ => of_length(&np.which).unwrap_or(Rel::Beside),
+                    _ => of_length(&np.which).or_else(|| of_length(&np.look.features)).unwrap_or(Rel::Beside),
                 });
                 Some((Lead::Items(items, false), k + 1))
             }
@@ -226,6 +226,8 @@ impl Reader<'_> {
     /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
     pub(super) fn place_object(&mut self, k: usize, end: usize, said: Rel, place: Place, np: &Np) -> (Lead, usize) {
         let mut which = np.which.clone();
+        // "the long side" is no look of it.
+        which.extend(np.look.features.iter().filter(|f| of_length(std::slice::from_ref(f)).is_some()).cloned());
         if np.det == Det::Each || np.many {
             which.push("each".into());
         }
@@ -664,6 +666,18 @@ impl Reader<'_> {
     }
 
     pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        // "an island with stools along one long side": of what they come with, or what was spoken of before.
+        if let (Place::Side | Place::End, Some(side)) = (place, of_length(which)) {
+            let owner = match &self.s.expect {
+                Expect::With(owner, _) if !owner.is_empty() => owner.clone(),
+                _ => self.before.clone(),
+            };
+            let table = |o: &usize| !of.contains(o) && self.scene.items[*o].group == Group::Table;
+            let owner: Vec<usize> = owner.into_iter().filter(table).collect();
+            if !owner.is_empty() {
+                return self.relate(of, side, &owner);
+            }
+        }
         match (place, &self.s.expect) {
             // "an island with stools along one side"
             (Place::Side | Place::End, Expect::With(owner, _))

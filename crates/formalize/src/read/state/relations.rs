@@ -165,6 +165,7 @@ impl Named<'_> {
                 let back = match gb {
                     _ if !self.one_each(a, b) => None,
                     Group::Screen => Some(verb),
+                    Group::Wall if self.screen(b) => Some(verb),
                     Group::Seat | Group::Storage | Group::Bed | Group::Wall => Some("prefer"),
                     _ => None,
                 };
@@ -207,6 +208,13 @@ impl Named<'_> {
             }
             Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if matches!(rel, Rel::LeftOf | Rel::RightOf)
+                    && ga == Group::Top
+                    && matches!(gb, Group::Top | Group::Screen)
+                {
+                    // Left and right on a desk are those of who sits there: its things look one way.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("angle({x}.front, {y}.front) <= 5"))));
+                }
                 let wide = self.sizes[a][0] * self.counts[a].div_ceil(m.max(1)) as f64;
                 if rel == Rel::Above
                     && !matches!(gb, Group::Door | Group::Window)
@@ -303,6 +311,12 @@ impl Named<'_> {
         let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
         let fits = w.max(d) <= bw.max(bd) && w.min(d) <= bw.min(bd);
         if self.group(b) == Group::Flat && (!fits || self.counts[a] > 2) { "on" } else { "restsOn" }
+    }
+
+    /// Whether it is to be looked at from a seat.
+    pub fn screen(&self, item: usize) -> bool {
+        let item = &self.scene.items[item];
+        item.group == Group::Screen || item.group == Group::Wall && item.words.last().is_some_and(|w| w == "screen")
     }
 
     /// Whether there is one of each, or as many of the one as of the other.
