@@ -61,6 +61,13 @@ pub enum Rel {
     Near,
     LeftOf,
     RightOf,
+    /// On it, in its left or right half.
+    OnLeft,
+    OnRight,
+    /// In its middle.
+    Centre,
+    LongSide,
+    ShortSide,
     InFrontOf,
     Behind,
     Between,

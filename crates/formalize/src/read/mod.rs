@@ -21,6 +21,7 @@ mod noun;
 mod number;
 mod rooms;
 mod scene;
+mod settle;
 mod sizes;
 mod state;
 mod token;
@@ -180,6 +181,9 @@ fn judge(
 
 /// The draft of what was read.
 fn drafted(request: &str, scene: &Scene) -> Draft {
+    let mut scene = scene.clone();
+    settle::settle(&mut scene, request);
+    let scene = &scene;
     let mut names = Names::default();
     let sizes = sizes::things(scene);
     let mut room_sizes = sizes::rooms(scene, &sizes);

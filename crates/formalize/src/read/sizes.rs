@@ -4,6 +4,7 @@ use super::lexicon::{Group, Rel, get};
 use super::measure::{Dim, Op};
 use super::noun::Place;
 use super::scene::{Scene, Side, What};
+use super::state::ACROSS;
 use scenelang_lang::library::usual_size;
 
 /// What nothing is known of.
@@ -87,7 +88,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
     for b in (0..scene.items.len()).filter(|b| scene.items[*b].part.is_none()) {
         let carries = matches!(
             scene.items[b].group,
-            Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor
+            Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor | Group::Top
         );
         if scene.items[b].size[0].is_some() || !carries {
             continue;
@@ -110,6 +111,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                     {
                         width = each * (out[*a][0] + 0.12)
                     }
+                    Rel::LongSide if each > 1.0 => width = f64::max(width, each * (out[*a][0] + 0.12)),
                     Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 && seats(scene, b) => {
                         // Half of them at either long side, the ends left free.
                         width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
@@ -132,6 +134,7 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             out[b][2] = out[b][0];
         }
     }
+    contained(scene, &mut out);
     // A size that the request limits.
     for fact in &scene.facts {
         let What::Size(dim, op, v) = &fact.what else { continue };
@@ -154,6 +157,37 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
         }
     }
     out
+}
+
+/// Makes what is in another small enough for it, side by side with what else is there.
+fn contained(scene: &Scene, out: &mut [[f64; 3]]) {
+    let inside = |b: usize| {
+        scene.facts.iter().filter(move |f| matches!(&f.what, What::Rel(Rel::In, to) if !f.not && to.as_slice() == [b]))
+    };
+    for b in 0..scene.items.len() {
+        let shelf = scene.items[b].group == Group::Storage;
+        if matches!(
+            scene.items[b].group,
+            Group::Seat | Group::Flat | Group::Table | Group::Bed | Group::Door | Group::Window
+        ) {
+            continue;
+        }
+        let things: Vec<usize> = inside(b).flat_map(|f| f.of.iter().copied()).collect();
+        let n: usize = things.iter().map(|a| scene.count(*a)).sum();
+        let n = (n as f64 / scene.count(b) as f64).ceil().max(1.0);
+        let [w, h, d] = out[b];
+        // In a row; in a round or square thing in two.
+        let (columns, rows) = if n > 3.0 && d > 0.7 * w { ((n / 2.0).ceil(), 2.0) } else { (n, 1.0) };
+        let most =
+            [0.95 * w / columns - 0.01, if shelf { 0.4_f64.min(0.9 * h) } else { 0.9 * h }, 0.95 * d / rows - 0.01];
+        for a in things {
+            let item = &scene.items[a];
+            let small = matches!(item.group, Group::Top | Group::Soft | Group::Floor | Group::Wall);
+            for k in (0..3).filter(|k| small && item.size[*k].is_none()) {
+                out[a][k] = out[a][k].min(most[k].max(0.02));
+            }
+        }
+    }
 }
 
 /// The usual size of a thing of this name.
@@ -360,6 +394,7 @@ fn distances(scene: &Scene, room: usize) -> f64 {
     let mut out = 0.0_f64;
     for f in scene.facts.iter().filter(|f| f.of.iter().any(|i| scene.items[*i].room == room)) {
         match &f.what {
+            What::Rel(Rel::Opposite, _) if !f.not => out = out.max(ACROSS),
             What::Gap(Op::Least | Op::Equal, v, _)
             | What::Wall(Op::Least | Op::Equal, v)
             | What::Alone(v)

@@ -11,6 +11,7 @@ use super::noun::Place;
 use super::scene::{Fact, Scene, Side, What};
 use crate::draft::{Note, Source, Statement};
 use crate::write::number;
+pub(super) use relations::ACROSS;
 
 /// More elements than this are not listed one by one.
 const LISTED: usize = 12;

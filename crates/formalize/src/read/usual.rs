@@ -64,7 +64,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
                 });
                 if let Some(top) = top {
                     out.infer(
-                        format!("assert {};", named.pairs(a, top, &|x, y| format!("on({x}, {y})"))),
+                        format!("assert {};", named.pairs(a, top, &|x, y| format!("restsOn({x}, {y})"))),
                         &format!("a {} stands on something", item.name()),
                     );
                 }
@@ -83,7 +83,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
                 });
                 if let Some(under) = under {
                     out.infer(
-                        format!("assert {};", named.pairs(a, under, &|x, y| format!("on({x}, {y})"))),
+                        format!("assert {};", named.pairs(a, under, &|x, y| format!("restsOn({x}, {y})"))),
                         &format!("a {} lies on something", item.name()),
                     );
                 }
@@ -138,14 +138,25 @@ pub fn usual(named: &Named, out: &mut Stated) {
         if let Some(turned) = named.turned(a) {
             out.infer(turned, "rows stand straight");
         }
+        // A television looks the way its stand does, unless it is said to look elsewhere.
+        if let (Group::Screen, Some(stand)) = (item.group, carrier(named, a))
+            && matches!(scene.items[stand].group, Group::Table | Group::Storage)
+        {
+            let turned = named.said(a, |w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
+            let verb = if turned { "prefer" } else { "assert" };
+            let along = named.pairs(a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
+            out.infer(format!("{verb} {along};"), "a screen looks the way its stand does");
+        }
         // At the height of the eyes, where nothing is said.
         let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
         if up && named.sizes[a][1] < 1.6 {
-            let low = (1.5 - named.sizes[a][1] / 2.0).max(0.6);
-            out.infer(
-                format!("prefer {};", named.all(a, |x| format!("abs({x}.bottom - {}) <= 0.2", number(low)))),
-                "at the height of the eyes",
-            );
+            // People look at a screen from their seats.
+            let sits = |i: &super::scene::Item| matches!(i.group, Group::Seat | Group::Bed) && i.room == item.room;
+            let seated = named.screen(a) && scene.items.iter().any(sits);
+            let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
+            let low = (eyes - named.sizes[a][1] / 2.0).max(least);
+            let test = |x: &str| format!("abs({x}.bottom - {}) <= {}", number(low), number(give));
+            out.infer(format!("prefer {};", named.all(a, test)), "at the height of the eyes");
         }
         let cloth = item
             .words

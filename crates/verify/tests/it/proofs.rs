@@ -301,6 +301,9 @@ impl Hidden {
                     "on",
                     "under",
                     "beside",
+                    "restsOn",
+                    "looksAt",
+                    "seenLeftOf",
                 ];
                 format!("{}({a}, {b})", dice.one(&of))
             }

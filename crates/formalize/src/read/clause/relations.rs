@@ -251,7 +251,7 @@ impl Reader<'_> {
                     Place::Back => Rel::Behind,
                     Place::Side if rel == Rel::On && np.words.first().is_some_and(|w| w == "edge") => Rel::On,
                     Place::Middle if items.iter().all(|o| self.scene.items[*o].group == Group::Table) => Rel::On,
-                    _ => Rel::Beside,
+                    _ => of_length(&np.which).or_else(|| of_length(&np.look.features)).unwrap_or(Rel::Beside),
                 });
                 Some((Lead::Items(items, false), k + 1))
             }
@@ -266,6 +266,8 @@ impl Reader<'_> {
     /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
     pub(super) fn place_object(&mut self, k: usize, end: usize, said: Rel, place: Place, np: &Np) -> (Lead, usize) {
         let mut which = np.which.clone();
+        // "the long side" is no look of it.
+        which.extend(np.look.features.iter().filter(|f| of_length(std::slice::from_ref(f)).is_some()).cloned());
         if np.det == Det::Each || np.many {
             which.push("each".into());
         }
@@ -301,13 +303,14 @@ impl Reader<'_> {
                             _ => None,
                         };
                         if rel.is_some() {
-                            let on = place == Place::Middle
-                                && matches!(
-                                    self.scene.items[id].group,
-                                    Group::Table | Group::Flat | Group::Bed | Group::Top
-                                );
-                            if on {
-                                self.s.turned = Some(Rel::On);
+                            let carries = !matches!(
+                                self.scene.items[id].group,
+                                Group::Seat | Group::Wall | Group::Ceiling | Group::Door | Group::Window
+                            );
+                            if place == Place::Middle && carries && matches!(said, Rel::At | Rel::In | Rel::On) {
+                                self.s.turned = Some(Rel::Centre);
+                            } else if let (Place::Side, Some(side)) = (place, of_length(&which)) {
+                                self.s.turned = Some(side);
                             } else if matches!(said, Rel::At | Rel::In) {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
@@ -721,6 +724,18 @@ impl Reader<'_> {
     }
 
     pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        // "an island with stools along one long side": of what they come with, or what was spoken of before.
+        if let (Place::Side | Place::End, Some(side)) = (place, of_length(which)) {
+            let owner = match &self.s.expect {
+                Expect::With(owner, _) if !owner.is_empty() => owner.clone(),
+                _ => self.before.clone(),
+            };
+            let table = |o: &usize| !of.contains(o) && self.scene.items[*o].group == Group::Table;
+            let owner: Vec<usize> = owner.into_iter().filter(table).collect();
+            if !owner.is_empty() {
+                return self.relate(of, side, &owner);
+            }
+        }
         match (place, &self.s.expect) {
             // "an island with stools along one side"
             (Place::Side | Place::End, Expect::With(owner, _))
@@ -757,4 +772,13 @@ impl Reader<'_> {
         }
         self.s.last = None;
     }
+}
+
+/// The long or the short side of a thing, if that is said.
+fn of_length(which: &[String]) -> Option<Rel> {
+    which.iter().find_map(|w| match w.as_str() {
+        "long" | "longer" | "longest" => Some(Rel::LongSide),
+        "short" | "shorter" | "shortest" => Some(Rel::ShortSide),
+        _ => None,
+    })
 }

@@ -1,6 +1,6 @@
 //! One thing and another: on, beside, in front of, around, between.
 
-use super::{Named, indexed};
+use super::{LISTED, Named, indexed};
 use crate::read::chunk::Pattern;
 use crate::read::lexicon::{Group, Rel};
 use crate::read::noun::Place;
@@ -12,6 +12,8 @@ use crate::write::number;
 const NEAR: f64 = 1.0;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
+/// How far apart things are that stand across from each other, at least.
+pub(in crate::read) const ACROSS: f64 = 1.5;
 /// How far "around" reaches, for what is no seat.
 pub(super) const AROUND: f64 = 1.2;
 
@@ -45,9 +47,27 @@ impl Named<'_> {
                     // On a door, on a window: as near as it can be.
                     out.push(format!("{verb} {};", pairs(&far(0.3))));
                 } else {
-                    out.push(format!("{verb} {};", pairs(&call("on"))));
+                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
                 }
             }
+            Rel::OnLeft | Rel::OnRight => {
+                let sign = if rel == Rel::OnLeft { ">=" } else { "<=" };
+                out.push(format!(
+                    "{verb} {};",
+                    pairs(&|x, y| format!("dot({x}.center - {y}.center, {y}.right) {sign} 0"))
+                ));
+            }
+            Rel::Centre => {
+                // Several share the middle.
+                let reach = if self.counts[a] > self.counts[b] { 0.3 } else { 0.05 };
+                out.push(format!(
+                    "{verb} {};",
+                    pairs(&|x, y| {
+                        format!("length(vec3({x}.center.x - {y}.center.x, 0, {x}.center.z - {y}.center.z)) <= {reach}")
+                    })
+                ));
+            }
+            Rel::LongSide | Rel::ShortSide => self.at_side(a, b, rel == Rel::LongSide, verb, out),
             Rel::In => {
                 let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01)
                     && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
@@ -56,16 +76,23 @@ impl Named<'_> {
                     out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
                     out.push(format!("allowFloat({});", self.name(a)));
                 } else {
-                    out.push(format!("{verb} {};", pairs(&call("on"))));
+                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
                 }
             }
             Rel::Under
                 if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
             {
                 out.push(format!("{verb} {};", pairs(&call("below"))));
+                if matches!(gb, Group::Wall | Group::Screen | Group::Ceiling) && self.counts[a] == 1 && m == 1 {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
+                }
             }
             Rel::Under => {
                 out.push(format!("{verb} {};", pairs(&call("under"))));
+                if ga == Group::Flat && self.counts[a] == 1 && m == 1 {
+                    // A rug lies under the whole of a table, or under its middle.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
+                }
                 out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
             }
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
@@ -76,7 +103,7 @@ impl Named<'_> {
                 let both = rel == Rel::Sides && self.counts[a] == 2 * m;
                 if both && self.array(a) && a != b {
                     let side = |x: &str, i: usize, y: &str| {
-                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "leftOf" } else { "rightOf" })
+                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "seenLeftOf" } else { "seenRightOf" })
                     };
                     let text = if m == 1 {
                         (0..2)
@@ -107,7 +134,16 @@ impl Named<'_> {
                     if let Some(d) = d {
                         out.push(format!("{verb} {};", pairs(&far(d))));
                     }
-                    out.push(format!("{verb} {};", pairs(&call("facing"))));
+                    out.push(format!("{verb} {};", pairs(&call("looksAt"))));
+                } else if rel == Rel::InFrontOf && self.one_each(a, b) {
+                    // What stands before a seat or a bed is what one looks at from there.
+                    let front = matches!(ga, Group::Table | Group::Storage | Group::Screen | Group::Seat);
+                    if front && matches!(gb, Group::Seat | Group::Bed) {
+                        out.push(format!(
+                            "prefer {};",
+                            pairs(&|x, y| format!("looksAt({y}, {x}) and looksAt({x}, {y})"))
+                        ));
+                    }
                 }
             }
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
@@ -123,17 +159,33 @@ impl Named<'_> {
             Rel::Opposite if self.array(a) && self.array(b) => {
                 out.push(format!("prefer {};", pairs(&call("facing"))));
             }
-            Rel::Facing => out.push(format!("{verb} {};", pairs(&call("facing")))),
+            Rel::Facing => {
+                out.push(format!("{verb} {};", pairs(&call("looksAt"))));
+                // A screen is seen from its front; of the rest, what faces something is mostly before its front.
+                let back = match gb {
+                    _ if !self.one_each(a, b) => None,
+                    Group::Screen => Some(verb),
+                    Group::Wall if self.screen(b) => Some(verb),
+                    Group::Seat | Group::Storage | Group::Bed | Group::Wall => Some("prefer"),
+                    _ => None,
+                };
+                if let Some(verb) = back {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("looksAt({y}, {x})"))));
+                }
+            }
             Rel::Opposite => {
                 let front = !self.scene.items[b].opening();
                 let f = |x: &str, y: &str| {
                     if front {
-                        format!("facing({x}, {y}) and inFrontOf({x}, {y})")
+                        format!("looksAt({x}, {y}) and inFrontOf({x}, {y})")
                     } else {
-                        format!("facing({x}, {y})")
+                        format!("looksAt({x}, {y})")
                     }
                 };
                 out.push(format!("{verb} {};", pairs(&f)));
+                if !(ga == Group::Seat && gb == Group::Seat) && ga != Group::Top && gb != Group::Top {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(ACROSS)))));
+                }
             }
             Rel::Far => {
                 let room = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
@@ -155,7 +207,21 @@ impl Named<'_> {
                 out.push(format!("allowFloat({});", self.name(a)));
             }
             Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
-                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))))
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if matches!(rel, Rel::LeftOf | Rel::RightOf)
+                    && ga == Group::Top
+                    && matches!(gb, Group::Top | Group::Screen)
+                {
+                    // Left and right on a desk are those of who sits there: its things look one way.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("angle({x}.front, {y}.front) <= 5"))));
+                }
+                let wide = self.sizes[a][0] * self.counts[a].div_ceil(m.max(1)) as f64;
+                if rel == Rel::Above
+                    && !matches!(gb, Group::Door | Group::Window)
+                    && wide <= self.sizes[b][0].max(self.sizes[a][0])
+                {
+                    out.push(format!("{verb} {};", pairs(&call("over"))));
+                }
             }
             Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
         }
@@ -229,8 +295,57 @@ impl Named<'_> {
             out.push(format!(
                 "{} {};",
                 if m > 1 { "prefer" } else { verb },
-                self.pairs(a, b, &|x, y| format!("facing({x}, {y})"))
+                self.pairs(a, b, &|x, y| format!("looksAt({x}, {y})"))
             ));
+        }
+        if seat && m == 1 && self.array(a) && (3..=LISTED).contains(&n) {
+            // Spread evenly, where nothing stands in the way.
+            const SIDES: [&str; 6] = ["inFrontOf", "behind", "leftOf", "rightOf", "inFrontOf", "behind"];
+            let each: Vec<String> = (0..n).map(|i| format!("{}({of}[{i}], {to})", SIDES[i % SIDES.len()])).collect();
+            out.push(format!("prefer {};", each.join(" and ")));
+        }
+    }
+
+    /// How a thing is on another: wholly, but for furniture that a rug is too small for.
+    fn carried(&self, a: usize, b: usize) -> &'static str {
+        let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
+        let fits = w.max(d) <= bw.max(bd) && w.min(d) <= bw.min(bd);
+        if self.group(b) == Group::Flat && (!fits || self.counts[a] > 2) { "on" } else { "restsOn" }
+    }
+
+    /// Whether it is to be looked at from a seat.
+    pub fn screen(&self, item: usize) -> bool {
+        let item = &self.scene.items[item];
+        item.group == Group::Screen || item.group == Group::Wall && item.words.last().is_some_and(|w| w == "screen")
+    }
+
+    /// Whether there is one of each, or as many of the one as of the other.
+    fn one_each(&self, a: usize, b: usize) -> bool {
+        (self.counts[a] == 1 || self.counts[b] == 1 || self.counts[a] == self.counts[b]) && self.grid(a).is_none()
+    }
+
+    /// At the long or the short sides of a thing: beyond them, between their ends, and turned to it.
+    fn at_side(&self, a: usize, b: usize, long: bool, verb: &str, out: &mut Vec<String>) {
+        let [w, _, d] = self.sizes[b];
+        let (sides, along, length) = if long == (w >= d) {
+            (["inFrontOf", "behind"], "right", "x")
+        } else {
+            (["leftOf", "rightOf"], "front", "z")
+        };
+        let half = self.sizes[a][0] / 2.0;
+        let between = |x: &str, y: &str| {
+            format!(
+                "({}({x}, {y}) or {}({x}, {y})) and abs(dot({x}.center - {y}.center, {y}.{along})) <= max(0.1, {y}.size.{length} / 2 - {})",
+                sides[0],
+                sides[1],
+                number(half)
+            )
+        };
+        out.push(format!("{verb} {};", self.pairs(a, b, &between)));
+        let reach = if self.group(a) == Group::Seat { DRAWN_UP } else { 0.5 };
+        out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(reach)))));
+        if self.group(a) == Group::Seat {
+            out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("looksAt({x}, {y})"))));
         }
     }
 
@@ -274,8 +389,9 @@ fn predicate(rel: Rel) -> &'static str {
         Rel::Under => "under",
         Rel::Above => "above",
         Rel::Beside | Rel::Sides => "beside",
-        Rel::LeftOf => "leftOf",
-        Rel::RightOf => "rightOf",
+        // As people see it who look at the thing.
+        Rel::LeftOf => "seenLeftOf",
+        Rel::RightOf => "seenRightOf",
         Rel::InFrontOf => "inFrontOf",
         Rel::Behind => "behind",
         Rel::Facing | Rel::Opposite => "facing",

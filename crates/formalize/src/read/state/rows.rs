@@ -34,7 +34,7 @@ impl Named<'_> {
             let place = all.iter().position(|i| *i == a)?;
             let next = *all.get(place + 1)?;
             return Some(match pattern {
-                Pattern::LeftToRight => self.pairs(a, next, &|x, y| format!("leftOf({x}, {y})")),
+                Pattern::LeftToRight => self.pairs(a, next, &|x, y| format!("seenLeftOf({x}, {y})")),
                 Pattern::FaceToFace => self.pairs(a, next, &|x, y| format!("facing({x}, {y}) and facing({y}, {x})")),
                 Pattern::SideBySide => self.pairs(a, next, &|x, y| format!("beside({x}, {y})")),
                 _ => self.pairs(a, next, &|x, y| format!("aligned({x}, {y})")),

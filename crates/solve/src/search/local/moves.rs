@@ -343,7 +343,16 @@ impl LocalSearch<'_> {
                 if self.turns[i] && chance.below(2) == 0 {
                     pose = turned(pose, self.inputs(j)[3] + 90.0 * chance.below(4) as f64);
                 }
-                let local = half.map(|h| chance.between(-h, h));
+                // With all of it over the other, or with its middle.
+                let mut local = half.map(|h| chance.between(-h, h));
+                if chance.below(4) > 0 {
+                    let ways = [[1.0, 0.0], [0.0, 1.0]].map(|way| self.flat(j).point(way));
+                    let reach = ways.map(|p| self.reach_along(i, &pose, [p[0] - at[0], p[1] - at[1]]));
+                    local = [0, 1].map(|k| {
+                        let play = half[k] - reach[k];
+                        if play > 0.0 { chance.between(-play, play) } else { 0.0 }
+                    });
+                }
                 pose[1] = top;
                 [pose[0], pose[2]] = if chance.below(3) == 0 { at } else { self.flat(j).point(local) };
                 out.push(pose);

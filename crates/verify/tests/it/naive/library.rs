@@ -216,6 +216,11 @@ pub fn predicate(world: &World<'_>, name: &str, values: &[Value]) -> Truth {
             let surface = b.surface.filter(|_| b.has_parts()).map_or(b.span().1[1], |height| b.pos[1] + height);
             at_most((a.span().0[1] - surface).abs(), 0.005).and(of_two("within", a, b))
         }
+        "restsOn" => {
+            let (a, b) = (world.thing(&values[0]).1, world.thing(&values[1]).1);
+            let surface = b.surface.filter(|_| b.has_parts()).map_or(b.span().1[1], |height| b.pos[1] + height);
+            at_most((a.span().0[1] - surface).abs(), 0.005).and(of_two("over", a, b))
+        }
         _ => of_two(name, world.thing(&values[0]).1, world.thing(&values[1]).1),
     }
 }
@@ -237,6 +242,22 @@ fn of_two(name: &str, a: &Thing, b: &Thing) -> Truth {
         "above" => at_most(most(beyond_width, beyond_depth), a_lo[1] - b_hi[1]),
         "below" => at_most(most(beyond_width, beyond_depth), b_lo[1] - a_hi[1]),
         "within" => at_most(beyond_width.max(beyond_depth), 0.0),
+        "over" => {
+            let reach =
+                |way: V| (dot(a.axis(0), way).abs() * a.scale[0] + dot(a.axis(2), way).abs() * a.scale[2]) / 2.0;
+            let aside = right.abs() - (w / 2.0 - reach(b.axis(0))).max(0.05);
+            let along = front.abs() - (d / 2.0 - reach(b.axis(2))).max(0.05);
+            at_most(aside.max(along), 0.0)
+        }
+        "seenLeftOf" => of_two("rightOf", a, b),
+        "seenRightOf" => of_two("leftOf", a, b),
+        "looksAt" => {
+            let to = sub(b.center(), a.center());
+            let way = a.axis(0);
+            let reach = (dot(b.axis(0), way).abs() * w + dot(b.axis(2), way).abs() * d) / 2.0;
+            let past = dot(to, way).abs() - (reach - a.scale[0] / 2.0).max(0.0);
+            at_most(past.max(0.0), 0.15 * dot(to, a.axis(2)))
+        }
         "under" => {
             let lower = at_most(a_lo[1], b_lo[1]).or(at_most(a_hi[1], b_hi[1]));
             let deep = compare(Order::Gt, Num::plain(b_hi[1] - a_lo[1]), Num::plain(0.05));

@@ -525,6 +525,11 @@ impl Speaker<'_> {
                     "parallel",
                     "beside",
                     "on",
+                    "over",
+                    "restsOn",
+                    "looksAt",
+                    "seenLeftOf",
+                    "seenRightOf",
                 ];
                 let two = self.two();
                 Term::call(self.dice.one(&list), two)

@@ -1,0 +1,178 @@
+//! What the words of a request leave open about where small things are: a mouse beside a keyboard is on the keyboard's desk,
+//! a novel "on" a bookcase is in it, a wallet on the left of a desk lies on it. Read before sizes and statements are made.
+
+use super::lexicon::{Group, Rel, get};
+use super::scene::{Fact, Scene, What};
+use scenelang_lang::library::usual_size;
+
+/// What has shelves inside, so that what is "on" it is in it.
+const SHELVED: [&str; 14] = [
+    "bookshelf",
+    "bookcase",
+    "book shelf",
+    "book case",
+    "bookstand",
+    "toy shelf",
+    "shelf unit",
+    "wall unit",
+    "cubby",
+    "cubbies",
+    "display cabinet",
+    "china cabinet",
+    "display case",
+    "organizer",
+];
+/// What things are in rather than on, unless they are said to be on top.
+const HOLLOW: [&str; 14] = [
+    "vase", "basket", "bucket", "jar", "cooler", "crate", "hamper", "bin", "pot", "cup", "glass", "sink", "bathtub",
+    "tub",
+];
+/// What nothing stands on: what is "on" it stands where it does.
+const THIN: [&str; 5] = ["monitor", "screen", "tv", "television", "keyboard"];
+/// No side of a thing that people stand something on is longer, if nothing is known of it (metres).
+const SMALL: f64 = 0.45;
+/// Things beside things beside things: so many in a chain.
+const CHAIN: usize = 4;
+
+/// Settles it. `request` is the text that the facts have their places in.
+pub fn settle(scene: &mut Scene, request: &str) {
+    for _ in 0..CHAIN {
+        let small: Vec<usize> = (0..scene.items.len()).filter(|a| is_small(scene, *a)).collect();
+        if small.is_empty() {
+            break;
+        }
+        small.into_iter().for_each(|a| scene.items[a].group = Group::Top);
+    }
+    let mut added: Vec<(usize, Fact)> = Vec::new();
+    for k in 0..scene.facts.len() {
+        let fact = &scene.facts[k];
+        let What::Rel(rel, to) = &fact.what else { continue };
+        let ([b], false) = (to.as_slice(), fact.not) else { continue };
+        let words = request.get(fact.at.clone()).unwrap_or("").to_lowercase();
+        let top = fact.of.iter().all(|a| scene.items[*a].group == Group::Top);
+        let new = match rel {
+            Rel::LeftOf | Rel::RightOf if top && scene.items[*b].group == Group::Table && on_side(&words) => {
+                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
+            }
+            Rel::On
+                if shelved(scene, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(scene, *a)) =>
+            {
+                Rel::In
+            }
+            Rel::On if last(scene, *b, &THIN) && !words.contains("on top") => {
+                let Some(c) = carrier(scene, *b).filter(|c| !fact.of.contains(c)) else { continue };
+                scene.facts[k].what = What::Rel(Rel::On, vec![c]);
+                continue;
+            }
+            Rel::Centre => {
+                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                continue;
+            }
+            _ => continue,
+        };
+        scene.facts[k].what = What::Rel(new, vec![*b]);
+    }
+    for (k, fact) in added.into_iter().rev() {
+        scene.facts.insert(k, fact);
+    }
+    for _ in 0..scene.items.len() {
+        let Some((at, fact)) = (0..scene.facts.len()).find_map(|k| Some((k + 1, beside(scene, k)?))) else { break };
+        scene.facts.insert(at, fact);
+    }
+}
+
+/// Whether words say that a thing lies on a side of another, rather than beside it.
+fn on_side(words: &str) -> bool {
+    words.contains("on the left") || words.contains("on the right")
+}
+
+/// Whether an item that no table of nouns knows is small: something carries it, or it is beside something small.
+fn is_small(scene: &Scene, a: usize) -> bool {
+    let item = &scene.items[a];
+    let known = get().noun_ending(&item.words).is_some();
+    let size = usual_size(&item.name());
+    let large = size.is_some_and(|s| s.iter().any(|v| *v > SMALL)) || item.size.iter().flatten().any(|v| *v > SMALL);
+    if item.group != Group::Floor || large || known && size.is_none() {
+        return false;
+    }
+    let group = |b: &usize| scene.items[*b].group;
+    let carries = |b: &usize| matches!(group(b), Group::Table | Group::Storage | Group::Bed | Group::Seat | Group::Top);
+    // "a cup on the desk stands next to a gadget"
+    let met = |f: &Fact| {
+        !f.not
+            && matches!(&f.what, What::Rel(Rel::Beside | Rel::LeftOf | Rel::RightOf, to) if to.contains(&a))
+            && f.of.iter().all(|b| group(b) == Group::Top && carrier(scene, *b).is_some())
+    };
+    if scene.facts.iter().any(met) {
+        return true;
+    }
+    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
+        What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
+        What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
+            to.iter().all(|b| group(b) == Group::Top)
+        }
+        _ => false,
+    })
+}
+
+/// Whether things are in it rather than on it.
+fn shelved(scene: &Scene, b: usize) -> bool {
+    last(scene, b, &SHELVED) || last(scene, b, &HOLLOW)
+}
+
+/// Whether the name of a thing ends in one of these.
+fn last(scene: &Scene, b: usize, kinds: &[&str]) -> bool {
+    let name = scene.items[b].name();
+    kinds.iter().any(|kind| name.strip_suffix(kind).is_some_and(|rest| rest.is_empty() || rest.ends_with(' ')))
+}
+
+/// What a thing is said to be on; not a rug.
+fn carrier(scene: &Scene, a: usize) -> Option<usize> {
+    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).find_map(|f| match &f.what {
+        What::Rel(Rel::On, on) => on.first().copied().filter(|c| scene.items[*c].group != Group::Flat),
+        _ => None,
+    })
+}
+
+/// Whether a thing can be in a shelf.
+fn shelvable(scene: &Scene, a: usize) -> bool {
+    let item = &scene.items[a];
+    let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
+    !lamp && matches!(item.group, Group::Top | Group::Soft | Group::Wall | Group::Floor) && item.size[1].is_none()
+}
+
+/// Of a small thing beside another small thing, or that has one beside it: on what that is on.
+fn beside(scene: &Scene, k: usize) -> Option<Fact> {
+    let fact = &scene.facts[k];
+    let What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) = &fact.what
+    else {
+        return None;
+    };
+    let placed = |a: &usize| {
+        let says = |what: &What| {
+            matches!(what, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..))
+        };
+        scene.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
+    };
+    let group = |a: &usize| scene.items[*a].group;
+    let free = |list: &[usize]| list.iter().all(|a| group(a) == Group::Top && !placed(a));
+    let carried = |list: &[usize]| {
+        let small = list.iter().filter(|b| matches!(group(b), Group::Top | Group::Screen));
+        small.filter_map(|b| carrier(scene, *b)).next()
+    };
+    let (of, on) = if fact.not {
+        return None;
+    } else if free(&fact.of) {
+        (&fact.of, carried(to)?)
+    } else if free(to) {
+        (to, carried(&fact.of)?)
+    } else {
+        return None;
+    };
+    if of.contains(&on) {
+        return None;
+    }
+    let what = What::Rel(Rel::On, vec![on]);
+    Some(Fact { of: of.clone(), what, soft: fact.soft, not: false, at: fact.at.clone() })
+}
