@@ -4,7 +4,7 @@
 use super::chunk::Pattern;
 use super::lexicon::{Group, Rel};
 use super::noun::Place;
-use super::scene::What;
+use super::scene::{Fact, What};
 use super::state::{Named, Stated};
 use crate::write::number;
 
@@ -135,7 +135,8 @@ pub fn usual(named: &Named, out: &mut Stated) {
         if let Some(places) = named.drawn_up(a) {
             out.infer(format!("assert {places};"), "seats are drawn up to their tables");
         }
-        if let Some(turned) = named.turned(a) {
+        let faces = |f: &Fact| matches!(f.what, What::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
+        if let Some(turned) = named.turned(a).filter(|_| !scene.facts.iter().any(faces)) {
             out.infer(turned, "rows stand straight");
         }
         // A television looks the way its stand does, unless it is said to look elsewhere.

@@ -249,7 +249,8 @@ impl Reader<'_> {
             let counted = self.np(next, end).is_some_and(|n| {
                 n.kind == Kind::Thing && (n.count.is_some() || n.det == Det::Indefinite && first != Det::Indefinite)
             });
-            if counted {
+            // "without a bed and with two chairs": so are these.
+            if counted || self.np(next, end).is_none() {
                 break;
             }
             k = next;
