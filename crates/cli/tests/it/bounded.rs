@@ -50,7 +50,7 @@ const CASES: [Case; 15] = [
         name: "many objects that are allowed to collide are stated",
         n: 20_000,
         text: |n| format!("object a[{n}];\nallowCollide(objects, objects);\n"),
-        command: &["constraints"],
+        command: &["constraints", "--format", "json"],
         ends: (0, "allowCollide"),
     },
     Case { name: "many objects", n: 6_000, text: objects, command: &["check"], ends: (0, "W0403") },

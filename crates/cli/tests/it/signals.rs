@@ -12,7 +12,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// So many points of each command and signal.
-const POINTS: u64 = 40;
+const POINTS: u64 = 12;
 /// What the shell sees of an end by Ctrl-C.
 const INTERRUPTED: i32 = 130;
 /// Nothing here takes so long.

@@ -7,6 +7,8 @@ use scenelang_lang::program::ObjectId;
 
 /// How often all objects are gone through: one that goes back may make room for another.
 const PASSES: usize = 3;
+/// So many that moved are looked at together.
+const MOST: usize = 24;
 /// What going back may cost.
 const HARM: f64 = 1e-9;
 
@@ -19,19 +21,39 @@ pub(crate) fn put_back(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>
                 return;
             }
             if search.state.frame.is_movable(id) && search.state.pose(id) != pose {
-                changed |= go(search, id, pose);
+                changed |= go(search, &[Change::Object(id, pose)]);
             }
         }
         if !changed {
             break;
         }
     }
+    all_but_one(search, given);
 }
 
-fn go(search: &mut Search<'_>, id: ObjectId, pose: Pose) -> bool {
+/// A row that moved as one piece goes back as one piece, but for the one that had to move.
+fn all_but_one(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>)]) {
+    let moved: Vec<(ObjectId, Pose)> = given
+        .iter()
+        .filter_map(|(id, pose)| Some((*id, (*pose)?)))
+        .filter(|(id, pose)| search.state.frame.is_movable(*id) && search.state.pose(*id) != *pose)
+        .collect();
+    if !(3..=MOST).contains(&moved.len()) {
+        return;
+    }
+    for (stays, _) in &moved {
+        let back: Vec<Change> =
+            moved.iter().filter(|(id, _)| id != stays).map(|(id, pose)| Change::Object(*id, *pose)).collect();
+        if search.is_late() || go(search, &back) {
+            return;
+        }
+    }
+}
+
+fn go(search: &mut Search<'_>, changes: &[Change]) -> bool {
     let dear = !search.state.frame.walks.is_empty();
     let before = dear.then(|| search.snapshot());
-    if search.state.attempt(&[Change::Object(id, pose)], HARM).is_none() {
+    if search.state.attempt(changes, HARM).is_none() {
         return false;
     }
     if !search.state.violated().is_empty() {

@@ -71,8 +71,11 @@ impl LocalSearch<'_> {
         self.try_alone(i, poses, &mut best);
         self.try_exchanges(i, chance, &mut best);
         let group = if self.frame.siblings[i].is_empty() { Vec::new() } else { self.group(i, chance) };
-        self.try_together(i, &group, poses, chance, &mut best);
-        self.try_along(i, poses, chance, &mut best);
+        // What has its place already stays there if one thing alone can make way.
+        if !(self.is_warm() && best.choice.is_some()) {
+            self.try_together(i, &group, poses, chance, &mut best);
+            self.try_along(i, poses, chance, &mut best);
+        }
         match best.choice {
             Some(Choice::Along(pose)) => {
                 self.along[0] += 1.0;
