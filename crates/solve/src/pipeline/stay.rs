@@ -14,6 +14,13 @@ const HARM: f64 = 1e-9;
 
 /// Puts objects back to the places that were given, one after the other, while all that must hold does.
 pub(crate) fn put_back(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>)]) {
+    one_by_one(search, given);
+    if all_but_one(search, given) {
+        one_by_one(search, given);
+    }
+}
+
+fn one_by_one(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>)]) {
     for _ in 0..PASSES {
         let mut changed = false;
         for (id, pose) in given.iter().filter_map(|(id, pose)| Some((*id, (*pose)?))) {
@@ -28,26 +35,39 @@ pub(crate) fn put_back(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>
             break;
         }
     }
-    all_but_one(search, given);
 }
 
-/// A row that moved as one piece goes back as one piece, but for the one that had to move.
-fn all_but_one(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>)]) {
+/// What moved as one piece goes back as one piece, but for the one that had to move. Whether it did.
+fn all_but_one(search: &mut Search<'_>, given: &[(ObjectId, Option<Pose>)]) -> bool {
     let moved: Vec<(ObjectId, Pose)> = given
         .iter()
         .filter_map(|(id, pose)| Some((*id, (*pose)?)))
         .filter(|(id, pose)| search.state.frame.is_movable(*id) && search.state.pose(*id) != *pose)
         .collect();
     if !(3..=MOST).contains(&moved.len()) {
-        return;
+        return false;
     }
-    for (stays, _) in &moved {
-        let back: Vec<Change> =
-            moved.iter().filter(|(id, _)| id != stays).map(|(id, pose)| Change::Object(*id, *pose)).collect();
-        if search.is_late() || go(search, &back) {
-            return;
+    moved.iter().any(|(stays, _)| {
+        let others = moved.iter().filter(|(id, _)| id != stays);
+        let back: Vec<Change> = others.map(|(id, pose)| Change::Object(*id, *pose)).collect();
+        let (met, before) = (met(search), search.snapshot());
+        if search.is_late() || !go(search, &back) {
+            return false;
         }
-    }
+        // Preferences that are nearly met are no reason to leave others unmet.
+        let kept = self::met(search) >= met;
+        if !kept {
+            search.restore(&before);
+        }
+        kept
+    })
+}
+
+/// How much the preferences weigh that are met.
+fn met(search: &Search<'_>) -> f64 {
+    let terms = &search.state.frame.terms;
+    let soft = (0..terms.len()).filter(|&t| !search.state.is_hard(t) && search.state.does_hold(t));
+    soft.map(|t| search.state.weight[t]).sum()
 }
 
 fn go(search: &mut Search<'_>, changes: &[Change]) -> bool {
