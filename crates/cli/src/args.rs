@@ -20,7 +20,7 @@ pub enum Command {
     Check(Check),
     /// Place the objects of a program so that its constraints hold
     Solve(Solve),
-    /// Mend a layout by the smallest change: moves, or numbers and demands to relax
+    /// Repair a layout by the smallest change: moves, or numbers and constraints to relax
     Repair(Repair),
     /// Write a program from a request in plain words, with a model or without: every clause is accounted for
     Formalize(Formalize),

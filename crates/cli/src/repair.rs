@@ -1,4 +1,4 @@
-//! `scenelang repair`: the smallest changes that mend a layout, and one of them made.
+//! `scenelang repair`: the smallest changes that repair a layout, and one of them made.
 
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 /// The part of the time that the search may take.
 const SEARCH: f64 = 0.6;
 
-/// Mends; 0 if the layout is or can be mended, 1 if not without asking, 2 if it cannot be judged.
+/// Repairs; 0 if the layout holds or can be repaired, 1 if not without asking, 2 if it cannot be judged.
 pub fn run(args: &Repair) -> u8 {
     interrupt::within(args.time.map(Duration::from_secs_f64));
     match repair(args) {
@@ -41,7 +41,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let begun = Instant::now();
     let name = args.layout.display().to_string();
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-        return Err(format!("{name} is no layout; repair mends layouts"));
+        return Err(format!("{name} is no layout; `repair` takes a layout"));
     }
     let named = Named::new(std::iter::once(args.layout.as_path()));
     let door = &Door::of(&args.layout).named(&named);
@@ -85,7 +85,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
         sources: &checked.sources,
     };
     let damaged = Damaged { program, layout, text: Some(text) };
-    let progress = Progress::new(format!("mending {name}"));
+    let progress = Progress::new(format!("repairing {name}"));
     // The rest is for what was found to be judged and written.
     let time = args.time.map(|time| Duration::from_secs_f64(SEARCH * time).saturating_sub(begun.elapsed()));
     let found = look(&damaged, &which, &RepairOptions { judge: options, time, ..RepairOptions::default() });
@@ -258,7 +258,7 @@ impl Told<'_> {
         written: &[String],
     ) -> String {
         if failing.is_empty() {
-            return format!("{}: nothing to mend\n", self.name);
+            return format!("{}: nothing to repair\n", self.name);
         }
         let mut out = String::new();
         for (id, _, text) in self.failing(failing) {
@@ -268,7 +268,7 @@ impl Told<'_> {
             out += &format!("{:3}  {}\n", i + 1, self.words(a));
         }
         out + &match (choice, all.is_empty()) {
-            (_, true) => "no way to mend it was found, which proves nothing\n".to_owned(),
+            (_, true) => "no repair was found, which does not prove that there is none\n".to_owned(),
             (None, false) => "nothing is written; --apply N makes one of these changes\n".to_owned(),
             (Some(i), _) if args.dry_run => format!("{} would be made; nothing is written\n", i + 1),
             (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
@@ -299,7 +299,7 @@ impl Told<'_> {
         let old = self.checked.sources.text(edit.place);
         let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
         match (a.how, a.least.get(i)) {
-            (How::Wish, _) => format!("make a wish of it: {change}"),
+            (How::Wish, _) => format!("make it a preference: {change}"),
             (_, Some(least)) => format!("change a number: {change} (by {} at least)", short(*least)),
             _ => change,
         }

@@ -23,6 +23,8 @@ const PATIENCE: usize = 40;
 /// Judges until Ctrl-C; the last exit code.
 pub fn run(args: &Check) -> u8 {
     let people = args.format == Format::Human;
+    // Whoever has read a report and ends the watch then gets its code, however soon that is.
+    let _gentle = interrupt::Gentle::new();
     loop {
         if people && io::stdout().is_terminal() {
             // Clears the screen and what has scrolled off it.
@@ -78,7 +80,6 @@ impl Loader for Watched<'_> {
 
 /// Waits for a change, until it is complete; false: Ctrl-C.
 pub fn wait(seen: &BTreeMap<PathBuf, Stamp>, others: impl Fn() -> bool) -> bool {
-    let _gentle = interrupt::Gentle::new();
     let now = || seen.keys().map(|path| stamp(path)).collect::<Vec<_>>();
     let before: Vec<Stamp> = seen.values().copied().collect();
     loop {

@@ -34,7 +34,7 @@ const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 /// Looks for the best way, with a language model first if there is one.
 ///
 /// # Errors
-/// There is nothing to mend, or no way was found.
+/// There is nothing to repair, or no way was found.
 pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
     if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
@@ -46,7 +46,12 @@ pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
     let which = which(job, wanted, &before)?;
     let targets: Vec<RowRef> = before.rows.iter().map(row_of).filter(|row| is_target(&which, row, &before)).collect();
     if targets.is_empty() {
-        return Ok(Outcome { layout: None, edit: None, message: "nothing to mend".to_owned(), count: count(&before) });
+        return Ok(Outcome {
+            layout: None,
+            edit: None,
+            message: "nothing to repair".to_owned(),
+            count: count(&before),
+        });
     }
     let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
     if let Some(found) = asked {

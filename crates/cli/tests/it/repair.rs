@@ -80,7 +80,7 @@ fn nothing_is_written_but_what_was_chosen() {
     same("room.layout.json", &layout);
     assert_ne!(text(here, "room.scene"), scene);
     assert_eq!(scenelang(here, ["check", "room.layout.json"]).code, 0);
-    assert!(repair(here, &[]).stdout.contains("nothing to mend"));
+    assert!(repair(here, &[]).stdout.contains("nothing to repair"));
     // The layout itself.
     fs::write(here.join("room.scene"), &scene).unwrap();
     assert_eq!(repair(here, &[]).code, 0);

@@ -241,8 +241,8 @@ impl Tree {
 }
 
 impl Grid {
-    fn new(quick: &LocalSearch<'_>) -> Option<Self> {
-        let field = quick.rooms.iter().map(|room| room.field).reduce(Field::join)?;
+    fn new(local: &LocalSearch<'_>) -> Option<Self> {
+        let field = local.rooms.iter().map(|room| room.field).reduce(Field::join)?;
         let [w, d] = [0, 1].map(|k| field.max[k] - field.min[k]);
         let cell = (w * d / CELLS).sqrt().max(CELL);
         let size = [w, d].map(|m| (m / cell).ceil().max(1.0) as usize);

@@ -116,9 +116,9 @@ impl LocalSearch<'_> {
         let start = self.inputs(i);
         let mut there = start;
         (there[0], there[2]) = (start[0] + 1.0, start[2] + 2.0);
-        let offsets = |quick: &Self| -> Vec<[f64; 2]> {
-            let here = quick.inputs(i);
-            owners.iter().map(|&k| quick.inputs(k)).map(|at| [at[0] - here[0], at[2] - here[2]]).collect()
+        let offsets = |local: &Self| -> Vec<[f64; 2]> {
+            let here = local.inputs(i);
+            owners.iter().map(|&k| local.inputs(k)).map(|at| [at[0] - here[0], at[2] - here[2]]).collect()
         };
         self.go(i, start);
         let before = offsets(self);
