@@ -11,7 +11,7 @@ mod site;
 
 use crate::args::View;
 use crate::watch::{Seen, wait};
-use crate::{FAILED, GOOD};
+use crate::{FAILED, GOOD, interrupt};
 use live::Shown;
 use scenelang_export::preview;
 use std::io::Write;
@@ -41,6 +41,8 @@ pub fn run(args: &View) -> u8 {
     if !args.no_open {
         open(&address);
     }
+    // Whenever it comes, Ctrl-C is how a view ends.
+    let _gentle = interrupt::Gentle::new();
     loop {
         let seen = Seen::default();
         shown.read(&seen);
