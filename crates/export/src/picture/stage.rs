@@ -6,17 +6,16 @@ use crate::geometry::mesh::Group;
 use crate::geometry::polygon::outward;
 use crate::glb::linear;
 use crate::scene::shell::{Role, Shell};
-use crate::scene::{Body, Object, RegionKind, View};
+use crate::scene::view::hangs_on;
+use crate::scene::{Object, RegionKind, View};
 use scenelang_assets::Surface;
-use scenelang_layout::planar::{edges, nearest_on_segment};
-use scenelang_layout::{Obb, Vec2, Vec3};
+use scenelang_layout::planar::edges;
+use scenelang_layout::{Vec2, Vec3};
 
 /// What is left of a wall that would stand in the way, metres.
 const KERB: f64 = 0.08;
 /// What is left of a wall between rooms, metres: enough to read the plan, too little to hide the room behind.
 const PARAPET: f64 = 0.9;
-/// An object this near to a wall's line (metres) hangs in or on it.
-const IN_WALL: f64 = 0.15;
 /// What is this far beyond a wall (metres) is in the next room, if there is one.
 const BESIDE: f64 = 0.25;
 /// How solid something that hangs on a cut wall remains.
@@ -130,9 +129,7 @@ impl Stage {
     }
 
     fn object(&mut self, scene: &Scene, object: &Object, cut: &[&Shell]) {
-        let center = Obb::from_placement(&object.place).center.xz();
-        let hangs = object.body != Body::Free
-            && cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if distance(center, from, to) < IN_WALL));
+        let hangs = cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if hangs_on(object, from, to)));
         let share = if hangs { GHOST } else { 1.0 };
         for group in &object.mesh {
             let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
@@ -196,8 +193,4 @@ fn bottom(shell: &Shell) -> f64 {
 
 fn ceiling(shell: &Shell) -> f64 {
     shell.pieces.iter().map(|p| p.high).fold(f64::NEG_INFINITY, f64::max)
-}
-
-fn distance(p: Vec2, from: Vec2, to: Vec2) -> f64 {
-    (nearest_on_segment(&p, &from, &to) - p).norm()
 }

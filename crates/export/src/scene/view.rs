@@ -1,7 +1,9 @@
-//! Where to look from: a raised corner, from which most of the furniture shows its front.
+//! Where to look from: a raised corner, from which most of the furniture shows its front, and what hangs on walls is seen.
 
-use super::{Object, RegionKind, Scene};
+use super::{Body, Object, RegionKind, Role, Scene};
+use crate::geometry::polygon::outward;
 use nalgebra::Matrix3;
+use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::{Obb, Vec2, Vec3};
 
 /// A camera that looks at a point.
@@ -20,6 +22,12 @@ pub const SUN: Vec3 = Vec3::new(-0.35, -0.85, 0.4);
 
 /// Directions tried, degrees about y from +z; corners first, so that a bare room is seen from one.
 const AZIMUTHS: [f64; 8] = [215.0, 145.0, 325.0, 35.0, 235.0, 125.0, 305.0, 55.0];
+/// What is no farther than this from a wall is in it or hangs on it, metres.
+const ON_WALL: f64 = 0.1;
+/// What it is worth to see all that hangs on walls; all fronts are worth 1.
+const WALLS: f64 = 0.8;
+/// A door says less than a screen or a picture of the same size.
+const DOOR: f64 = 0.3;
 /// How steeply the camera looks down, degrees.
 const ELEVATION: f64 = 42.0;
 
@@ -37,8 +45,12 @@ impl View {
         let views = AZIMUTHS.map(|azimuth| Self::towards(&points, direction(azimuth), aspect));
         let distance = |v: &Self| (v.eye - v.target).norm();
         let nearest = views.iter().map(distance).fold(f64::INFINITY, f64::min);
-        // Fronts count, and so does a picture that is filled.
-        let value = |v: &Self| fronts_seen(scene, (v.eye - v.target).normalize()) - (distance(v) / nearest - 1.0);
+        let hung = hung(scene);
+        // Fronts count, what hangs on walls that are cut away is lost, and the picture should be filled.
+        let value = |v: &Self| {
+            let way = (v.eye - v.target).normalize();
+            fronts_seen(scene, way) - WALLS * lost(&hung, way) - (distance(v) / nearest - 1.0)
+        };
         views.into_iter().reduce(|best, v| if value(&v) > value(&best) + 1e-6 { v } else { best }).unwrap_or(views[0])
     }
 
@@ -118,6 +130,35 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
         face(o) * (front - 0.7 * nearness)
     };
     scene.objects.iter().map(value).sum::<f64>() / scene.objects.iter().map(face).sum::<f64>().max(1e-9)
+}
+
+/// Whether an object is in a wall or hangs on it; the wall runs along an edge of a floor.
+pub fn hangs_on(object: &Object, from: Vec2, to: Vec2) -> bool {
+    let near = |p: Vec2| (nearest_on_segment(&p, &from, &to) - p).norm() <= ON_WALL;
+    let place = Obb::from_placement(&object.place);
+    object.body != Body::Free && (near(place.center.xz()) || place.corners().iter().any(|c| near(c.xz())))
+}
+
+/// What is in walls or hangs on them: the weight of each, which is its area, and the way out through its wall.
+fn hung(scene: &Scene) -> Vec<(f64, Vec2)> {
+    let walls = || {
+        scene.shells.iter().filter_map(|s| match s.role {
+            Role::Wall { from, to } => Some((from, to)),
+            _ => None,
+        })
+    };
+    let of = |o: &Object| {
+        let (from, to) = walls().find(|(from, to)| hangs_on(o, *from, *to))?;
+        let weight = if o.family == "door" { DOOR } else { 1.0 };
+        Some((weight * o.place.scale.x * o.place.scale.y, outward(from, to)))
+    };
+    scene.objects.iter().filter_map(of).collect()
+}
+
+/// How much of it is on walls between the room and an eye in this direction, which are cut away: 0 to 1.
+fn lost(hung: &[(f64, Vec2)], way: Vec3) -> f64 {
+    let all: f64 = hung.iter().map(|(area, _)| area).sum();
+    hung.iter().filter(|(_, out)| out.dot(&way.xz()) > 0.0).map(|(area, _)| area).sum::<f64>() / all.max(1e-9)
 }
 
 /// Points that must be in the picture.

@@ -1,6 +1,7 @@
 //! Plan and picture.
 
 use crate::fixture::{named, scene};
+use scenelang_export::scene::View;
 use scenelang_export::{Exporter, Scene, picture, plan};
 use std::collections::BTreeSet;
 
@@ -47,6 +48,29 @@ fn names_cannot_break_out_of_the_plan() {
     assert!(svg.contains("a&quot;&gt;&lt;b&gt;&amp;") && !svg.contains("<b>"));
     // Whatever script a name is in, the drawing is well-formed.
     plan::Plan.files(&named("größe灯").build().unwrap()).unwrap();
+}
+
+#[test]
+fn a_wall_on_which_something_hangs_is_not_cut_away() {
+    // A room with nothing else in it is seen from the side on which the picture's wall is at the back.
+    for (pos, turn, out) in [
+        ([0.0, 1.4, 1.98], 180.0, [0.0, 1.0]),
+        ([0.0, 1.4, -1.98], 0.0, [0.0, -1.0]),
+        ([1.98, 1.4, 0.0], 270.0, [1.0, 0.0]),
+        ([-1.98, 1.4, 0.0], 90.0, [-1.0, 0.0]),
+    ] {
+        let mut parts = crate::fixture::parts();
+        for (name, placement) in &mut parts.layout.objects {
+            if name == "picture" {
+                (placement.pos, placement.rot) = (pos.into(), [0.0, turn, 0.0].into());
+            }
+        }
+        let mut scene = parts.build().unwrap();
+        scene.objects.retain(|o| o.name == "picture");
+        let view = View::of(&scene, 1.6);
+        let way = view.eye - view.target;
+        assert!(way.x * out[0] + way.z * out[1] < 0.0, "{pos:?}: {view:?}");
+    }
 }
 
 #[test]
