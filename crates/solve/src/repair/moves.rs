@@ -11,9 +11,9 @@ use crate::problem::pose::Pose;
 use crate::search::pool::{self, Breadth};
 use crate::search::state::{Change, overlap_in_plan};
 use crate::search::{STEPS, Snapshot};
+use scenelang_engine::smallest_move;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
-use scenelang_verify::explain::smallest_move;
 use std::collections::BTreeSet;
 
 /// The part of the budget that the search for places may take.
