@@ -2,11 +2,12 @@
 
 use crate::settings::{Found, Judging};
 use scenelang_base::{Diagnostic, SourceMap};
+use scenelang_engine::check_file_with;
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::Loader;
 use scenelang_verify::prove::{ProveOptions, prove};
 use scenelang_verify::settings::Settings;
-use scenelang_verify::{Checked, Detail, Options, check_file_with};
+use scenelang_verify::{Checked, Detail, Options};
 use std::path::Path;
 
 /// What is to be judged, and how much is to be said.

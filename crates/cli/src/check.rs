@@ -8,10 +8,11 @@ use crate::{FAILED, GOOD, fix, interrupt, out, parallel, settings, targets, watc
 use scenelang_analysis::Question;
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Diagnostic, SourceMap, codes};
+use scenelang_engine::check_layout_text;
 use scenelang_export::embedded;
 use scenelang_lang::sources::Loader;
 use scenelang_verify::report::{self, Human};
-use scenelang_verify::{Checked, Detail, check_layout_text, exit_code};
+use scenelang_verify::{Checked, Detail, exit_code};
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::time::Duration;

@@ -2,8 +2,8 @@
 
 use crate::out;
 use scenelang_base::door::Door;
+use scenelang_engine::program_of;
 use scenelang_lang::mend::mend;
-use scenelang_verify::program_of;
 use scenelang_verify::report::model::Fixed;
 use std::path::Path;
 

@@ -8,6 +8,7 @@ use scenelang_base::door::{Door, Named};
 use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
 use scenelang_base::{Edit, FileId};
+use scenelang_engine::{check_file_with, program_of};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Vec3, file as layout_file};
@@ -17,7 +18,7 @@ use scenelang_solve::repair::{
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
-use scenelang_verify::{Checked, Explain, check_file_with, program_of};
+use scenelang_verify::{Checked, Explain};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -5,11 +5,12 @@ use crate::solve::color_err;
 use crate::{FAILED, input, settings};
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, SourceMap, plain};
+use scenelang_engine::check_layout_of;
 use scenelang_lang::sources::plain;
 use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
 use scenelang_verify::trace::{Kind, Requirement, Statement, Trace, Verdict, trace};
-use scenelang_verify::{Checked, check_layout_of, exit_code};
+use scenelang_verify::{Checked, exit_code};
 
 /// Traces; 0 if every requirement has a statement and none fails, 1 if not, 2 if program or layout cannot be judged.
 pub fn run(args: &Args) -> u8 {

@@ -2,12 +2,13 @@
 
 use scenelang_analysis::{Judging, silence};
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
+use scenelang_engine::check_read;
 use scenelang_lang::Program;
 use scenelang_lang::db::{Analysis, Cancelled};
 use scenelang_lang::hir::Meanings;
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{ReadLayout, file as layout_file};
-use scenelang_verify::{Explain, Verdict, check_read};
+use scenelang_verify::{Explain, Verdict};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};

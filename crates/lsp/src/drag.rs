@@ -7,11 +7,12 @@ use crate::jobs::{LayoutEdit, Outcome};
 use crate::state::{Event, State, guarded};
 use crate::text::Text;
 use scenelang_base::{Edit, SourceMap, TextRange, fix};
+use scenelang_engine::Live;
 use scenelang_ide::actions::placing;
 use scenelang_ide::{Judged, LayoutFile};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Vec3, file as layout_file};
-use scenelang_verify::{Live, Options, report};
+use scenelang_verify::Options;
 use serde::Deserialize;
 use serde_json::Value;
 use std::sync::Arc;
@@ -137,7 +138,7 @@ impl State {
         options.physics &= judged.compiled.complete;
         let live = Live::new(&judged.compiled.program, moved, &options);
         let name = context.snapshot.sources().get(old.file).name();
-        let answer = report::moved(&live, &judged.compiled.program, context.snapshot.sources(), name);
+        let answer = scenelang_engine::moved(&live, &judged.compiled.program, context.snapshot.sources(), name);
         let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
         let message = format!("move {object}");
         let edit = (!edits.is_empty()).then_some(edit);
@@ -153,15 +154,13 @@ fn follow(scene: &Scene, steps: &Receiver<Step>, events: &Sender<Event>) {
     let mut live = Live::new(program, layout, &scene.options);
     let mut dragged: Option<ObjectId> = None;
     while let Ok(step) = steps.recv() {
-        if let Some(before) = dragged.filter(|id| *id != step.object) {
+        if dragged.is_some_and(|id| id != step.object) {
             // Another object: the first one was let go without being put down.
-            if let Some(home) = program.objects.get(before.0 as usize).and_then(|o| layout.object(&o.name)) {
-                live.place(before, home.pos, home.rot);
-            }
+            live.undo();
         }
         dragged = Some(step.object);
         live.place(step.object, step.pos, step.rot);
-        let answer = report::moved(&live, program, &scene.sources, &scene.name);
+        let answer = scenelang_engine::moved(&live, program, &scene.sources, &scene.name);
         let reply = move |state: &mut State| state.reply(&step.id, Ok(answer));
         if events.send(Event::Done(Box::new(reply))).is_err() {
             return;

@@ -6,6 +6,7 @@ use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
+use scenelang_engine::{check_layout_of, check_program};
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
@@ -14,7 +15,7 @@ use scenelang_solve::{
     Asking, End, Finisher, Free, Hybrid, MOST_OBJECTS, Outcome, Placed, Problem, Progress, Stop, Tally, alternatives,
     freedom, hybrid,
 };
-use scenelang_verify::{Checked, Explain, check_layout_of, check_program};
+use scenelang_verify::{Checked, Explain};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

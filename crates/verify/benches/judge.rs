@@ -2,9 +2,10 @@
 //! the whole of it, and again after one object moved. `./x bench judge`.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use scenelang_engine::Live;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
-use scenelang_verify::{Detail, Explain, Live, Options, check};
+use scenelang_verify::{Detail, Explain, Options, check};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::path::Path;

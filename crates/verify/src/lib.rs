@@ -3,7 +3,8 @@
 //! A formula has one meaning, its signed margin; [`evaluate`] computes it with any [`Number`]. [`check`] judges a whole
 //! layout.
 //!
-//! Absent here: reading of programs and of layout files (`lang`, `layout`), and any search for a better layout.
+//! Absent here: reading of programs and of layout files (`lang`, `layout`), layouts that change (`engine`), and any search
+//! for a better one.
 
 mod builtins;
 pub mod check;
@@ -23,11 +24,8 @@ pub mod trace;
 pub mod vector;
 mod world;
 
-pub use builtins::{Declared, Slack, Surroundings, declared, gap, in_region, surroundings};
-pub use check::{
-    Checked, Live, Verdict, check, check_file, check_file_with, check_layout_of, check_layout_text, check_program,
-    check_read, program_of,
-};
+pub use builtins::{Declared, Slack, Surroundings, declared, gap, in_region, in_the_way, surroundings};
+pub use check::{Checked, Verdict, check};
 pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
 pub use number::{Algebra, Dual, Logic, Number};

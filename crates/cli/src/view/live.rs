@@ -3,11 +3,12 @@
 use crate::room::Room;
 use crate::watch::Seen;
 use scenelang_base::door::Door;
+use scenelang_engine::Live;
 use scenelang_export::preview;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Vec3, file as layout_file};
 use scenelang_verify::check::check;
-use scenelang_verify::{Live, report};
+use scenelang_verify::report;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -199,17 +200,15 @@ impl Drag {
             let mut live = Live::new(program, layout, options);
             let mut dragged: Option<ObjectId> = None;
             for step in taken {
-                let home = |id: ObjectId| program.objects.get(id.0 as usize).and_then(|o| layout.object(&o.name));
-                if let Some((before, home)) =
-                    dragged.filter(|id| *id != step.object).and_then(|id| Some((id, home(id)?)))
-                {
+                if dragged.is_some_and(|id| id != step.object) {
                     // Another object: the first one was let go without being put down.
-                    live.place(before, home.pos, home.rot);
+                    live.undo();
                 }
                 dragged = Some(step.object);
                 live.place(step.object, Vec3::from(step.pos), Vec3::from(step.rot));
                 // Whoever asked may be gone.
-                let _ = step.answer.send(report::moved(&live, program, &checked.sources, &checked.report.file));
+                let _ =
+                    step.answer.send(scenelang_engine::moved(&live, program, &checked.sources, &checked.report.file));
             }
         })?;
         Ok(Self { room: Arc::clone(room), steps })

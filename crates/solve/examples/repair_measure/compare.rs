@@ -1,12 +1,13 @@
 //! What `check` offers beside what `repair` offers: the same objects, the same places, and nothing broken?
 
+use scenelang_engine::check;
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement, Vec3};
 use scenelang_solve::repair::{Alternative, Damaged, How, RepairOptions, Which, repair};
 use scenelang_verify::explain::{Mend, RowRef};
 use scenelang_verify::report::model::Kind;
-use scenelang_verify::{Explain, Options, check};
+use scenelang_verify::{Explain, Options};
 use std::collections::BTreeSet;
 
 /// Two targets closer than this are the same (metres; degrees count a hundredth of a metre each).

@@ -61,7 +61,7 @@ impl<'v> View<'v> {
     }
     /// The layout as an instance of the program, in which any formula can be judged.
     pub fn world(&self) -> &'v World<f64> {
-        &self.state.world
+        self.state.world()
     }
     /// All objects.
     pub fn objects(&self) -> impl Iterator<Item = ObjectId> + use<> {

@@ -13,10 +13,10 @@ const EASE: f64 = 1e-4;
 /// Brings movable objects back into their regions.
 pub(crate) fn enforce(state: &mut State<'_>) {
     for id in outside(state) {
-        let Ok((Some(region), _)) = rules::bounds::best(&state.world, id) else { continue };
+        let Ok((Some(region), _)) = rules::bounds::best(state.world(), id) else { continue };
         let mut pose = state.pose(id);
         for _ in 0..WALLS {
-            let Ok(room) = state.world.region(region) else { break };
+            let Ok(room) = state.world().region(region) else { break };
             let inside = inside_clearance(&pose.obb(), &room.prism);
             let mut step = Vec3::zeros();
             if inside.horizontal.value < 0.0 {

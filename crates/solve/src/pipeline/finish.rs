@@ -47,7 +47,7 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
         placement.scale = vec(pose.scale, pins.scale);
     }
     for (id, (_, value)) in crate::problem::frame::variables(state.frame.program).zip(&mut layout.variables) {
-        *value = match state.world.variable(id) {
+        *value = match state.world().variable(id) {
             Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
             Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {
                 Value::Triple(v.0.map(cut))

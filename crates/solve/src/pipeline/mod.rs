@@ -262,7 +262,7 @@ impl<'r, 'a> Run<'r, 'a> {
     /// The local search, where it can judge all that must hold.
     fn local(&self, search: &mut Search<'_>) -> Locally {
         let mut given = vec![false; self.setup.frame.program.objects.len()];
-        let mut world = search.state.world.clone();
+        let mut world = search.state.world().clone();
         for id in self.setup.frame.objects() {
             let known = self.setup.given.iter().find(|(o, _)| *o == id);
             given[id.0 as usize] = known.is_some();

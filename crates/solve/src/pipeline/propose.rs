@@ -62,7 +62,7 @@ fn flip(search: &mut Search<'_>, batch: &[usize]) -> bool {
     variables.retain(|v| frame.program.variables[v.0 as usize].kind == VariableKind::Bool);
     let mut improved = false;
     for id in variables {
-        let Ok(Value::Truth(now)) = search.state.world.variable(id) else { continue };
+        let Ok(Value::Truth(now)) = search.state.world().variable(id) else { continue };
         let other = Change::Variable(id, Value::Truth(Truth::discrete(!now.holds)));
         if search.state.attempt(&[other], -1e-9).is_some() {
             search.state.keep();

@@ -30,7 +30,7 @@ pub(crate) fn arrange(search: &mut Search<'_>, growth: f64, kept: &dyn Fn(Region
         if !pins.scale && !kept(id) {
             let size = size(&search.state, id, growth);
             let pose = search.state.region_pose(id);
-            let outlined = search.state.world.region(id).is_ok_and(|r| r.outlined);
+            let outlined = search.state.world().region(id).is_ok_and(|r| r.outlined);
             let scale = if outlined { Vec3::new(pose.scale.x, size.y, pose.scale.z) } else { size };
             changes.push(Change::Region(id, Pose { scale, ..pose }));
         }
@@ -62,7 +62,7 @@ fn apply(state: &mut State<'_>, changes: &[Change]) {
 }
 
 fn is_fixed(state: &State<'_>, id: RegionId) -> bool {
-    state.frame.region_pins[id.0 as usize].pos || state.world.region(id).is_ok_and(|r| r.outlined)
+    state.frame.region_pins[id.0 as usize].pos || state.world().region(id).is_ok_and(|r| r.outlined)
 }
 
 /// Objects that are to be in a region, as far as the program says; of a single region all.
@@ -89,7 +89,7 @@ fn size(state: &State<'_>, id: RegionId, growth: f64) -> Vec3 {
 }
 
 fn outline(state: &State<'_>, id: RegionId) -> Aabb {
-    let prism = state.world.region(id).map(|r| &r.prism);
+    let prism = state.world().region(id).map(|r| &r.prism);
     Aabb::of(prism.into_iter().flat_map(|p| p.polygon.corners()).map(|c| Vec3::new(c.x, 0.0, c.y)))
 }
 
@@ -97,7 +97,7 @@ fn outline(state: &State<'_>, id: RegionId) -> Aabb {
 fn best_place(search: &mut Search<'_>, id: RegionId, placed: &[RegionId]) -> Pose {
     let state = &mut search.state;
     let pose = state.region_pose(id);
-    let apart = 2.0 * state.world.options.eta;
+    let apart = 2.0 * state.world().options.eta;
     let doors = &state.frame.program.allow.doors;
     let linked = |other: RegionId| {
         doors.iter().any(|d| (d.first == id && d.second == Some(other)) || (d.first == other && d.second == Some(id)))

@@ -38,7 +38,7 @@ fn settle(search: &mut Search<'_>, id: ObjectId) -> bool {
     let pose = state.pose(id);
     let center = pose.center();
     let floors =
-        state.world.prisms().filter(|(_, p)| p.polygon.contains(scenelang_layout::Vec2::new(center.x, center.z)));
+        state.world().prisms().filter(|(_, p)| p.polygon.contains(scenelang_layout::Vec2::new(center.x, center.z)));
     let mut levels: Vec<f64> = floors.map(|(_, p)| p.floor).collect();
     if levels.is_empty() {
         levels.push(0.0);
@@ -46,7 +46,7 @@ fn settle(search: &mut Search<'_>, id: ObjectId) -> bool {
     for other in state.placed().filter(|o| *o != id) {
         let span = state.span(other);
         if (span.min.x..=span.max.x).contains(&center.x) && (span.min.z..=span.max.z).contains(&center.z) {
-            let Ok(thing) = state.world.object(other) else { continue };
+            let Ok(thing) = state.world().object(other) else { continue };
             levels.extend(tops(&thing.body, &state.pose(other)).iter().map(|t| t.height));
         }
     }

@@ -5,11 +5,12 @@ pub(crate) mod draws;
 pub(crate) mod equations;
 pub(crate) mod frame;
 pub(crate) mod limit;
-pub(crate) mod pose;
 pub(crate) mod rules;
 pub(crate) mod setup;
 pub(crate) mod sound;
 pub(crate) mod terms;
+
+pub(crate) use scenelang_engine::pose;
 
 use crate::problem::limit::Stop;
 use scenelang_lang::Program;

@@ -11,9 +11,9 @@ use crate::problem::pose::Pose;
 use crate::search::pool::{self, Breadth};
 use crate::search::state::{Change, overlap_in_plan};
 use crate::search::{STEPS, Snapshot};
+use scenelang_engine::smallest_move;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
-use scenelang_verify::explain::smallest_move;
 use std::collections::BTreeSet;
 
 /// The part of the budget that the search for places may take.
@@ -264,11 +264,11 @@ fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
     let search = &mut room.search;
     let state = &search.state;
     let span = *state.span(id);
-    let mut heights: Vec<f64> = state.world.prisms().map(|(_, prism)| prism.floor + now.depth_below()).collect();
+    let mut heights: Vec<f64> = state.world().prisms().map(|(_, prism)| prism.floor + now.depth_below()).collect();
     heights.push(now.pos.y);
     for other in state.placed().filter(|o| *o != id && overlap_in_plan(state.span(*o), &span)) {
         let top = state.span(other).max.y;
-        let surface = state.world.object(other).ok().and_then(|t| t.body.surface.map(|s| t.body.pos.y + s));
+        let surface = state.world().object(other).ok().and_then(|t| t.body.surface.map(|s| t.body.pos.y + s));
         heights.extend(surface.into_iter().chain([top]).map(|h| h + now.depth_below()));
     }
     heights.sort_by(f64::total_cmp);

@@ -285,7 +285,7 @@ impl<'r, 'a> Room<'r, 'a> {
         for id in variables(frame.program) {
             let name = &frame.program.variables[id.0 as usize].name;
             let Some((_, written)) = layout.variables.iter_mut().find(|(n, _)| n == name) else { continue };
-            match (state.world.variable(id), &mut *written) {
+            match (state.world().variable(id), &mut *written) {
                 (Ok(Value::Number(new)), Written::Number(old)) => *old = cut(new, *old),
                 (Ok(Value::Vector(new) | Value::Rotation(new)), Written::Triple(old)) => {
                     *old = std::array::from_fn(|i| cut(new.0[i], old[i]));

@@ -7,14 +7,15 @@ use crate::pipeline::solve;
 use crate::problem::{Options, Placed, Problem};
 use scenelang_base::door::Door;
 use scenelang_base::{SourceFile, SourceMap};
+use scenelang_engine::check;
 use scenelang_lang::Program;
 use scenelang_lang::compile::compile_main;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Vec3, file};
+use scenelang_verify::Explain;
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::{RowRef, Step};
 use scenelang_verify::report::model::Kind;
-use scenelang_verify::{Explain, check};
 use std::ops::ControlFlow;
 use std::path::Path;
 

@@ -75,8 +75,8 @@ fn askew(state: &State<'_>, id: ObjectId, pose: &Pose) -> f64 {
 /// The region that holds a position, and its turn.
 fn room_of<'s>(state: &'s State<'_>, pose: &Pose) -> Option<(&'s scenelang_layout::Prism, f64)> {
     let here = Vec2::new(pose.pos.x, pose.pos.z);
-    let (id, prism) = state.world.prisms().find(|(_, prism)| prism.polygon.contains(here))?;
-    let room = state.world.region(id).ok()?;
+    let (id, prism) = state.world().prisms().find(|(_, prism)| prism.polygon.contains(here))?;
+    let room = state.world().region(id).ok()?;
     Some((prism, if room.outlined { 0.0 } else { room.rot.0[1] }))
 }
 

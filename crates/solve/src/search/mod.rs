@@ -44,7 +44,7 @@ impl Snapshot {
         Self {
             objects: state.frame.objects().map(|o| state.is_placed(o).then(|| state.pose(o))).collect(),
             regions: (0..program.regions.len() as u32).map(|r| state.region_pose(RegionId(r))).collect(),
-            variables: crate::problem::frame::variables(program).map(|v| state.world.variable(v).ok()).collect(),
+            variables: crate::problem::frame::variables(program).map(|v| state.world().variable(v).ok()).collect(),
         }
     }
 
@@ -69,7 +69,7 @@ impl Snapshot {
         }
         for (index, value) in self.variables.iter().enumerate() {
             let id = VariableId(index as u32);
-            if let Some(value) = value.filter(|v| state.world.variable(id).ok() != Some(*v)) {
+            if let Some(value) = value.filter(|v| state.world().variable(id).ok() != Some(*v)) {
                 changes.push(Change::Variable(id, value));
             }
         }

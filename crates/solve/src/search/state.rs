@@ -10,9 +10,10 @@ use crate::problem::pose::{Pose, Ride};
 use crate::problem::terms::Force;
 use crate::search::looks;
 use crate::search::penalty::{self, Penalty};
+use scenelang_engine::State as Moving;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_layout::{Aabb, Vec2, obb};
-use scenelang_verify::{Scratch, Truth, Value, World, rules};
+use scenelang_verify::{Scratch, Tolerances, Truth, Value, World, rules};
 use std::marker::PhantomData;
 
 /// All preferences together cost at most about this, so that none is worth a violation.
@@ -35,11 +36,10 @@ pub(crate) enum Change {
     Variable(VariableId, Value<f64>),
 }
 
-/// What must be put back if a trial is not kept.
+/// What must be put back if a trial is not kept, beside the poses.
 #[derive(Default)]
 struct Journal {
     open: bool,
-    changes: Vec<Change>,
     placed: Vec<ObjectId>,
     costs: Vec<(usize, f64, bool)>,
     looks: Vec<(ObjectId, f64)>,
@@ -49,8 +49,7 @@ struct Journal {
 pub(crate) struct State<'a> {
     /// What stays the same.
     pub frame: &'a Frame<'a>,
-    /// The layout, as the evaluator sees it.
-    pub world: World<f64>,
+    layout: Moving,
     /// How checks are numbered.
     pub numbering: Numbering,
     /// By check: how much it counts. Stubborn ones come to count more.
@@ -91,7 +90,7 @@ impl<'a> State<'a> {
         }
         let mut state = Self {
             frame,
-            world,
+            layout: Moving::new(world),
             numbering,
             weight,
             seats: vec![None; n],
@@ -114,14 +113,17 @@ impl<'a> State<'a> {
         state
     }
 
+    /// The layout, as the evaluator sees it.
+    pub fn world(&self) -> &World<f64> {
+        self.layout.world()
+    }
     /// The pose of an object.
     pub fn pose(&self, id: ObjectId) -> Pose {
-        Pose::of(self.world.object(id).expect("every object of the program is in the world"))
+        self.layout.pose(id).expect("every object of the program is in the world")
     }
     /// The pose of a region.
     pub fn region_pose(&self, id: RegionId) -> Pose {
-        let room = self.world.region(id).expect("every region of the program is in the world");
-        Pose { pos: room.pos.value(), rot: room.rot.value(), scale: room.scale.value() }
+        self.layout.region_pose(id).expect("every region of the program is in the world")
     }
     /// The upright box around an object.
     pub fn span(&self, id: ObjectId) -> &Aabb {
@@ -277,16 +279,11 @@ impl<'a> State<'a> {
                 }
                 Change::Join(id) => self.join(id, &mut objects, &mut swept),
                 Change::Region(id, pose) => {
-                    self.journal.changes.push(Change::Region(id, self.region_pose(id)));
-                    let [pos, rot, scale] = pose.constant();
-                    self.world.place_region(id, pos, rot, scale);
+                    self.layout.set_region(id, &pose);
                     regions.push(id);
                 }
                 Change::Variable(id, value) => {
-                    if let Ok(old) = self.world.variable(id) {
-                        self.journal.changes.push(Change::Variable(id, old));
-                    }
-                    self.world.set_variable(id, value);
+                    self.layout.set_variable(id, value);
                     variables.push(id);
                 }
             }
@@ -321,17 +318,8 @@ impl<'a> State<'a> {
 
     /// Keeps the trial.
     pub fn keep(&mut self) {
-        let moved: Vec<ObjectId> = self
-            .journal
-            .changes
-            .iter()
-            .filter_map(|c| match c {
-                Change::Object(id, _) => Some(*id),
-                _ => None,
-            })
-            .collect();
-        self.journal = Journal::default();
-        self.walks_stale = true;
+        let moved: Vec<ObjectId> = self.layout.moved().map(|(id, _)| id).collect();
+        self.keep_sizes();
         for id in moved {
             self.find_seat(id);
         }
@@ -340,23 +328,18 @@ impl<'a> State<'a> {
     /// Keeps a trial of sizes alone: what carries an object is not asked before it has a place.
     pub fn keep_sizes(&mut self) {
         self.journal = Journal::default();
+        self.layout.keep();
         self.walks_stale = true;
     }
 
     /// Takes the trial back.
     pub fn undo(&mut self) {
         let journal = std::mem::take(&mut self.journal);
-        for change in journal.changes.into_iter().rev() {
-            match change {
-                Change::Object(id, pose) => self.put(id, pose),
-                Change::Join(_) => {}
-                Change::Region(id, pose) => {
-                    let [pos, rot, scale] = pose.constant();
-                    self.world.place_region(id, pos, rot, scale);
-                }
-                Change::Variable(id, value) => self.world.set_variable(id, value),
-            }
+        for (id, pose) in self.layout.moved() {
+            self.spans[id.0 as usize] = pose.span();
+            self.stale[id.0 as usize] = true;
         }
+        self.layout.undo();
         for id in journal.placed {
             self.placed[id.0 as usize] = false;
             for &t in &self.frame.terms_of[id.0 as usize] {
@@ -443,10 +426,10 @@ impl<'a> State<'a> {
     fn join(&mut self, id: ObjectId, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
         let mut pose = self.home(id);
         let here = Vec2::new(pose.pos.x, pose.pos.z);
-        let prism = self.world.prisms().map(|(_, p)| p).find(|p| p.polygon.contains(here));
+        let prism = self.world().prisms().map(|(_, p)| p).find(|p| p.polygon.contains(here));
         if !self.frame.fixed(id).pos[1] {
             pose.pos.y = match self.frame.hold(id) {
-                Hold::Ceiling(region) => self.world.region(region).map_or(0.0, |r| r.prism.ceiling - pose.scale.y),
+                Hold::Ceiling(region) => self.world().region(region).map_or(0.0, |r| r.prism.ceiling - pose.scale.y),
                 _ => prism.map_or(0.0, |p| p.floor) + pose.depth_below(),
             };
         }
@@ -455,7 +438,6 @@ impl<'a> State<'a> {
 
     fn set_object(&mut self, id: ObjectId, pose: Pose, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
         let i = id.0 as usize;
-        self.journal.changes.push(Change::Object(id, self.pose(id)));
         swept.push(self.spans[i]);
         self.put(id, pose);
         swept.push(self.spans[i]);
@@ -472,8 +454,10 @@ impl<'a> State<'a> {
     }
 
     fn put(&mut self, id: ObjectId, pose: Pose) {
-        let [pos, rot, scale] = pose.constant();
-        self.world.place(id, pos, rot, scale);
+        self.layout.set_pose(id, &pose);
+        if !self.journal.open {
+            self.layout.keep();
+        }
         self.spans[id.0 as usize] = pose.span();
         self.stale[id.0 as usize] = true;
     }
@@ -500,25 +484,28 @@ impl<'a> State<'a> {
     }
 
     fn obey(&mut self, rule: usize, objects: &mut Vec<ObjectId>, swept: &mut Vec<Aabb>) {
-        let rule = &self.frame.rules.list[rule];
+        let owner = self.frame.rules.list[rule].owner;
         // An object that waits for a place is not brought in by its rules alone.
-        if !self.is_placed(rule.owner) {
+        if !self.is_placed(owner) {
             return;
         }
-        if let Some([pos, rot, scale]) = rule.apply(&self.world) {
-            let pose = Pose { pos: pos.value(), rot: rot.value(), scale: scale.value() };
-            if pose != self.pose(rule.owner) {
-                self.set_object(rule.owner, pose, objects, swept);
-            }
+        if let Some(pose) = self.ruled(rule).filter(|pose| *pose != self.pose(owner)) {
+            self.set_object(owner, pose, objects, swept);
         }
+    }
+
+    /// The pose that a rule gives its object.
+    fn ruled(&self, rule: usize) -> Option<Pose> {
+        let [pos, rot, scale] = self.frame.rules.list[rule].apply(self.world())?;
+        Some(Pose { pos: pos.value(), rot: rot.value(), scale: scale.value() })
     }
 
     /// Its pose as the rules want it, for an object without a place.
     pub fn home(&mut self, id: ObjectId) -> Pose {
         let old = self.pose(id);
         for &rule in &self.frame.rules.own[id.0 as usize] {
-            if let Some([pos, rot, scale]) = self.frame.rules.list[rule].apply(&self.world) {
-                self.world.place(id, pos, rot, scale);
+            if let Some(pose) = self.ruled(rule) {
+                self.put(id, pose);
             }
         }
         let home = self.pose(id);
@@ -622,8 +609,8 @@ impl<'a> State<'a> {
                     return FINE;
                 }
                 self.work += 10;
-                rules::bounds::object(&self.world, id)
-                    .map_or(FINE, |t| self.physical(t, self.world.options.tolerances.contact))
+                rules::bounds::object(self.world(), id)
+                    .map_or(FINE, |t| self.physical(t, self.world().options.tolerances.contact))
             }
             Check::Support(id) => {
                 let rests = self.frame.scope.as_ref().is_some_and(|s| s.support(id) == rules::Support::Rests);
@@ -645,44 +632,43 @@ impl<'a> State<'a> {
             5
         };
         self.work += dear + term.formula.nodes.len() as u64;
-        let holds = match self.scratch.evaluate(&term.formula, &self.world) {
+        let holds = match self.scratch.evaluate(&term.formula, self.layout.world()) {
             Ok(Value::Truth(truth)) => truth.holds,
             _ => false,
         };
-        let tolerances = &self.world.options.tolerances;
+        let tolerances = &self.layout.world().options.tolerances;
         let cost = Penalty { formula: &term.formula, values: &self.scratch, tolerances, numbers: PhantomData }.cost();
         (cost, holds)
     }
 
     fn collision(&mut self, a: ObjectId, b: ObjectId) -> (f64, bool) {
-        let (Ok(x), Ok(y)) = (self.world.object(a), self.world.object(b)) else { return (0.0, true) };
+        let world = self.layout.world();
+        let (Ok(x), Ok(y)) = (world.object(a), world.object(b)) else { return (0.0, true) };
+        let Tolerances { contact, order, .. } = world.options.tolerances;
         self.work += 20;
         let boxes = obb::separation(&x.body.obb, &y.body.obb).gap;
         if boxes >= -TOUCHING {
             return (0.0, true);
         }
         if !x.body.has_parts() && !y.body.has_parts() {
-            let contact = self.world.options.tolerances.contact;
-            return self
-                .physical(Truth::metres(boxes + contact, self.world.options.tolerances.order), contact - TOUCHING);
+            return self.physical(Truth::metres(boxes + contact, order), contact - TOUCHING);
         }
         self.work += 300;
-        let found = rules::collide::pair(&self.world, a, b);
-        found.map_or((0.0, true), |t| self.physical(t, self.world.options.tolerances.contact - TOUCHING))
+        rules::collide::pair(world, a, b).map_or((0.0, true), |t| self.physical(t, contact - TOUCHING))
     }
 
     fn support(&mut self, id: ObjectId) -> (f64, bool) {
         self.work += 100;
-        let tolerance = self.world.options.tolerances.support;
+        let tolerance = self.world().options.tolerances.support;
         // Most things stand on a floor, and need no look at what is around them.
-        if let Ok(truth) = rules::support::among(&self.world, id, &[])
+        if let Ok(truth) = rules::support::among(self.world(), id, &[])
             && truth.holds
         {
             return self.rested(truth, tolerance);
         }
         let carriers = self.carriers(id);
         self.work += 100 * carriers.len() as u64;
-        rules::support::among(&self.world, id, &carriers).map_or((0.0, true), |t| self.rested(t, tolerance))
+        rules::support::among(self.world(), id, &carriers).map_or((0.0, true), |t| self.rested(t, tolerance))
     }
 
     /// Objects over which an object is.
@@ -693,7 +679,7 @@ impl<'a> State<'a> {
 
     /// Resting has a tolerance of height, but none of balance: only the former is asked to be unused.
     fn rested(&self, truth: Truth<f64>, tolerance: f64) -> (f64, bool) {
-        let contact = self.world.options.tolerances.contact;
+        let contact = self.world().options.tolerances.contact;
         let target = if truth.holds { tolerance.min(contact) } else { tolerance };
         self.physical(truth, target)
     }
@@ -748,10 +734,10 @@ impl<'a> State<'a> {
         let i = id.0 as usize;
         let rests = self.frame.scope.as_ref().is_none_or(|s| s.support(id) == rules::Support::Rests);
         self.seats[i] = None;
-        if rests && self.is_placed(id) && !rules::support::among(&self.world, id, &[]).is_ok_and(|t| t.holds) {
+        if rests && self.is_placed(id) && !rules::support::among(self.world(), id, &[]).is_ok_and(|t| t.holds) {
             let carriers = self.carriers(id);
-            let rest = rules::support::rest(&self.world, id, &carriers);
-            let tolerance = self.world.options.tolerances.support;
+            let rest = rules::support::rest(self.world(), id, &carriers);
+            let tolerance = self.world().options.tolerances.support;
             self.seats[i] = rest.ok().filter(|r| (r.lowest - r.nearest).abs() <= tolerance).and_then(|r| r.carrier);
         }
     }

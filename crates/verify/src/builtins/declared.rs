@@ -72,7 +72,7 @@ impl Surroundings {
         matches!(self, Self::Path { .. })
     }
     /// What looking at all of these costs in a program of so many objects, in units of a small comparison.
-    pub(crate) fn cost(all: impl Iterator<Item = Self>, objects: usize) -> usize {
+    pub fn cost(all: impl Iterator<Item = Self>, objects: usize) -> usize {
         let (mut paths, mut looks) = (0, 0);
         for one in all {
             match one {

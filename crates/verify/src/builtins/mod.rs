@@ -26,12 +26,13 @@ pub(crate) use inside::in_proofs as region_in_proofs;
 pub use inside::in_region;
 
 use crate::coded::Boxes;
-use crate::eval::{EvalError, Truth, Value};
+use crate::eval::{EvalError, Scratch, Truth, Value};
 use crate::number::{Algebra, Number};
 use crate::prove::tape::Term;
 use crate::prove::unknowns::Unknowns;
+use crate::world::World;
 use declared::Given;
-use scenelang_lang::program::{BuiltIn, Formula, Node, ObjectId, Program};
+use scenelang_lang::program::{BuiltIn, Formula, Node, NodeId, ObjectId, Program};
 
 /// What a built-in means. A predicate yields a [`Truth`], a measure a number; in nothing else do they differ.
 pub(crate) trait Semantics {
@@ -149,6 +150,17 @@ table! {
     Reachable => reachable::Reachable,
     Visible => visible::Visible,
     Clear => clear::Clear,
+}
+
+/// Objects, beside the arguments of a built-in, that decide what it says; none, if the node is none. The formula is the one
+/// that was last evaluated, in this instance.
+pub fn in_the_way(formula: &Formula, node: NodeId, scratch: &Scratch<f64>, world: &World<f64>) -> Vec<ObjectId> {
+    match formula.node(node) {
+        Node::BuiltIn(built_in, args) => {
+            Call { built_in: *built_in, args, values: scratch.values(), world, node }.in_the_way()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// What a node of a formula looks at beside the arguments of a built-in; nothing, if it is none.

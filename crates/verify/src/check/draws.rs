@@ -9,7 +9,8 @@ use scenelang_layout::Places;
 /// How far outside its bounds a draw may be, for the rounding of a file.
 const ROUNDING: f64 = 1e-9;
 
-pub(super) fn check(program: &Program, world: &mut World<f64>, places: Option<&Places>, out: &mut Vec<Diagnostic>) {
+/// Refuses the draws that are wrong, and says why.
+pub fn check(program: &Program, world: &mut World<f64>, places: Option<&Places>, out: &mut Vec<Diagnostic>) {
     for (index, draw) in program.draws.iter().enumerate() {
         let id = DrawId(index as u32);
         let bound = |formula: &Formula, world: &World<f64>| match evaluate(formula, world) {

@@ -13,7 +13,7 @@ use smol_str::SmolStr;
 const MOST: usize = 100;
 
 /// What is wrong, in the order of the file.
-pub(super) fn check(program: &Program, read: &ReadLayout) -> Vec<Diagnostic> {
+pub fn check(program: &Program, read: &ReadLayout) -> Vec<Diagnostic> {
     let (layout, places) = (&read.layout, &read.places);
     let mut out = Vec::new();
     let objects: Vec<&SmolStr> = program.objects.iter().map(|o| &o.name).collect();

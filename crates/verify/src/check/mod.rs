@@ -1,27 +1,26 @@
 //! The judgement of a layout: every stated constraint, then the physical rules, then what looks odd.
+//!
+//! Its steps can be taken one by one, for who judges again only what a change can alter. Absent here: what would mend a
+//! violation.
 
 mod describe;
-mod draws;
-mod file;
-mod live;
-mod matching;
+pub mod draws;
+pub mod matching;
 mod physical;
-mod rooms;
-mod stated;
+pub mod rooms;
+pub mod stated;
 mod wording;
 
 pub(crate) use describe::number as measure_in_words;
-pub use file::{
-    Checked, check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
-};
-pub use live::Live;
+pub use physical::{Ruled, Rules};
 
 use crate::eval::Cause;
-use crate::explain::{self, Explanation};
+use crate::explain::{Explanation, RowRef};
 use crate::report::model::{Kind, Summary};
+use crate::report::{Report, build};
 use crate::tolerances::Options;
 use crate::world::World;
-use scenelang_base::{Code, Diagnostic, Label, Span};
+use scenelang_base::{Code, Diagnostic, Label, SourceMap, Span};
 use scenelang_lang::program::{DrawId, ObjectId, Program, Unit, VariableId};
 use scenelang_layout::{Layout, Places};
 
@@ -79,6 +78,11 @@ pub struct Judged {
 }
 
 impl Judged {
+    /// Which row it is.
+    pub fn row(&self) -> RowRef {
+        RowRef { kind: self.kind, subject: self.subject }
+    }
+
     /// What was measured and, where it fails, where its objects are.
     pub fn message(&self) -> String {
         let places = self.related.iter().map(|label| label.message.as_str());
@@ -88,13 +92,44 @@ impl Judged {
     }
 }
 
-/// Judges a layout that was read without its file: what is wrong with a draw is said in the program.
-pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
-    check_at(program, layout, None, options)
+/// What came of judging a file.
+#[derive(Debug)]
+pub struct Checked {
+    /// All files read; places in the verdict refer to these.
+    pub sources: SourceMap,
+    /// The program, if it compiles.
+    pub program: Option<Program>,
+    /// The layout, if the file is one that could be read.
+    pub layout: Option<Layout>,
+    /// Rows and diagnostics, those of the program and of the layout file included.
+    pub verdict: Verdict,
+    /// The same as a report.
+    pub report: Report,
 }
 
-/// Judges a layout; `places` says where its values stand.
-fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
+impl Checked {
+    /// A file that nothing more can be said of than these diagnostics; places in them refer to `sources`.
+    pub fn refused(name: &str, sources: SourceMap, diagnostics: Vec<Diagnostic>, options: &Options) -> Self {
+        let verdict = Verdict { diagnostics, ..Verdict::default() };
+        let report = build(name, &verdict, None, &sources, options);
+        Self { sources, program: None, layout: None, verdict, report }
+    }
+
+    /// Leaves out warnings of these codes; errors stay.
+    pub fn silence(&mut self, codes: &[Code]) {
+        let silent = |code: &str| code.starts_with('W') && codes.iter().any(|c| c.as_str() == code);
+        self.verdict.diagnostics.retain(|d| !silent(d.code.as_str()));
+        self.report.diagnostics.retain(|d| !silent(&d.code));
+    }
+}
+
+/// Judges a layout that was read without its file: what is wrong with a draw is said in the program.
+pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
+    judged(program, layout, None, options).0
+}
+
+/// The same, with the instance that was judged. `places` says where the values of the layout stand.
+pub fn judged(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> (Verdict, World<f64>) {
     let mut world = World::new(program, layout, options);
     if let Some(places) = places {
         refuse(program, &mut world, places);
@@ -120,9 +155,8 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
     verdict.diagnostics.append(&mut physical.diagnostics);
-    explain::complete(program, &world, &mut verdict, options.detail.explain);
     rooms::warn(program, &world, &mut verdict.diagnostics);
-    verdict
+    (verdict, world)
 }
 
 /// What the file gives but could not be read has been told of: it is refused, not missing.

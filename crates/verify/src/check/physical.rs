@@ -52,19 +52,22 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
     }
 }
 
-pub(super) fn ids(program: &Program) -> impl Iterator<Item = ObjectId> + use<> {
+fn ids(program: &Program) -> impl Iterator<Item = ObjectId> + use<> {
     (0..program.objects.len() as u32).map(ObjectId)
 }
 
 /// What a rule says: whether it holds (`None`: it cannot be judged), and its row, if that is listed.
-pub(super) struct Ruled {
+pub struct Ruled {
+    /// Whether it holds.
     pub holds: Option<bool>,
+    /// Its row.
     pub row: Option<Judged>,
 }
 
 /// The rules for one program, and for the instances of it that have the same objects and regions.
-pub(super) struct Rules<'a> {
+pub struct Rules<'a> {
     program: &'a Program,
+    /// What each of them speaks of.
     pub scope: Scope,
     /// Whether the layout has all objects, and all regions.
     complete: bool,
@@ -74,6 +77,7 @@ pub(super) struct Rules<'a> {
 }
 
 impl<'a> Rules<'a> {
+    /// For an instance of a program.
     pub fn new(program: &'a Program, world: &World<f64>) -> Self {
         Self {
             program,

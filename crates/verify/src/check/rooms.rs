@@ -9,7 +9,8 @@ use scenelang_lang::program::{ObjectId, Program, RegionId, Unit};
 use scenelang_layout::planar::{convex_overlap, depth_in_convex, nearest_of_segments};
 use scenelang_layout::{Prism, Vec2};
 
-pub(super) fn warn(program: &Program, world: &World<f64>, out: &mut Vec<Diagnostic>) {
+/// Tells of it.
+pub fn warn(program: &Program, world: &World<f64>, out: &mut Vec<Diagnostic>) {
     let rooms = rooms(program, world);
     for (i, (a, first)) in rooms.iter().enumerate() {
         for (b, second) in &rooms[i + 1..] {

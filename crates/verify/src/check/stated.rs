@@ -27,7 +27,7 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
 }
 
 /// The row of a constraint and, if it cannot be judged, why.
-pub(super) fn judge_one(
+pub fn judge_one(
     program: &Program,
     world: &World<f64>,
     scratch: &mut Scratch<f64>,
@@ -88,7 +88,7 @@ pub(super) fn judge_one(
 }
 
 /// What to say of the constraints that cannot be judged, in their order.
-pub(super) fn diagnostics(program: &Program, errors: impl IntoIterator<Item = (usize, EvalError)>) -> Vec<Diagnostic> {
+pub fn diagnostics(program: &Program, errors: impl IntoIterator<Item = (usize, EvalError)>) -> Vec<Diagnostic> {
     let mut told = FxHashSet::default();
     let say = |(index, error): (usize, EvalError)| {
         diagnostic(&program.constraints[index], error, reason(program, error.cause), &mut told)

@@ -1,38 +1,19 @@
-//! Explanations of what fails: the values on both sides, where the objects are, what pulls the other way, and the
-//! smallest move that mends it, judged before it is offered.
+//! Explanations of what fails, as values and in words: both sides of what decided, where the objects are, what pulls the
+//! other way, and a move that mends it.
 //!
-//! A check without violations comes here with nothing to do. Of many violations only the first few are explained in
-//! full, and each within a budget that counts work, so that the same input gives the same words on any machine.
-//!
-//! Not here: solving. A move changes one or a few objects and leaves everything else where it is; where none is found,
-//! the layout may still be mended in another way.
+//! Not here: looking for that move, which takes a layout that changes (`engine`).
 
-mod index;
 mod measured;
-mod moves;
 mod places;
-mod search;
-mod stage;
 
-pub(crate) use index::Index;
 pub use measured::{Measured, Quantity};
 pub(crate) use measured::{of_rule, of_statement};
-pub use moves::{Mend, Step};
 pub(crate) use places::row_in_words;
 pub use places::{Place, facing_in_words, move_in_words};
 
-use crate::check::{Judged, Subject, Verdict};
+use crate::check::Subject;
 use crate::report::model::Kind;
-use crate::tolerances::Options;
-use crate::world::World;
-use moves::Mender;
 use scenelang_lang::program::{ObjectId, Program};
-use scenelang_layout::Layout;
-
-/// A row that costs more than this to judge is dear: it is tried less often.
-const DEAR: usize = 100;
-/// What judging dear rows may cost in all, in small comparisons, where not all must be explained however long that takes.
-const PURSE: usize = 240_000;
 
 /// How many violations are explained in full; the others say what was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,57 +56,28 @@ pub struct Explanation {
     pub searched: bool,
 }
 
-impl Judged {
-    /// Which row it is.
-    pub(crate) fn row(&self) -> RowRef {
-        RowRef { kind: self.kind, subject: self.subject }
-    }
+/// A move that mends a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mend {
+    /// What is moved, in this order; usually one object.
+    pub steps: Vec<Step>,
+    /// What holds in the layout and fails after the move.
+    pub breaks: Vec<RowRef>,
+    /// What fails in the layout and holds after the move, beside the row itself.
+    pub mends: Vec<RowRef>,
 }
 
-/// Completes the explanations of the first rows that fail.
-pub(crate) fn complete(program: &Program, world: &World<f64>, verdict: &mut Verdict, how_many: Explain) {
-    let failing = failing(verdict);
-    let fails = |row: &&mut Judged| row.satisfied == Some(false);
-    let (hard, soft): (Vec<_>, Vec<_>) =
-        verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != Kind::Prefer);
-    let most = match how_many {
-        Explain::All => usize::MAX,
-        Explain::First(n) => n,
-    };
-    let purse = if how_many == Explain::All { usize::MAX } else { PURSE };
-    let mut mender: Option<Mender<'_>> = None;
-    for row in hard.into_iter().chain(soft).take(most) {
-        let mender = mender.get_or_insert_with(|| Mender::new(program, world, failing.clone(), purse));
-        let explanation = row.explanation.get_or_insert_default();
-        explanation.objects = row.objects.iter().filter_map(|id| Place::of(program, world, *id)).collect();
-        if mender.is_spent() {
-            continue;
-        }
-        let found = mender.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
-        explanation.searched = found.searched;
-        explanation.opposing = found.opposing;
-        explanation.mend = found.mend;
-        explanation.pinned = found.pinned;
-    }
-}
-
-/// The smallest move after which `rows` of a verdict hold: what [`check`](crate::check()) offers for one of them. It may
-/// break something; then [`Mend::breaks`] says so.
-pub fn smallest_move(
-    program: &Program,
-    layout: &Layout,
-    options: &Options,
-    verdict: &Verdict,
-    rows: &[RowRef],
-) -> Option<Mend> {
-    let world = World::new(program, layout, options);
-    Mender::new(program, &world, failing(verdict), usize::MAX).mend(rows)
-}
-
-/// What must hold and does not.
-fn failing(verdict: &Verdict) -> Vec<RowRef> {
-    let fails = verdict.rows.iter().filter(|row| row.satisfied == Some(false) && row.kind != Kind::Prefer);
-    fails.map(Judged::row).collect()
+/// A move of one object from where the layout has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Which.
+    pub object: ObjectId,
+    /// Along x, y, z (metres).
+    pub by: [f64; 3],
+    /// Added to its `rot.y` (degrees).
+    pub turn: f64,
+    /// The object that it goes along with, because it rests on it.
+    pub with: Option<ObjectId>,
 }
 
 /// The name of an object.

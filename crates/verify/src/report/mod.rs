@@ -8,7 +8,6 @@ mod human;
 mod json;
 mod junit;
 pub mod model;
-mod moved;
 mod sarif;
 mod words;
 
@@ -19,7 +18,6 @@ pub use human::{Human, diagnostics, human};
 pub use json::json;
 pub use junit::junit;
 pub use model::Report;
-pub use moved::moved;
 pub use sarif::sarif;
 
 /// Exit code of a report: 0 all holds; 1 something fails, or is proved impossible; 2 something could not be judged.

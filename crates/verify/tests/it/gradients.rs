@@ -1,6 +1,6 @@
 //! Derivatives against differences, and what must hold of every evaluation: of each built-in, in random instances.
 
-use crate::cases::layout;
+use crate::given::layout;
 use proptest::prelude::*;
 use scenelang_base::SourceMap;
 use scenelang_lang::program::{NodeId, ObjectId, Program, RegionId};

@@ -4,9 +4,8 @@
 mod builtins;
 mod cases;
 mod dice;
-mod explanations;
+mod given;
 mod gradients;
-mod live;
 mod naive;
 mod navigation;
 mod proofs;

@@ -1,7 +1,7 @@
 //! Walking, against a second and naive way to find out: a fine grid of cells, flooded. Random rooms (turned, L-shaped, two
 //! with a door) with furniture at any angle; the two must agree as far as the cells are small.
 
-use crate::cases::layout;
+use crate::given::layout;
 use crate::gradients::compiled;
 use scenelang_base::SourceMap;
 use scenelang_layout::file::read;

@@ -1,6 +1,6 @@
 //! Reports in their formats: what people read, SARIF, JUnit, and JSON that comes back as it went.
 
-use crate::cases::{judged, layout};
+use crate::given::{judged, layout};
 use scenelang_verify::report::{Human, compact, github, human, json, junit, model::Report, sarif};
 use scenelang_verify::{Checked, Options};
 use serde_json::Value;

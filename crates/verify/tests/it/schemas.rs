@@ -1,6 +1,6 @@
 //! The JSON Schemas: sound by themselves, true of what we read and write, and strict where a schema can be.
 
-use crate::cases::{judged, layout};
+use crate::given::{judged, layout};
 use jsonschema::Validator;
 use scenelang_base::FileId;
 use scenelang_verify::compare::compare;

@@ -67,7 +67,11 @@ pub(crate) struct Polisher {
 impl Polisher {
     /// For a state.
     pub fn new(state: &State<'_>) -> Self {
-        Self { plain: state.world.clone(), slopes: state.world.constant(), scratch: (Scratch::new(), Scratch::new()) }
+        Self {
+            plain: state.world().clone(),
+            slopes: state.world().constant(),
+            scratch: (Scratch::new(), Scratch::new()),
+        }
     }
 
     /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
@@ -113,7 +117,7 @@ impl Polisher {
             place_region(&mut self.slopes, RegionId(index), &pose);
         }
         for id in crate::problem::frame::variables(state.frame.program) {
-            if let Ok(value) = state.world.variable(id) {
+            if let Ok(value) = state.world().variable(id) {
                 self.plain.set_variable(id, value);
                 self.slopes.set_variable(id, lift(numbers(value).map(Slope::constant), value));
             }
@@ -151,7 +155,7 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
     }
     for &id in &targets.regions {
         let pins = frame.region_pins[id.0 as usize];
-        let outlined = state.world.region(id).is_ok_and(|r| r.outlined);
+        let outlined = state.world().region(id).is_ok_and(|r| r.outlined);
         let free = (0..3).filter(|&i| !pins.pos && (i == 1 || !outlined));
         let free = free.chain((6..9).filter(|&i| !pins.scale && (i == 7 || !outlined)));
         list.extend(free.map(|index| Unknown { entity: Entity::Region(id), index, angle: false }));
@@ -164,7 +168,7 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
             VariableKind::Rotation => (3, true),
             VariableKind::Bool => (0, false),
         };
-        if state.world.variable(id).is_ok() {
+        if state.world().variable(id).is_ok() {
             list.extend((0..count).map(|index| Unknown { entity: Entity::Variable(id), index, angle }));
         }
     }
@@ -211,7 +215,7 @@ fn changes(state: &State<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Chang
             }
             Entity::Region(id) => list.push(Change::Region(id, with_numbers(&state.region_pose(id), own()))),
             Entity::Variable(id) => {
-                let Ok(old) = state.world.variable(id) else { continue };
+                let Ok(old) = state.world().variable(id) else { continue };
                 let mut parts = numbers(old);
                 own().for_each(|(i, v)| parts[i] = v);
                 let degree = state.frame.program.variables[id.0 as usize].kind == VariableKind::Degree;

@@ -80,7 +80,7 @@ impl<'s, 'a> System<'s, 'a> {
         match unknown.entity {
             Entity::Object(id) => of(self.state.pose(id)),
             Entity::Region(id) => of(self.state.region_pose(id)),
-            Entity::Variable(id) => self.state.world.variable(id).map_or(0.0, |v| numbers(v)[unknown.index]),
+            Entity::Variable(id) => self.state.world().variable(id).map_or(0.0, |v| numbers(v)[unknown.index]),
         }
     }
 
@@ -183,7 +183,7 @@ impl<'s, 'a> System<'s, 'a> {
                     place_region(&mut self.worlds.plain, id, &pose);
                 }
                 Entity::Variable(id) => {
-                    let Ok(old) = self.state.world.variable(id) else { continue };
+                    let Ok(old) = self.state.world().variable(id) else { continue };
                     let mut parts = numbers(old);
                     self.own(entity).for_each(|(i, v)| parts[i] = v);
                     self.worlds.plain.set_variable(id, lift(parts, old));
@@ -292,7 +292,7 @@ impl<'s, 'a> System<'s, 'a> {
                     self.worlds.slopes.place_region(id, pos, rot, scale);
                 }
                 Entity::Variable(id) => {
-                    let Ok(old) = self.state.world.variable(id) else { continue };
+                    let Ok(old) = self.state.world().variable(id) else { continue };
                     let mut parts = numbers(old).map(Slope::constant);
                     own.iter().for_each(|&(u, i)| parts[i] = slope(u, self.values[u]));
                     self.worlds.slopes.set_variable(id, lift(parts, old));

@@ -7,11 +7,12 @@
 use super::clear::Clear;
 use super::judge::Moved;
 use super::{Judge, LocalSearch, Span};
+use crate::problem::pose::Pose;
 use crate::search::penalty::{Penalty, Truths};
+use scenelang_engine::Mirror;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
-use scenelang_verify::vector::V3;
 use scenelang_verify::{Scratch, Surroundings, Truth, Value, World, cone, surroundings};
 use std::marker::PhantomData;
 
@@ -110,25 +111,27 @@ impl Mixed {
 
 /// The instance that follows the layout.
 pub(super) struct Instance {
-    pub world: World<f64>,
-    /// Objects that moved since, each once.
-    stale: Vec<usize>,
-    is_stale: Vec<bool>,
+    mirror: Mirror<f64>,
     scratch: Scratch<f64>,
     truths: Vec<(NodeId, Truth<f64>)>,
 }
 
 impl Instance {
     pub fn new(world: World<f64>) -> Self {
-        let n = world.bodies().count();
-        Self { world, stale: (0..n).collect(), is_stale: vec![true; n], scratch: Scratch::new(), truths: Vec::new() }
+        let all: Vec<ObjectId> = world.bodies().map(|(id, _)| id).collect();
+        let mut mirror = Mirror::new(world);
+        all.into_iter().for_each(|id| mirror.moved(id));
+        Self { mirror, scratch: Scratch::new(), truths: Vec::new() }
+    }
+
+    /// The instance, as it was when it was last brought up to date.
+    pub fn world(&self) -> &World<f64> {
+        self.mirror.world()
     }
 
     /// An object has moved.
     pub fn moved(&mut self, i: usize) {
-        if !std::mem::replace(&mut self.is_stale[i], true) {
-            self.stale.push(i);
-        }
+        self.mirror.moved(ObjectId(i as u32));
     }
 }
 
@@ -149,16 +152,14 @@ impl Truths<f64> for Found<'_> {
 impl LocalSearch<'_> {
     /// Brings the instance up to date.
     pub(super) fn follow(&mut self) {
-        let instance = &mut self.instance;
-        while let Some(i) = instance.stale.pop() {
-            instance.is_stale[i] = false;
-            let id = ObjectId(i as u32);
-            let [x, y, z, yaw, ..] = self.slots.get(id);
-            let pos =
-                if self.away[i] { Vec3::new(0.0, LIMBO * (1.0 + 0.01 * i as f64), 0.0) } else { Vec3::new(x, y, z) };
-            let Ok(scale) = instance.world.object(id).map(|thing| thing.scale) else { continue };
-            instance.world.place(id, V3::constant(&pos), V3::constant(&Vec3::new(0.0, yaw, 0.0)), scale);
-        }
+        let Self { instance, slots, away, size, .. } = self;
+        instance.mirror.follow(|id| {
+            let i = id.0 as usize;
+            let [x, y, z, yaw, ..] = slots.get(id);
+            let waits = Vec3::new(0.0, LIMBO * (1.0 + 0.01 * i as f64), 0.0);
+            let pos = if away[i] { waits } else { Vec3::new(x, y, z) };
+            Some(Pose { pos, rot: Vec3::new(0.0, yaw, 0.0), scale: Vec3::from(size[i]) })
+        });
     }
 
     /// From now on a term is asked of the evaluator.
@@ -182,7 +183,7 @@ impl LocalSearch<'_> {
     pub(super) fn evaluate_path(&mut self, t: usize) -> bool {
         self.work += PATH;
         let formula = &self.frame.terms[t].formula;
-        matches!(self.instance.scratch.evaluate(formula, &self.instance.world), Ok(Value::Truth(truth)) if truth.holds)
+        matches!(self.instance.scratch.evaluate(formula, self.instance.mirror.world()), Ok(Value::Truth(truth)) if truth.holds)
     }
 
     /// What a term costs of which some truths have no code, and whether it holds.
@@ -209,7 +210,7 @@ impl LocalSearch<'_> {
                     Some(Truth { margin, holds, unit: Unit::Metre })
                 }
                 Leaf::Evaluated(nodes) => {
-                    let found = self.instance.scratch.evaluate_cone(formula, nodes, &self.instance.world);
+                    let found = self.instance.scratch.evaluate_cone(formula, nodes, self.instance.mirror.world());
                     if let Ok(Value::Truth(truth)) = found { Some(truth) } else { None }
                 }
             };
@@ -290,7 +291,7 @@ impl LocalSearch<'_> {
             if let Judge::Mixed(mixed) = &self.judges[t] {
                 for (_, leaf) in &mixed.leaves {
                     if let Leaf::Path(nodes, _) = leaf {
-                        let truth = instance.scratch.evaluate_cone(formula, nodes, &instance.world);
+                        let truth = instance.scratch.evaluate_cone(formula, nodes, instance.mirror.world());
                         holds.push(matches!(truth, Ok(Value::Truth(truth)) if truth.holds));
                     }
                 }

@@ -84,7 +84,7 @@ impl LocalSearch<'_> {
         let Some(value) = value else {
             self.follow();
             self.work += WITHOUT_CODE;
-            let Some([pos, rot, _]) = self.frame.rules.list[rule].apply(&self.instance.world) else { return };
+            let Some([pos, rot, _]) = self.frame.rules.list[rule].apply(self.instance.world()) else { return };
             let yaw = crate::problem::pose::round_turn(rot.value().y);
             let (sin, cos) = scenelang_layout::rotation::sin_cos(yaw);
             next = [pos.0[0], pos.0[1], pos.0[2], yaw, sin, cos];

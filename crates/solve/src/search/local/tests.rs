@@ -52,13 +52,13 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
         let problem = Problem { program, start: Layout::default(), placed: Placed::None };
         let setup = setup(&problem, &Options::default());
         let mut state = State::new(&setup.frame, setup.world.clone());
-        for id in setup.frame.objects() {
-            let home = state.home(id).at(0.0, 0.0, 0.0).constant();
-            let [pos, rot, scale] = home;
-            state.world.place(id, pos, rot, scale);
-        }
         let numbering = state.numbering;
-        let mut local = LocalSearch::new(&setup.frame, &state.world, numbering).expect("all is upright");
+        let mut world = setup.world.clone();
+        for id in setup.frame.objects() {
+            let [pos, rot, scale] = state.home(id).at(0.0, 0.0, 0.0).constant();
+            world.place(id, pos, rot, scale);
+        }
+        let mut local = LocalSearch::new(&setup.frame, &world, numbering).expect("all is upright");
         let mut chance = ChaCha8Rng::seed_from_u64(index as u64);
         local.search(&mut chance, 2_000, &Limit::default(), &[]);
         // Preferences, too.

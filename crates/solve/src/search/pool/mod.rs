@@ -103,11 +103,11 @@ impl Pool<'_, '_> {
     /// Regions that it may belong to: those that its own terms name, else all.
     fn regions(&self) -> Vec<RegionId> {
         let named = &self.state.frame.regions[self.id.0 as usize];
-        if named.is_empty() { self.state.world.prisms().map(|(id, _)| id).collect() } else { named.clone() }
+        if named.is_empty() { self.state.world().prisms().map(|(id, _)| id).collect() } else { named.clone() }
     }
 
     fn prism(&self, id: RegionId) -> Option<&Prism> {
-        self.state.world.region(id).ok().map(|room| &room.prism)
+        self.state.world().region(id).ok().map(|room| &room.prism)
     }
 
     /// Yaws to try: quarter turns of a direction, or the one that is fixed.
@@ -117,7 +117,7 @@ impl Pool<'_, '_> {
 
     /// The turn of a region's sides.
     fn room_yaw(&self, id: RegionId) -> f64 {
-        let room = self.state.world.region(id).ok();
+        let room = self.state.world().region(id).ok();
         room.map_or(0.0, |r| {
             let corners = r.prism.polygon.corners();
             let side = corners[1] - corners[0];
@@ -128,7 +128,7 @@ impl Pool<'_, '_> {
     /// The height at which it stands on the floor at a place.
     fn on_floor(&self, pose: &Pose) -> f64 {
         let here = Vec2::new(pose.pos.x, pose.pos.z);
-        let floors = self.state.world.prisms().filter(|(_, p)| p.polygon.contains(here));
+        let floors = self.state.world().prisms().filter(|(_, p)| p.polygon.contains(here));
         floors
             .map(|(_, p)| p.floor)
             .fold(None, |best: Option<f64>, f| Some(best.map_or(f, |b| b.max(f))))

@@ -207,7 +207,7 @@ impl Pool<'_, '_> {
 
     /// In the wall of a region, or in the one that two share: in the middle of the wall's thickness, along it.
     pub(super) fn in_wall(&mut self, first: RegionId, second: Option<RegionId>) {
-        let eta = self.state.world.options.eta;
+        let eta = self.state.world().options.eta;
         let Some(floor) = self.prism(first).map(|p| p.floor) else { return };
         let floor = second.and_then(|s| self.prism(s)).map_or(floor, |p| p.floor.max(floor));
         let beyond: Vec<Wall> = second.map_or(Vec::new(), |s| self.walls(s));

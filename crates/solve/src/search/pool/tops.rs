@@ -68,7 +68,7 @@ impl Pool<'_, '_> {
 
     fn on_top_of(&mut self, other: ObjectId, levels: usize) {
         let base = self.state.pose(other);
-        let Ok(thing) = self.state.world.object(other) else { return };
+        let Ok(thing) = self.state.world().object(other) else { return };
         let list = tops(&thing.body, &base);
         for top in list.into_iter().take(levels) {
             let size = top.high - top.low;

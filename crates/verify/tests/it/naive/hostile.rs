@@ -3,8 +3,8 @@
 
 use super::make;
 use super::{number, say};
-use crate::cases::judged;
 use crate::dice::Dice;
+use crate::given::judged;
 use crate::schemas::{faults, validator};
 use scenelang_verify::report::model::{Quantity, Report, Row};
 use scenelang_verify::report::{Human, compact, github, human, junit, sarif};

@@ -21,8 +21,8 @@ mod space;
 mod term;
 mod value;
 
-use crate::cases::judged;
 use crate::dice::Dice;
+use crate::given::judged;
 use eval::{Outcome, Trouble, World};
 use program::{Expansion, Statement};
 use scenelang_verify::report::model::Row;

@@ -4,8 +4,8 @@
 use super::make;
 use super::scene::{Part, Scene};
 use super::space::times;
-use crate::cases::judged;
 use crate::dice::Dice;
+use crate::given::judged;
 use scenelang_verify::report::model::Row;
 use scenelang_verify::{Explain, Options};
 use std::fmt::Write as _;

@@ -1,26 +1,22 @@
 //! A judgement that follows a layout while objects move, as under an editor's pointer: what a move cannot change is not
 //! judged again.
 
-use super::physical::{Ruled, Rules, ids};
-use super::{Judged, Verdict, draws, rooms, stated};
-use crate::eval::{EvalError, Scratch};
-use crate::explain::Index;
-use crate::report::model::Summary;
-use crate::rules::{Support, pairs_within};
-use crate::tolerances::Options;
-use crate::vector::V3;
-use crate::world::World;
+use crate::{Index, Pose, State};
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Aabb, Layout, Vec3};
+use scenelang_verify::check::{Judged, Ruled, Rules, draws, rooms, stated};
+use scenelang_verify::report::model::Summary;
+use scenelang_verify::rules::{Support, pairs_within};
+use scenelang_verify::{EvalError, Options, Scratch, Verdict, World};
 use std::collections::BTreeMap;
 
-/// The judgement of a layout whose objects can be moved. It says at any time what [`check`](super::check) would say of
+/// The judgement of a layout whose objects can be moved. It says at any time what [`check`](scenelang_verify::check()) would say of
 /// the layout as it then is, except that it lists only the physical rules that fail, and looks for no moves that would
 /// mend a violation.
 pub struct Live<'a> {
     program: &'a Program,
-    world: World<f64>,
+    state: State,
     rules: Option<Rules<'a>>,
     index: Index,
     scratch: Scratch<f64>,
@@ -36,8 +32,6 @@ pub struct Live<'a> {
     unsupported: Vec<ObjectId>,
     draws: Vec<Diagnostic>,
     rooms: Vec<Diagnostic>,
-    /// By object; `None`: the layout lacks it.
-    boxes: Vec<Option<Aabb>>,
 }
 
 impl<'a> Live<'a> {
@@ -63,32 +57,32 @@ impl<'a> Live<'a> {
             unsupported: Vec::new(),
             draws,
             rooms: Vec::new(),
-            boxes: ids(program).map(|id| world.object(id).ok().map(|thing| thing.body.aabb())).collect(),
-            world,
+            state: State::new(world),
         };
         for index in 0..program.constraints.len() {
-            let (row, error) = stated::judge_one(program, &live.world, &mut live.scratch, index);
+            let (row, error) = stated::judge_one(program, live.state.world(), &mut live.scratch, index);
             live.summary.stated(row.kind).add(row.satisfied);
             live.errors.extend(error.map(|e| (index, e)));
             live.stated.push(row);
         }
         live.judge_rules();
-        rooms::warn(program, &live.world, &mut live.rooms);
+        rooms::warn(program, live.state.world(), &mut live.rooms);
         live
     }
 
     /// The physical rules, all of them.
     fn judge_rules(&mut self) {
         let Some(rules) = &self.rules else { return };
-        let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); self.boxes.len()];
-        let (total, judged) = rules.pairs(&self.world);
+        let world = self.state.world();
+        let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); self.program.objects.len()];
+        let (total, judged) = rules.pairs(world);
         self.summary.physical.total += total;
         self.summary.physical.satisfied += judged;
-        for (a, b) in pairs_within(&self.world, rules.reach()) {
+        for (a, b) in pairs_within(world, rules.reach()) {
             neighbours[a.0 as usize].push(b);
             neighbours[b.0 as usize].push(a);
             if rules.scope.collide(a, b)
-                && let Some(row) = rules.collision(&self.world, a, b).row
+                && let Some(row) = rules.collision(world, a, b).row
             {
                 self.summary.physical.satisfied -= 1;
                 self.collisions.insert((a, b), row);
@@ -102,7 +96,7 @@ impl<'a> Live<'a> {
 
     fn judge_bounds(&mut self, id: ObjectId) {
         let Some(rules) = self.rules.as_ref().filter(|rules| rules.bounds(id)) else { return };
-        let now = rules.bounded(&self.world, id);
+        let now = rules.bounded(self.state.world(), id);
         replace(&mut self.summary, &mut self.bounds[id.0 as usize], now);
     }
 
@@ -112,7 +106,7 @@ impl<'a> Live<'a> {
         if how == Support::Lifted {
             return;
         }
-        let now = rules.supported(&self.world, id, neighbours);
+        let now = rules.supported(self.state.world(), id, neighbours);
         let place = self.unsupported.binary_search(&id);
         match (place, how == Support::Rests && now.holds != Some(true)) {
             (Err(at), true) => self.unsupported.insert(at, id),
@@ -125,12 +119,30 @@ impl<'a> Live<'a> {
     /// Moves an object: `pos` in metres, the centre of its bottom face; `rot` in degrees about x, y and z. Judges what
     /// that can change. Returns how many rows were judged; none if the layout lacks the object.
     pub fn place(&mut self, object: ObjectId, pos: Vec3, rot: Vec3) -> usize {
-        let Ok(thing) = self.world.object(object) else { return 0 };
-        let scale = thing.scale;
-        self.world.place(object, V3::constant(&pos), V3::constant(&rot), scale);
+        let Some(pose) = self.state.pose(object) else { return 0 };
+        self.set_pose(object, &Pose { pos, rot, ..pose })
+    }
+
+    /// From here on things are where they belong.
+    pub fn keep(&mut self) {
+        self.state.keep();
+    }
+
+    /// Puts back what has moved since the last [`Live::keep`]. Returns how many rows were judged.
+    pub fn undo(&mut self) -> usize {
+        let moved: Vec<(ObjectId, Pose)> = self.state.moved().collect();
+        let judged = moved.iter().map(|(id, home)| self.set_pose(*id, home)).sum();
+        self.state.keep();
+        judged
+    }
+
+    fn set_pose(&mut self, object: ObjectId, pose: &Pose) -> usize {
+        let before = self.around(object);
+        self.state.set_pose(object, pose);
+        let world = self.state.world();
         let touched = self.index.touched_by(&[object]);
         for &index in &touched {
-            let (row, error) = stated::judge_one(self.program, &self.world, &mut self.scratch, index);
+            let (row, error) = stated::judge_one(self.program, world, &mut self.scratch, index);
             let tally = self.summary.stated(row.kind);
             tally.remove(self.stated[index].satisfied);
             tally.add(row.satisfied);
@@ -140,23 +152,20 @@ impl<'a> Live<'a> {
             }
             self.stated[index] = row;
         }
-        if self.world.allow.outside.contains(&object) {
+        if self.program.allow.outside.contains(&object) {
             self.rooms.clear();
-            rooms::warn(self.program, &self.world, &mut self.rooms);
+            rooms::warn(self.program, world, &mut self.rooms);
         }
-        touched.len() + self.follow(object)
+        touched.len() + self.follow(object, &before)
     }
 
-    /// The physical rules that the last move of an object can have changed; how many were judged.
-    fn follow(&mut self, object: ObjectId) -> usize {
-        let now = self.world.object(object).ok().map(|thing| thing.body.aabb());
-        let before = std::mem::replace(&mut self.boxes[object.0 as usize], now);
+    /// The physical rules that a move of an object can have changed, `before` being what was near it; how many were judged.
+    fn follow(&mut self, object: ObjectId, before: &[ObjectId]) -> usize {
+        let here = self.around(object);
         let Some(rules) = &self.rules else { return 0 };
-        let here = self.near(object, &now);
         let pair = |other: ObjectId| (object.min(other), object.max(other));
         let mut judged = 1;
-        let old = self.near(object, &before);
-        for other in &old {
+        for other in before {
             if self.collisions.remove(&pair(*other)).is_some() {
                 self.summary.physical.satisfied += 1;
             }
@@ -164,33 +173,34 @@ impl<'a> Live<'a> {
         for &other in here.iter().filter(|other| rules.scope.collide(object, **other)) {
             judged += 1;
             let (a, b) = pair(other);
-            if let Some(row) = rules.collision(&self.world, a, b).row {
+            if let Some(row) = rules.collision(self.state.world(), a, b).row {
                 self.summary.physical.satisfied -= 1;
                 self.collisions.insert((a, b), row);
             }
         }
         self.judge_bounds(object);
-        let mut unsettled: Vec<ObjectId> = here.iter().chain(&old).chain(&self.unsupported).copied().collect();
+        let mut unsettled: Vec<ObjectId> = here.iter().chain(before).chain(&self.unsupported).copied().collect();
         unsettled.push(object);
         unsettled.sort_unstable();
         unsettled.dedup();
         for &id in &unsettled {
-            let around = self.near(id, &self.boxes[id.0 as usize]);
-            self.judge_support(id, &around);
+            self.judge_support(id, &self.around(id));
         }
         judged + unsettled.len()
     }
 
-    /// Objects other than one that are within reach of a box.
-    fn near(&self, object: ObjectId, of: &Option<Aabb>) -> Vec<ObjectId> {
-        let (Some(rules), Some(of)) = (&self.rules, of) else { return Vec::new() };
-        let close = |id: &ObjectId| self.boxes[id.0 as usize].as_ref().is_some_and(|b| b.distance(of) <= rules.reach());
-        ids(self.program).filter(|id| *id != object && close(id)).collect()
+    /// Objects within reach of one.
+    fn around(&self, object: ObjectId) -> Vec<ObjectId> {
+        let world = self.state.world();
+        let (Some(rules), Ok(thing)) = (&self.rules, world.object(object)) else { return Vec::new() };
+        let of: Aabb = thing.body.aabb();
+        let near = world.bodies().filter(|(id, body)| *id != object && body.aabb().distance(&of) <= rules.reach());
+        near.map(|(id, _)| id).collect()
     }
 
     /// The layout as it is now.
     pub fn world(&self) -> &World<f64> {
-        &self.world
+        self.state.world()
     }
 
     /// How many there are of each kind, and how many hold.
@@ -211,6 +221,10 @@ impl<'a> Live<'a> {
         diagnostics.extend(self.rooms.iter().cloned());
         Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics }
     }
+}
+
+fn ids(program: &Program) -> impl Iterator<Item = ObjectId> + use<> {
+    (0..program.objects.len() as u32).map(ObjectId)
 }
 
 /// Puts a new finding in the place of an old one.

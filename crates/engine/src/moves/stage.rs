@@ -2,31 +2,22 @@
 //!
 //! Only rows that mention what was moved are judged again, with the pairs and supports around its old and its new place.
 
-use super::index::Index;
-use super::moves::Step;
-use super::{DEAR, RowRef};
-use crate::builtins::Call;
-use crate::check::Subject;
-use crate::eval::{Scratch, Truth, Value, judge};
-use crate::number::{Dual, Number};
-use crate::report::model::Kind;
-use crate::rules::{Scope, Support, bounds, collide, mounts, support};
-use crate::vector::V3;
-use crate::world::World;
+use super::DEAR;
+use crate::rows::{Goal, row_of, truth};
+use crate::{Index, Mirror, Pose, State};
 use rustc_hash::FxHashMap;
-use scenelang_lang::program::{ConstraintKind, Node, NodeId, ObjectId, Owner, Pinned, Program};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Owner, Pinned, Program};
+use scenelang_layout::Aabb;
+use scenelang_verify::check::Subject;
+use scenelang_verify::explain::{RowRef, Step};
+use scenelang_verify::report::model::Kind;
+use scenelang_verify::rules::{Scope, Support, support};
+use scenelang_verify::vector::V3;
+use scenelang_verify::{Dual, Scratch, Truth, Value, World, in_the_way, objects_of};
 use std::rc::Rc;
 
 /// Derivatives by a move in x, y, z and a turn about the vertical (metres, degrees).
 pub(super) type Slope = Dual<4>;
-
-/// What is to hold: a row, or a part of a statement.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Goal {
-    Row(RowRef),
-    /// A node of the statement's formula.
-    Part(usize, NodeId),
-}
 
 /// What a move does to the rows.
 #[derive(Clone, Debug, Default)]
@@ -50,14 +41,11 @@ impl Consequences {
 /// See the file.
 pub(super) struct Stage<'a> {
     pub program: &'a Program,
-    base: &'a World<f64>,
-    moved: World<f64>,
+    state: State,
+    /// By object: the box around it in the layout.
+    boxes: Vec<Option<Aabb>>,
     /// The same with derivatives, made when they are first asked for.
-    dual: Option<World<Slope>>,
-    /// Objects that are elsewhere there, or unknown.
-    elsewhere: Vec<ObjectId>,
-    /// Objects that are elsewhere on the stage than in the layout.
-    off: Vec<ObjectId>,
+    dual: Option<Mirror<Slope>>,
     scope: Scope,
     index: Index,
     scratch: Scratch<f64>,
@@ -72,15 +60,13 @@ pub(super) struct Stage<'a> {
 
 impl<'a> Stage<'a> {
     /// Whoever tries out what is dear has so much to spend.
-    pub fn new(program: &'a Program, base: &'a World<f64>, purse: usize) -> Self {
+    pub fn new(program: &'a Program, layout: World<f64>, purse: usize) -> Self {
+        let objects = (0..program.objects.len() as u32).map(ObjectId);
         Self {
             program,
-            base,
-            moved: base.clone(),
+            boxes: objects.map(|id| layout.object(id).ok().map(|thing| thing.body.aabb())).collect(),
             dual: None,
-            elsewhere: Vec::new(),
-            off: Vec::new(),
-            scope: Scope::new(base),
+            scope: Scope::new(&layout),
             index: Index::new(program),
             scratch: Scratch::new(),
             slopes: Scratch::new(),
@@ -88,28 +74,31 @@ impl<'a> Stage<'a> {
             cones: FxHashMap::default(),
             work: 0,
             purse,
+            state: State::new(layout),
         }
     }
 
-    /// The layout as it is.
-    pub fn layout(&self) -> &'a World<f64> {
-        self.base
+    /// Where the layout has an object.
+    pub fn home(&self, id: ObjectId) -> Option<Pose> {
+        self.state.home(id)
     }
 
     /// The instance with what is moved.
     pub fn world(&self) -> &World<f64> {
-        &self.moved
+        self.state.world()
     }
 
     /// Moves an object from where the layout has it.
     pub fn put(&mut self, step: &Step) {
-        let Ok(thing) = self.base.object(step.object) else { return };
-        let (pos, rot) = (thing.pos.0, thing.rot.0);
-        let pos = V3(std::array::from_fn(|i| pos[i] + step.by[i]));
-        self.moved.place(step.object, pos, V3([rot[0], rot[1] + step.turn, rot[2]]), thing.scale);
-        if !self.off.contains(&step.object) {
-            self.off.push(step.object);
-        }
+        let Some(mut pose) = self.state.home(step.object) else { return };
+        (0..3).for_each(|i| pose.pos[i] += step.by[i]);
+        pose.rot.y += step.turn;
+        self.set_pose(step.object, &pose);
+    }
+
+    fn set_pose(&mut self, id: ObjectId, pose: &Pose) {
+        self.state.set_pose(id, pose);
+        self.dual.iter_mut().for_each(|dual| dual.moved(id));
     }
 
     /// The same, and with it what goes along.
@@ -124,7 +113,7 @@ impl<'a> Stage<'a> {
 
     /// The step of an object that goes along with another.
     pub fn along(&self, leader: &Step, object: ObjectId) -> Option<Step> {
-        let place = |id: ObjectId| self.base.object(id).ok().map(|thing| thing.pos.0);
+        let place = |id: ObjectId| self.state.home(id).map(|pose| pose.pos);
         let (pivot, pos) = (place(leader.object)?, place(object)?);
         let (sin, cos) = scenelang_layout::rotation::sin_cos(leader.turn);
         let (x, z) = (pos[0] - pivot[0], pos[2] - pivot[2]);
@@ -135,10 +124,10 @@ impl<'a> Stage<'a> {
 
     /// Puts everything back, then these elsewhere.
     pub fn set(&mut self, steps: &[Step]) {
-        for object in std::mem::take(&mut self.off) {
-            self.put(&Step { object, by: [0.0; 3], turn: 0.0, with: None });
+        for (id, _) in self.state.moved() {
+            self.dual.iter_mut().for_each(|dual| dual.moved(id));
         }
-        self.off.clear();
+        self.state.undo();
         steps.iter().for_each(|step| self.put(step));
     }
 
@@ -158,57 +147,49 @@ impl<'a> Stage<'a> {
     pub fn truth(&mut self, goal: Goal) -> Option<Truth<f64>> {
         self.pay(self.cost(goal));
         let cone = self.cone(goal);
-        truth(self.program, &self.scope, &self.moved, &mut self.scratch, goal, cone.as_deref())
+        truth(self.program, &self.scope, self.state.world(), &mut self.scratch, goal, cone.as_deref())
     }
 
     /// The derivatives of a goal's margin by moves of an object, with what goes along with it.
     pub fn slope(&mut self, goal: Goal, (object, riders): (ObjectId, &[ObjectId])) -> Option<[f64; 4]> {
         self.pay(3 * self.cost(goal));
         let cone = self.cone(goal);
-        let pivot = self.moved.object(object).ok()?.pos.0;
-        let dual = self.dual.get_or_insert_with(|| self.base.constant());
-        // What was elsewhere the last time may be back in its place.
-        let mut elsewhere = std::mem::take(&mut self.elsewhere);
-        elsewhere.extend(self.off.iter().chain(riders).chain([&object]));
-        elsewhere.sort_unstable();
-        elsewhere.dedup();
-        for &id in &elsewhere {
-            let Ok(thing) = self.moved.object(id) else { continue };
-            let [mut pos, mut rot, scale]: [V3<Slope>; 3] =
-                [&thing.pos, &thing.rot, &thing.scale].map(|v| V3::constant(&v.value()));
-            if id == object || riders.contains(&id) {
-                let [x, z] = [0, 2].map(|i| (thing.pos.0[i] - pivot[i]).to_radians());
-                for i in 0..3 {
-                    pos.0[i].slope[i] = 1.0;
-                }
-                (pos.0[0].slope[3], pos.0[2].slope[3]) = (z, -x);
-                rot.0[1].slope[3] = 1.0;
+        let state = &self.state;
+        let pivot = state.pose(object)?.pos;
+        let dual = self.dual.get_or_insert_with(|| Mirror::new(state.world().constant()));
+        dual.follow(|id| state.pose(id));
+        for id in riders.iter().copied().chain([object]) {
+            let Some(pose) = state.pose(id) else { continue };
+            let [mut pos, mut rot, scale]: [V3<Slope>; 3] = pose.constant();
+            let [x, z] = [0, 2].map(|i| (pose.pos[i] - pivot[i]).to_radians());
+            for i in 0..3 {
+                pos.0[i].slope[i] = 1.0;
             }
-            dual.place(id, pos, rot, scale);
+            (pos.0[0].slope[3], pos.0[2].slope[3]) = (z, -x);
+            rot.0[1].slope[3] = 1.0;
+            dual.set(id, [pos, rot, scale]);
         }
-        let found = truth(self.program, &self.scope, dual, &mut self.slopes, goal, cone.as_deref());
-        let kept = |id: &ObjectId| *id == object || riders.contains(id) || self.off.contains(id);
-        elsewhere.retain(kept);
-        self.elsewhere = elsewhere;
+        let found = truth(self.program, &self.scope, dual.world(), &mut self.slopes, goal, cone.as_deref());
         Some(found?.margin.slope)
     }
 
     /// The objects that goals speak of, one apart.
     pub fn spoken_of(&self, goals: &[Goal], but: ObjectId) -> Vec<ObjectId> {
-        let mut all = Vec::new();
-        for goal in goals {
-            match *goal {
-                Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
-                    all.extend(self.program.constraints[index].formula.objects());
-                }
-                Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => all.extend([a, b]),
-                Goal::Row(RowRef { subject: Subject::Object(a), .. }) => all.push(a),
-            }
-        }
+        let mut all: Vec<ObjectId> = goals.iter().flat_map(|goal| self.objects_of(*goal)).collect();
         all.retain(|id| *id != but);
         let mut known = rustc_hash::FxHashSet::default();
         all.retain(|id| known.insert(*id));
         all
+    }
+
+    /// The objects that a goal speaks of.
+    fn objects_of(&self, goal: Goal) -> Vec<ObjectId> {
+        match (goal, self.formula(goal)) {
+            (_, Some((_, formula, _))) => formula.objects(),
+            (Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }), _) => vec![a, b],
+            (Goal::Row(RowRef { subject: Subject::Object(a), .. }), _) => vec![a],
+            _ => Vec::new(),
+        }
     }
 
     /// Whether a row speaks of an object.
@@ -224,14 +205,16 @@ impl<'a> Stage<'a> {
     pub fn kept(&mut self, object: ObjectId) -> Vec<Goal> {
         let mut rows: Vec<RowRef> =
             self.index.touched_by(&[object]).into_iter().map(|i| row_of(self.program, i)).collect();
-        if self.base.options.physics {
+        if self.world().options.physics {
             let own = Subject::Object(object);
             rows.push(RowRef { kind: Kind::Support, subject: own });
             if !self.program.regions.is_empty() && self.scope.bounds(object) {
                 rows.push(RowRef { kind: Kind::Bounds, subject: own });
             }
         }
-        rows.retain(|row| self.cost(Goal::Row(*row)) <= DEAR && self.before(*row).is_some_and(|t| t.holds));
+        rows.retain(|row| self.cost(Goal::Row(*row)) <= DEAR);
+        self.learn(&rows);
+        rows.retain(|row| self.before(*row).is_some_and(|t| t.holds));
         rows.into_iter().map(Goal::Row).collect()
     }
 
@@ -244,9 +227,23 @@ impl<'a> Stage<'a> {
         let (work, goal) = (self.work, Goal::Row(row));
         self.pay(self.cost(goal));
         self.work = work;
-        let found = truth(self.program, &self.scope, self.base, &mut self.scratch, goal, None);
+        let found = truth(self.program, &self.scope, self.state.world(), &mut self.scratch, goal, None);
         self.before.insert(row, found);
         found
+    }
+
+    /// Learns the verdicts on rows in the layout; what is elsewhere is so again afterwards.
+    fn learn(&mut self, rows: &[RowRef]) {
+        if rows.iter().all(|row| self.before.contains_key(row)) {
+            return;
+        }
+        let state = &self.state;
+        let now: Vec<(ObjectId, Pose)> = state.moved().filter_map(|(id, _)| Some((id, state.pose(id)?))).collect();
+        self.state.undo();
+        for row in rows {
+            self.before(*row);
+        }
+        now.iter().for_each(|(id, pose)| self.set_pose(*id, pose));
     }
 
     /// What judging a goal costs, in small comparisons.
@@ -263,50 +260,41 @@ impl<'a> Stage<'a> {
     fn cone(&mut self, goal: Goal) -> Option<Rc<[NodeId]>> {
         let Goal::Part(index, node) = goal else { return None };
         let formula = &self.program.constraints[index].formula;
-        let make = || crate::eval::cone(formula, node).into();
+        let make = || scenelang_verify::cone(formula, node).into();
         Some(Rc::clone(self.cones.entry((index, node)).or_insert_with(make)))
+    }
+
+    /// The formula that a goal is about, if it is about one, and the part that is to hold.
+    fn formula(&self, goal: Goal) -> Option<(usize, &'a Formula, NodeId)> {
+        let index = match goal {
+            Goal::Row(RowRef { subject: Subject::Statement(index), .. }) | Goal::Part(index, _) => index,
+            Goal::Row(_) => return None,
+        };
+        let formula = &self.program.constraints[index].formula;
+        Some((index, formula, if let Goal::Part(_, node) = goal { node } else { formula.root }))
     }
 
     /// What decides a goal that fails: the node, if it is part of a statement, and the objects that have a say.
     pub fn deciding(&mut self, goal: Goal) -> Vec<ObjectId> {
-        let (index, from) = match goal {
-            Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
-                (index, self.program.constraints[index].formula.root)
-            }
-            Goal::Part(index, node) => (index, node),
-            Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => return vec![a, b],
-            Goal::Row(RowRef { subject: Subject::Object(a), .. }) => return vec![a],
-        };
-        let formula = &self.program.constraints[index].formula;
-        if self.scratch.evaluate(formula, &self.moved).is_err() {
+        let Some((_, formula, from)) = self.formula(goal) else { return self.objects_of(goal) };
+        if self.scratch.evaluate(formula, self.state.world()).is_err() {
             return Vec::new();
         }
         let node = self.scratch.deciding_from(formula, from);
-        let mut objects = crate::eval::objects_of(formula, node);
-        if let Node::BuiltIn(built_in, args) = formula.node(node) {
-            let values = self.scratch.values();
-            let call = Call { built_in: *built_in, args, values, world: &self.moved, node };
-            objects.extend(call.in_the_way());
-        }
+        let mut objects = objects_of(formula, node);
+        objects.extend(in_the_way(formula, node, &self.scratch, self.state.world()));
         if objects.is_empty() {
-            objects = crate::eval::objects_of(formula, from);
+            objects = objects_of(formula, from);
         }
         objects
     }
 
     /// The parts of a conjunction that fail, the one that fails most first; none of anything else.
     pub fn failing_parts(&mut self, goal: Goal) -> Vec<Goal> {
-        let (index, from) = match goal {
-            Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
-                (index, self.program.constraints[index].formula.root)
-            }
-            Goal::Part(index, node) => (index, node),
-            Goal::Row(_) => return Vec::new(),
-        };
-        let formula = &self.program.constraints[index].formula;
+        let Some((index, formula, from)) = self.formula(goal) else { return Vec::new() };
         self.pay(self.index.cost(index));
         let Node::And(parts) = formula.node(from) else { return Vec::new() };
-        if self.scratch.evaluate(formula, &self.moved).is_err() {
+        if self.scratch.evaluate(formula, self.state.world()).is_err() {
             return Vec::new();
         }
         let failing = parts.iter().filter_map(|&part| match self.scratch.get(part) {
@@ -328,18 +316,20 @@ impl<'a> Stage<'a> {
         [pin(Pinned::Pos), pin(Pinned::Rot)]
     }
 
-    /// What rests on an object, and on that.
-    pub fn carried_by(&self, object: ObjectId) -> Vec<ObjectId> {
+    /// What rests on an object in the layout, and on that. Puts everything back.
+    pub fn carried_by(&mut self, object: ObjectId) -> Vec<ObjectId> {
         const MOST: usize = 12;
+        self.set(&[]);
+        let layout = self.state.world();
         let mut found = vec![object];
         let mut next = 0;
         while let Some(&carrier) = found.get(next) {
             next += 1;
-            let Ok(below) = self.base.object(carrier).map(|thing| thing.body.aabb()) else { continue };
-            let near = |id: &ObjectId| self.base.object(*id).is_ok_and(|t| t.body.aabb().distance(&below) < 0.01);
-            for id in support::others(self.base, carrier).into_iter().filter(near) {
+            let Ok(below) = layout.object(carrier).map(|thing| thing.body.aabb()) else { continue };
+            let near = |id: &ObjectId| layout.object(*id).is_ok_and(|t| t.body.aabb().distance(&below) < 0.01);
+            for id in support::others(layout, carrier).into_iter().filter(near) {
                 let rests = self.scope.support(id) == Support::Rests
-                    && support::rest(self.base, id, &[carrier])
+                    && support::rest(layout, id, &[carrier])
                         .is_ok_and(|r| r.carrier == Some(carrier) && r.off.is_some());
                 if rests && !found.contains(&id) && found.len() <= MOST {
                     found.push(id);
@@ -352,9 +342,10 @@ impl<'a> Stage<'a> {
     /// What the moves on the stage do to all rows that they touch, these objects being the ones moved.
     pub fn consequences(&mut self, moved: &[ObjectId]) -> Consequences {
         let mut out = Consequences::default();
-        for row in self.touched(moved) {
-            let before = self.before(row);
-            let (Some(before), Some(after)) = (before, self.truth(Goal::Row(row))) else { continue };
+        let touched = self.touched(moved);
+        self.learn(&touched);
+        for row in touched {
+            let (Some(before), Some(after)) = (self.before(row), self.truth(Goal::Row(row))) else { continue };
             match (before.holds, after.holds) {
                 (true, false) => out.breaks.push(row),
                 (false, true) => out.mends.push(row),
@@ -374,7 +365,7 @@ impl<'a> Stage<'a> {
     /// The rows that moving these objects can change: cheap ones first.
     fn touched(&self, moved: &[ObjectId]) -> Vec<RowRef> {
         let mut rows: Vec<RowRef> = Vec::new();
-        if self.base.options.physics {
+        if self.world().options.physics {
             for &id in moved {
                 if !self.program.regions.is_empty() && self.scope.bounds(id) {
                     rows.push(RowRef { kind: Kind::Bounds, subject: Subject::Object(id) });
@@ -403,59 +394,11 @@ impl<'a> Stage<'a> {
 
     /// Objects next to the old or the new place of one.
     fn around(&self, id: ObjectId) -> Vec<ObjectId> {
-        let reach = self.base.options.tolerances.support + self.base.options.tolerances.order;
-        let boxes = [self.base, &self.moved].map(|world| world.object(id).map(|thing| thing.body.aabb()));
-        let near = |other: &ObjectId| {
-            let theirs = self.moved.object(*other).map(|thing| thing.body.aabb());
-            boxes.iter().flatten().any(|own| theirs.as_ref().is_ok_and(|t| own.distance(t) <= reach))
-        };
-        support::others(&self.moved, id).into_iter().filter(near).collect()
-    }
-}
-
-/// The row of a statement.
-pub(super) fn row_of(program: &Program, constraint: usize) -> RowRef {
-    let kind = match program.constraints[constraint].kind {
-        ConstraintKind::Assert => Kind::Assert,
-        ConstraintKind::Prefer { .. } => Kind::Prefer,
-        ConstraintKind::Pin => Kind::Pin,
-    };
-    RowRef { kind, subject: Subject::Statement(constraint) }
-}
-
-/// The verdict on a goal in an instance, with any number.
-fn truth<N: Number>(
-    program: &Program,
-    scope: &Scope,
-    world: &World<N>,
-    scratch: &mut Scratch<N>,
-    goal: Goal,
-    cone: Option<&[NodeId]>,
-) -> Option<Truth<N>> {
-    let value = match goal {
-        Goal::Part(index, _) => scratch.evaluate_cone(&program.constraints[index].formula, cone?, world).ok()?,
-        Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
-            scratch.evaluate(&program.constraints[index].formula, world).ok()?
-        }
-        Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => return collide::pair(world, a, b).ok(),
-        Goal::Row(RowRef { kind: Kind::Bounds, subject: Subject::Object(id) }) => {
-            let truth = bounds::object(world, id).ok()?;
-            return (truth.holds || world.missing_region().is_none()).then_some(truth);
-        }
-        Goal::Row(RowRef { subject: Subject::Object(id), .. }) => {
-            let truth = match scope.support(id) {
-                Support::Lifted | Support::Held => Truth::discrete(true),
-                Support::Mounted => mounts(&world.allow, id)
-                    .filter_map(|mount| judge(&mount.formula, world).ok())
-                    .fold(Truth::discrete(false), Truth::or),
-                Support::Rests => support::object(world, id).ok()?,
-            };
-            let complete = world.missing_object().or(world.missing_region()).is_none();
-            return (truth.holds || complete).then_some(truth);
-        }
-    };
-    match value {
-        Value::Truth(truth) => Some(truth),
-        _ => None,
+        let world = self.world();
+        let reach = world.options.tolerances.support + world.options.tolerances.order;
+        let boxes = [self.boxes[id.0 as usize], world.object(id).ok().map(|thing| thing.body.aabb())];
+        let near = |theirs: &Aabb| boxes.iter().flatten().any(|own| own.distance(theirs) <= reach);
+        let others = world.bodies().filter(|(other, _)| *other != id);
+        others.filter(|(_, body)| near(&body.aabb())).map(|(other, _)| other).collect()
     }
 }

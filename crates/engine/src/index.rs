@@ -1,11 +1,11 @@
 //! Which stated rows speak of an object: moving it can change these, and what looks at everything.
 
-use crate::builtins::{Surroundings, surroundings};
 use scenelang_lang::program::{ObjectId, Program};
+use scenelang_verify::{Surroundings, surroundings};
 
 /// Rows by the objects they mention.
 #[derive(Debug)]
-pub(crate) struct Index {
+pub struct Index {
     /// By [`ObjectId`], sorted: indices of constraints.
     rows: Vec<Vec<u32>>,
     /// Constraints that see whatever stands around: ways, lines of sight, free space.
@@ -15,6 +15,7 @@ pub(crate) struct Index {
 }
 
 impl Index {
+    /// Of a program.
     pub fn new(program: &Program) -> Self {
         let mut index = Self {
             rows: vec![Vec::new(); program.objects.len()],

@@ -1,6 +1,6 @@
 //! Explanations: full reports of one violation of each kind (`explained.txt`), and that a move does what is said of it.
 
-use crate::cases::{cases, judged, layout};
+use crate::given::{cases, judged, layout};
 use scenelang_verify::report::model::{Report, Row};
 use scenelang_verify::report::{Human, human};
 use scenelang_verify::{Detail, Explain, Options};

@@ -7,12 +7,13 @@
 //! What a move would break becomes a goal in its turn, and the search begins again. So what one object can mend without
 //! harm is found first; others are moved only where that is not enough.
 
-use super::RowRef;
 use super::search::{Freedom, Search};
-use super::stage::{Consequences, Goal, Stage, row_of};
-use crate::report::model::Kind;
-use crate::world::World;
+use super::stage::{Consequences, Stage};
+use crate::rows::{Goal, row_of};
 use scenelang_lang::program::{ObjectId, Program};
+use scenelang_verify::World;
+use scenelang_verify::explain::{Mend, RowRef, Step};
+use scenelang_verify::report::model::Kind;
 
 /// What looking for a move may cost, in small comparisons.
 const BUDGET: usize = 120_000;
@@ -27,33 +28,9 @@ const ROUNDS: usize = 5;
 /// So many rows are named that pull the other way.
 const OPPOSING: usize = 3;
 
-/// A move that mends a row.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mend {
-    /// What is moved, in this order; usually one object.
-    pub steps: Vec<Step>,
-    /// What holds in the layout and fails after the move.
-    pub breaks: Vec<RowRef>,
-    /// What fails in the layout and holds after the move, beside the row itself.
-    pub mends: Vec<RowRef>,
-}
-
-/// A move of one object from where the layout has it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
-    /// Which.
-    pub object: ObjectId,
-    /// Along x, y, z (metres).
-    pub by: [f64; 3],
-    /// Added to its `rot.y` (degrees).
-    pub turn: f64,
-    /// The object that it goes along with, because it rests on it.
-    pub with: Option<ObjectId>,
-}
-
 /// What was found for a row.
 #[derive(Debug, Default)]
-pub(super) struct Found {
+pub(crate) struct Found {
     pub mend: Option<Mend>,
     pub opposing: Vec<RowRef>,
     pub pinned: Vec<RowRef>,
@@ -94,7 +71,7 @@ fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
 }
 
 /// Looks for moves in one layout.
-pub(super) struct Mender<'a> {
+pub(crate) struct Mender<'a> {
     stage: Stage<'a>,
     /// What must hold and does not.
     failing: Vec<RowRef>,
@@ -106,9 +83,15 @@ pub(super) struct Mender<'a> {
 
 impl<'a> Mender<'a> {
     /// Whoever tries out what is dear has so much to spend.
-    pub fn new(program: &'a Program, world: &'a World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
+    pub fn new(program: &'a Program, world: World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
         let stage = Stage::new(program, world, purse);
         Self { stage, failing, whole: None, limit: 0 }
+    }
+
+    /// The layout, with everything where it was given.
+    pub fn layout(&mut self) -> &World<f64> {
+        self.stage.set(&[]);
+        self.stage.world()
     }
 
     /// Whether nothing is left for dear rows.
@@ -349,7 +332,7 @@ impl<'a> Mender<'a> {
     }
 
     /// What rests on an object and may go along.
-    fn riders(&self, attempt: &Attempt<'_>) -> Vec<ObjectId> {
+    fn riders(&mut self, attempt: &Attempt<'_>) -> Vec<ObjectId> {
         let carried = self.stage.carried_by(attempt.object).into_iter();
         carried.filter(|id| self.stage.pins(*id, attempt.free)[0].is_none()).collect()
     }

@@ -1,9 +1,11 @@
-//! What is judged again when an object moves: the verdict is that of judging everything.
+//! What is judged again when an object moves: the verdict is that of judging everything, and so it is after the move is
+//! taken back.
 
-use crate::cases::{judged, layout};
+use crate::given::{judged, layout};
+use scenelang_engine::Live;
 use scenelang_lang::compile_text;
 use scenelang_layout::{Layout, Vec3};
-use scenelang_verify::{Detail, Explain, Live, Options, Verdict, check};
+use scenelang_verify::{Detail, Explain, Options, Verdict, check};
 use std::path::Path;
 
 const WORKSHOP: &str = include_str!("../../../../examples/workshop-safety.scene");
@@ -59,7 +61,9 @@ fn follow(scene: &str, mut layout: Layout, moves: usize, dice: &mut Dice) {
     let detail = Detail { explain: Explain::First(0), ..Detail::default() };
     let options = Options { detail, ..Options::default() };
     let mut live = Live::new(&program, &layout, &options);
-    assert_eq!(said(&live.verdict()), said(&check(&program, &layout, &options)));
+    let mut home = said(&live.verdict());
+    assert_eq!(home, said(&check(&program, &layout, &options)));
+    let mut kept = layout.clone();
     let names: Vec<_> = layout.objects.iter().map(|(name, _)| name.clone()).collect();
     for _ in 0..moves {
         let name = &names[(dice.unit() * names.len() as f64) as usize];
@@ -74,8 +78,24 @@ fn follow(scene: &str, mut layout: Layout, moves: usize, dice: &mut Dice) {
         let (pos, rot) = (place.pos, place.rot);
         let id = program.objects.iter().position(|o| o.name == *name).unwrap();
         assert!(live.place(scenelang_lang::program::ObjectId(id as u32), pos, rot) > 0);
-        assert_eq!(said(&live.verdict()), said(&check(&program, &layout, &options)), "after {name} went to {pos:?}");
+        let now = said(&live.verdict());
+        assert_eq!(now, said(&check(&program, &layout, &options)), "after {name} went to {pos:?}");
+        match (dice.unit() * 5.0) as u32 {
+            0 => {
+                live.keep();
+                (home, kept) = (now, layout.clone());
+            }
+            1 => {
+                live.undo();
+                assert_eq!(said(&live.verdict()), home, "after {name} went back");
+                layout = kept.clone();
+            }
+            _ => {}
+        }
     }
+    live.undo();
+    assert_eq!(said(&live.verdict()), home);
+    assert_eq!(live.undo(), 0, "nothing has moved");
 }
 
 /// A layout with places only, as the solver would give it.

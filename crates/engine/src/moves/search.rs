@@ -2,9 +2,10 @@
 //! lines and, where that leads nowhere, from places farther off.
 
 use super::DEAR;
-use super::moves::Step;
-use super::stage::{Goal, Stage};
+use super::stage::Stage;
+use crate::rows::Goal;
 use scenelang_lang::program::{ObjectId, Unit};
+use scenelang_verify::explain::Step;
 
 /// Sweeps over the goals that fail, each with a step down its slope.
 const SWEEPS: usize = 30;
@@ -63,7 +64,7 @@ impl<'s, 'a> Search<'s, 'a> {
         freedom: Freedom,
         limit: usize,
     ) -> Option<Self> {
-        let half = stage.layout().object(from.object).ok()?.body.obb.half;
+        let half = stage.home(from.object)?.scale / 2.0;
         let per_degree = half.x.hypot(half.z).max(0.1).to_radians();
         let volume = 8.0 * half.x * half.y * half.z;
         let weight = 1.0 + volume / (1.0 + volume);
@@ -159,9 +160,9 @@ impl<'s, 'a> Search<'s, 'a> {
 
     /// Places around where the object is, and beside and on top of what the goals speak of; turned by quarters.
     fn starts(&mut self) -> Vec<Move> {
-        let Ok(thing) = self.stage.layout().object(self.from.object) else { return Vec::new() };
-        let (here, own) = (thing.pos.0, thing.body.obb.half);
-        let here: [f64; 3] = std::array::from_fn(|i| here[i] + self.from.by[i]);
+        let Some(home) = self.stage.home(self.from.object) else { return Vec::new() };
+        let own = home.scale / 2.0;
+        let here: [f64; 3] = std::array::from_fn(|i| home.pos[i] + self.from.by[i]);
         let mut places = vec![[0.0; 3]];
         if self.freedom.pos {
             for radius in RINGS {

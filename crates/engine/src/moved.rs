@@ -1,9 +1,10 @@
 //! Rows in short for who moves things and looks at nothing but what that changes.
 
-use super::statement_id;
-use crate::check::{Judged, Live, Subject};
+use crate::Live;
 use scenelang_base::SourceMap;
 use scenelang_lang::program::{ObjectId, Program, Unit};
+use scenelang_verify::check::{Judged, Subject};
+use scenelang_verify::report::statement_id;
 use serde_json::{Value, json};
 
 /// What holds while something is moved, in short, as JSON: `holds` of `total`, the stated constraints, and the physical rules

@@ -71,7 +71,7 @@ impl Pose {
 
 /// The rigid motion about the vertical that takes one pose to another.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ride {
+pub struct Ride {
     from: Vec3,
     to: Vec3,
     turn: f64,
@@ -92,7 +92,7 @@ impl Ride {
 }
 
 /// Degrees in [0, 360), whole quarter turns exact.
-pub(crate) fn round_turn(degrees: f64) -> f64 {
+pub fn round_turn(degrees: f64) -> f64 {
     let quarter = (degrees / 90.0).round() * 90.0;
     let exact = if (degrees - quarter).abs() < 1e-9 { quarter } else { degrees };
     let turned = exact.rem_euclid(360.0);
@@ -100,12 +100,12 @@ pub(crate) fn round_turn(degrees: f64) -> f64 {
 }
 
 /// The yaw at which an object faces along a horizontal direction.
-pub(crate) fn yaw_towards(way: &Vec3) -> f64 {
+pub fn yaw_towards(way: &Vec3) -> f64 {
     round_turn(way.x.atan2(way.z).to_degrees())
 }
 
 /// Where something faces that is turned by so many degrees.
-pub(crate) fn direction(yaw: f64) -> Vec3 {
+pub fn direction(yaw: f64) -> Vec3 {
     let (s, c) = rotation::sin_cos(yaw);
     Vector3::new(s, 0.0, c)
 }

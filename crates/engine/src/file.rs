@@ -1,47 +1,17 @@
 //! The judgement of a file, from disk or from an editor: a program by itself, or a layout with its program.
 
-use super::{Verdict, check_at, matching};
-use crate::prove::{Findings, ProveOptions, prove};
-use crate::report::{Report, build};
-use crate::tolerances::Options;
+use crate::explain::check_at;
 use scenelang_base::door::Door;
-use scenelang_base::{Code, Diagnostic, SourceFile, SourceMap, codes};
+use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
 use scenelang_lang::compile::{self, Compiled, compile_with};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
+use scenelang_verify::check::matching;
+use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use scenelang_verify::report::build;
+use scenelang_verify::{Checked, Options, Verdict};
 use std::path::{Path, PathBuf};
-
-/// What came of judging a file.
-#[derive(Debug)]
-pub struct Checked {
-    /// All files read; places in the verdict refer to these.
-    pub sources: SourceMap,
-    /// The program, if it compiles.
-    pub program: Option<Program>,
-    /// The layout, if the file is one that could be read.
-    pub layout: Option<Layout>,
-    /// Rows and diagnostics, those of the program and of the layout file included.
-    pub verdict: Verdict,
-    /// The same as a report.
-    pub report: Report,
-}
-
-impl Checked {
-    /// A file that nothing more can be said of than these diagnostics; places in them refer to `sources`.
-    pub fn refused(name: &str, sources: SourceMap, diagnostics: Vec<Diagnostic>, options: &Options) -> Self {
-        let verdict = Verdict { diagnostics, ..Verdict::default() };
-        let report = build(name, &verdict, None, &sources, options);
-        Self { sources, program: None, layout: None, verdict, report }
-    }
-
-    /// Leaves out warnings of these codes; errors stay.
-    pub fn silence(&mut self, codes: &[Code]) {
-        let silent = |code: &str| code.starts_with('W') && codes.iter().any(|c| c.as_str() == code);
-        self.verdict.diagnostics.retain(|d| !silent(d.code.as_str()));
-        self.report.diagnostics.retain(|d| !silent(&d.code));
-    }
-}
 
 /// How to judge a file: what it is called, where it is, and where its program comes from.
 #[derive(Clone, Copy)]

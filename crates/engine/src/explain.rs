@@ -1,0 +1,79 @@
+//! A layout judged, and for the first rows that fail a move that mends them. It has been judged before it is offered.
+//!
+//! A check without violations comes here with nothing to do. Of many violations only the first few are explained in
+//! full, and each within a budget that counts work, so that the same input gives the same words on any machine.
+//!
+//! Not here: solving. A move changes one or a few objects and leaves everything else where it is; where none is found,
+//! the layout may still be mended in another way.
+
+use crate::moves::Mender;
+use scenelang_lang::program::Program;
+use scenelang_layout::{Layout, Places};
+use scenelang_verify::check::{Judged, judged};
+use scenelang_verify::explain::{Mend, Place, RowRef};
+use scenelang_verify::report::model::Kind;
+use scenelang_verify::{Explain, Options, Verdict, World};
+
+/// What judging dear rows may cost in all, in small comparisons, where not all must be explained however long that takes.
+const PURSE: usize = 240_000;
+
+/// What [`scenelang_verify::check`] says, with the moves that mend what fails, as far as the options ask for them.
+pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
+    check_at(program, layout, None, options)
+}
+
+/// The same; `places` says where the values of the layout stand.
+pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
+    let (mut verdict, world) = judged(program, layout, places, options);
+    complete(program, world, &mut verdict, options.detail.explain);
+    verdict
+}
+
+/// Completes the explanations of the first rows that fail.
+fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_many: Explain) {
+    let failing = failing(verdict);
+    let fails = |row: &&mut Judged| row.satisfied == Some(false);
+    let (hard, soft): (Vec<_>, Vec<_>) =
+        verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != Kind::Prefer);
+    let (most, purse) = match how_many {
+        Explain::All => (usize::MAX, usize::MAX),
+        Explain::First(n) => (n, PURSE),
+    };
+    let mut rows = hard.into_iter().chain(soft).take(most).peekable();
+    if rows.peek().is_none() {
+        return;
+    }
+    let mut mender = Mender::new(program, world, failing, purse);
+    for row in rows {
+        let explanation = row.explanation.get_or_insert_default();
+        let objects = row.objects.iter();
+        explanation.objects = objects.filter_map(|id| Place::of(program, mender.layout(), *id)).collect();
+        if mender.is_spent() {
+            continue;
+        }
+        let found = mender.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
+        explanation.searched = found.searched;
+        explanation.opposing = found.opposing;
+        explanation.mend = found.mend;
+        explanation.pinned = found.pinned;
+    }
+}
+
+/// The smallest move after which `rows` of a verdict hold: what [`check`] offers for one of them. It may break something;
+/// then [`Mend::breaks`] says so.
+pub fn smallest_move(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    verdict: &Verdict,
+    rows: &[RowRef],
+) -> Option<Mend> {
+    let world = World::new(program, layout, options);
+    Mender::new(program, world, failing(verdict), usize::MAX).mend(rows)
+}
+
+/// What must hold and does not.
+fn failing(verdict: &Verdict) -> Vec<RowRef> {
+    let fails = verdict.rows.iter().filter(|row| row.satisfied == Some(false) && row.kind != Kind::Prefer);
+    fails.map(Judged::row).collect()
+}

@@ -1,0 +1,33 @@
+//! Layouts that change: one state with a journal, what a move alters, what it costs to judge that, and which move mends
+//! what fails.
+//!
+//! - [`State`]: poses, one way to write them, and back again.
+//! - [`Mirror`]: the same layout in other numbers, brought up to date where it is needed.
+//! - [`Index`]: from objects to the constraints that a move of them can change.
+//! - [`Live`]: the verdict of a layout whose objects are moved by hand.
+//! - [`check`], [`smallest_move`]: the verdict with the moves that mend what fails.
+//! - [`check_file`] and its like: the same of files.
+//!
+//! Absent here: what holds in one layout (`verify`), and any search for a whole layout (`solve`).
+
+mod explain;
+mod file;
+mod index;
+mod live;
+mod mirror;
+mod moved;
+mod moves;
+pub mod pose;
+mod rows;
+mod state;
+
+pub use explain::{check, smallest_move};
+pub use file::{
+    check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
+};
+pub use index::Index;
+pub use live::Live;
+pub use mirror::Mirror;
+pub use moved::moved;
+pub use pose::Pose;
+pub use state::State;
