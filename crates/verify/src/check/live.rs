@@ -1,12 +1,12 @@
 //! A judgement that follows a layout while objects move, as under an editor's pointer: what a move cannot change is not
 //! judged again.
 
-use super::physical::{Ruled, Rules, ids};
+use super::physical::{GAPS_FOLLOWED, LISTED, Ruled, Rules, ids, too_dense};
 use super::{Judged, Verdict, draws, rooms, stated};
 use crate::eval::{EvalError, Scratch};
 use crate::explain::Index;
 use crate::report::model::Summary;
-use crate::rules::{Support, pairs_within};
+use crate::rules::{Columns, Support, pairs_up_to, support};
 use crate::tolerances::Options;
 use crate::vector::V3;
 use crate::world::World;
@@ -36,6 +36,8 @@ pub struct Live<'a> {
     unsupported: Vec<ObjectId>,
     draws: Vec<Diagnostic>,
     rooms: Vec<Diagnostic>,
+    /// Why the physical rules are not followed.
+    dense: Option<Diagnostic>,
     /// By object; `None`: the layout lacks it.
     boxes: Vec<Option<Aabb>>,
 }
@@ -63,6 +65,7 @@ impl<'a> Live<'a> {
             unsupported: Vec::new(),
             draws,
             rooms: Vec::new(),
+            dense: None,
             boxes: ids(program).map(|id| world.object(id).ok().map(|thing| thing.body.aabb())).collect(),
             world,
         };
@@ -82,21 +85,30 @@ impl<'a> Live<'a> {
         let Some(rules) = &self.rules else { return };
         let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); self.boxes.len()];
         let (total, judged) = rules.pairs(&self.world);
-        self.summary.physical.total += total;
-        self.summary.physical.satisfied += judged;
-        for (a, b) in pairs_within(&self.world, rules.reach()) {
+        let near = pairs_up_to(&self.world, rules.reach(), GAPS_FOLLOWED);
+        for &(a, b) in &near.pairs {
             neighbours[a.0 as usize].push(b);
             neighbours[b.0 as usize].push(a);
-            if rules.scope.collide(a, b)
+            if self.collisions.len() <= LISTED
+                && rules.scope.collide(a, b)
                 && let Some(row) = rules.collision(&self.world, a, b).row
             {
-                self.summary.physical.satisfied -= 1;
                 self.collisions.insert((a, b), row);
             }
         }
+        if !near.complete || self.collisions.len() > LISTED {
+            let say = "so many objects are in one place that the physical rules are not judged while they move";
+            self.dense = Some(too_dense(self.program, say.to_owned()));
+            self.collisions.clear();
+            self.rules = None;
+            return;
+        }
+        self.summary.physical.total += total;
+        self.summary.physical.satisfied += judged - self.collisions.len();
+        let mut columns = Columns::new(&self.world);
         for id in ids(self.program) {
             self.judge_bounds(id);
-            self.judge_support(id, &neighbours[id.0 as usize]);
+            self.judge_support(id, &neighbours[id.0 as usize], Some(&mut columns));
         }
     }
 
@@ -106,13 +118,17 @@ impl<'a> Live<'a> {
         replace(&mut self.summary, &mut self.bounds[id.0 as usize], now);
     }
 
-    fn judge_support(&mut self, id: ObjectId, neighbours: &[ObjectId]) {
+    fn judge_support(&mut self, id: ObjectId, neighbours: &[ObjectId], columns: Option<&mut Columns>) {
         let Some(rules) = &self.rules else { return };
         let how = rules.scope.support(id);
         if how == Support::Lifted {
             return;
         }
-        let now = rules.supported(&self.world, id, neighbours);
+        let all = || Some(support::others(&self.world, id));
+        let now = match columns {
+            Some(columns) => rules.supported(&self.world, id, neighbours, &mut || columns.of(id).or_else(all)),
+            None => rules.supported(&self.world, id, neighbours, &mut { all }),
+        };
         let place = self.unsupported.binary_search(&id);
         match (place, how == Support::Rests && now.holds != Some(true)) {
             (Err(at), true) => self.unsupported.insert(at, id),
@@ -176,7 +192,7 @@ impl<'a> Live<'a> {
         unsettled.dedup();
         for &id in &unsettled {
             let around = self.near(id, &self.boxes[id.0 as usize]);
-            self.judge_support(id, &around);
+            self.judge_support(id, &around, None);
         }
         judged + unsettled.len()
     }
@@ -208,8 +224,9 @@ impl<'a> Live<'a> {
     pub fn verdict(&self) -> Verdict {
         let mut diagnostics = self.draws.clone();
         diagnostics.extend(stated::diagnostics(self.program, self.errors.iter().map(|(i, e)| (*i, *e))));
+        diagnostics.extend(self.dense.clone());
         diagnostics.extend(self.rooms.iter().cloned());
-        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics }
+        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics, ..Verdict::default() }
     }
 }
 

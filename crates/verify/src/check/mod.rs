@@ -17,8 +17,8 @@ pub use file::{
 pub use live::Live;
 
 use crate::eval::Cause;
-use crate::explain::{self, Explanation};
-use crate::report::model::{Kind, Summary};
+use crate::explain::{self, Explain, Explanation};
+use crate::report::model::{Kind, Summary, Unlisted};
 use crate::tolerances::Options;
 use crate::world::World;
 use scenelang_base::{Code, Diagnostic, Label, Span};
@@ -32,6 +32,8 @@ pub struct Verdict {
     pub rows: Vec<Judged>,
     /// How many there are of each kind, listed or not, and how many hold.
     pub summary: Summary,
+    /// What the summary counts and the rows leave out.
+    pub unlisted: Unlisted,
     /// What could not be judged or looks odd, beside the rows.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -119,8 +121,11 @@ fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options
     });
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
+    verdict.unlisted = physical.unlisted;
+    // Whoever could not be judged among all these cannot be moved among them either.
+    let explain = if physical.diagnostics.is_empty() { options.detail.explain } else { Explain::First(0) };
     verdict.diagnostics.append(&mut physical.diagnostics);
-    explain::complete(program, &world, &mut verdict, options.detail.explain);
+    explain::complete(program, &world, &mut verdict, explain);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     verdict
 }

@@ -26,6 +26,7 @@ use crate::report::model::Kind;
 use crate::tolerances::Options;
 use crate::world::World;
 use moves::Mender;
+use scenelang_base::codes;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::Layout;
 
@@ -118,6 +119,10 @@ pub fn smallest_move(
     verdict: &Verdict,
     rows: &[RowRef],
 ) -> Option<Mend> {
+    // Where so much is in one place that not all of it is judged, no move can be judged either.
+    if verdict.diagnostics.iter().any(|d| d.code == codes::E0005) {
+        return None;
+    }
     let world = World::new(program, layout, options);
     Mender::new(program, &world, failing(verdict), usize::MAX).mend(rows)
 }
