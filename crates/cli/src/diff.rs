@@ -90,7 +90,18 @@ fn human(c: &Comparison) -> String {
     }
     add(&mut out, &table, c.constraints.is_empty());
     let verdict = if c.equal { "equal in geometry and verdict" } else { "they differ" };
-    out + &format!("{} → {}: {verdict}\n", c.before.file, c.after.file)
+    out += &format!("{} → {}: {verdict}\n", c.before.file, c.after.file);
+    match (&c.before.judged_with, &c.after.judged_with) {
+        (Some(with), other) if other.as_ref() == Some(with) => out += &format!("{}\n", with.in_words()),
+        (before, after) => {
+            for (file, with) in [(&c.before.file, before), (&c.after.file, after)] {
+                if let Some(with) = with {
+                    out += &format!("{file}: {}\n", with.in_words());
+                }
+            }
+        }
+    }
+    out
 }
 
 fn add(out: &mut String, table: &Table, empty: bool) {

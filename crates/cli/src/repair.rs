@@ -57,6 +57,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     options.detail.explain = Explain::First(0);
     let mut checked = check_file_with(&name, &args.layout, &options, scenelang_lang::Options::default(), door);
     checked.silence(&judging.allow);
+    checked.report.judged_with = judging.with;
     let errors: Vec<_> = checked.verdict.diagnostics.iter().filter(|d| d.is_error()).cloned().collect();
     eprint!("{}", report::diagnostics(&errors, &checked.sources, color_err()));
     let (Some(program), Some(layout), Some((main, path))) =
@@ -207,14 +208,18 @@ impl Told<'_> {
 
     fn json(&self, failing: &[RowRef], all: &[Alternative], applied: Option<usize>, written: &[String]) -> Value {
         let failing = self.failing(failing).into_iter();
-        json!({
+        let mut out = json!({
             "format": "scenelang.repair/1",
             "file": self.name,
             "failing": failing.map(|(id, kind, text)| json!({ "id": id, "kind": kind, "text": text })).collect::<Vec<_>>(),
             "alternatives": all.iter().map(|a| self.alternative(a)).collect::<Vec<_>>(),
             "applied": applied,
             "written": written,
-        })
+        });
+        if let Some(with) = &self.checked.report.judged_with {
+            out["judged_with"] = json!(with);
+        }
+        out
     }
 
     fn alternative(&self, a: &Alternative) -> Value {
@@ -258,8 +263,9 @@ impl Told<'_> {
         args: &Repair,
         written: &[String],
     ) -> String {
+        let with = self.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
         if failing.is_empty() {
-            return format!("{}: nothing to repair\n", self.name);
+            return format!("{}: nothing to repair\n{with}", self.name);
         }
         let mut out = String::new();
         for (id, _, text) in self.failing(failing) {
@@ -273,7 +279,7 @@ impl Told<'_> {
             (None, false) => "nothing is written; --apply N makes one of these changes\n".to_owned(),
             (Some(i), _) if args.dry_run => format!("{} would be made; nothing is written\n", i + 1),
             (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
-        }
+        } + &with
     }
 
     /// An alternative in the imperative.

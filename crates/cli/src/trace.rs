@@ -11,6 +11,7 @@ use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
 use scenelang_verify::trace::{Kind, Requirement, Statement, Trace, Verdict, trace};
 use scenelang_verify::{Checked, exit_code};
+use std::collections::BTreeMap;
 
 /// Traces; 0 if every requirement has a statement and none fails, 1 if not, 2 if program or layout cannot be judged.
 pub fn run(args: &Args) -> u8 {
@@ -75,7 +76,8 @@ fn judged(args: &Args, name: &str, compiled: &Compiled) -> Result<Option<(String
     })?;
     let program = compiled.sources.get(compiled.main).path();
     let own = Door::of(&args.file);
-    let checked = check_layout_of(&layout, text, (name, program), &judging.options, Options::default(), &own);
+    let mut checked = check_layout_of(&layout, text, (name, program), &judging.options, Options::default(), &own);
+    checked.report.judged_with = judging.with;
     tell(&checked.verdict.diagnostics, &checked.sources);
     Ok(Some((layout, checked)))
 }
@@ -92,6 +94,9 @@ fn human(trace: &Trace, by: By) -> String {
         By::Object => by_object(trace),
     };
     out.push_str(&summary(trace));
+    if let Some(with) = &trace.judged_with {
+        out.push_str(&format!("{}\n", with.in_words()));
+    }
     out
 }
 
@@ -120,7 +125,12 @@ fn by_requirement(trace: &Trace) -> String {
 fn by_object(trace: &Trace) -> String {
     let mut out = String::new();
     let stated = trace.requirements.iter().flat_map(|r| &r.statements).chain(&trace.untraced);
-    let stated: Vec<&Statement> = stated.collect();
+    let mut found: BTreeMap<&str, &Statement> = BTreeMap::new();
+    let mut order: BTreeMap<&str, usize> = BTreeMap::new();
+    for (place, statement) in stated.enumerate() {
+        found.entry(&statement.id).or_insert(statement);
+        order.entry(&statement.id).or_insert(place);
+    }
     for thing in &trace.objects {
         let verdict = match (thing.satisfied, &trace.layout) {
             (Some(true), _) => ": holds",
@@ -134,12 +144,11 @@ fn by_object(trace: &Trace) -> String {
             let reason = if requirement.inferred { "inferred" } else { "asked for by" };
             out.push_str(&format!("  {reason} \"{}\"\n", requirement.text));
         }
-        let mut told: Vec<&str> = Vec::new();
-        for statement in stated.iter().filter(|s| thing.statements.contains(&s.id)) {
-            if !told.contains(&statement.id.as_str()) {
-                told.push(&statement.id);
-                out.push_str(&line(statement, trace.layout.is_some()));
-            }
+        let mut own: Vec<&str> = thing.statements.iter().map(String::as_str).collect();
+        own.sort_by_key(|id| order.get(id));
+        own.dedup();
+        for statement in own.iter().filter_map(|id| found.get(id)) {
+            out.push_str(&line(statement, trace.layout.is_some()));
         }
         out.push('\n');
     }

@@ -7,6 +7,7 @@
 //! the layout may still be mended in another way.
 
 use crate::moves::Mender;
+use scenelang_base::codes;
 use scenelang_lang::program::Program;
 use scenelang_layout::{Layout, Places};
 use scenelang_verify::check::{Judged, judged};
@@ -25,7 +26,9 @@ pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
 /// The same; `places` says where the values of the layout stand.
 pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
     let (mut verdict, world) = judged(program, layout, places, options);
-    complete(program, world, &mut verdict, options.detail.explain);
+    // Whoever could not be judged among so many cannot be moved among them either.
+    let explain = if too_dense(&verdict) { Explain::First(0) } else { options.detail.explain };
+    complete(program, world, &mut verdict, explain);
     verdict
 }
 
@@ -68,8 +71,16 @@ pub fn smallest_move(
     verdict: &Verdict,
     rows: &[RowRef],
 ) -> Option<Mend> {
+    if too_dense(verdict) {
+        return None;
+    }
     let world = World::new(program, layout, options);
     Mender::new(program, world, failing(verdict), usize::MAX).mend(rows)
+}
+
+/// Whether so much is in one place that not all of it was judged.
+fn too_dense(verdict: &Verdict) -> bool {
+    verdict.diagnostics.iter().any(|d| d.code == codes::E0005)
 }
 
 /// What must hold and does not.

@@ -5,9 +5,9 @@ use crate::{Index, Pose, State};
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Aabb, Layout, Vec3};
-use scenelang_verify::check::{Judged, Ruled, Rules, draws, rooms, stated};
+use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, rooms, stated, too_dense};
 use scenelang_verify::report::model::Summary;
-use scenelang_verify::rules::{Support, pairs_within};
+use scenelang_verify::rules::{Columns, Support, pairs_up_to, support};
 use scenelang_verify::{EvalError, Options, Scratch, Verdict, World};
 use std::collections::BTreeMap;
 
@@ -32,6 +32,8 @@ pub struct Live<'a> {
     unsupported: Vec<ObjectId>,
     draws: Vec<Diagnostic>,
     rooms: Vec<Diagnostic>,
+    /// Why the physical rules are not followed.
+    dense: Option<Diagnostic>,
 }
 
 impl<'a> Live<'a> {
@@ -57,6 +59,7 @@ impl<'a> Live<'a> {
             unsupported: Vec::new(),
             draws,
             rooms: Vec::new(),
+            dense: None,
             state: State::new(world),
         };
         for index in 0..program.constraints.len() {
@@ -76,21 +79,30 @@ impl<'a> Live<'a> {
         let world = self.state.world();
         let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); self.program.objects.len()];
         let (total, judged) = rules.pairs(world);
-        self.summary.physical.total += total;
-        self.summary.physical.satisfied += judged;
-        for (a, b) in pairs_within(world, rules.reach()) {
+        let near = pairs_up_to(world, rules.reach(), GAPS_FOLLOWED);
+        for &(a, b) in &near.pairs {
             neighbours[a.0 as usize].push(b);
             neighbours[b.0 as usize].push(a);
-            if rules.scope.collide(a, b)
+            if self.collisions.len() <= LISTED
+                && rules.scope.collide(a, b)
                 && let Some(row) = rules.collision(world, a, b).row
             {
-                self.summary.physical.satisfied -= 1;
                 self.collisions.insert((a, b), row);
             }
         }
+        if !near.complete || self.collisions.len() > LISTED {
+            let say = "so many objects are in one place that the physical rules are not judged while they move";
+            self.dense = Some(too_dense(self.program, say.to_owned()));
+            self.collisions.clear();
+            self.rules = None;
+            return;
+        }
+        self.summary.physical.total += total;
+        self.summary.physical.satisfied += judged - self.collisions.len();
+        let mut columns = Columns::new(self.state.world());
         for id in ids(self.program) {
             self.judge_bounds(id);
-            self.judge_support(id, &neighbours[id.0 as usize]);
+            self.judge_support(id, &neighbours[id.0 as usize], Some(&mut columns));
         }
     }
 
@@ -100,13 +112,18 @@ impl<'a> Live<'a> {
         replace(&mut self.summary, &mut self.bounds[id.0 as usize], now);
     }
 
-    fn judge_support(&mut self, id: ObjectId, neighbours: &[ObjectId]) {
+    fn judge_support(&mut self, id: ObjectId, neighbours: &[ObjectId], columns: Option<&mut Columns>) {
         let Some(rules) = &self.rules else { return };
         let how = rules.scope.support(id);
         if how == Support::Lifted {
             return;
         }
-        let now = rules.supported(self.state.world(), id, neighbours);
+        let world = self.state.world();
+        let all = || Some(support::others(world, id));
+        let now = match columns {
+            Some(columns) => rules.supported(world, id, neighbours, &mut || columns.of(id).or_else(all)),
+            None => rules.supported(world, id, neighbours, &mut { all }),
+        };
         let place = self.unsupported.binary_search(&id);
         match (place, how == Support::Rests && now.holds != Some(true)) {
             (Err(at), true) => self.unsupported.insert(at, id),
@@ -184,7 +201,7 @@ impl<'a> Live<'a> {
         unsettled.sort_unstable();
         unsettled.dedup();
         for &id in &unsettled {
-            self.judge_support(id, &self.around(id));
+            self.judge_support(id, &self.around(id), None);
         }
         judged + unsettled.len()
     }
@@ -218,8 +235,9 @@ impl<'a> Live<'a> {
     pub fn verdict(&self) -> Verdict {
         let mut diagnostics = self.draws.clone();
         diagnostics.extend(stated::diagnostics(self.program, self.errors.iter().map(|(i, e)| (*i, *e))));
+        diagnostics.extend(self.dense.clone());
         diagnostics.extend(self.rooms.iter().cloned());
-        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics }
+        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics, ..Verdict::default() }
     }
 }
 

@@ -5,10 +5,29 @@
 
 use crate::obb::apart;
 use crate::{Aabb, Obb};
+use std::ops::ControlFlow;
 
 /// Pairs of upright boxes at most `distance` apart (metres) in each direction, smaller index first, sorted.
 pub fn pairs_within(boxes: &[Aabb], distance: f64) -> Vec<(u32, u32)> {
-    let Some(whole) = boxes.iter().copied().reduce(|a, b| a.cover(&b)) else { return Vec::new() };
+    let mut pairs = Vec::new();
+    // Without a limit nothing ends it early.
+    let _whole = visit_within(boxes, distance, usize::MAX, |i, j| {
+        pairs.push((i, j));
+        ControlFlow::Continue(())
+    });
+    pairs.sort_unstable();
+    pairs
+}
+
+/// Hands over the same pairs one after the other, in no order that means anything but always in the same one, until `visit`
+/// breaks or more than `most` pairs of boxes would have been compared. Returns whether it came to the end.
+pub fn visit_within(
+    boxes: &[Aabb],
+    distance: f64,
+    most: usize,
+    mut visit: impl FnMut(u32, u32) -> ControlFlow<()>,
+) -> bool {
+    let Some(whole) = boxes.iter().copied().reduce(|a, b| a.cover(&b)) else { return true };
     let axis = (whole.max - whole.min).imax();
     let [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
     // Least and greatest along the three, one after the other in memory.
@@ -21,16 +40,22 @@ pub fn pairs_within(boxes: &[Aabb], distance: f64) -> Vec<(u32, u32)> {
         })
         .collect();
     sorted.sort_unstable_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
-    let mut pairs = Vec::new();
+    let mut left = most;
     for (at, (a, i)) in sorted.iter().enumerate() {
+        if left == 0 {
+            return false;
+        }
+        let mut compared = 0;
         for (b, j) in sorted[at + 1..].iter().take_while(|(b, _)| b[0] <= a[1]) {
-            if (b[2] <= a[3]) & (a[2] <= b[3]) & (b[4] <= a[5]) & (a[4] <= b[5]) {
-                pairs.push((*i.min(j), *i.max(j)));
+            compared += 1;
+            let near = (b[2] <= a[3]) & (a[2] <= b[3]) & (b[4] <= a[5]) & (a[4] <= b[5]);
+            if near && visit(*i.min(j), *i.max(j)).is_break() {
+                return false;
             }
         }
+        left = left.saturating_sub(compared);
     }
-    pairs.sort_unstable();
-    pairs
+    true
 }
 
 /// Pairs of boxes that overlap by more than `tolerance` (metres), smaller index first, sorted.

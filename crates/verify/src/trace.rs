@@ -4,7 +4,9 @@
 //! A requirement is a sentence of `@req`. One whose only bearers are predicates, variables or imports has no statement:
 //! nothing is declared for it, nothing asked.
 
+use crate::report::model::JudgedWith;
 use crate::report::{Report, statement_id};
+use rustc_hash::FxHashMap;
 use scenelang_base::{SourceMap, Span};
 use scenelang_lang::Compiled;
 use scenelang_lang::ast::{Stmt, StmtKind, TypeWord};
@@ -36,6 +38,9 @@ pub struct Trace {
     pub objects: Vec<Thing>,
     /// Statements that answer no requirement.
     pub untraced: Vec<Statement>,
+    /// The settings file by which the layout was judged, where that makes a difference.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judged_with: Option<JudgedWith>,
 }
 
 /// How many requirements have which verdict.
@@ -174,6 +179,8 @@ struct Builder<'a> {
     constraints: BTreeMap<(u32, u32), usize>,
     permissions: BTreeMap<(u32, u32), usize>,
     rows: BTreeMap<&'a str, usize>,
+    /// How many elements the arrays have.
+    arrays: FxHashMap<&'a str, usize>,
     requirements: Vec<Requirement>,
     numbers: BTreeMap<String, usize>,
     things: Vec<Thing>,
@@ -196,6 +203,7 @@ impl<'a> Builder<'a> {
             constraints: spans.zip(0..).collect(),
             permissions: stated.zip(0..).collect(),
             rows: rows.zip(0..).map(|(row, index)| (row.id.as_str(), index)).collect(),
+            arrays: program.map(elements).unwrap_or_default(),
             requirements: Vec::new(),
             numbers: BTreeMap::new(),
             things: Vec::new(),
@@ -242,7 +250,7 @@ impl<'a> Builder<'a> {
                             ConstraintKind::Prefer { .. } => Kind::Prefer,
                             ConstraintKind::Pin => Kind::Pin,
                         };
-                        (kind, named(program, constraint.formula.objects()))
+                        (kind, named(program, &self.arrays, constraint.formula.objects()))
                     }
                     (None, StmtKind::Assign { path, .. }) if !path.is_empty() => (Kind::Property, Vec::new()),
                     _ => return None,
@@ -250,7 +258,7 @@ impl<'a> Builder<'a> {
             }
             StmtKind::Allow { .. } => {
                 let permission = &program.allow.stated[*self.permissions.get(&at)?];
-                (Kind::Allow, named(program, permission.arguments.concat()))
+                (Kind::Allow, named(program, &self.arrays, permission.arguments.concat()))
             }
             _ => return None,
         };
@@ -308,10 +316,19 @@ impl<'a> Builder<'a> {
                 Verdict::None => &mut summary.none,
             } += 1;
         }
+        let (mut spoken, mut answered) = (FxHashMap::default(), FxHashMap::default());
+        for statement in &self.all {
+            for name in spoken_of(statement) {
+                spoken.entry(name).or_insert_with(Vec::new).push(statement);
+            }
+        }
+        for (number, requirement) in self.requirements.iter().enumerate() {
+            for name in requirement.statements.iter().flat_map(spoken_of) {
+                answered.entry(name).or_insert_with(Vec::new).push(number);
+            }
+        }
         for thing in &mut self.things {
-            let element = format!("{}[", thing.name);
-            let speaks = |s: &Statement| s.objects.iter().any(|o| *o == thing.name || o.starts_with(&element));
-            let own: Vec<&Statement> = self.all.iter().filter(|s| speaks(s)).collect();
+            let own = spoken.get(thing.name.as_str()).map_or(&[][..], Vec::as_slice);
             let judged: Vec<Option<bool>> = own.iter().filter(|s| s.kind.is_hard()).map(|s| s.satisfied).collect();
             thing.satisfied = match judged.as_slice() {
                 [] => None,
@@ -321,8 +338,7 @@ impl<'a> Builder<'a> {
             };
             thing.statements = own.iter().map(|s| s.id.clone()).collect();
             let mut numbers: BTreeSet<usize> = thing.requirements.iter().copied().collect();
-            let answered = self.requirements.iter().enumerate().filter(|(_, r)| r.statements.iter().any(speaks));
-            numbers.extend(answered.map(|(number, _)| number));
+            numbers.extend(answered.get(thing.name.as_str()).into_iter().flatten());
             thing.requirements = numbers.into_iter().collect();
         }
         Trace {
@@ -333,6 +349,7 @@ impl<'a> Builder<'a> {
             requirements: self.requirements,
             objects: self.things,
             untraced: self.untraced,
+            judged_with: self.judged.and_then(|report| report.judged_with.clone()),
         }
     }
 }
@@ -361,18 +378,33 @@ fn verdict(requirement: &Requirement, judged: bool) -> Verdict {
     }
 }
 
-/// Objects by name, sorted as declared, each once; all elements of an array by its name.
-fn named(program: &Program, mut ids: Vec<ObjectId>) -> Vec<String> {
+/// The objects and regions that a statement speaks of, as they are declared, each once.
+fn spoken_of(statement: &Statement) -> BTreeSet<&str> {
+    statement.objects.iter().map(|name| name.split_once('[').map_or(name.as_str(), |(array, _)| array)).collect()
+}
+
+/// How many elements the arrays of a program have.
+fn elements(program: &Program) -> FxHashMap<&str, usize> {
+    let mut arrays = FxHashMap::default();
+    for (name, _) in program.objects.iter().filter_map(|object| object.array.as_ref()) {
+        *arrays.entry(name.as_str()).or_insert(0) += 1;
+    }
+    arrays
+}
+
+/// Objects by name, sorted as declared, each once; all elements of an array by its name. `arrays`: how many these are.
+fn named(program: &Program, arrays: &FxHashMap<&str, usize>, mut ids: Vec<ObjectId>) -> Vec<String> {
     ids.sort_unstable();
     ids.dedup();
-    let array = |id: &ObjectId| program.objects[id.0 as usize].array.as_ref().map(|(name, _)| name);
+    let array = |id: &ObjectId| program.objects[id.0 as usize].array.as_ref().map(|(name, _)| name.as_str());
+    let mut spoken: FxHashMap<&str, usize> = FxHashMap::default();
+    for name in ids.iter().filter_map(array) {
+        *spoken.entry(name).or_insert(0) += 1;
+    }
     let mut out: Vec<String> = Vec::new();
     for id in &ids {
         let object = &program.objects[id.0 as usize];
-        let whole = array(id).filter(|name| {
-            let all = program.objects.iter().filter(|o| o.array.as_ref().is_some_and(|(a, _)| a == *name)).count();
-            ids.iter().filter(|other| array(other) == Some(name)).count() == all
-        });
+        let whole = array(id).filter(|name| arrays.get(name) == spoken.get(name));
         let name = whole.map_or_else(|| object.name.to_string(), ToString::to_string);
         if out.last() != Some(&name) {
             out.push(name);

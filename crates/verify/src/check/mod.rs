@@ -12,11 +12,11 @@ pub mod stated;
 mod wording;
 
 pub(crate) use describe::number as measure_in_words;
-pub use physical::{Ruled, Rules};
+pub use physical::{GAPS_FOLLOWED, LISTED, Ruled, Rules, too_dense};
 
 use crate::eval::Cause;
 use crate::explain::{Explanation, RowRef};
-use crate::report::model::{Kind, Summary};
+use crate::report::model::{Kind, Summary, Unlisted};
 use crate::report::{Report, build};
 use crate::tolerances::Options;
 use crate::world::World;
@@ -31,6 +31,8 @@ pub struct Verdict {
     pub rows: Vec<Judged>,
     /// How many there are of each kind, listed or not, and how many hold.
     pub summary: Summary,
+    /// What the summary counts and the rows leave out.
+    pub unlisted: Unlisted,
     /// What could not be judged or looks odd, beside the rows.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -154,6 +156,7 @@ pub fn judged(program: &Program, layout: &Layout, places: Option<&Places>, optio
     });
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
+    verdict.unlisted = physical.unlisted;
     verdict.diagnostics.append(&mut physical.diagnostics);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     (verdict, world)

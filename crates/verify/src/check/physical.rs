@@ -9,47 +9,166 @@ use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
 use crate::explain::{self, Explanation};
 use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
-use crate::rules::{Scope, Support, bounds, collide, mounts, pairs_within};
+use crate::rules::{Columns, Scope, Support, bounds, collide, mounts, pairs_up_to};
 use crate::world::World;
+use rustc_hash::FxHashSet;
+use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::program::{ObjectId, Program, Unit};
 use scenelang_layout::inside_clearance;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// What measuring the gaps between objects that are near each other may cost, in gaps of two boxes.
+const GAPS: usize = 4_000_000;
+/// The same where the gaps are followed while objects move.
+pub const GAPS_FOLLOWED: usize = 400_000;
+/// So many violations of a rule are listed, those that fail most.
+pub const LISTED: usize = 1_000;
+/// Of no more pairs than this those that hold are listed, where all that holds is to be listed.
+const PAIRS_LISTED: usize = 100_000;
 
 pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
     let rules = Rules::new(program, world);
-    let near = pairs_within(world, rules.reach());
+    let near = pairs_up_to(world, rules.reach(), GAPS);
+    let (total, there) = rules.pairs(world);
     let everything: Vec<(ObjectId, ObjectId)>;
     // Pairs that are not near each other hold without a look.
-    let pairs: &[(ObjectId, ObjectId)] = if world.options.detail.all {
+    let listed = world.options.detail.all && near.complete && total <= PAIRS_LISTED;
+    let pairs: &[(ObjectId, ObjectId)] = if listed {
         everything = ids(program).flat_map(|a| (0..a.0).map(move |b| (ObjectId(b), a))).collect();
         &everything
     } else {
-        &near
+        &near.pairs
     };
-    let mut violations = 0;
+    let (mut judged, mut violations) = (0, Worst::default());
     for &(a, b) in pairs.iter().filter(|(a, b)| rules.scope.collide(*a, *b)) {
-        let found = rules.collision(world, a, b);
-        violations += usize::from(found.holds == Some(false));
-        verdict.rows.extend(found.row);
+        judged += 1;
+        if listed {
+            let found = rules.collision(world, a, b);
+            violations.count += usize::from(found.holds == Some(false));
+            verdict.rows.extend(found.row);
+        } else if let Ok(truth) = collide::pair(world, a, b)
+            && !truth.holds
+        {
+            violations.add(truth.margin, (a, b));
+        }
     }
-    let physical = &mut verdict.summary.physical;
-    let (total, judged) = rules.pairs(world);
-    physical.total += total;
-    physical.satisfied += judged - violations;
+    let rest = violations.count - violations.kept.len();
+    verdict.unlisted.failing += if listed { 0 } else { rest };
+    verdict.rows.extend(violations.sorted().into_iter().filter_map(|(a, b)| rules.collision(world, a, b).row));
+    let holding = if near.complete { there } else { judged } - violations.count;
+    verdict.unlisted.holding += if world.options.detail.all && !listed { holding } else { 0 };
+    verdict.summary.physical.total += total;
+    verdict.summary.physical.satisfied += holding;
+    let first = verdict.rows.len();
     for id in ids(program).filter(|id| rules.bounds(*id)) {
         let found = rules.bounded(world, id);
         verdict.summary.physical.add(found.holds);
         verdict.rows.extend(found.row);
     }
+    verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
+    let first = verdict.rows.len();
+    let mut columns: Option<Columns> = None;
     let mut neighbours: Vec<Vec<ObjectId>> = vec![Vec::new(); program.objects.len()];
-    for &(a, b) in &near {
+    for &(a, b) in &near.pairs {
         neighbours[a.0 as usize].push(b);
         neighbours[b.0 as usize].push(a);
     }
+    let mut unasked = 0;
     for id in ids(program).filter(|id| rules.scope.support(*id) != Support::Lifted) {
-        let found = rules.supported(world, id, &neighbours[id.0 as usize]);
+        let mut others = || {
+            let found = near.complete.then(|| columns.get_or_insert_with(|| Columns::new(world)).of(id)).flatten();
+            unasked += usize::from(found.is_none());
+            found
+        };
+        let found = rules.supported(world, id, &neighbours[id.0 as usize], &mut others);
         verdict.summary.physical.add(found.holds);
         verdict.rows.extend(found.row);
     }
+    verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
+    if !near.complete {
+        let say = format!("so many objects are in one place that {} of {there} pairs were not judged", there - judged);
+        verdict.diagnostics.push(too_dense(program, say));
+    } else if unasked > 0 {
+        let say = format!("so many objects are above each other that the support of {unasked} of them was not judged");
+        verdict.diagnostics.push(too_dense(program, say));
+    }
+}
+
+/// That there is too much in one place.
+pub fn too_dense(program: &Program, say: String) -> Diagnostic {
+    let note = "move them apart, or state with `allowCollide` which of them may overlap";
+    match program.objects.first() {
+        Some(first) => Diagnostic::new(codes::E0005, first.span, say).note(note),
+        None => Diagnostic::without_place(codes::E0005, say).note(note),
+    }
+}
+
+/// The pairs that fail most, and how many fail.
+#[derive(Default)]
+struct Worst {
+    /// The one that fails least on top.
+    kept: BinaryHeap<Failing>,
+    count: usize,
+}
+
+/// A pair that fails, ordered by its margin; of the same margin by its objects.
+struct Failing(f64, (ObjectId, ObjectId));
+
+impl Ord for Failing {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0).then(self.1.cmp(&other.1))
+    }
+}
+
+impl PartialOrd for Failing {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Failing {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Failing {}
+
+impl Worst {
+    fn add(&mut self, margin: f64, pair: (ObjectId, ObjectId)) {
+        self.count += 1;
+        self.kept.push(Failing(margin, pair));
+        if self.kept.len() > LISTED {
+            self.kept.pop();
+        }
+    }
+
+    fn sorted(&self) -> Vec<(ObjectId, ObjectId)> {
+        let mut pairs: Vec<_> = self.kept.iter().map(|Failing(_, pair)| *pair).collect();
+        pairs.sort_unstable();
+        pairs
+    }
+}
+
+/// Keeps of the rows from `first` on those that fail most, and all that do not fail; returns how many are left out.
+pub(super) fn keep_worst(rows: &mut Vec<Judged>, first: usize) -> usize {
+    let margin = |row: &Judged| row.margin.map_or(f64::NEG_INFINITY, |(margin, _)| margin);
+    let mut failing: Vec<(f64, usize)> = Vec::new();
+    for (index, row) in rows.iter().enumerate().skip(first).filter(|(_, row)| row.satisfied == Some(false)) {
+        failing.push((margin(row), index));
+    }
+    if failing.len() <= LISTED {
+        return 0;
+    }
+    failing.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let dropped: FxHashSet<usize> = failing.drain(LISTED..).map(|(_, index)| index).collect();
+    let mut index = 0;
+    rows.retain(|_| {
+        index += 1;
+        !dropped.contains(&(index - 1))
+    });
+    dropped.len()
 }
 
 fn ids(program: &Program) -> impl Iterator<Item = ObjectId> + use<> {
@@ -113,7 +232,7 @@ impl<'a> Rules<'a> {
         let outcome = collide::pair(world, a, b).ok();
         let (a, b) = if self.name(a) <= self.name(b) { (a, b) } else { (b, a) };
         let text = || format!("`{}` and `{}` do not collide", self.name(a), self.name(b));
-        self.ruled(world, Kind::Collision, Subject::Pair(a, b), outcome, text, || {
+        self.ruled(world, (Kind::Collision, Subject::Pair(a, b)), outcome, None, text, || {
             match (world.object(a), world.object(b)) {
                 (Ok(x), Ok(y)) => builtins::gap_in_words(self.name(a), self.name(b), builtins::gap(x, y)),
                 _ => "cannot be judged: the layout lacks an object".to_owned(),
@@ -127,7 +246,7 @@ impl<'a> Rules<'a> {
         // A region that is missing could hold it.
         let outcome = best.map(|(_, truth)| truth).filter(|t| t.holds || self.enclosed);
         let text = || format!("`{}` is inside a region", self.name(id));
-        self.ruled(world, Kind::Bounds, Subject::Object(id), outcome, text, || {
+        self.ruled(world, (Kind::Bounds, Subject::Object(id)), outcome, None, text, || {
             let (Some((Some(region), truth)), Ok(thing)) = (best, world.object(id)) else {
                 return String::new();
             };
@@ -150,39 +269,51 @@ impl<'a> Rules<'a> {
         })
     }
 
-    /// P-SUPPORT of an object that it does not lift; `neighbours` are all others within reach.
-    pub fn supported(&self, world: &World<f64>, id: ObjectId, neighbours: &[ObjectId]) -> Ruled {
+    /// P-SUPPORT of an object that it does not lift. `neighbours` are others within reach: all of them, or `others`
+    /// gives nothing. That gives all that are over or under the object, unless that is too much.
+    pub fn supported(
+        &self,
+        world: &World<f64>,
+        id: ObjectId,
+        neighbours: &[ObjectId],
+        others: &mut dyn FnMut() -> Option<Vec<ObjectId>>,
+    ) -> Ruled {
         let how = self.scope.support(id);
         let outcome = match how {
             Support::Lifted | Support::Held => world.object(id).map(|_| Truth::discrete(true)),
             Support::Mounted => mounted(world, id),
-            // What fails among its neighbours fails among all: then all say by how much.
-            Support::Rests => match support::among(world, id, neighbours) {
-                Ok(truth) if !truth.holds => support::object(world, id),
-                outcome => outcome,
-            },
+            Support::Rests => support::among(world, id, neighbours),
         };
+        let mut outcome = outcome.ok();
+        let mut rest = None;
+        if outcome.is_some_and(|t| !t.holds) {
+            // What fails among its neighbours fails among all: then all say by how much.
+            rest = others().and_then(|others| support::rest(world, id, &others).ok());
+            if how == Support::Rests {
+                outcome = rest.as_ref().map(|rest| rest.truth(&world.options.tolerances));
+            }
+        }
         // What is missing could carry it.
         let known = how != Support::Rests || (self.complete && self.enclosed);
-        let outcome = outcome.ok().filter(|t| t.holds || known);
+        let outcome = outcome.filter(|t| t.holds || known);
         let text = || format!("`{}` is supported", self.name(id));
-        self.ruled(world, Kind::Support, Subject::Object(id), outcome, text, || match how {
+        self.ruled(world, (Kind::Support, Subject::Object(id)), outcome, rest.as_ref(), text, || match how {
             Support::Mounted => "it does not touch the wall or ceiling that it is mounted on".to_owned(),
             Support::Held => "its container holds it".to_owned(),
             _ => {
-                let rest = support::rest(world, id, &support::others(world, id));
+                let rest = rest.clone().or_else(|| support::rest(world, id, neighbours).ok());
                 rest.map_or(String::new(), |rest| self.resting(&rest))
             }
         })
     }
 
-    /// The row is there if the rule fails or all are wanted; `measured` says what was measured.
+    /// The row is there if the rule fails or all are wanted; `rest` says how its object rests, `measured` what was measured.
     fn ruled(
         &self,
         world: &World<f64>,
-        kind: Kind,
-        subject: Subject,
+        (kind, subject): (Kind, Subject),
         outcome: Option<Truth<f64>>,
+        rest: Option<&Rest>,
         text: impl FnOnce() -> String,
         measured: impl FnOnce() -> String,
     ) -> Ruled {
@@ -200,7 +331,7 @@ impl<'a> Rules<'a> {
         let place = self.program.objects[objects[0].0 as usize].span;
         let margin = outcome.filter(|t| t.margin.is_finite()).map(|t| (t.margin, t.unit));
         let explanation = outcome.filter(|_| fails).map(|truth| {
-            let measured = explain::of_rule(world, kind, subject, truth.margin);
+            let measured = explain::of_rule(world, kind, truth.margin, rest);
             Box::new(Explanation { measured, ..Explanation::default() })
         });
         let row = Judged {

@@ -4,6 +4,7 @@
 use super::describe::number;
 use crate::navigation::opening;
 use crate::world::World;
+use rustc_hash::FxHashSet;
 use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::program::{ObjectId, Program, RegionId, Unit};
 use scenelang_layout::planar::{convex_overlap, depth_in_convex, nearest_of_segments};
@@ -17,8 +18,11 @@ pub fn warn(program: &Program, world: &World<f64>, out: &mut Vec<Diagnostic>) {
             too_close(program, world, (*a, first), (*b, second), out);
         }
     }
-    for &id in &world.allow.outside {
-        crossing(program, world, id, &rooms, out);
+    let doors: FxHashSet<ObjectId> = world.allow.doors.iter().map(|door| door.object).collect();
+    let open = world.bodies().filter(|(id, _)| doors.contains(id));
+    let openings: Vec<Vec<Vec2>> = open.map(|(_, door)| opening(&door.obb, &world.options)).collect();
+    for id in world.allow.outside.iter().filter(|id| !doors.contains(id)) {
+        crossing(program, world, *id, (&rooms, &openings), out);
     }
 }
 
@@ -80,18 +84,12 @@ fn crossing(
     program: &Program,
     world: &World<f64>,
     id: ObjectId,
-    rooms: &[(RegionId, &Prism)],
+    (rooms, openings): (&[(RegionId, &Prism)], &[Vec<Vec2>]),
     out: &mut Vec<Diagnostic>,
 ) {
-    let is_door = |id: ObjectId| world.allow.doors.iter().any(|door| door.object == id);
     let Ok(thing) = world.object(id) else { return };
-    if is_door(id) {
-        return;
-    }
     let contact = world.options.tolerances.contact;
     let (footprint, span) = (thing.body.obb.footprint(), thing.body.obb.aabb());
-    let doors = world.bodies().filter(|(id, _)| is_door(*id));
-    let openings: Vec<Vec<Vec2>> = doors.map(|(_, door)| opening(&door.obb, &world.options)).collect();
     for (room, prism) in rooms {
         let level = span.min.y < prism.ceiling - contact && span.max.y > prism.floor + contact;
         let in_wall = |points: &[Vec2]| {

@@ -8,6 +8,7 @@ pub use verdicts::{Difference, Side, Turn};
 
 use crate::check::Checked;
 use crate::report::exit_code;
+use crate::report::model::JudgedWith;
 use scenelang_layout::Layout;
 use serde::Serialize;
 
@@ -44,6 +45,9 @@ pub struct Judgement {
     pub file: String,
     /// The exit code of its report.
     pub exit: u8,
+    /// The settings file by which it was judged, where that makes a difference.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub judged_with: Option<JudgedWith>,
 }
 
 impl Comparison {
@@ -69,7 +73,11 @@ pub fn compare(before: &Checked, after: &Checked, threshold: f64) -> Comparison 
         && variables.is_empty()
         && draws.is_empty()
         && constraints.iter().all(|c| c.what.is_margin_only());
-    let judgement = |c: &Checked| Judgement { file: c.report.file.clone(), exit: exit_code(&c.report) };
+    let judgement = |Checked { report, .. }: &Checked| Judgement {
+        file: report.file.clone(),
+        exit: exit_code(report),
+        judged_with: report.judged_with.clone(),
+    };
     Comparison {
         format: FORMAT,
         before: judgement(before),

@@ -1,10 +1,9 @@
 //! The values on both sides of what decided a row.
 
 use crate::builtins::{Call, declared};
-use crate::check::Subject;
 use crate::eval::{Scratch, Value};
 use crate::report::model::Kind;
-use crate::rules::support;
+use crate::rules::support::Rest;
 use crate::world::World;
 use scenelang_lang::program::{Formula, Node, NodeId, Unit};
 
@@ -56,18 +55,15 @@ pub(crate) fn of_statement(
     }
 }
 
-/// What decided a physical rule.
-pub(crate) fn of_rule(world: &World<f64>, kind: Kind, subject: Subject, margin: f64) -> Option<Measured> {
+/// What decided a physical rule; `rest`: how the object of P-SUPPORT rests.
+pub(crate) fn of_rule(world: &World<f64>, kind: Kind, margin: f64, rest: Option<&Rest>) -> Option<Measured> {
     let tolerances = &world.options.tolerances;
-    match (kind, subject) {
-        (Kind::Support, Subject::Object(id)) => {
-            let rest = support::rest(world, id, &support::others(world, id)).ok()?;
-            Some(match rest.off {
-                // It touches, and does not balance: how far its centre is beyond what carries it.
-                Some(off) => metres(off, tolerances.contact),
-                None => metres(rest.lowest, rest.nearest),
-            })
-        }
+    match (kind, rest) {
+        (Kind::Support, rest) => rest.map(|rest| match rest.off {
+            // It touches, and does not balance: how far its centre is beyond what carries it.
+            Some(off) => metres(off, tolerances.contact),
+            None => metres(rest.lowest, rest.nearest),
+        }),
         _ if margin.is_finite() => Some(metres(margin - tolerances.contact, -tolerances.contact)),
         _ => None,
     }

@@ -24,6 +24,7 @@ pub fn build(
         ok: false,
         summary: verdict.summary,
         constraints: verdict.rows.iter().map(|row| builder.row(row)).collect(),
+        unlisted: verdict.unlisted,
         diagnostics: verdict.diagnostics.iter().map(|d| builder.finding(d)).collect(),
         fixed: Vec::new(),
         judged_with: None,

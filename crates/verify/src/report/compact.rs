@@ -21,6 +21,9 @@ pub fn compact(report: &Report, Human { color, all }: Human) -> String {
         let level = if row.is_violation() { Level::Error } else { Level::Advice };
         add(row.span.as_ref(), level, row.code.as_deref().unwrap_or_default(), &main_fact(row));
     }
+    if let Some(more) = report.unlisted.failing_in_words() {
+        let _infallible = writeln!(out, "{}", plain::no_command(&format!("{}: {more}", plain::line(&report.file))));
+    }
     if all {
         holding(report, &mut out);
     }

@@ -18,6 +18,9 @@ pub fn github(reports: &[Report]) -> String {
             let code = row.code.as_deref().unwrap_or_default();
             annotate(&mut out, level, code, row.span.as_ref(), &main_fact(row), report);
         }
+        if let Some(more) = report.unlisted.failing_in_words() {
+            annotate(&mut out, "error", "more", None, &more, report);
+        }
     }
     out
 }

@@ -1,7 +1,7 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
 use super::exit_code;
-use super::model::{JudgedWith, Kind, Summary, Tally};
+use super::model::{Kind, Summary, Tally};
 use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -40,7 +40,9 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
         violation(row, &layout, &words, &mut cache, color, &mut out);
     }
     if failing.len() > MOST {
-        line(&mut out, format_args!("… and {} more that fail; `--format json` lists them all\n", failing.len() - MOST));
+        let (more, them) = (failing.len() - MOST + report.unlisted.failing, report.unlisted.failing > 0);
+        let them = if them { format!("the first {}", failing.len()) } else { "them all".to_owned() };
+        line(&mut out, format_args!("… and {more} more that fail; `--format json` lists {them}\n"));
     }
     line(&mut out, format_args!("{}: {}", plain::line(&report.file), summary(report)));
     judged_with(report, &mut out);
@@ -49,13 +51,16 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
 
 /// The settings that make the verdict another than the usual one.
 pub(super) fn judged_with(report: &super::Report, out: &mut String) {
-    if let Some(JudgedWith { file, changes }) = &report.judged_with {
-        line(out, format_args!("judged with {}: {}", plain::line(file), changes.join(", ")));
+    if let Some(with) = &report.judged_with {
+        line(out, format_args!("{}", with.in_words()));
     }
 }
 
 /// A line for each row that does not fail.
 pub(super) fn holding(report: &super::Report, out: &mut String) {
+    if let Some(more) = report.unlisted.holding_in_words() {
+        line(out, format_args!("{more}"));
+    }
     for row in report.constraints.iter().filter(|row| row.satisfied != Some(false)) {
         let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be judged" };
         let margin = match (row.margin, row.unit.as_deref()) {

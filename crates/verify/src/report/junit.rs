@@ -17,10 +17,11 @@ pub fn junit(reports: &[Report]) -> String {
 fn suite(report: &Report, out: &mut String) {
     let errors: Vec<&Finding> = report.diagnostics.iter().filter(|d| d.severity == "error").collect();
     let rows = &report.constraints;
-    let failures = rows.iter().filter(|r| r.is_violation()).count();
+    let more = report.unlisted.failing_in_words();
+    let failures = rows.iter().filter(|r| r.is_violation()).count() + usize::from(more.is_some());
     let skipped = rows.iter().filter(|r| is_skipped(r)).count();
     let file = escaped(&report.file);
-    let tests = rows.len() + errors.len();
+    let tests = rows.len() + errors.len() + usize::from(more.is_some());
     line(
         out,
         format_args!(
@@ -30,6 +31,11 @@ fn suite(report: &Report, out: &mut String) {
     );
     for row in rows {
         case(row, &file, out);
+    }
+    if let Some(more) = more.as_deref().map(escaped) {
+        line(out, format_args!("    <testcase classname=\"{file}\" name=\"{more}\">"));
+        line(out, format_args!("      <failure message=\"{more}\">{more}</failure>"));
+        line(out, format_args!("    </testcase>"));
     }
     for finding in errors {
         let place = finding.span.as_ref().map(|s| format!("{}:{}:{}: ", s.file, s.start[0], s.start[1]));

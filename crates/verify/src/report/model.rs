@@ -2,7 +2,7 @@
 //!
 //! Field order is the order in the file. Lengths are metres, angles degrees; an infinite margin is `None` (`null`).
 
-use scenelang_base::{Code, codes};
+use scenelang_base::{Code, codes, plain};
 use serde::{Deserialize, Serialize};
 
 /// The value of [`Report::format`].
@@ -22,6 +22,9 @@ pub struct Report {
     /// All stated constraints in source order, judged or not; then physical ones: those that fail, or, on request, all
     /// (those that cannot be judged among them).
     pub constraints: Vec<Row>,
+    /// How many rows of physical rules are counted and not listed.
+    #[serde(default, skip_serializing_if = "Unlisted::is_nothing")]
+    pub unlisted: Unlisted,
     /// Findings about the files themselves.
     pub diagnostics: Vec<Finding>,
     /// Fixes that were made before the file was judged (`check --fix`).
@@ -45,6 +48,13 @@ pub struct JudgedWith {
     pub changes: Vec<String>,
 }
 
+impl JudgedWith {
+    /// The same in a line.
+    pub fn in_words(&self) -> String {
+        plain::line(&format!("judged with {}: {}", self.file, self.changes.join(", "))).into_owned()
+    }
+}
+
 /// How many rows there are of each kind, and how many of them hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Summary {
@@ -66,6 +76,32 @@ impl Summary {
             Kind::Pin => &mut self.pins,
             _ => &mut self.assertions,
         }
+    }
+}
+
+/// Rows that are counted and not listed: there may be millions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Unlisted {
+    /// Those that fail, by less than those of the same rule that are listed.
+    pub failing: usize,
+    /// Those that hold, where all that holds was asked for.
+    pub holding: usize,
+}
+
+impl Unlisted {
+    /// Whether all rows are listed.
+    pub fn is_nothing(&self) -> bool {
+        *self == Self::default()
+    }
+    /// What fails and is not listed, in a sentence.
+    pub fn failing_in_words(&self) -> Option<String> {
+        let Self { failing, .. } = self;
+        let verb = if *failing == 1 { "fails" } else { "fail" };
+        (*failing > 0).then(|| format!("{failing} more physical rules {verb}; those that {verb} most are listed"))
+    }
+    /// What holds and is not listed, in a sentence.
+    pub fn holding_in_words(&self) -> Option<String> {
+        (self.holding > 0).then(|| format!("{} more physical rules hold, which are too many to list", self.holding))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::build;
 use super::model::{Finding, Place, Related, Remedy, Report, Row};
 use crate::check::{Checked, Judged};
-use scenelang_base::{Code, Severity, SourceMap};
+use scenelang_base::{Code, Severity, SourceMap, codes};
 use serde_json::{Value, json};
 
 /// A SARIF log with one run over all files.
@@ -38,7 +38,10 @@ fn of_one(checked: &Checked) -> Vec<Value> {
     let Checked { report, verdict, sources, .. } = checked;
     let rows = report.constraints.iter().zip(&verdict.rows).filter(|(row, _)| row.satisfied == Some(false));
     let violations = rows.map(|(row, judged)| violation(row, judged, sources, report));
-    violations.chain(report.diagnostics.iter().map(|d| finding(d, report))).collect()
+    // Of which rule they are a result must say; nearly all of so many are collisions.
+    let more =
+        report.unlisted.failing_in_words().map(|more| result(codes::V0102.as_str(), "error", &more, None, report));
+    violations.chain(more).chain(report.diagnostics.iter().map(|d| finding(d, report))).collect()
 }
 
 /// What a code means, from its page in the book.

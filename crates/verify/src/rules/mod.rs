@@ -8,7 +8,7 @@ pub mod collide;
 mod near;
 pub mod support;
 
-pub use near::pairs_within;
+pub use near::{Columns, Near, pairs_up_to, pairs_within};
 
 use crate::number::Number;
 use crate::world::World;

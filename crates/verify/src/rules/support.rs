@@ -78,13 +78,15 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
         body.solid().iter().filter_map(|part| slice(part, lowest + tolerances.support)).collect();
     let mut found = Rest { lowest, nearest: f64::NAN, carrier: None, off: None };
     let mut contacts: Vec<Vec2> = Vec::new();
-    let mut consider = |height: f64, carrier: Option<ObjectId>| {
-        if found.nearest.is_nan() || (lowest - height).abs() < (lowest - found.nearest).abs() {
+    let mut nearest = f64::NAN;
+    let mut consider = |height: f64, carrier: Option<ObjectId>, nearest: &mut f64| {
+        if nearest.is_nan() || (lowest - height).abs() < (lowest - *nearest).abs() {
+            *nearest = height;
             (found.nearest, found.carrier) = (height, carrier);
         }
     };
     for height in floors(world, center) {
-        consider(height, None);
+        consider(height, None, &mut nearest);
         if (lowest - height).abs() <= tolerances.support + tolerances.order {
             contacts.extend(base.iter().flatten());
         }
@@ -92,10 +94,15 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
     let tops = others.iter().filter_map(|&other| Some((other, &world.object(other).ok()?.body)));
     for (other, carrier) in tops.filter(|(other, carrier)| *other != id && below(body, carrier)) {
         for (part, face) in level_tops(carrier, tolerances.level) {
+            // Farther off than what is known, and too far to touch: nothing of it counts. Most of what is in one place is.
+            let far = from_face(lowest, part, face) - 1e-9;
+            if far > tolerances.support + tolerances.order && far > (lowest - nearest).abs() {
+                continue;
+            }
             for own in &base {
                 for point in convex_overlap(own, &outline(part, face)) {
                     let height = height_at(part, face, point);
-                    consider(height, Some(other));
+                    consider(height, Some(other), &mut nearest);
                     if (lowest - height).abs() <= tolerances.support + tolerances.order {
                         contacts.push(point);
                     }
@@ -142,6 +149,14 @@ fn level_tops(body: &Body, degrees: f64) -> impl Iterator<Item = (&Convex, &Face
     body.solid()
         .iter()
         .flat_map(move |part| part.faces().iter().filter(move |face| face.normal.y >= up).map(move |face| (part, face)))
+}
+
+/// How far a height is from those of a face.
+fn from_face(height: f64, part: &Convex, face: &Face) -> f64 {
+    let (low, high) = part
+        .face_corners(face)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (c.y.min(low), c.y.max(high)));
+    (low - height).max(height - high).max(0.0)
 }
 
 fn outline(part: &Convex, face: &Face) -> Vec<Vec2> {
