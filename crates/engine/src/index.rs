@@ -1,58 +1,130 @@
-//! Which stated rows speak of an object: moving it can change these, and what looks at everything.
+//! From what can change to the formulas that it changes: the constraints of a program, or the terms of a search.
 
-use scenelang_lang::program::{ObjectId, Program};
+use scenelang_lang::program::{Arg, Formula, Node, ObjectId, ObjectProperty, Program, RegionId, VariableId};
 use scenelang_verify::{Surroundings, surroundings};
 
-/// Rows by the objects they mention.
+/// What a formula depends on.
+#[derive(Clone, Debug, Default)]
+pub struct Reads {
+    /// Objects, sorted.
+    pub objects: Vec<ObjectId>,
+    /// Regions, sorted.
+    pub regions: Vec<RegionId>,
+    /// Decision variables, sorted.
+    pub variables: Vec<VariableId>,
+    /// Whether it depends on everything that stands around (free space, lines of sight, paths).
+    pub sees_all: bool,
+    /// Whether it asks for paths over the floor, which cost thousands of times more than anything else.
+    pub walks: bool,
+    /// Whether it speaks of nothing but sizes.
+    pub sizes_only: bool,
+}
+
+impl Reads {
+    /// Of a formula.
+    pub fn of(formula: &Formula) -> Self {
+        let mut reads = Self { objects: formula.objects(), sizes_only: true, ..Self::default() };
+        for node in &formula.nodes {
+            match node {
+                Node::Object(property, _) => reads.sizes_only &= *property == ObjectProperty::Scale,
+                Node::Region(_, id) | Node::SamePolygon(id, _) => reads.regions.push(*id),
+                Node::Variable(id) => reads.variables.push(*id),
+                Node::BuiltIn(_, args) => {
+                    let surroundings = surroundings(formula, node);
+                    reads.sizes_only = false;
+                    reads.sees_all |= surroundings.is_something();
+                    reads.walks |= surroundings.is_path();
+                    let region = |arg: &Arg| if let Arg::Region(id) = arg { Some(*id) } else { None };
+                    reads.regions.extend(args.iter().filter_map(region));
+                }
+                _ => {}
+            }
+        }
+        reads.sizes_only &= !reads.objects.is_empty();
+        reads.regions.sort_unstable();
+        reads.regions.dedup();
+        reads.variables.sort_unstable();
+        reads.variables.dedup();
+        reads
+    }
+}
+
+/// Formulas, by their numbers, by what they read.
 #[derive(Debug)]
 pub struct Index {
-    /// By [`ObjectId`], sorted: indices of constraints.
-    rows: Vec<Vec<u32>>,
-    /// Constraints that see whatever stands around: ways, lines of sight, free space.
-    seeing: Vec<u32>,
-    /// By constraint: what judging it costs, in units of a small comparison.
-    cost: Vec<usize>,
+    objects: Vec<Vec<usize>>,
+    regions: Vec<Vec<usize>>,
+    variables: Vec<Vec<usize>>,
+    seeing: Vec<usize>,
+    walking: Vec<usize>,
 }
 
 impl Index {
-    /// Of a program.
-    pub fn new(program: &Program) -> Self {
+    /// Of formulas of a program, which are numbered as they come.
+    pub fn new<'r>(program: &Program, formulas: impl IntoIterator<Item = &'r Reads>) -> Self {
         let mut index = Self {
-            rows: vec![Vec::new(); program.objects.len()],
+            objects: vec![Vec::new(); program.objects.len()],
+            regions: vec![Vec::new(); program.regions.len()],
+            variables: vec![Vec::new(); program.variables.len()],
             seeing: Vec::new(),
-            cost: Vec::with_capacity(program.constraints.len()),
+            walking: Vec::new(),
         };
-        for (i, constraint) in program.constraints.iter().enumerate() {
-            let i = i as u32;
-            for id in constraint.formula.objects() {
-                index.rows[id.0 as usize].push(i);
-            }
-            let nodes = &constraint.formula.nodes;
-            let seen = || nodes.iter().map(|node| surroundings(&constraint.formula, node));
-            if seen().any(|s| s.is_something()) {
+        for (i, reads) in formulas.into_iter().enumerate() {
+            reads.objects.iter().for_each(|id| index.objects[id.0 as usize].push(i));
+            reads.regions.iter().for_each(|id| index.regions[id.0 as usize].push(i));
+            reads.variables.iter().for_each(|id| index.variables[id.0 as usize].push(i));
+            if reads.walks {
+                index.walking.push(i);
+            } else if reads.sees_all {
                 index.seeing.push(i);
             }
-            index.cost.push(1 + nodes.len() / 16 + Surroundings::cost(seen(), program.objects.len()));
         }
         index
     }
 
-    /// The constraints that moving these objects can change, sorted.
+    /// Of the constraints of a program.
+    pub fn of_constraints(program: &Program) -> Self {
+        let reads: Vec<Reads> = program.constraints.iter().map(|c| Reads::of(&c.formula)).collect();
+        Self::new(program, &reads)
+    }
+
+    /// Those that read an object.
+    pub fn of_object(&self, id: ObjectId) -> &[usize] {
+        &self.objects[id.0 as usize]
+    }
+
+    /// Those that read a region.
+    pub fn of_region(&self, id: RegionId) -> &[usize] {
+        &self.regions[id.0 as usize]
+    }
+
+    /// Those that read a decision variable.
+    pub fn of_variable(&self, id: VariableId) -> &[usize] {
+        &self.variables[id.0 as usize]
+    }
+
+    /// Those that depend on everything around, those that ask for paths excepted.
+    pub fn seeing(&self) -> &[usize] {
+        &self.seeing
+    }
+
+    /// Those that ask for paths over the floor.
+    pub fn walking(&self) -> &[usize] {
+        &self.walking
+    }
+
+    /// Those that moving these objects can change, sorted.
     pub fn touched_by(&self, objects: &[ObjectId]) -> Vec<usize> {
-        let own = objects.iter().flat_map(|id| &self.rows[id.0 as usize]);
-        let mut found: Vec<usize> = own.chain(&self.seeing).map(|i| *i as usize).collect();
+        let own = objects.iter().flat_map(|id| self.of_object(*id));
+        let mut found: Vec<usize> = own.chain(&self.seeing).chain(&self.walking).copied().collect();
         found.sort_unstable();
         found.dedup();
         found
     }
+}
 
-    /// Whether a constraint speaks of an object.
-    pub fn mentions(&self, object: ObjectId, constraint: usize) -> bool {
-        self.rows[object.0 as usize].binary_search(&(constraint as u32)).is_ok()
-    }
-
-    /// What judging a constraint costs.
-    pub fn cost(&self, constraint: usize) -> usize {
-        self.cost[constraint]
-    }
+/// What judging a formula costs in a program of so many objects, in units of a small comparison.
+pub(crate) fn cost(formula: &Formula, objects: usize) -> usize {
+    let seen = formula.nodes.iter().map(|node| surroundings(formula, node));
+    1 + formula.nodes.len() / 16 + Surroundings::cost(seen, objects)
 }

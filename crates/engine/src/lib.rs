@@ -3,7 +3,7 @@
 //!
 //! - [`State`]: poses, one way to write them, and back again.
 //! - [`Mirror`]: the same layout in other numbers, brought up to date where it is needed.
-//! - [`Index`]: from objects to the constraints that a move of them can change.
+//! - [`Index`]: from objects, regions and variables to the formulas that a change of them can alter.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
 //! - [`check`], [`smallest_move`]: the verdict with the moves that mend what fails.
 //! - [`check_file`] and its like: the same of files.
@@ -25,7 +25,7 @@ pub use explain::{check, smallest_move};
 pub use file::{
     check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
 };
-pub use index::Index;
+pub use index::{Index, Reads};
 pub use live::Live;
 pub use mirror::Mirror;
 pub use moved::moved;

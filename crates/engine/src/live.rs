@@ -48,7 +48,7 @@ impl<'a> Live<'a> {
         let mut live = Self {
             program,
             rules: options.physics.then(|| Rules::new(program, &world)),
-            index: Index::new(program),
+            index: Index::of_constraints(program),
             scratch: Scratch::new(),
             summary: Summary::default(),
             stated: Vec::with_capacity(program.constraints.len()),

@@ -77,7 +77,7 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: 
     state.limit = Limit::new(options.time, &options.stop);
     let frame = &setup.frame;
     let mut order: Vec<ObjectId> = frame.objects().filter(|id| frame.is_movable(*id)).collect();
-    let demands = |id: ObjectId| frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard()).count();
+    let demands = |id: ObjectId| frame.index.of_object(id).iter().filter(|&&t| frame.terms[t].is_hard()).count();
     order.sort_by_key(|id| (demands(*id), *id));
     let mut look = Look { before: violated(&state), start: Snapshot::of(&state), state };
     let mut found = Free { objects: Vec::new(), complete: true };

@@ -3,6 +3,7 @@
 //! Only rows that mention what was moved are judged again, with the pairs and supports around its old and its new place.
 
 use super::DEAR;
+use crate::index::cost;
 use crate::rows::{Goal, row_of, truth};
 use crate::{Index, Mirror, Pose, State};
 use rustc_hash::FxHashMap;
@@ -48,6 +49,8 @@ pub(super) struct Stage<'a> {
     dual: Option<Mirror<Slope>>,
     scope: Scope,
     index: Index,
+    /// By constraint: what judging it costs.
+    costs: Vec<usize>,
     scratch: Scratch<f64>,
     slopes: Scratch<Slope>,
     before: FxHashMap<RowRef, Option<Truth<f64>>>,
@@ -67,7 +70,8 @@ impl<'a> Stage<'a> {
             boxes: objects.map(|id| layout.object(id).ok().map(|thing| thing.body.aabb())).collect(),
             dual: None,
             scope: Scope::new(&layout),
-            index: Index::new(program),
+            index: Index::of_constraints(program),
+            costs: program.constraints.iter().map(|c| cost(&c.formula, program.objects.len())).collect(),
             scratch: Scratch::new(),
             slopes: Scratch::new(),
             before: FxHashMap::default(),
@@ -195,7 +199,7 @@ impl<'a> Stage<'a> {
     /// Whether a row speaks of an object.
     pub fn is_about(&self, row: &RowRef, object: ObjectId) -> bool {
         match row.subject {
-            Subject::Statement(index) => self.index.mentions(object, index),
+            Subject::Statement(index) => self.index.of_object(object).binary_search(&index).is_ok(),
             Subject::Pair(a, b) => a == object || b == object,
             Subject::Object(a) => a == object,
         }
@@ -249,9 +253,7 @@ impl<'a> Stage<'a> {
     /// What judging a goal costs, in small comparisons.
     pub fn cost(&self, goal: Goal) -> usize {
         match goal {
-            Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => {
-                self.index.cost(index)
-            }
+            Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => self.costs[index],
             Goal::Row(RowRef { kind: Kind::Support, .. }) => 4 + self.program.objects.len() / 16,
             Goal::Row(_) => 2,
         }
@@ -292,7 +294,7 @@ impl<'a> Stage<'a> {
     /// The parts of a conjunction that fail, the one that fails most first; none of anything else.
     pub fn failing_parts(&mut self, goal: Goal) -> Vec<Goal> {
         let Some((index, formula, from)) = self.formula(goal) else { return Vec::new() };
-        self.pay(self.index.cost(index));
+        self.pay(self.costs[index]);
         let Node::And(parts) = formula.node(from) else { return Vec::new() };
         if self.scratch.evaluate(formula, self.state.world()).is_err() {
             return Vec::new();
@@ -382,7 +384,7 @@ impl<'a> Stage<'a> {
             rows.dedup();
         }
         let mut stated = self.index.touched_by(moved);
-        stated.sort_by_key(|&i| (self.index.cost(i), i));
+        stated.sort_by_key(|&i| (self.costs[i], i));
         rows.extend(stated.into_iter().map(|i| row_of(self.program, i)));
         rows
     }

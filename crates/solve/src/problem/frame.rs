@@ -5,6 +5,7 @@ use crate::pipeline::place;
 use crate::problem::rules::{self, Fixed, Rules, Source};
 use crate::problem::terms::Term;
 use rustc_hash::FxHashMap;
+use scenelang_engine::Index;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
     Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, RegionId, VariableId,
@@ -73,14 +74,8 @@ pub(crate) struct Frame<'a> {
     pub siblings: Vec<Siblings>,
     /// By object: regions that its terms read.
     pub regions: Vec<Vec<RegionId>>,
-    /// By object, by region, by variable: the terms that read it.
-    pub terms_of: Vec<Vec<usize>>,
-    /// See `terms_of`.
-    pub terms_of_region: Vec<Vec<usize>>,
-    /// See `terms_of`.
-    pub terms_of_variable: Vec<Vec<usize>>,
-    /// Terms that depend on everything around, ways over the floor excepted.
-    pub onlookers: Vec<usize>,
+    /// From what can change to the terms that read it.
+    pub index: Index,
     /// Terms that ask for ways over the floor.
     pub walks: Vec<usize>,
 }
@@ -100,27 +95,20 @@ impl<'a> Frame<'a> {
                 Pinned::Vertices => {}
             }
         }
-        let mut terms_of = vec![Vec::new(); n];
-        let mut terms_of_region = vec![Vec::new(); program.regions.len()];
-        let mut terms_of_variable = vec![Vec::new(); program.variables.len()];
-        for (index, term) in terms.iter().enumerate() {
-            term.objects.iter().for_each(|o| terms_of[o.0 as usize].push(index));
-            term.regions.iter().for_each(|r| terms_of_region[r.0 as usize].push(index));
-            term.variables.iter().for_each(|v| terms_of_variable[v.0 as usize].push(index));
-        }
+        let index = Index::new(program, terms.iter().map(|term| &term.reads));
         let objects = (0..n as u32).map(ObjectId);
         let holds: Vec<Hold> = objects.clone().map(|o| hold(program, scope.as_ref(), o)).collect();
         let priority: Vec<f64> = objects
             .clone()
-            .map(|o| place::priority(terms_of[o.0 as usize].iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
+            .map(|o| place::priority(index.of_object(o).iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
             .collect();
         let rules = equations::add(Rules::new(rules::pins(program), n), program, &terms, &priority);
-        let regions = (0..n).map(|o| regions_of(&terms, &terms_of[o])).collect();
+        let regions = objects.clone().map(|o| regions_of(&terms, index.of_object(o))).collect();
         Self {
             holds,
             priority,
-            onlookers: (0..terms.len()).filter(|&t| terms[t].sees_all && !terms[t].walks).collect(),
-            walks: (0..terms.len()).filter(|&t| terms[t].walks).collect(),
+            walks: index.walking().to_vec(),
+            index,
             related: related(&terms, n),
             siblings: siblings(program),
             followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
@@ -136,9 +124,6 @@ impl<'a> Frame<'a> {
             scope,
             region_pins,
             regions,
-            terms_of,
-            terms_of_region,
-            terms_of_variable,
         }
     }
 

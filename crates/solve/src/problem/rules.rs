@@ -3,8 +3,8 @@
 //! A search that moves a table need not find out that its chairs have to follow: an equation such as
 //! `chair.pos.x = table.pos.x + 0.4` is obeyed, not searched for. So rows and grids move as one.
 
-use crate::problem::terms::Reads;
 use rustc_hash::FxHashSet;
+use scenelang_engine::Reads;
 use scenelang_lang::Program;
 use scenelang_lang::program::{Formula, ObjectId, Owner, Pinned, RegionId, VariableId};
 use scenelang_verify::vector::V3;

@@ -3,11 +3,9 @@
 //! A term is small, so that moving one object needs only the terms that read it. A preference stays whole: it counts
 //! only if all of it holds.
 
+use scenelang_engine::Reads;
 use scenelang_lang::Program;
-use scenelang_lang::program::{
-    Arg, ConstraintKind, Formula, Node, NodeId, ObjectId, ObjectProperty, RegionId, VariableId,
-};
-use scenelang_verify::surroundings;
+use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId};
 
 /// How a term counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,18 +25,8 @@ pub(crate) struct Term {
     pub force: Force,
     /// What must hold.
     pub formula: Formula,
-    /// Objects that it reads, sorted.
-    pub objects: Vec<ObjectId>,
-    /// Regions that it reads, sorted.
-    pub regions: Vec<RegionId>,
-    /// Decision variables that it reads, sorted.
-    pub variables: Vec<VariableId>,
-    /// Whether it depends on everything that stands around (free space, lines of sight, ways).
-    pub sees_all: bool,
-    /// Whether it asks for ways over the floor, which cost thousands of times more than anything else.
-    pub walks: bool,
-    /// Whether it speaks of nothing but sizes.
-    pub sizes_only: bool,
+    /// What it depends on.
+    pub reads: Reads,
 }
 
 impl Term {
@@ -48,68 +36,15 @@ impl Term {
     }
 
     fn new(constraint: usize, force: Force, formula: Formula) -> Self {
-        let reads = Reads::of(&formula);
-        Self {
-            constraint,
-            force,
-            objects: reads.objects,
-            regions: reads.regions,
-            variables: reads.variables,
-            sees_all: reads.sees_all,
-            walks: reads.walks,
-            sizes_only: reads.sizes_only,
-            formula,
-        }
+        Self { constraint, force, reads: Reads::of(&formula), formula }
     }
 }
 
-/// What a formula depends on.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Reads {
-    /// Objects, sorted.
-    pub objects: Vec<ObjectId>,
-    /// Regions, sorted.
-    pub regions: Vec<RegionId>,
-    /// Decision variables, sorted.
-    pub variables: Vec<VariableId>,
-    sees_all: bool,
-    walks: bool,
-    sizes_only: bool,
-}
+impl std::ops::Deref for Term {
+    type Target = Reads;
 
-impl Reads {
-    /// Of a formula.
-    pub fn of(formula: &Formula) -> Self {
-        let mut reads = Self { objects: formula.objects(), sizes_only: true, ..Self::default() };
-        for node in &formula.nodes {
-            match node {
-                Node::Object(property, _) => reads.sizes_only &= *property == ObjectProperty::Scale,
-                Node::Region(_, id) => reads.regions.push(*id),
-                Node::SamePolygon(id, _) => reads.regions.push(*id),
-                Node::Variable(id) => reads.variables.push(*id),
-                Node::BuiltIn(_, args) => {
-                    let surroundings = surroundings(formula, node);
-                    reads.sizes_only = false;
-                    reads.sees_all |= surroundings.is_something();
-                    reads.walks |= surroundings.is_path();
-                    reads.push_regions(args);
-                }
-                _ => {}
-            }
-        }
-        reads.sizes_only &= !reads.objects.is_empty();
-        reads.regions.sort_unstable();
-        reads.regions.dedup();
-        reads.variables.sort_unstable();
-        reads.variables.dedup();
-        reads
-    }
-
-    fn push_regions(&mut self, args: &[Arg]) {
-        self.regions.extend(args.iter().filter_map(|a| match a {
-            Arg::Region(id) => Some(*id),
-            _ => None,
-        }));
+    fn deref(&self) -> &Reads {
+        &self.reads
     }
 }
 

@@ -245,7 +245,7 @@ impl<'a> Search<'a> {
     fn quarrel(&self, id: ObjectId) -> Vec<ObjectId> {
         let state = &self.state;
         let pairs = state.placed().filter(|o| *o != id).map(|o| state.numbering.collide(id, o));
-        let terms = state.frame.terms_of[id.0 as usize].iter().copied();
+        let terms = state.frame.index.of_object(id).iter().copied();
         let mut list = vec![id];
         for check in terms.chain(pairs).filter(|&c| state.is_hard(c) && state.cost(c) > 0.0) {
             for other in state.objects_of(check) {
@@ -262,7 +262,7 @@ impl<'a> Search<'a> {
         let state = &self.state;
         let physical = [state.numbering.bounds(id), state.numbering.support(id)];
         let pairs = state.placed().filter(|o| *o != id).map(|o| state.numbering.collide(id, o));
-        let terms = state.frame.terms_of[id.0 as usize].iter().copied();
+        let terms = state.frame.index.of_object(id).iter().copied();
         terms.chain(physical).chain(pairs).any(|c| state.is_hard(c) && state.cost(c) > 0.0)
     }
 

@@ -209,7 +209,7 @@ impl<'a> State<'a> {
         self.seats[id.0 as usize] = None;
         self.seats.iter_mut().filter(|s| **s == Some(id)).for_each(|s| *s = None);
         if std::mem::replace(&mut self.placed[id.0 as usize], false) {
-            for &t in &self.frame.terms_of[id.0 as usize] {
+            for &t in self.frame.index.of_object(id) {
                 self.missing[t] += 1;
             }
         }
@@ -342,7 +342,7 @@ impl<'a> State<'a> {
         self.layout.undo();
         for id in journal.placed {
             self.placed[id.0 as usize] = false;
-            for &t in &self.frame.terms_of[id.0 as usize] {
+            for &t in self.frame.index.of_object(id) {
                 self.missing[t] += 1;
             }
         }
@@ -444,7 +444,7 @@ impl<'a> State<'a> {
         if !self.placed[i] {
             self.placed[i] = true;
             self.journal.placed.push(id);
-            for &t in &self.frame.terms_of[i] {
+            for &t in self.frame.index.of_object(ObjectId(i as u32)) {
                 self.missing[t] -= 1;
             }
         }
@@ -548,9 +548,9 @@ impl<'a> State<'a> {
         if physical {
             list.extend(objects.iter().map(|&id| numbering.bounds(id)));
         }
-        let terms = objects.iter().flat_map(|o| &frame.terms_of[o.0 as usize]);
-        let terms = terms.chain(regions.iter().flat_map(|r| &frame.terms_of_region[r.0 as usize]));
-        let terms = terms.chain(variables.iter().flat_map(|v| &frame.terms_of_variable[v.0 as usize]));
+        let terms = objects.iter().flat_map(|o| frame.index.of_object(*o));
+        let terms = terms.chain(regions.iter().flat_map(|r| frame.index.of_region(*r)));
+        let terms = terms.chain(variables.iter().flat_map(|v| frame.index.of_variable(*v)));
         list.extend(terms.filter(|&&t| !frame.terms[t].sees_all && self.missing[t] == 0));
         if physical {
             for &id in objects {
@@ -573,7 +573,7 @@ impl<'a> State<'a> {
             }
         }
         if !objects.is_empty() || !regions.is_empty() {
-            list.extend(frame.onlookers.iter().filter(|&&t| self.missing[t] == 0));
+            list.extend(frame.index.seeing().iter().filter(|&&t| self.missing[t] == 0));
         }
         let (now, stamp) = (self.now, &mut self.stamp);
         list.retain(|&c| std::mem::replace(&mut stamp[c], now) != now);

@@ -33,7 +33,7 @@ pub(crate) struct Targets {
 impl Targets {
     /// Objects, and the decision variables that their terms read.
     pub fn objects(state: &State<'_>, objects: Vec<ObjectId>) -> Self {
-        let terms = objects.iter().flat_map(|o| &state.frame.terms_of[o.0 as usize]);
+        let terms = objects.iter().flat_map(|o| state.frame.index.of_object(*o));
         let mut variables: Vec<VariableId> =
             terms.flat_map(|&t| state.frame.terms[t].variables.iter().copied()).collect();
         variables.sort_unstable();

@@ -114,13 +114,13 @@ impl<'s, 'a> System<'s, 'a> {
             }
             let terms = match entity {
                 Entity::Object(_) => continue,
-                Entity::Region(id) => &frame.terms_of_region[id.0 as usize],
-                Entity::Variable(id) => &frame.terms_of_variable[id.0 as usize],
+                Entity::Region(id) => frame.index.of_region(id),
+                Entity::Variable(id) => frame.index.of_variable(id),
             };
             terms.iter().for_each(|&t| add(t, &own));
         }
         for (object, by) in &moved {
-            frame.terms_of[object.0 as usize].iter().for_each(|&t| add(t, by));
+            frame.index.of_object(*object).iter().for_each(|&t| add(t, by));
             let Some(scope) = frame.scope.as_ref().filter(|_| state.is_placed(*object)) else { continue };
             if scope.bounds(*object) && !frame.program.regions.is_empty() {
                 add(state.numbering.bounds(*object), by);

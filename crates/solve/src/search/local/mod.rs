@@ -293,7 +293,9 @@ impl<'a> LocalSearch<'a> {
             collide[i * n + j] = scope.is_some_and(|s| s.collide(ObjectId(i as u32), ObjectId(j as u32)));
         }
         let holds_inside = |id: ObjectId| {
-            frame.terms_of[id.0 as usize]
+            frame
+                .index
+                .of_object(id)
                 .iter()
                 .any(|&t| frame.terms[t].is_hard() && setup::inside_of(&frame.terms[t].formula, id).is_some())
         };
@@ -384,7 +386,7 @@ impl<'a> LocalSearch<'a> {
         local.preferences_of = (0..n).map(|i| local.sorted_terms(i, false)).collect();
         for id in frame.objects() {
             let domain = local.yaws_of(world, id)?;
-            let told = frame.terms_of[id.0 as usize].iter().any(|&t| matches!(local.judges[t], Judge::Turn));
+            let told = frame.index.of_object(id).iter().any(|&t| matches!(local.judges[t], Judge::Turn));
             local.turns.push(!frame.fixed(id).rot && !told);
             local.yaws.push(domain);
             let field = local.field_of(id);

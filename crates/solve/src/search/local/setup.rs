@@ -27,7 +27,7 @@ impl LocalSearch<'_> {
 
     /// Terms that speak of an object, cheap ones first: those that must hold, or preferences.
     pub(super) fn sorted_terms(&self, i: usize, hard: bool) -> Vec<usize> {
-        let mut list: Vec<usize> = self.frame.terms_of[i].to_vec();
+        let mut list: Vec<usize> = self.frame.index.of_object(ObjectId(i as u32)).to_vec();
         list.retain(|&t| self.frame.terms[t].is_hard() == hard && self.is_judged_alone(t));
         list.sort_by_key(|&t| (self.frame.terms[t].objects.len(), self.frame.terms[t].formula.nodes.len()));
         list
@@ -44,7 +44,10 @@ impl LocalSearch<'_> {
         if self.frame.fixed(id).rot {
             return Some(vec![self.inputs(id.0 as usize)[3]]);
         }
-        let terms: Vec<usize> = self.frame.terms_of[id.0 as usize]
+        let terms: Vec<usize> = self
+            .frame
+            .index
+            .of_object(id)
             .iter()
             .copied()
             .filter(|&t| matches!(self.judges[t], Judge::Turn) || self.is_about_tilt(t, id))
@@ -184,7 +187,7 @@ impl LocalSearch<'_> {
 pub(super) fn carriers(frame: &Frame<'_>, id: ObjectId) -> Vec<usize> {
     use ObjectProperty::{Bottom, Pos, Surface, Top};
     let mut found = Vec::new();
-    for &t in &frame.terms_of[id.0 as usize] {
+    for &t in frame.index.of_object(id) {
         let nodes = &frame.terms[t].formula.nodes;
         let own = |node: &Node| matches!(node, Node::Object(Bottom | Pos, o) if *o == id);
         if nodes.iter().any(own) {
@@ -202,7 +205,7 @@ pub(super) fn carriers(frame: &Frame<'_>, id: ObjectId) -> Vec<usize> {
 
 /// The regions that hard terms say an object is in.
 fn rooms_named<'f>(frame: &'f Frame<'_>, id: ObjectId) -> impl Iterator<Item = RegionId> + 'f {
-    let terms = frame.terms_of[id.0 as usize].iter().filter(|&&t| frame.terms[t].is_hard());
+    let terms = frame.index.of_object(id).iter().filter(|&&t| frame.terms[t].is_hard());
     terms.filter_map(move |&t| inside_of(&frame.terms[t].formula, id))
 }
 
