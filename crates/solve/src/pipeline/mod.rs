@@ -277,7 +277,8 @@ impl<'r, 'a> Run<'r, 'a> {
         }
         let numbering = search.state.numbering;
         let member = |which: u64| {
-            let local = LocalSearch::new(&self.setup.frame, &world, numbering)?;
+            let mut local = LocalSearch::new(&self.setup.frame, &world, numbering)?;
+            local.remember_homes(&given);
             Some(Member { local, chance: self.chance(which << 48) })
         };
         let Some(mut first) = member(0) else { return Locally::Not };
@@ -291,6 +292,9 @@ impl<'r, 'a> Run<'r, 'a> {
         let another = || member(1).map(|other| Member { local: other.local.with_skew_first(), ..other });
         let (Member { mut local, mut chance }, mut solved) =
             portfolio::search(first, another, budget, &limit, &given, threads);
+        if solved {
+            local.move_less(&mut chance, &limit, &given);
+        }
         let holds = loop {
             if solved {
                 let preferences = (self.options.budget as f64 * self.options.polish) as u64;
@@ -302,6 +306,11 @@ impl<'r, 'a> Run<'r, 'a> {
             }
             show(&local, &mut search.state);
             let holds = solved && search.state.hard().0 == 0;
+            if std::env::var("DBG").is_ok() {
+                let f: Vec<String> =
+                    search.state.failing().iter().map(|c| format!("{:?}", search.state.numbering.check(*c))).collect();
+                eprintln!("DBG holds {holds} {f:?}");
+            }
             // What was thought to hold may not: it is judged otherwise from then on, and one goes on from here.
             let over = limit.is_over() || local.work >= budget;
             if !solved || holds || over || !local.doubt(&search.state.failing()) {

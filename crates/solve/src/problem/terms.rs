@@ -1,11 +1,14 @@
 //! The stated constraints as terms: top-level conjunctions taken apart, each with what it touches.
 //!
-//! A term is small, so that moving one object needs only the terms that read it. A preference stays whole: it counts
-//! only if all of it holds.
+//! A term is small, so that moving one object needs only the terms that read it. The parts of a preference over
+//! many objects share its weight: what comes closer to holding is better, though only what holds as a whole counts in the end.
 
 use scenelang_engine::Reads;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId};
+
+/// A preference that speaks of no more objects than so is one term: each of them concerns most of it.
+const FEW: usize = 4;
 
 /// How a term counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,8 +62,13 @@ pub(crate) fn split(program: &Program) -> Vec<Term> {
                 terms.extend(parts.into_iter().map(part));
             }
             ConstraintKind::Prefer { weight } => {
-                let whole = extract(&constraint.formula, constraint.formula.root);
-                terms.push(Term::new(index, Force::Soft(weight), whole));
+                let mut parts = conjuncts(&constraint.formula);
+                if parts.is_empty() || constraint.formula.objects().len() <= FEW {
+                    parts = vec![constraint.formula.root];
+                }
+                let weight = weight / parts.len() as f64;
+                let part = |root| Term::new(index, Force::Soft(weight), extract(&constraint.formula, root));
+                terms.extend(parts.into_iter().map(part));
             }
             ConstraintKind::Pin => {}
         }

@@ -463,7 +463,7 @@ impl LocalSearch<'_> {
         self.cost[check] = cost;
         self.holds[check] = holds;
         // A preference that fails is no violation, unless it is demanded.
-        let fine = holds || self.demanded != Some(check) && self.frame.terms.get(check).is_some_and(|t| !t.is_hard());
+        let fine = holds || !self.is_demanded(check) && self.frame.terms.get(check).is_some_and(|t| !t.is_hard());
         let at = self.bad_at[check];
         if fine && at != u32::MAX {
             self.bad.swap_remove(at as usize);

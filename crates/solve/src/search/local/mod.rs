@@ -12,6 +12,7 @@ mod first;
 mod judge;
 mod moves;
 mod near;
+mod optimise;
 mod paths;
 mod preferences;
 mod rearrange;
@@ -21,6 +22,7 @@ mod step;
 #[cfg(test)]
 mod tests;
 mod tidy;
+mod warm;
 
 use crate::problem::checks::Numbering;
 use crate::problem::frame::{Frame, Hold};
@@ -32,6 +34,7 @@ use clear::Clear;
 use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
+use moves::Inputs;
 use near::Near;
 use paths::{Asked, PathGroup};
 use rooms::{Field, Room, Stretch, Wall};
@@ -118,7 +121,12 @@ pub(crate) struct LocalSearch<'a> {
     preferences_of: Vec<Vec<usize>>,
     /// Whether preferences count, and which of them is demanded.
     preferring: bool,
-    demanded: Option<usize>,
+    demanded: Vec<usize>,
+    /// While preferences are raised against each other: by term, what it is worth that it holds.
+    stake: Vec<f64>,
+    /// By object: where it was given a place; and what it costs to leave that.
+    at_first: Vec<Option<Inputs>>,
+    charge: f64,
     size: Vec<[f64; 3]>,
     /// By object: what it is made of.
     blocks: Vec<Arc<[Block]>>,
@@ -307,7 +315,10 @@ impl<'a> LocalSearch<'a> {
             terms_of: Vec::new(),
             preferences_of: Vec::new(),
             preferring: false,
-            demanded: None,
+            demanded: Vec::new(),
+            stake: Vec::new(),
+            at_first: vec![None; n],
+            charge: 0.0,
             blocks: bodies().map(coded::blocks).collect(),
             feet: bodies().map(|body| setup::feet(&coded::blocks(body), world.options.tolerances.support)).collect(),
             surface: bodies().zip(&size).map(|(body, size)| body.surface.unwrap_or(size[1])).collect(),

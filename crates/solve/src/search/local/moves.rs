@@ -34,6 +34,7 @@ impl LocalSearch<'_> {
     pub(super) fn poses(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         out.clear();
         let now = self.inputs(i);
+        out.extend(self.at_first[i].filter(|_| self.is_warm()));
         for _ in 0..6 {
             let pose = self.anywhere(i, chance);
             out.push(pose);

@@ -3,6 +3,7 @@
 
 use super::LocalSearch;
 use super::moves::Inputs;
+use super::paths::PathGroup;
 use crate::problem::limit::Limit;
 use crate::problem::terms::Force;
 use rand_chacha::ChaCha8Rng;
@@ -15,6 +16,37 @@ const ALL: f64 = 0.05;
 const DEMANDED: f64 = 1.0;
 /// How many steps a demand is worth, for each object and in all.
 const STEPS: [usize; 2] = [6, 60];
+
+/// Weights and costs that differ by less are the same.
+const SAME: f64 = 1e-6;
+
+/// A preference: what it weighs, and the terms that it is made of.
+pub(super) struct Preference {
+    pub weight: f64,
+    pub parts: Vec<usize>,
+}
+
+/// How preferences stand.
+#[derive(Clone, Copy)]
+pub(super) struct Standing {
+    /// How much those weigh that hold.
+    pub met: f64,
+    /// What all of them cost.
+    pub cost: f64,
+}
+
+impl Standing {
+    /// Whether more weight holds, or all comes closer to holding.
+    pub fn is_better(&self, other: &Self) -> bool {
+        self.met > other.met + SAME || self.met > other.met - SAME && self.cost < other.cost - SAME
+    }
+}
+
+/// A layout: where everything is, and the corridors that are planned.
+pub(super) struct Found {
+    poses: Vec<Inputs>,
+    groups: Vec<PathGroup>,
+}
 
 impl LocalSearch<'_> {
     /// Whether a term counts at present: it must hold, or preferences are looked at.
@@ -34,50 +66,57 @@ impl LocalSearch<'_> {
         ALL * weight(t) / all.max(1e-12)
     }
 
-    /// Improves a layout in which all holds that must, up to so much work. It keeps holding.
+    /// Improves a layout in which all holds that must, up to so much work. It keeps holding. What is `settled` is moved only
+    /// for a preference that holds then.
     pub fn improve_preferences(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, settled: bool) {
-        let late = || limit.is_over();
         let end = self.work + budget;
-        let mut preferences: Vec<usize> =
-            (0..self.frame.terms.len()).filter(|&t| !self.frame.terms[t].is_hard()).collect();
-        if preferences.is_empty() {
+        let mut preferences = self.preferences();
+        if preferences.is_empty() || budget == 0 {
             return;
         }
-        preferences
-            .sort_by(|&a, &b| self.weight_of_preference(b).total_cmp(&self.weight_of_preference(a)).then(a.cmp(&b)));
+        preferences.sort_by(|a, b| b.weight.total_cmp(&a.weight).then(a.parts.cmp(&b.parts)));
         self.preferring = true;
         self.weight.fill(1.0);
-        for &t in &preferences {
-            self.weight[t] = self.weight_of_preference(t);
+        for t in preferences.iter().flat_map(|p| &p.parts) {
+            self.weight[*t] = self.weight_of_preference(*t);
         }
         self.judge_all();
         self.judge_paths();
         for _ in 0..PASSES {
-            let before = self.preferences_cost();
-            for &t in &preferences {
-                if self.work >= end || late() {
+            let before = self.standing(&preferences);
+            for preference in &preferences {
+                if self.work >= end || limit.is_over() {
                     break;
                 }
-                if !self.does_hold(t) {
-                    self.demand(t, chance, end, limit, settled);
+                if !self.is_met(preference) {
+                    self.demand(preference, &preferences, chance, end, limit, settled);
                 }
             }
-            if self.preferences_cost() >= before - 1e-9 {
+            if !self.standing(&preferences).is_better(&before) {
                 break;
             }
+        }
+        if !settled {
+            self.optimise(&preferences, chance, end, limit);
         }
     }
 
     /// Demands a preference for a while.
-    fn demand(&mut self, t: usize, chance: &mut ChaCha8Rng, end: u64, limit: &Limit, settled: bool) {
+    fn demand(
+        &mut self,
+        preference: &Preference,
+        all: &[Preference],
+        chance: &mut ChaCha8Rng,
+        end: u64,
+        limit: &Limit,
+        settled: bool,
+    ) {
         let late = || limit.is_over();
-        let before: Vec<Inputs> = (0..self.count()).map(|i| self.inputs(i)).collect();
-        let (cost, reluctance) = (self.preferences_cost(), self.reluctance.clone());
-        let (weights, groups) = (self.weight.clone(), self.groups.clone());
-        self.weight[t] = DEMANDED;
-        self.demanded = Some(t);
-        let (now, holds) = (self.cost[t], self.does_hold(t));
-        self.set(t, now, holds);
+        let (found, before) = (self.found(), self.standing(all));
+        let (reluctance, weights) = (self.reluctance.clone(), self.weight.clone());
+        self.demanded.clone_from(&preference.parts);
+        preference.parts.iter().for_each(|&t| self.weight[t] = DEMANDED);
+        self.note_demand(preference);
         let mut poses = Vec::new();
         let mut steps = (STEPS[0] * self.count()).max(STEPS[1]);
         while steps > 0 && !self.bad.is_empty() && self.work < end && !late() {
@@ -85,19 +124,59 @@ impl LocalSearch<'_> {
             steps -= 1;
         }
         let done = self.is_done(&late);
-        self.demanded = None;
+        self.demanded.clear();
         self.weight = weights;
         self.reluctance = reluctance;
-        let (now, holds) = (self.cost[t], self.does_hold(t));
-        self.set(t, now, holds);
-        let better = self.preferences_cost() < cost - 1e-9;
-        if !done || !better || settled && !holds {
-            for (i, inputs) in before.into_iter().enumerate() {
-                self.put(i, inputs);
-            }
-            self.groups = groups;
-            self.judge_all();
-            self.judge_paths();
+        self.note_demand(preference);
+        if !done || !self.standing(all).is_better(&before) || settled && !self.is_met(preference) {
+            self.show(&found);
         }
+    }
+
+    /// Counts a preference as violated where it fails, or no longer.
+    fn note_demand(&mut self, preference: &Preference) {
+        for &t in &preference.parts {
+            let (cost, holds) = (self.cost[t], self.does_hold(t));
+            self.set(t, cost, holds);
+        }
+    }
+
+    /// The preferences, each with the terms that it is made of.
+    fn preferences(&self) -> Vec<Preference> {
+        let mut found: Vec<(usize, Preference)> = Vec::new();
+        for (t, term) in self.frame.terms.iter().enumerate() {
+            let Force::Soft(weight) = term.force else { continue };
+            match found.last_mut().filter(|(constraint, _)| *constraint == term.constraint) {
+                Some((_, preference)) => {
+                    preference.weight += weight;
+                    preference.parts.push(t);
+                }
+                None => found.push((term.constraint, Preference { weight, parts: vec![t] })),
+            }
+        }
+        found.into_iter().map(|(_, preference)| preference).collect()
+    }
+
+    fn is_met(&self, preference: &Preference) -> bool {
+        preference.parts.iter().all(|&t| self.does_hold(t))
+    }
+
+    /// How the preferences stand.
+    pub(super) fn standing(&self, preferences: &[Preference]) -> Standing {
+        let met = preferences.iter().filter(|p| self.is_met(p)).map(|p| p.weight).sum();
+        Standing { met, cost: self.preferences_cost() }
+    }
+
+    /// Where everything is.
+    pub(super) fn found(&self) -> Found {
+        Found { poses: (0..self.count()).map(|i| self.inputs(i)).collect(), groups: self.groups.clone() }
+    }
+
+    /// Puts everything where it was.
+    pub(super) fn show(&mut self, found: &Found) {
+        found.poses.iter().enumerate().for_each(|(i, pose)| self.put(i, *pose));
+        self.groups.clone_from(&found.groups);
+        self.judge_all();
+        self.judge_paths();
     }
 }

@@ -95,7 +95,7 @@ impl LocalSearch<'_> {
         judged.is_some() && self.fresh.iter().all(|(check, _, holds)| *holds || !self.is_hard(*check))
     }
 
-    fn is_hard(&self, check: usize) -> bool {
+    pub(super) fn is_hard(&self, check: usize) -> bool {
         self.frame.terms.get(check).is_none_or(|term| term.is_hard())
     }
 

@@ -9,7 +9,7 @@ use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 
-/// What a violated check gains in weight when no move helps.
+/// What a violated check gains in weight when nothing can be moved for it.
 const STUBBORN: f64 = 0.5;
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
@@ -58,7 +58,7 @@ impl LocalSearch<'_> {
             return;
         }
         self.work += 1;
-        let check = self.bad[chance.below(self.bad.len())];
+        let check = self.pick(chance);
         if self.frees_path(check, chance, poses) {
             return;
         }
@@ -91,9 +91,7 @@ impl LocalSearch<'_> {
         }
         if best.delta > -1e-9 {
             self.reluctance[i] += RELUCTANCE;
-            for at in 0..self.bad.len() {
-                self.weight[self.bad[at]] += STUBBORN * chance.unit();
-            }
+            self.insist(chance);
         }
     }
 
@@ -129,8 +127,9 @@ impl LocalSearch<'_> {
 
     /// Judges a trial, and takes it back; it is remembered if it is the best yet.
     fn weigh(&mut self, choice: Choice, best: &mut Best) {
-        if let Some(delta) = self.judge(best.delta) {
-            *best = Best { delta, choice: Some(choice) };
+        let charged = self.charged();
+        if let Some(delta) = self.judge(best.delta - charged) {
+            *best = Best { delta: delta + charged, choice: Some(choice) };
         }
         self.undo();
     }

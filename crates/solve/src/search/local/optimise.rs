@@ -1,0 +1,152 @@
+//! Preferences against each other, once all that must hold does: a search for the layout in which the most weight of them
+//! holds.
+//!
+//! It is the search for what must hold, with preferences among what may be violated. A preference that fails is worth its
+//! weight, and more the longer it fails, up to a bound; what must hold comes to weigh more without one, so that the search
+//! goes back and forth over its edge. Each layout in which all that must hold does is compared with the best so far
+//! (Lei, Cai: Solving (weighted) partial MaxSAT by dynamic local search for SAT, 2018).
+
+use super::LocalSearch;
+use super::preferences::Preference;
+use crate::problem::checks::Check;
+use crate::problem::limit::Limit;
+use crate::search::pool::Chance;
+use rand_chacha::ChaCha8Rng;
+
+/// What the heaviest preference costs: at first, by how much more each time that no move helps, and at most.
+const AT_FIRST: f64 = 0.3;
+const MORE: f64 = 0.3;
+const AT_MOST: f64 = 3.0;
+/// What a violated check gains in weight when no move helps.
+const STUBBORN: f64 = 0.5;
+/// Steps without a better layout, for each object and in all, after which the search goes on from the best one, and so
+/// many such rounds in a row are the end.
+const PATIENCE: [usize; 2] = [6, 100];
+const ROUNDS: usize = 8;
+/// How often another check is drawn where the first was a preference and something that must hold does not.
+const DRAWS: usize = 3;
+impl LocalSearch<'_> {
+    /// Looks for a layout in which preferences of more weight hold than in this one, in which all holds that must. It goes
+    /// on holding.
+    pub(super) fn optimise(&mut self, preferences: &[Preference], chance: &mut ChaCha8Rng, end: u64, limit: &Limit) {
+        let weights = self.weight.clone();
+        self.stake = self.stakes(preferences);
+        self.weigh_anew();
+        let (mut best, mut found) = (self.standing(preferences), self.found());
+        let patience = PATIENCE[0] * self.count() + PATIENCE[1];
+        let (mut idle, mut rounds) = (0, 0);
+        let mut poses = Vec::new();
+        while self.work < end && !limit.is_over() && rounds < ROUNDS && !self.bad.is_empty() {
+            self.step(chance, &mut poses);
+            idle += 1;
+            if self.is_allowed() {
+                let now = self.standing(preferences);
+                if now.is_better(&best) && self.is_allowed_paths(limit) {
+                    if now.met > best.met {
+                        (idle, rounds) = (0, 0);
+                    }
+                    (best, found) = (now, self.found());
+                }
+            }
+            if idle > patience {
+                (idle, rounds) = (0, rounds + 1);
+                self.show(&found);
+                self.weigh_anew();
+            }
+        }
+        self.stake.clear();
+        self.weight = weights;
+        self.show(&found);
+        if std::env::var("DBG").is_ok() {
+            eprintln!("DBG end met {} work {} rounds {rounds}", best.met, self.work);
+        }
+    }
+
+    /// Whether all holds that must, as far as a search looks at it.
+    fn is_allowed(&self) -> bool {
+        !self.bad.iter().any(|&check| self.is_hard(check))
+    }
+
+    /// The same for paths that terms ask for beside other things.
+    fn is_allowed_paths(&mut self, limit: &Limit) -> bool {
+        self.path_terms.is_empty() || self.find_paths(&|| limit.is_over())
+    }
+
+    /// By term: what it is worth, the heaviest preference 1; 0: nothing can be done for it, or it must hold.
+    fn stakes(&self, preferences: &[Preference]) -> Vec<f64> {
+        let most = preferences.iter().map(|p| p.weight).fold(1e-12, f64::max);
+        let mut stakes = vec![0.0; self.frame.terms.len()];
+        let mut movers = Vec::new();
+        for preference in preferences {
+            for &part in &preference.parts {
+                movers.clear();
+                self.movers_of(part, &mut movers);
+                if !movers.is_empty() {
+                    stakes[part] = preference.weight / most / (preference.parts.len() as f64).sqrt();
+                }
+            }
+        }
+        stakes
+    }
+
+    /// Whether a check counts as violated where it fails.
+    pub(super) fn is_demanded(&self, check: usize) -> bool {
+        self.demanded.contains(&check) || self.stake.get(check).is_some_and(|stake| *stake > 0.0)
+    }
+
+    /// All weighs what it weighs at first.
+    fn weigh_anew(&mut self) {
+        self.weight.fill(1.0);
+        for t in 0..self.stake.len() {
+            if !self.is_hard(t) {
+                self.weight[t] = AT_FIRST * self.stake[t];
+                let (cost, holds) = (self.cost[t], self.holds[t]);
+                self.set(t, cost, holds);
+            }
+        }
+    }
+
+    /// Something violated to take up: rather what must hold than a preference, and of those rather one that weighs more.
+    pub(super) fn pick(&self, chance: &mut ChaCha8Rng) -> usize {
+        let mut draw = || self.bad[chance.below(self.bad.len())];
+        let mut check = draw();
+        if self.stake.is_empty() {
+            return check;
+        }
+        for _ in 0..DRAWS {
+            if self.is_hard(check) {
+                break;
+            }
+            let other = draw();
+            if self.is_hard(other) || self.weight[other] > self.weight[check] {
+                check = other;
+            }
+        }
+        check
+    }
+
+    /// No move helps: what is violated comes to weigh more, preferences only where all holds that must.
+    pub(super) fn insist(&mut self, chance: &mut ChaCha8Rng) {
+        let optimising = !self.stake.is_empty();
+        let broken = !optimising || self.bad.iter().any(|&check| self.is_hard(check));
+        for at in 0..self.bad.len() {
+            let check = self.bad[at];
+            if !optimising || self.is_hard(check) {
+                self.weight[check] += STUBBORN * chance.unit();
+            } else if !broken {
+                let stake = self.stake[check];
+                self.weight[check] = (self.weight[check] + MORE * stake * chance.unit()).min(AT_MOST * stake);
+            }
+        }
+    }
+
+    /// Everything movable that a check speaks of.
+    pub(super) fn movers_of(&self, check: usize, out: &mut Vec<usize>) {
+        let mut moves = |i: usize| self.movers(i, 0, out);
+        match self.numbering.check(check) {
+            Check::Term(t) => self.frame.terms[t].objects.iter().for_each(|o| moves(o.0 as usize)),
+            Check::Collide(a, b) => [a, b].iter().for_each(|o| moves(o.0 as usize)),
+            Check::Bounds(a) | Check::Support(a) => moves(a.0 as usize),
+        }
+    }
+}

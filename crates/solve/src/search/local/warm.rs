@@ -1,0 +1,139 @@
+//! Solving again: of several ways to make all hold once more, the one that moves least.
+//!
+//! A search that starts from a layout is charged for each thing that leaves its place, a little. What moved all the same
+//! goes back where that breaks nothing, alone or with whatever has to go back with it. Where much is still elsewhere, the
+//! search begins again from the layout with other random numbers and a higher charge.
+
+use super::LocalSearch;
+use super::course::Course;
+use super::moves::Inputs;
+use super::paths::PathGroup;
+use crate::problem::limit::Limit;
+use rand_chacha::ChaCha8Rng;
+
+/// What it costs that a thing leaves its place: at first, and in each further search.
+const CHARGE: f64 = 0.05;
+const CHARGES: [f64; 8] = [0.1, 0.3, 0.1, 1.0, 0.3, 0.1, 1.0, 0.3];
+/// The work of a further search, and how much of that there is for each object.
+const WORK: u64 = 300_000;
+const WORK_EACH: u64 = 20_000;
+/// How often all that moved is gone through to go back.
+const PASSES: usize = 4;
+/// What going back may cost.
+const HARM: f64 = 1e-9;
+
+/// Where everything was, and the corridors that were planned then.
+struct Kept {
+    moved: usize,
+    poses: Vec<Inputs>,
+    groups: Vec<PathGroup>,
+}
+
+impl LocalSearch<'_> {
+    /// Remembers where things are that are given a place.
+    pub fn remember_homes(&mut self, given: &[bool]) {
+        let home = |i: usize| (given.get(i) == Some(&true) && self.is_movable(i)).then(|| self.inputs(i));
+        self.at_first = (0..self.count()).map(home).collect();
+        self.charge = CHARGE;
+    }
+
+    /// What a trial costs because things leave the places that they were given, less what it gains where they go back.
+    pub(super) fn charged(&self) -> f64 {
+        if self.charge == 0.0 || !self.is_warm() {
+            return 0.0;
+        }
+        let left = |(i, old, _): &(usize, Inputs, super::Span)| {
+            let Some(home) = &self.at_first[*i] else { return 0.0 };
+            f64::from(u8::from(*home != self.inputs(*i))) - f64::from(u8::from(home != old))
+        };
+        self.charge * self.moved.iter().map(left).sum::<f64>()
+    }
+
+    /// How many things are not where they were given a place.
+    fn strayed(&self) -> usize {
+        (0..self.count()).filter(|&i| self.has_strayed(i)).count()
+    }
+
+    fn has_strayed(&self, i: usize) -> bool {
+        self.at_first[i].is_some_and(|home| home != self.inputs(i))
+    }
+
+    /// In a layout in which all holds: looks for one in which fewer things have left the places that they were given.
+    pub fn move_less(&mut self, chance: &mut ChaCha8Rng, limit: &Limit, given: &[bool]) {
+        if self.at_first.iter().all(Option::is_none) {
+            return;
+        }
+        // Where nothing is new, something had to move.
+        let least = usize::from(given.iter().all(|given| *given));
+        self.go_back();
+        let mut best = self.kept();
+        for charge in CHARGES {
+            if best.moved <= least || limit.is_over() {
+                break;
+            }
+            (0..self.count()).for_each(|i| self.put(i, self.at_first[i].unwrap_or(self.inputs(i))));
+            self.course = Course::default();
+            self.charge = charge;
+            let work = WORK + WORK_EACH * self.count() as u64;
+            if self.search(chance, work, limit, given) {
+                self.go_back();
+                if self.strayed() < best.moved {
+                    best = self.kept();
+                }
+            }
+        }
+        self.course = Course::default();
+        self.away.fill(false);
+        self.away_count = 0;
+        best.poses.iter().enumerate().for_each(|(i, pose)| self.put(i, *pose));
+        self.groups = best.groups;
+        self.judge_all();
+        self.judge_paths();
+    }
+
+    fn kept(&self) -> Kept {
+        let poses = (0..self.count()).map(|i| self.inputs(i)).collect();
+        Kept { moved: self.strayed(), poses, groups: self.groups.clone() }
+    }
+
+    /// Things go back to where they were given a place, as far as everything holds then.
+    fn go_back(&mut self) {
+        for _ in 0..PASSES {
+            let mut changed = false;
+            for at in 0..self.movable.len() {
+                let i = self.movable[at];
+                changed |= self.has_strayed(i) && self.goes_back(i);
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+
+    /// A thing goes back, and with it those that are in its way there and have left their places, too. Whether it did.
+    fn goes_back(&mut self, first: usize) -> bool {
+        let mut company = vec![first];
+        loop {
+            for at in 0..company.len() {
+                let Some(home) = self.at_first[company[at]] else { continue };
+                self.go(company[at], home);
+            }
+            let judged = self.judge(f64::INFINITY);
+            let failing: Vec<usize> =
+                self.fresh.iter().filter(|(c, _, holds)| !holds && self.is_hard(*c)).map(|(c, ..)| *c).collect();
+            if failing.is_empty() && judged.is_some_and(|delta| delta <= HARM) {
+                self.keep();
+                return true;
+            }
+            self.undo();
+            let before = company.len();
+            let mut more = Vec::new();
+            failing.into_iter().for_each(|check| self.movers_of(check, &mut more));
+            more.retain(|&i| self.has_strayed(i) && !company.contains(&i));
+            company.extend(more);
+            if company.len() == before {
+                return false;
+            }
+        }
+    }
+}
