@@ -11,6 +11,7 @@ use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::Meanings;
 use scenelang_lang::items::ItemKind;
 use scenelang_lang::library;
+use scenelang_lang::roles;
 use scenelang_lang::natives::{self, BUILT_INS, OBJECT_PROPERTIES, Property, REGION_PROPERTIES, SIDES};
 use scenelang_lang::syntax::{CallSite, Expects, context_at, parse};
 use scenelang_lang::token::{Kind, Token, UNITS, lex};
@@ -109,7 +110,7 @@ pub fn complete(
         Expects::Statement => at.statements(),
         Expects::Property { of } => at.properties(&part[of.bytes()]),
         Expects::OwnProperty => {
-            for name in ["category", "color", "features", "material"] {
+            for name in ["category", "color", "features", "material", "role"] {
                 at.push(name, Sort::Property, "String", 0);
             }
         }
@@ -457,11 +458,13 @@ impl At<'_> {
     /// Texts of the property that the string is given to or compared with.
     fn texts(&mut self, vocabulary: &dyn Vocabulary) {
         let tokens = self.before();
-        let words = ["category", "color", "floorColor", "wallColor", "material", "floorMaterial", "wallMaterial"];
+        let words =
+            ["category", "color", "floorColor", "wallColor", "material", "floorMaterial", "wallMaterial", "role"];
         let property = tokens.iter().rev().map(|t| self.slice(t).to_owned()).find(|w| words.contains(&w.as_str()));
         let colour = self.is_color_variable(&tokens);
         match property.as_deref() {
             Some("category") => self.words(&vocabulary.categories(), Sort::Text),
+            Some("role") => self.words(&roles::all().collect::<Vec<_>>(), Sort::Text),
             Some(p) if p.ends_with("aterial") => self.words(&vocabulary.materials(), Sort::Text),
             Some(_) => self.words(&vocabulary.colors(), Sort::Color),
             None if colour => self.words(&vocabulary.colors(), Sort::Color),

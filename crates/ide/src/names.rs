@@ -42,6 +42,8 @@ pub enum Symbol {
     Side,
     /// `objects`
     AllObjects,
+    /// `rooms`.
+    AllRooms,
 }
 
 /// What is done with the name where it stands.
@@ -210,6 +212,7 @@ impl Statement<'_> {
             // How many there are is said where it is declared.
             Resolution::Element { array, .. } => Symbol::Item(array.clone(), ItemKind::Array(0)),
             Resolution::AllObjects => Symbol::AllObjects,
+            Resolution::AllRooms => Symbol::AllRooms,
             Resolution::Local(index) => {
                 let local = self.hir.locals.get(*index)?;
                 Symbol::Local { statement: self.place.offset, index: *index, kind: local.kind, ty: local.ty }

@@ -86,7 +86,7 @@ fn of_name(name: &Occurrence) -> Option<(TokenType, u32)> {
         Symbol::Property(Ty::Object | Ty::Region, _) => (TokenType::Property, role),
         Symbol::Property(..) | Symbol::Component => (TokenType::Property, role),
         Symbol::Side => (TokenType::EnumMember, role),
-        Symbol::AllObjects => (TokenType::Class, LIBRARY),
+        Symbol::AllObjects | Symbol::AllRooms => (TokenType::Class, LIBRARY),
     })
 }
 

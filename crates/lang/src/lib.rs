@@ -19,6 +19,7 @@ pub mod overlaps;
 pub mod parse;
 pub mod print;
 pub mod program;
+pub mod roles;
 pub mod sources;
 pub mod syntax;
 pub mod token;

@@ -17,6 +17,14 @@ pub const FILES: &[(&str, &str)] = &[
     ("std/groups.scene", include_str!("../std/groups.scene")),
 ];
 
+/// Files of the library that count only where they are imported: what the import says, and the text.
+pub const IMPORTED: &[(&str, &str)] = &[("std/guidelines.scene", include_str!("../std/guidelines.scene"))];
+
+/// The text of a file of the library that a program imports.
+pub fn imported(path: &str) -> Option<&'static str> {
+    IMPORTED.iter().find(|(name, _)| *name == path).map(|(_, text)| *text)
+}
+
 /// The library, parsed once per process.
 pub fn parsed() -> &'static [ParsedFile] {
     static PARSED: OnceLock<Vec<ParsedFile>> = OnceLock::new();
@@ -62,7 +70,7 @@ pub fn is_category(word: &str) -> bool {
 }
 
 /// Lower-case words of a category or a name: blanks, underscores, digits and humps separate.
-fn words(text: &str) -> Vec<String> {
+pub(crate) fn words(text: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     let mut before = ' ';
     for c in text.chars() {

@@ -251,6 +251,7 @@ pub const OBJECT_PROPERTIES: &[Property] = properties! {
     material Material true "Its material, as text.";
     features String true "What else is to be said of it, as text.";
     category String true "What kind of thing it is, as text.";
+    role String true "What it is for, as text: `seat`, `table`, …; unless assigned, what its category says.";
     dimensions Vector3 true "The size asked for: width, height, depth (metres).";
     center Vector3 false "Centre of its box.";
     size Vector3 false "The same as scale.";
@@ -263,6 +264,12 @@ pub const OBJECT_PROPERTIES: &[Property] = properties! {
     min Vector3 false "Least corner of its world-axis box.";
     max Vector3 false "Greatest corner of its world-axis box.";
 };
+
+/// The set of all regions that are rooms, where no object or region is called so.
+pub const ROOMS: &str = "rooms";
+
+/// Properties of objects that are known without a layout, so that filters may read them.
+pub const STATIC_PROPERTIES: [&str; 5] = ["category", "color", "material", "features", "role"];
 
 /// Properties of regions.
 pub const REGION_PROPERTIES: &[Property] = properties! {

@@ -68,6 +68,8 @@ pub struct Object {
     pub features: String,
     /// Assigned text, or empty.
     pub category: String,
+    /// Assigned text, or that of the category, or empty.
+    pub role: String,
     /// The `dimensions` assigned (a vector), if any.
     pub dimensions: Option<Formula>,
     /// The declared name.
@@ -173,6 +175,19 @@ pub struct Constraint {
     pub definitions: Vec<usize>,
     /// How to say what comparisons of the formula measured, by node; of the others their own text says it.
     pub wordings: Vec<Wording>,
+    /// The guideline that it is an instance of, if it is one.
+    pub guideline: Option<Guideline>,
+}
+
+/// A preference by a predicate of `std/guidelines.scene`, as far as it speaks of one thing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Guideline {
+    /// The predicate.
+    pub name: SmolStr,
+    /// What it asks for: the documentation of the predicate.
+    pub says: String,
+    /// The thing.
+    pub of: Option<ObjectId>,
 }
 
 /// What kind of constraint it is.

@@ -31,6 +31,8 @@ pub enum Ty {
     Region,
     /// A set of objects.
     Objects,
+    /// All rooms: a domain of quantifiers.
+    Regions,
     /// A floor polygon.
     Polygon,
     /// A domain of whole numbers, `0..5`.
@@ -73,6 +75,7 @@ impl Ty {
             Self::Object => "Object",
             Self::Region => "Region",
             Self::Objects => "Objects",
+            Self::Regions => "Regions",
             Self::Polygon => "Polygon",
             Self::Range => "Range",
             Self::Side => "Side",
@@ -122,6 +125,7 @@ impl fmt::Display for Ty {
             Self::Object => "an object",
             Self::Region => "a region",
             Self::Objects => "a set of objects",
+            Self::Regions => "a set of regions",
             Self::Polygon => "a polygon",
             Self::Range => "a range of whole numbers",
             Self::Side => "a side",

@@ -185,6 +185,7 @@ impl<'a> View<'a> {
             Resolution::Element { array, index } => {
                 json!({ "kind": "element", "name": array.as_str(), "index": index, "declared": item(array) })
             }
+            Resolution::AllRooms => json!({ "kind": "rooms" }),
             Resolution::AllObjects => json!({ "kind": "objects" }),
             Resolution::Local(local) => {
                 let local = &meant.hir.locals[*local];
@@ -247,6 +248,7 @@ fn resolution_in_words(resolution: &Resolution, hir: &Hir) -> String {
         Resolution::Item(name, kind) => format!("{} {name}", item_kind(kind.ty(), false)),
         Resolution::Element { array, index: Some(i) } => format!("element {array}[{i}]"),
         Resolution::Element { array, index: None } => format!("element of {array}"),
+        Resolution::AllRooms => "all rooms".to_owned(),
         Resolution::AllObjects => "all objects".to_owned(),
         Resolution::Local(local) => format!("{} {}", local_kind(hir.locals[*local].kind), hir.locals[*local].name),
         Resolution::Predicate { name, library: true } => format!("library predicate {name}"),

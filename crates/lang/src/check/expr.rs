@@ -5,7 +5,7 @@ use super::constant;
 use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt, UnitSuffix};
 use crate::hir::{Hir, Local, LocalKind, Resolution};
 use crate::items::{ItemKind, Names, whole_number};
-use crate::natives::{self, SIDES, Signature, property};
+use crate::natives::{self, ROOMS, SIDES, STATIC_PROPERTIES, Signature, property};
 use crate::program::Comparison;
 use crate::types::Ty;
 use scenelang_base::suggest::nearest;
@@ -235,6 +235,10 @@ impl<'n, 'a> Checker<'n, 'a> {
             }
             Some(kind) => kind.ty(),
             None if name == "objects" => self.objects(id),
+            None if name == ROOMS && !self.names.is_poisoned(name) => {
+                self.resolve(id, || Resolution::AllRooms);
+                Ty::Regions
+            }
             None => {
                 self.unknown_name(name, range);
                 Ty::Error
@@ -344,17 +348,16 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.error(codes::E0207, name.range, message);
             return Ty::Error;
         }
-        const STATIC: [&str; 4] = ["color", "material", "features", "category"];
-        if STATIC.contains(&name.text.as_str()) {
+        if STATIC_PROPERTIES.contains(&name.text.as_str()) {
             return Ty::String;
         }
         let mut d = Diagnostic::new(
             codes::E0306,
             Where::Here(name.range),
-            format!("a filter may read color, material, features and category, not `{}`", name.text),
+            format!("a filter may read color, material, features, category and role, not `{}`", name.text),
         )
         .note("what a set holds must be known without a layout; move other conditions behind the colon");
-        if let Some(near) = nearest(&name.text, STATIC) {
+        if let Some(near) = nearest(&name.text, STATIC_PROPERTIES) {
             d = d.fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(name.range), near);
         }
         self.push(d);
@@ -498,6 +501,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         let var_ty = match ty {
             Ty::Range => Ty::Literal,
             Ty::Objects | Ty::Object => Ty::Object,
+            Ty::Regions => Ty::Region,
             Ty::Error => Ty::Error,
             other => {
                 let message = format!("this runs over a set of objects or a range like `0..5`, not over {other}");

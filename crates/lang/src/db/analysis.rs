@@ -42,6 +42,8 @@ pub(crate) struct Unit<'a> {
     pub file: FileId,
     /// The path relative to the main file, as in draw keys; empty for the main file.
     pub prefix: &'a str,
+    /// Whether it is a file of the library that was imported.
+    pub bundled: bool,
     /// Its statements, with the byte offset in the file that their places are relative to.
     runs: Vec<(u32, &'a ParsedFile)>,
 }
@@ -164,7 +166,7 @@ impl Analysis {
         let unit = |f: &'_ ReadFile| -> Vec<(u32, &'_ ParsedFile)> {
             placed_runs(&self.db, f.text).iter().map(|(at, run)| (*at, parsed(&self.db, *run))).collect()
         };
-        self.files.iter().map(|f| Unit { file: f.file, prefix: &f.prefix, runs: unit(f) }).collect()
+        self.files.iter().map(|f| Unit { file: f.file, prefix: &f.prefix, bundled: f.bundled, runs: unit(f) }).collect()
     }
 
     fn items<'a>(&'a self, units: &[Unit<'a>]) -> Items<'a> {
@@ -225,13 +227,16 @@ impl Analysis {
     /// Warnings about the whole program, in which errors with these codes were found.
     fn warnings(&self, errors: &[Code]) -> Vec<Diagnostic> {
         let units = self.units();
-        let mut places = units.iter().flat_map(Unit::places);
         let mut linted = Vec::new();
-        for (_, run) in self.files.iter().flat_map(|f| placed_runs(&self.db, f.text)) {
-            let checked = checked(&self.db, *run);
-            for (uses, i) in summaries(&self.db, *run).iter().zip(0..) {
-                let about = checked.iter().filter(|(stmt, _)| *stmt == i).map(|(_, d)| d);
-                linted.extend(places.next().map(|place| Linted::new(place, uses, about)));
+        // What the library says of all objects is no reason for silence about one of which the program says nothing.
+        for (file, unit) in self.files.iter().zip(&units).filter(|(file, _)| !file.bundled) {
+            let mut places = unit.places();
+            for (_, run) in placed_runs(&self.db, file.text) {
+                let checked = checked(&self.db, *run);
+                for (uses, i) in summaries(&self.db, *run).iter().zip(0..) {
+                    let about = checked.iter().filter(|(stmt, _)| *stmt == i).map(|(_, d)| d);
+                    linted.extend(places.next().map(|place| Linted::new(place, uses, about)));
+                }
             }
         }
         lint::program(&KnownNames(&self.db), &linted, errors)

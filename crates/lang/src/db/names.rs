@@ -163,6 +163,7 @@ pub(crate) struct NameTable {
 #[salsa::tracked]
 pub(crate) fn names(db: &dyn salsa::Database, sources: Sources) -> NameTable {
     let mut table = NameTable::default();
+    let bundled = |at: At| sources.files(db)[at.unit as usize].bundled(db);
     for (at, head) in all_heads(db, sources) {
         match head {
             Head::Declares { name, kind } => match table.items.get(name) {
@@ -176,6 +177,11 @@ pub(crate) fn names(db: &dyn salsa::Database, sources: Sources) -> NameTable {
             },
             Head::Defines { name, .. } if natives::is_built_in(name) => {}
             Head::Defines { name, head, .. } => match table.predicates.get(name) {
+                // What the program defines hides what it imports of the library.
+                Some((_, first)) if bundled(at) && !bundled(*first) => {}
+                Some((_, first)) if bundled(*first) && !bundled(at) => {
+                    table.predicates.insert(name.clone(), (head.clone(), at));
+                }
                 Some((_, first)) => {
                     table.defined_twice.push(Twice { what: name.to_string(), first: *first, again: at });
                 }

@@ -4,9 +4,10 @@ use super::Database;
 use super::names::{Head, outline};
 use super::runs::{File, parsed, placed_runs};
 use crate::ast::StmtKind;
+use crate::library;
 use crate::sources::{Loader, code_of, decode, file_name, normal, plain, with_advice};
 use salsa::Setter;
-use scenelang_base::{Diagnostic, FileId, SourceMap, Span, codes};
+use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
 use std::path::{Path, PathBuf};
 
 /// A file of the program and where it came from.
@@ -18,6 +19,8 @@ pub(super) struct ReadFile {
     /// Without `.` and `..`.
     pub path: PathBuf,
     pub text: File,
+    /// Whether it is of the library, not of the disk.
+    pub bundled: bool,
 }
 
 /// Follows the imports.
@@ -46,11 +49,11 @@ impl<'a> Reader<'a> {
     /// The main file first, then the others in the order met; and what went wrong.
     pub fn read_all(mut self, main: FileId) -> (Vec<ReadFile>, Vec<Diagnostic>) {
         let path = normal(self.sources.get(main).path());
-        self.read(main, &path, "");
+        self.read(main, &path, "", false);
         (self.files, self.found)
     }
 
-    fn read(&mut self, file: FileId, path: &Path, prefix: &str) {
+    fn read(&mut self, file: FileId, path: &Path, prefix: &str, bundled: bool) {
         let new = self.sources.get(file).text();
         let text = match self.before.iter().find(|f| f.path == path) {
             Some(known) => {
@@ -59,10 +62,10 @@ impl<'a> Reader<'a> {
                 }
                 known.text
             }
-            None => File::new(self.db, new.to_owned()),
+            None => File::new(self.db, new.to_owned(), bundled),
         };
         let imports = self.imports(file, text);
-        self.files.push(ReadFile { file, prefix: prefix.to_owned(), path: path.to_owned(), text });
+        self.files.push(ReadFile { file, prefix: prefix.to_owned(), path: path.to_owned(), text, bundled });
         self.open.push(path.to_owned());
         for (written, place) in imports {
             self.import(path, prefix, &written, place);
@@ -85,7 +88,21 @@ impl<'a> Reader<'a> {
         out
     }
 
+    /// A file that comes with the language: there is no path on the disk that it could be taken for.
+    fn bundled(&mut self, name: &str, text: &str) {
+        let path = Path::new("<library>").join(name);
+        if self.files.iter().any(|f| f.path == path) {
+            return;
+        }
+        let file = self.sources.put(SourceFile::new(name, &path, text));
+        self.read(file, &path, name, true);
+    }
+
     fn import(&mut self, from: &Path, prefix: &str, written: &str, place: Span) {
+        if let Some(text) = library::imported(written) {
+            self.bundled(written, text);
+            return;
+        }
         let folder = from.parent().unwrap_or(Path::new(""));
         let path = normal(&folder.join(written));
         if let Some(at) = self.open.iter().position(|p| *p == path) {
@@ -112,7 +129,7 @@ impl<'a> Reader<'a> {
         let shown = self.sources.get(place.file).path().parent().unwrap_or(Path::new("")).join(written);
         match self.loader.load(&path) {
             Ok(bytes) => match decode(&normal(&shown).to_string_lossy(), &path, bytes, self.sources) {
-                Ok(file) => self.read(file, &path, &relative),
+                Ok(file) => self.read(file, &path, &relative, false),
                 Err(refused) => self.found.push(refused.1.related(place, "imported here")),
             },
             Err(e) => {

@@ -13,6 +13,9 @@ use std::hash::BuildHasher;
 pub(crate) struct File {
     #[returns(deref)]
     pub text: String,
+    /// Whether it is a file of the library that was imported: what the program defines itself counts instead of it.
+    #[returns(copy)]
+    pub bundled: bool,
 }
 
 /// The files of the program: the main one, then the imported ones in the order met.

@@ -40,6 +40,8 @@ pub enum Resolution {
     },
     /// `objects`: all objects.
     AllObjects,
+    /// `rooms`: all regions that are rooms.
+    AllRooms,
     /// A parameter or the variable of a quantifier: an index into [`Hir::locals`].
     Local(usize),
     /// A predicate of the program or of the library.

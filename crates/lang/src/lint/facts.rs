@@ -3,6 +3,7 @@
 use super::Linted;
 use crate::ast::{ExprKind, Name, StmtKind};
 use crate::items::{ItemKind, Names, whole_number};
+use crate::roles::role_of;
 use crate::types::Ty;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_base::{FileId, Span};
@@ -116,7 +117,7 @@ impl<'a> Facts<'a> {
 
     /// Elements of an array that are assigned something of their own, sorted.
     pub fn own_elements(&self, array: &SmolStr) -> Vec<u32> {
-        let of_text = super::sets::READ_BY_FILTERS.iter().filter_map(|p| self.values.get(&(array, *p)));
+        let of_text = crate::natives::STATIC_PROPERTIES.iter().filter_map(|p| self.values.get(&(array, *p)));
         let mut own: Vec<u32> = of_text.flatten().filter_map(|(element, _)| *element).collect();
         own.sort_unstable();
         own.dedup();
@@ -129,11 +130,16 @@ impl<'a> Facts<'a> {
         element.is_none() || values.iter().any(|(e, _)| e.is_none() || *e == element)
     }
 
-    /// The text of a property; `""` where it is not assigned, `None` where it cannot be told.
+    /// The text of a property; `""` where it is not assigned (a role: what the category says), `None` where it cannot be told.
     pub fn text(&self, name: &SmolStr, element: Option<u32>, property: &str) -> Option<&'a str> {
-        let Some(values) = self.values.get(&(name, property)) else { return Some("") };
+        let unassigned = || match property {
+            // What the category says.
+            "role" => self.text(name, element, "category").map(role_of),
+            _ => Some(""),
+        };
+        let Some(values) = self.values.get(&(name, property)) else { return unassigned() };
         match values.iter().find(|(e, _)| e.is_none() || *e == element) {
-            None => Some(""),
+            None => unassigned(),
             Some((_, Value::Text(text))) => Some(text),
             Some((_, Value::Variable(variable))) => self.variable(variable),
             Some((_, Value::Other)) => None,

@@ -7,15 +7,13 @@ use crate::ast::{BinaryOp, ExprId, ExprKind, Quantifier, Stmt, StmtKind};
 use crate::check::{Where, constant};
 use crate::compile::MAX_ERRORS;
 use crate::items::ItemKind;
+use crate::natives::STATIC_PROPERTIES;
 use crate::program::Comparison;
 use rustc_hash::FxHashMap;
 use scenelang_base::suggest::nearest;
 use scenelang_base::{Applicability, Diagnostic, TextRange, codes};
 use smol_str::SmolStr;
 use std::collections::BTreeSet;
-
-/// What a filter may read of an object.
-pub const READ_BY_FILTERS: [&str; 4] = ["category", "color", "material", "features"];
 
 /// So many questions whether an object passes a filter are asked; what is left is not reported. A program that people
 /// write needs a few thousand.
@@ -116,15 +114,15 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// What a filter sees of an object, in the order of [`READ_BY_FILTERS`]; `None`: cannot be told.
-type Texts<'a> = [Option<&'a str>; 4];
+/// What a filter sees of an object, in the order of [`STATIC_PROPERTIES`]; `None`: cannot be told.
+type Texts<'a> = [Option<&'a str>; STATIC_PROPERTIES.len()];
 
 /// Objects by name, each with its texts. The elements of an array that have nothing of their own are one.
 fn things<'a>(facts: &Facts<'a>) -> Vec<(&'a SmolStr, Texts<'a>)> {
     let mut out = Vec::new();
     for (name, _) in &facts.order {
         let name = &name.text;
-        let texts = |element: Option<u32>| READ_BY_FILTERS.map(|property| facts.text(name, element, property));
+        let texts = |element: Option<u32>| STATIC_PROPERTIES.map(|property| facts.text(name, element, property));
         match facts.names.item(name) {
             Some(ItemKind::Array(n)) => {
                 let own = facts.own_elements(name);
@@ -145,7 +143,7 @@ pub fn keep_blank(facts: &Facts<'_>) -> bool {
         s.uses.filters.iter().any(|outermost| {
             let mut at = *outermost;
             while let ExprKind::Where(set, filter) = &s.place.stmt.expr(at).kind {
-                if keeps(facts, s.place.stmt, *filter, &[Some(""); 4]) == Some(false) {
+                if keeps(facts, s.place.stmt, *filter, &[Some(""); STATIC_PROPERTIES.len()]) == Some(false) {
                     return false;
                 }
                 at = *set;
@@ -186,7 +184,7 @@ fn keeps(facts: &Facts<'_>, stmt: &Stmt, filter: ExprId, texts: &Texts<'_>) -> O
 fn text<'a>(facts: &Facts<'a>, stmt: &'a Stmt, id: ExprId, texts: &Texts<'a>) -> Option<&'a str> {
     match &stmt.expr(id).kind {
         ExprKind::Text(text) => Some(text),
-        ExprKind::Own(property) => texts[READ_BY_FILTERS.iter().position(|p| *p == property.text)?],
+        ExprKind::Own(property) => texts[STATIC_PROPERTIES.iter().position(|p| *p == property.text)?],
         // A parameter is no variable of the program; in a predicate it may hide one.
         ExprKind::Name(name) if !matches!(stmt.kind, StmtKind::Predicate { .. }) => facts.variable(name),
         _ => None,

@@ -78,6 +78,8 @@ pub fn texts(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                     (format!("of `{name}{index}`"), assigned || !known)
                 }
             };
+            // Where no role is assigned, the category says it.
+            let assigned = assigned || property == "role";
             if assigned || told.contains(&(&read.of, property)) {
                 continue;
             }

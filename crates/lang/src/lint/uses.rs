@@ -12,8 +12,8 @@ use scenelang_base::TextRange;
 use smol_str::SmolStr;
 
 /// Properties that are text, of objects and of regions.
-const TEXTS: [&str; 8] =
-    ["category", "color", "material", "features", "floorColor", "floorMaterial", "wallColor", "wallMaterial"];
+const TEXTS: [&str; 9] =
+    ["category", "color", "material", "features", "role", "floorColor", "floorMaterial", "wallColor", "wallMaterial"];
 
 /// The summary. Places are relative to the statement.
 #[derive(Clone, Debug, Default, PartialEq)]

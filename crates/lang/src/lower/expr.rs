@@ -5,7 +5,7 @@ use super::{Frame, Lowered, Lowerer, MAX_NODES, MAX_STEPS, Poison, Val};
 use crate::ast::{BinaryOp, ExprId, ExprKind, Name, Quantifier, UnitSuffix};
 use crate::check::constant::with_unit;
 use crate::items::Predicate;
-use crate::natives::{self, Role, SIDES};
+use crate::natives::{self, ROOMS, Role, SIDES};
 use crate::program::*;
 use crate::types::Ty;
 use scenelang_base::{Diagnostic, TextRange, codes};
@@ -149,7 +149,14 @@ impl<'a> Lowerer<'a, '_> {
         if name == "objects" {
             return Ok(Val::Set((0..self.program.objects.len()).map(|i| ObjectId(i as u32)).collect()));
         }
-        Err(Poison)
+        if name == ROOMS { Ok(Val::Rooms) } else { Err(Poison) }
+    }
+
+    /// The regions that have walls: all but those that are outdoors.
+    fn rooms(&self) -> Vec<RegionId> {
+        let outdoors = |r: &Region| r.texts.iter().any(|(name, text)| name == "features" && text.contains("outdoor"));
+        let ids = (0..self.program.regions.len()).filter(|i| !outdoors(&self.program.regions[*i]));
+        ids.map(|i| RegionId(i as u32)).collect()
     }
 
     /// The value of an assigned variable, put in place once per formula.
@@ -417,6 +424,7 @@ impl<'a> Lowerer<'a, '_> {
         top: bool,
     ) -> Lowered<Val> {
         let values: Vec<Val> = match self.lower(domain)? {
+            Val::Rooms => self.rooms().into_iter().map(Val::Region).collect(),
             Val::Range(lo, hi) if hi.saturating_sub(lo) > MAX_NODES as i64 => {
                 if let Some(span) = self.blame(range) {
                     self.exhausted(span);
@@ -430,11 +438,18 @@ impl<'a> Lowerer<'a, '_> {
         };
         let mut members = Vec::with_capacity(values.len());
         for value in values {
+            let subject = if let Val::Object(object) = value { Some(object) } else { None };
             self.f.scope.push((var.text.clone(), value));
             self.f.top = top && q == Quantifier::Forall;
             let member = self.truth(body);
             self.f.scope.pop();
-            members.push(member?);
+            let member = member?;
+            if q == Quantifier::Forall
+                && let Some(object) = subject
+            {
+                self.f.subjects.push((member, object));
+            }
+            members.push(member);
         }
         Ok(match q {
             Quantifier::Forall => Val::Truth(self.f.b.junction(true, &members, range)),

@@ -23,7 +23,7 @@ impl Lowerer<'_, '_> {
         if let Some(span) = self.blame(range) {
             let message = format!("what a filter asks must be known without a layout, and this depends on {why}");
             let d = Diagnostic::new(codes::E0306, span, message).note(
-                "a filter may read color, material, features and category; move other conditions behind the colon",
+                "a filter may read color, material, features, category and role; move other conditions behind the colon",
             );
             if !self.out.contains(&d) {
                 self.out.push(d);

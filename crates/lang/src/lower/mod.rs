@@ -4,6 +4,7 @@
 mod builder;
 mod expr;
 mod filter;
+mod guidelines;
 mod pins;
 mod words;
 
@@ -11,8 +12,10 @@ use crate::ast::{Allow, ExprId, Stmt, StmtKind};
 use crate::db::Unit;
 use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
 use crate::program::*;
+use crate::roles;
 use crate::types::Ty;
 use builder::Builder;
+use guidelines::Guidelines;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_base::{Diagnostic, FileId, SourceMap, Span, TextRange, codes};
 use smol_str::{SmolStr, format_smolstr};
@@ -37,6 +40,8 @@ enum Val {
     Region(RegionId),
     Set(Rc<[ObjectId]>),
     Range(i64, i64),
+    /// All rooms.
+    Rooms,
     Polygon(Rc<[NodeId]>),
     Side(Side),
 }
@@ -63,6 +68,7 @@ pub(crate) fn lower<'a>(
         draws: FxHashMap::default(),
         pure: FxHashMap::default(),
         templates: FxHashMap::default(),
+        guidelines: Guidelines::of(units),
         values_open: Vec::new(),
         steps: 0,
         nodes: 0,
@@ -83,7 +89,8 @@ pub(crate) fn lower<'a>(
             };
             let key = format!("{prefix}{keyword}[{count}]");
             *count += 1;
-            if !l.exhausted && !bad.contains(&(unit.file, place.offset)) {
+            let said = unit.bundled && l.guidelines.stated_anew(place.stmt);
+            if !l.exhausted && !said && !bad.contains(&(unit.file, place.offset)) {
                 let _ = l.statement(place, key);
             }
         }
@@ -106,6 +113,7 @@ struct Lowerer<'a, 'b> {
     templates: FxHashMap<(SmolStr, bool), words::Templates>,
     /// Definitions and properties being put in place, outermost first.
     values_open: Vec<String>,
+    guidelines: Guidelines,
     steps: u64,
     nodes: usize,
     exhausted: bool,
@@ -133,6 +141,8 @@ struct Frame<'a> {
     /// How to say what comparisons measured.
     wordings: Vec<Wording>,
     defined: FxHashMap<SmolStr, Val>,
+    /// Members of `forall`, each with the object that it speaks of.
+    subjects: Vec<(NodeId, ObjectId)>,
 }
 
 impl<'a> Lowerer<'a, '_> {
@@ -150,6 +160,7 @@ impl<'a> Lowerer<'a, '_> {
                 material: String::new(),
                 features: String::new(),
                 category: String::new(),
+                role: String::new(),
                 dimensions: None,
                 span: item.span,
                 doc: doc.clone(),
@@ -215,13 +226,14 @@ impl<'a> Lowerer<'a, '_> {
     fn texts_and_dimensions(&mut self) {
         for i in 0..self.program.objects.len() {
             let id = ObjectId(i as u32);
-            for property in ["color", "material", "features", "category"] {
+            for property in ["color", "material", "features", "category", "role"] {
                 let text = self.object_text(id, property).unwrap_or_default().to_string();
                 let object = &mut self.program.objects[i];
                 *match property {
                     "color" => &mut object.color,
                     "material" => &mut object.material,
                     "features" => &mut object.features,
+                    "role" => &mut object.role,
                     _ => &mut object.category,
                 } = text;
             }
@@ -263,11 +275,14 @@ impl<'a> Lowerer<'a, '_> {
         }
     }
 
-    /// The assigned text of an object's property, or `""`.
+    /// The text of an object's property: what is assigned, else `""`; of a role, else what the category says.
     fn object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
         let (name, element) = self.object_key(id);
         let Some(a) = self.items.assignments.get(&self.key(&name, element, property)).copied() else {
-            return Ok(SmolStr::default());
+            return match property {
+                "role" => Ok(roles::role_of(&self.object_text(id, "category")?).into()),
+                _ => Ok(SmolStr::default()),
+            };
         };
         let key = format!("{}.{property}", self.program.objects[id.0 as usize].name);
         if let Some(at) = self.values_open.iter().position(|k| *k == key) {
@@ -327,7 +342,11 @@ impl<'a> Lowerer<'a, '_> {
             StmtKind::Prefer { formula, weight } => self.in_frame(place, draw_key, |l| {
                 let root = l.truth(*formula)?;
                 let weight = weight.and_then(|w| crate::check::constant::number(stmt, w)).unwrap_or(1.0);
-                l.constraint(place, ConstraintKind::Prefer { weight }, "prefer", root);
+                let kind = ConstraintKind::Prefer { weight };
+                match l.guidelines.name(stmt) {
+                    Some(name) => l.instances(place, kind, &name, root),
+                    None => l.constraint(place, kind, "prefer", root),
+                }
                 Ok(())
             }),
             StmtKind::Allow { rule, args, .. } => {
@@ -377,6 +396,7 @@ impl<'a> Lowerer<'a, '_> {
             requirements: requirements(place.stmt),
             definitions,
             wordings,
+            guideline: None,
         });
     }
 

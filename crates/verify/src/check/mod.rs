@@ -23,6 +23,7 @@ use crate::world::World;
 use scenelang_base::{Code, Diagnostic, Label, SourceMap, Span};
 use scenelang_lang::program::{DrawId, ObjectId, Program, Unit, VariableId};
 use scenelang_layout::{Layout, Places};
+use smol_str::SmolStr;
 
 /// A judgement: rows, counts, and what could not be judged or looks odd. Places are absolute.
 #[derive(Clone, Debug, Default)]
@@ -71,6 +72,8 @@ pub struct Judged {
     pub related: Vec<Label>,
     /// Weight of a preference.
     pub weight: Option<f64>,
+    /// The guideline that it is an instance of.
+    pub guideline: Option<SmolStr>,
     /// `@req` sentences.
     pub requirements: Vec<String>,
     /// What a violation of it is called.

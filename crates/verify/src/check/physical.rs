@@ -345,6 +345,7 @@ impl<'a> Rules<'a> {
             place,
             related,
             weight: None,
+            guideline: None,
             requirements: Vec::new(),
             code: kind.code(),
             explanation,

@@ -9,7 +9,7 @@ use crate::report::model::Kind;
 use crate::world::World;
 use rustc_hash::FxHashSet;
 use scenelang_base::{Diagnostic, Span};
-use scenelang_lang::program::{Constraint, ConstraintKind, Node, NodeId, ObjectId, Program};
+use scenelang_lang::program::{Constraint, ConstraintKind, Guideline, Node, NodeId, ObjectId, Program};
 
 /// So many findings are listed; the rows say the rest.
 const MOST: usize = 100;
@@ -50,6 +50,7 @@ pub fn judge_one(
         place: constraint.span,
         related: Vec::new(),
         weight,
+        guideline: constraint.guideline.as_ref().map(|guideline| guideline.name.clone()),
         requirements: constraint.requirements.clone(),
         code: kind.code(),
         explanation: None,
@@ -61,7 +62,10 @@ pub fn judge_one(
             row.margin = truth.margin.is_finite().then_some((truth.margin, truth.unit));
             row.objects = objects(constraint, deciding);
             if !truth.holds || world.options.detail.sentences {
-                row.measured = measured(program, world, constraint, scratch, deciding, truth.holds);
+                row.measured = match &constraint.guideline {
+                    Some(guideline) if !truth.holds => against(program, guideline),
+                    _ => measured(program, world, constraint, scratch, deciding, truth.holds),
+                };
             }
             if !truth.holds {
                 row.related = declarations(program, world, &row.objects);
@@ -85,6 +89,12 @@ pub fn judge_one(
             (row, Some(error))
         }
     }
+}
+
+/// That a thing does not keep to a guideline. What was measured would be the inside of the library.
+fn against(program: &Program, guideline: &Guideline) -> String {
+    let of = guideline.of.map_or(String::new(), |id| format!(" for `{}`", program.objects[id.0 as usize].name));
+    format!("`{}` does not hold{of}: {}", guideline.name, guideline.says.trim_end_matches('.'))
 }
 
 /// What to say of the constraints that cannot be judged, in their order.

@@ -1,7 +1,7 @@
 //! From a judgement to a [`Report`]: offsets become lines and columns, numbers become names.
 
 use super::exit_code;
-use super::model::{self, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Whereabouts};
+use super::model::{self, Design, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Tally, Whereabouts};
 use crate::check::{Judged, Subject, Verdict};
 use crate::explain::{self, Explanation, RowRef};
 use crate::tolerances::Options;
@@ -23,6 +23,7 @@ pub fn build(
         file: name.to_owned(),
         ok: false,
         summary: verdict.summary,
+        design: design(verdict),
         constraints: verdict.rows.iter().map(|row| builder.row(row)).collect(),
         unlisted: verdict.unlisted,
         diagnostics: verdict.diagnostics.iter().map(|d| builder.finding(d)).collect(),
@@ -33,6 +34,19 @@ pub fn build(
     };
     report.ok = exit_code(&report) == 0;
     report
+}
+
+/// How much of what the guidelines ask holds. What cannot be judged does not.
+fn design(verdict: &Verdict) -> Option<Design> {
+    let mut guidelines = Tally::default();
+    let (mut all, mut held) = (0.0, 0.0);
+    for row in verdict.rows.iter().filter(|row| row.guideline.is_some()) {
+        let weight = row.weight.unwrap_or(1.0);
+        guidelines.add(row.satisfied);
+        all += weight;
+        held += if row.satisfied == Some(true) { weight } else { 0.0 };
+    }
+    (all > 0.0).then(|| Design { figure: held / all, guidelines })
 }
 
 /// As written in the report.
@@ -77,6 +91,7 @@ impl Builder<'_> {
             span: Some(self.place(row.place)),
             weight: row.weight,
             requirements: row.requirements.clone(),
+            guideline: row.guideline.as_ref().map(|name| name.to_string()),
             explanation: row.explanation.as_deref().map(|e| self.explanation(e)),
         }
     }
@@ -127,8 +142,13 @@ impl Builder<'_> {
             Subject::Pair(a, b) => format!("{rule}:{}:{}", self.object(a), self.object(b)),
             Subject::Object(a) => format!("{rule}:{}", self.object(a)),
             Subject::Statement(index) => {
-                let span = self.program.and_then(|p| p.constraints.get(index)).map(|c| c.span);
-                span.map_or(String::new(), |span| statement_id(self.name, self.sources, span))
+                let Some(stated) = self.program.and_then(|p| p.constraints.get(index)) else { return String::new() };
+                let id = statement_id(self.name, self.sources, stated.span);
+                // A guideline has a row for each thing that it speaks of.
+                match stated.guideline.as_ref().and_then(|guideline| guideline.of) {
+                    Some(of) => format!("{id}:{}", self.object(of)),
+                    None => id,
+                }
             }
         }
     }

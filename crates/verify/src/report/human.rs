@@ -1,7 +1,7 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
 use super::exit_code;
-use super::model::{Kind, Summary, Tally};
+use super::model::{Design, Kind, Summary, Tally};
 use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -36,6 +36,7 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
     let layout = Path::new(&report.file).file_name().map_or(Cow::Borrowed("the layout"), |name| name.to_string_lossy());
     let mut cache = Files::new(sources);
     let words = Words::new(checked);
+    let (advice, failing): (Vec<&Judged>, Vec<&Judged>) = failing.into_iter().partition(|row| row.guideline.is_some());
     for row in failing.iter().filter(|row| !words.is_said(row)).take(MOST) {
         violation(row, &layout, &words, &mut cache, color, &mut out);
     }
@@ -44,9 +45,30 @@ pub fn human(checked: &Checked, Human { color, all }: Human) -> String {
         let them = if them { format!("the first {}", failing.len()) } else { "them all".to_owned() };
         line(&mut out, format_args!("… and {more} more that fail; `--format json` lists {them}\n"));
     }
+    guidelines(&advice, &mut out);
     line(&mut out, format_args!("{}: {}", plain::line(&report.file), summary(report)));
     judged_with(report, &mut out);
     out
+}
+
+/// The guidelines that do not hold: their text is that of the library, which need not be shown.
+fn guidelines(rows: &[&Judged], out: &mut String) {
+    if rows.is_empty() {
+        return;
+    }
+    line(out, format_args!("Guidelines that do not hold:"));
+    for row in rows.iter().take(MOST) {
+        let margin = row.margin.map_or(String::new(), |(margin, unit)| {
+            let metres = if unit == Unit::Metre { " m" } else { "" };
+            format!(", margin {}{metres}", measure_in_words(margin, unit))
+        });
+        let weight = row.weight.unwrap_or(1.0);
+        line(out, format_args!("  {} (weight {weight}{margin})", plain::line(&row.measured)));
+    }
+    if rows.len() > MOST {
+        line(out, format_args!("  … and {} more; `--format json` lists them all", rows.len() - MOST));
+    }
+    line(out, format_args!(""));
 }
 
 /// The settings that make the verdict another than the usual one.
@@ -138,7 +160,11 @@ fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_
 
 /// What holds of what there is, and what else was found.
 pub(super) fn summary(report: &super::Report) -> String {
-    let Summary { assertions, preferences, physical, pins } = report.summary;
+    let Summary { assertions, mut preferences, physical, pins } = report.summary;
+    if let Some(design) = &report.design {
+        preferences.total = preferences.total.saturating_sub(design.guidelines.total);
+        preferences.satisfied = preferences.satisfied.saturating_sub(design.guidelines.satisfied);
+    }
     let of =
         |tally: Tally, what: &str| (tally.total > 0).then(|| format!("{} of {} {what}", tally.satisfied, tally.total));
     let parts = [
@@ -149,6 +175,12 @@ pub(super) fn summary(report: &super::Report) -> String {
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     let mut text = if parts.is_empty() { String::new() } else { format!("{} hold", parts.join(", ")) };
+    if let Some(Design { figure, guidelines: Tally { total, satisfied } }) = report.design {
+        let comma = if text.is_empty() { "" } else { ", " };
+        // Only a room that keeps to all of them has 1.00.
+        let shown = if satisfied < total { figure.min(0.99) } else { figure };
+        text.push_str(&format!("{comma}design {shown:.2} ({satisfied} of {total} guidelines hold)"));
+    }
     let errors = report.diagnostics.iter().filter(|d| d.severity == "error").count();
     let warnings = report.diagnostics.len() - errors;
     for (count, what) in [(errors, "error"), (warnings, "warning")] {

@@ -19,6 +19,9 @@ pub struct Report {
     pub ok: bool,
     /// How many of each kind hold.
     pub summary: Summary,
+    /// How much of what the guidelines ask holds, where the program has any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub design: Option<Design>,
     /// All stated constraints in source order, judged or not; then physical ones: those that fail, or, on request, all
     /// (those that cannot be judged among them).
     pub constraints: Vec<Row>,
@@ -53,6 +56,15 @@ impl JudgedWith {
     pub fn in_words(&self) -> String {
         plain::line(&format!("judged with {}: {}", self.file, self.changes.join(", "))).into_owned()
     }
+}
+
+/// How a room keeps to the guidelines of `std/guidelines.scene`. They are preferences too, and counted among these.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Design {
+    /// The weight of those that hold, as a share of the weight of all: 0 to 1.
+    pub figure: f64,
+    /// How many there are, one for each thing that a guideline speaks of.
+    pub guidelines: Tally,
 }
 
 /// How many rows there are of each kind, and how many of them hold.
@@ -210,6 +222,9 @@ pub struct Row {
     /// `@req` sentences that the statement answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub requirements: Vec<String>,
+    /// The guideline that it is an instance of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub guideline: Option<String>,
     /// Why it fails, where it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explanation: Option<Explanation>,
