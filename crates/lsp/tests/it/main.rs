@@ -7,6 +7,7 @@ mod actions;
 mod client;
 mod commands;
 mod features;
+mod hanging;
 mod hazards;
 mod life;
 mod model;
