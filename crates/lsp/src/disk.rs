@@ -9,7 +9,7 @@ use scenelang_lang::sources::{Loader, normal};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::SystemTime;
 use tower_lsp::ls_types::Uri;
 
@@ -40,15 +40,33 @@ pub struct Files {
     /// Of open documents, by path.
     pub texts: Arc<BTreeMap<PathBuf, Arc<Text>>>,
     /// Folders of the workspace.
-    pub named: Arc<Named>,
-    /// Who reads for a thread that must not wait.
+    pub folders: Arc<Folders>,
+    /// Who reads for those who must not wait for long.
     pub reading: Option<Arc<Reading>>,
 }
 
 impl Files {
-    /// The files that a program, or what belongs to it, may name.
+    /// The files that a program, or what belongs to it, may name. Nothing is looked at yet.
     pub fn of(&self, path: &Path) -> Reach {
-        Reach { files: self.clone(), door: Arc::new(Door::of(path).named(&self.named)) }
+        Reach { files: self.clone(), path: path.to_owned(), door: OnceLock::new() }
+    }
+}
+
+/// Folders that the user has opened, looked at when somebody needs them.
+#[derive(Default)]
+pub struct Folders {
+    paths: Vec<PathBuf>,
+    named: OnceLock<Arc<Named>>,
+}
+
+impl Folders {
+    /// These folders.
+    pub fn new(paths: &[PathBuf]) -> Arc<Self> {
+        Arc::new(Self { paths: paths.to_vec(), named: OnceLock::new() })
+    }
+
+    fn named(&self) -> &Arc<Named> {
+        self.named.get_or_init(|| Named::new(self.paths.iter().map(PathBuf::as_path)))
     }
 }
 
@@ -56,70 +74,60 @@ impl Files {
 #[derive(Clone)]
 pub struct Reach {
     files: Files,
-    door: Arc<Door>,
+    path: PathBuf,
+    door: OnceLock<Arc<Door>>,
 }
 
 impl Reach {
     /// What may be read and written.
     pub fn door(&self) -> &Arc<Door> {
-        &self.door
+        self.door.get_or_init(|| Arc::new(Door::of(&self.path).named(self.files.folders.named())))
     }
 
     /// Whether there is such a file, open or not.
     pub fn has(&self, path: &Path) -> bool {
-        self.files.texts.contains_key(path) && self.door.permits(path).is_ok() || self.door.is_file(path)
+        self.files.texts.contains_key(path) && self.door().permits(path).is_ok() || self.door().is_file(path)
+    }
+
+    /// The bytes of a file, and whether it is open. Whoever reads it does something else `first`.
+    pub fn load_after(&self, path: &Path, first: impl FnOnce() + Send + 'static) -> (io::Result<Vec<u8>>, bool) {
+        // What has no file names none.
+        if !path.is_absolute() {
+            return (Err(io::ErrorKind::NotFound.into()), false);
+        }
+        let (text, door, own) = (self.files.texts.get(path).cloned(), Arc::clone(self.door()), path.to_owned());
+        let open = text.is_some();
+        let read = move || {
+            first();
+            match text {
+                Some(text) => door.permits(&own).map(|()| text.as_str().as_bytes().to_vec()),
+                None => door.read(&own),
+            }
+        };
+        let read = match &self.files.reading {
+            Some(reading) => reading.read(path, read),
+            None => read(),
+        };
+        (read, open)
     }
 }
 
 impl Loader for Reach {
     fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
-        // What has no file names none.
-        if !path.is_absolute() {
-            return Err(io::ErrorKind::NotFound.into());
-        }
-        let (text, door, path) = (self.files.texts.get(path).cloned(), Arc::clone(&self.door), path.to_owned());
-        let own = path.clone();
-        let read = move || match text {
-            Some(text) => door.permits(&own).map(|()| text.as_str().as_bytes().to_vec()),
-            None => door.read(&own),
-        };
-        match &self.files.reading {
-            Some(reading) => reading.read(&path, read),
-            None => read(),
-        }
+        self.load_after(path, || {}).0
     }
 }
 
 /// The settings that count for the file of a workspace.
-pub fn settings_for(reach: &Reach) -> Found {
-    Found::of(reach.door(), reach, crate::documents::name_of)
+pub fn settings_for(door: &Door, loader: &dyn Loader) -> Found {
+    Found::of(door, loader, crate::documents::name_of)
 }
 
 /// What tells one state of a file from another: its time and its length; `None`: there is none.
-type Stamp = Option<(SystemTime, u64)>;
+pub type Stamp = Option<(SystemTime, u64)>;
 
-/// What files were when they were looked at last, for clients that do not say when they change.
-#[derive(Default)]
-pub struct Stamps(BTreeMap<PathBuf, Stamp>);
-
-impl Stamps {
-    /// Remembers what files are that were read just now; those that are remembered already stay as they are.
-    pub fn learn(&mut self, paths: impl Iterator<Item = PathBuf>) {
-        for path in paths {
-            self.0.entry(path).or_insert_with_key(|path| stamp(path));
-        }
-    }
-
-    /// Looks at files; those that are other than they are remembered. Files that are no longer asked about are forgotten.
-    pub fn changed(&mut self, paths: impl Iterator<Item = PathBuf>) -> Vec<PathBuf> {
-        let now: BTreeMap<_, _> = paths.map(|path| (path.clone(), stamp(&path))).collect();
-        let before = std::mem::replace(&mut self.0, now);
-        let other = |(path, stamp): &(&PathBuf, &Stamp)| before.get(*path).is_some_and(|known| known != *stamp);
-        self.0.iter().filter(other).map(|(path, _)| path.clone()).collect()
-    }
-}
-
-fn stamp(path: &Path) -> Stamp {
+/// What a file is now.
+pub fn stamp(path: &Path) -> Stamp {
     let data = std::fs::metadata(path).ok()?;
     Some((data.modified().ok()?, data.len()))
 }

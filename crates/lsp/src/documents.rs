@@ -1,12 +1,14 @@
 //! Open documents, and the programs among them.
 
 use crate::config::Config;
-use crate::disk::{Files, Reach, is_file, path_of, settings_for};
+use crate::disk::{Files, Folders, Stamp, is_file, path_of, settings_for};
 use crate::dispatch::Tokens;
 use crate::reading::Reading;
+use crate::shelf::{Shelf, Shelved};
+use crate::state::{Event, State, guarded};
 use crate::text::Text;
 use scenelang_analysis::Found;
-use scenelang_base::door::Named;
+use scenelang_base::door::Door;
 use scenelang_ide::Host;
 use scenelang_lang::sources::{Loader, normal};
 use scenelang_verify::settings::Settings;
@@ -14,7 +16,11 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use tower_lsp::ls_types::Uri;
+
+/// What was read longer ago is read again beside what else is done, in case that the editor does not say that it changed.
+const FRESH: Duration = Duration::from_secs(2);
 
 /// A document that the editor has open.
 pub struct Document {
@@ -56,6 +62,18 @@ pub struct Scene {
     pub told_proofs: bool,
     /// Proofs are to be looked for.
     pub unproved: bool,
+    /// What the disk has of its files.
+    shelf: Option<Arc<Shelf>>,
+    /// The shelf lacks something, or is not what the disk has now: nothing can be said before it was read.
+    unread: bool,
+    /// Another number whenever something was found to be unread.
+    wanted: u64,
+    /// Whether its files are being read.
+    reading: bool,
+    /// When its files were read.
+    read_at: Option<Instant>,
+    /// Another number for each program that was opened.
+    opening: u64,
     /// The semantic tokens that were sent last.
     pub tokens: Tokens,
 }
@@ -69,7 +87,9 @@ pub struct Documents {
     /// The last generation of any program.
     generation: u64,
     /// The folders of the workspace.
-    named: Arc<Named>,
+    folders: Arc<Folders>,
+    /// How many programs were opened.
+    openings: u64,
     /// Who reads for the thread that owns all of this.
     reading: Option<Arc<Reading>>,
 }
@@ -83,16 +103,17 @@ impl Documents {
         let key = uri.as_str().to_owned();
         self.open.insert(key.clone(), Document { uri, path: path.clone(), version, text, scene: None });
         if !is_data(&path, language) {
-            let files = self.own_files().of(&path);
+            self.openings += 1;
             let document = &self.open[&key];
             let name = name_of(&path);
-            let host = Host::new(&name, &path, document.text.as_str(), &files);
+            // What it imports is read soon.
+            let host = Host::new(&name, &path, document.text.as_str(), &Shelved::new(None, &BTreeMap::new()));
             let layout = if is_file(&document.uri) { layout_of(&path, config) } else { None };
             let scene = Scene {
                 host,
                 layout,
                 settings: Arc::default(),
-                stale_text: false,
+                stale_text: true,
                 stale_layout: true,
                 generation: 0,
                 published: 0,
@@ -101,6 +122,12 @@ impl Documents {
                 proofs: Vec::new(),
                 told_proofs: false,
                 unproved: true,
+                shelf: None,
+                unread: true,
+                wanted: 0,
+                reading: false,
+                read_at: None,
+                opening: self.openings,
                 tokens: Tokens::default(),
             };
             if let Some(document) = self.open.get_mut(&key) {
@@ -120,27 +147,36 @@ impl Documents {
 
     /// A file or a document has changed: whoever reads it is told, `except` the document itself.
     pub fn touched(&mut self, path: &Path, except: &str) {
+        let on_disk = self.at(path).is_none() && !self.assumed.contains_key(path);
         for (key, document) in &mut self.open {
             let Some(scene) = &mut document.scene else { continue };
-            if scene.layout.as_deref() == Some(path) || path.ends_with(scenelang_verify::settings::FILE) {
+            let data = scene.layout.as_deref() == Some(path) || path.ends_with(scenelang_verify::settings::FILE);
+            if data {
                 scene.stale_layout = true;
                 scene.outside = true;
             }
-            let imports = key != except && scene.host.files().any(|file| normal(file) == path);
-            if imports && document.path != path {
+            let known = scene.shelf.as_ref().is_some_and(|shelf| shelf.knows(path));
+            let imports = key != except && (known || scene.host.files().any(|file| normal(file) == path));
+            let imports = imports && document.path != path;
+            if imports {
                 scene.stale_text = true;
                 scene.outside = true;
+            }
+            if on_disk && (data || imports) {
+                scene.lacks();
             }
         }
     }
 
-    /// All files that something is known of because they were read, or would have been.
-    pub fn read(&self) -> impl Iterator<Item = PathBuf> {
-        let scenes = self.open.values().filter_map(|document| document.scene.as_ref());
-        scenes.flat_map(|scene| {
-            let imports = scene.host.files().map(normal);
-            imports.chain(scene.layout.clone()).chain(scene.settings.file.clone())
-        })
+    /// What files were when they were read that are not open.
+    pub fn stamps(&self) -> Vec<(PathBuf, Stamp)> {
+        let shelves = self.open.values().filter_map(|document| document.scene.as_ref()?.shelf.as_ref());
+        let closed = |path: &PathBuf| self.at(path).is_none();
+        shelves
+            .flat_map(|shelf| shelf.stamps())
+            .filter(|(path, _)| closed(path))
+            .map(|(path, stamp)| (path.clone(), *stamp))
+            .collect()
     }
 
     /// The settings of the editor have changed.
@@ -174,12 +210,7 @@ impl Documents {
     pub fn files(&self) -> Files {
         let mut texts = self.assumed.clone();
         texts.extend(self.open.values().map(|d| (d.path.clone(), Arc::clone(&d.text))));
-        Files { texts: Arc::new(texts), named: Arc::clone(&self.named), reading: None }
-    }
-
-    /// The same for the thread that owns all of this, which does not wait for a disk.
-    fn own_files(&self) -> Files {
-        Files { reading: self.reading.clone(), ..self.files() }
+        Files { texts: Arc::new(texts), folders: Arc::clone(&self.folders), reading: self.reading.clone() }
     }
 
     /// From now on files are read by somebody else.
@@ -189,7 +220,7 @@ impl Documents {
 
     /// The workspace has other folders.
     pub fn set_folders(&mut self, folders: &[PathBuf]) {
-        self.named = Named::new(folders.iter().map(PathBuf::as_path));
+        self.folders = Folders::new(folders);
         self.read_again();
     }
 
@@ -197,6 +228,7 @@ impl Documents {
     pub fn read_again(&mut self) {
         for scene in self.open.values_mut().filter_map(|document| document.scene.as_mut()) {
             (scene.stale_text, scene.stale_layout, scene.outside) = (true, true, true);
+            scene.lacks();
         }
     }
 
@@ -213,30 +245,96 @@ impl Documents {
         self.assumed.remove(path);
     }
 
-    /// Brings what is known of a program up to its text and its layout.
+    /// Brings what is known of a program up to its text and its layout, as far as that was read; has read what was not.
     pub fn sync(&mut self, uri: &str) {
         let stale = |s: &Scene| s.stale_text || s.stale_layout;
-        if !self.open.get(uri).and_then(|d| d.scene.as_ref()).is_some_and(stale) {
-            return;
+        let Some(scene) = self.open.get(uri).and_then(|d| d.scene.as_ref()).filter(|s| stale(s)) else { return };
+        if scene.unread {
+            return self.fetch(uri);
         }
-        let files = self.own_files();
+        let old = scene.read_at.is_none_or(|at| at.elapsed() > FRESH);
+        let texts = self.files().texts;
         self.generation += 1;
-        let Some(Document { path, text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
-        let files = files.of(path);
+        let Some(Document { text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
+        let Some(shelf) = scene.shelf.clone() else { return };
+        let files = Shelved::new(Some(&shelf), &texts);
+        let (stale_text, stale_layout) = (scene.stale_text, scene.stale_layout);
         if std::mem::take(&mut scene.stale_text) {
             scene.host.set_text(text.as_str(), &files);
             scene.proofs.clear();
         }
         if std::mem::take(&mut scene.stale_layout) {
-            scene.settings = judge_by(&mut scene.host, scene.layout.as_deref(), &files);
+            scene.settings = judge_by(&mut scene.host, scene.layout.as_deref(), &shelf.door, &files);
+        }
+        if files.is_missing() {
+            (scene.stale_text, scene.stale_layout) = (stale_text, stale_layout);
+            scene.lacks();
+            return self.fetch(uri);
         }
         scene.generation = self.generation;
+        if old {
+            self.fetch(uri);
+        }
+    }
+
+    /// Whether files of a program have to be read before anything can be said of it.
+    pub fn is_unread(&self, uri: &str) -> bool {
+        self.open.get(uri).and_then(|d| d.scene.as_ref()).is_some_and(|scene| scene.unread)
+    }
+
+    /// Has the files of a program read by a thread of their own, which tells the state.
+    fn fetch(&mut self, uri: &str) {
+        let files = self.files();
+        let Some(Document { path, text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
+        let Some(reading) = self.reading.as_ref().filter(|_| !scene.reading) else { return };
+        let (events, key, path) = (reading.events(), uri.to_owned(), path.clone());
+        let (text, layout, wanted, opening) = (Arc::clone(text), scene.layout.clone(), scene.wanted, scene.opening);
+        let thread = std::thread::Builder::new().name("files".to_owned()).stack_size(8 << 20);
+        let spawned = thread.spawn(move || {
+            let found = guarded(|| Ok(Shelf::fill(&files, &path, &text, layout.as_deref())));
+            let tell = move |state: &mut State| state.fetched(&key, opening, wanted, found.ok());
+            let _ = events.send(Event::Done(Box::new(tell)));
+        });
+        scene.reading = spawned.is_ok();
+    }
+
+    /// What came of reading the files of a program; `None`: a mistake of ours.
+    pub fn shelve(&mut self, uri: &str, opening: u64, wanted: u64, shelf: Option<Shelf>) {
+        let scene = self.open.get_mut(uri).and_then(|d| d.scene.as_mut()).filter(|s| s.opening == opening);
+        let Some(scene) = scene else { return };
+        scene.reading = false;
+        let Some(shelf) = shelf else {
+            scene.unread = false;
+            return;
+        };
+        let first = scene.shelf.is_none();
+        if !scene.shelf.as_ref().is_some_and(|old| old.is_like(&shelf)) {
+            (scene.stale_text, scene.stale_layout) = (true, true);
+            scene.outside |= !first;
+        }
+        scene.shelf = Some(Arc::new(shelf));
+        scene.read_at = Some(Instant::now());
+        // What has changed meanwhile is read again.
+        scene.unread &= scene.wanted != wanted;
+    }
+}
+
+impl Scene {
+    /// Whether what is known of it is older than what it is.
+    pub fn is_stale(&self) -> bool {
+        self.stale_text || self.stale_layout || self.unread
+    }
+
+    /// What the shelf has is not enough any more.
+    fn lacks(&mut self) {
+        self.unread = true;
+        self.wanted += 1;
     }
 }
 
 /// Gives a program its layout and the settings of its workspace.
-pub fn judge_by(host: &mut Host, layout: Option<&Path>, files: &Reach) -> Arc<Found> {
-    let found = settings_for(files);
+pub fn judge_by(host: &mut Host, layout: Option<&Path>, door: &Door, files: &dyn Loader) -> Arc<Found> {
+    let found = settings_for(door, files);
     host.set_judging(found.judging(&Settings::default()));
     let layout = layout.map(|path| (name_of(path), path, files.load(path)));
     host.set_layout(layout);

@@ -7,6 +7,7 @@ use crate::dispatch::{Context, Fault};
 use crate::documents::{Document, Documents};
 use crate::drag::Drag;
 use crate::model::Connect;
+use crate::parked::Parked;
 use crate::pool::Pool;
 use crate::publish::{Board, Verdict, proofs, verdict};
 use crate::reading::Reading;
@@ -120,8 +121,8 @@ pub struct State {
     pub account: Account,
     /// Whether something is being proved: one thing at a time.
     proving: bool,
-    /// What files were, for a client that does not say when they change.
-    stamps: disk::Stamps,
+    /// What waits for the files of a program, in order.
+    pub parked: Vec<(String, Parked)>,
     /// Questions about the workspace that wait for a change.
     pub waiting: Vec<(Id, Value)>,
 }
@@ -146,7 +147,7 @@ impl State {
             to_client,
             events,
             proving: false,
-            stamps: disk::Stamps::default(),
+            parked: Vec::new(),
             jobs: HashMap::new(),
             drags: HashMap::new(),
             connect: setup.connect,
@@ -220,9 +221,7 @@ impl State {
                 let began = Instant::now();
                 let pending = Pending { method: method.to_owned(), began, reply, stop: Stop::default() };
                 self.pending.insert(id.clone(), pending);
-                if let Err(fault) = self.dispatch(id, method, params) {
-                    self.reply(id, Err(fault));
-                }
+                self.ask(id.clone(), method.to_owned(), params);
             }
         }
     }
@@ -246,6 +245,11 @@ impl State {
         let _ = reply.send(result);
     }
 
+    /// Whether a question waits for its answer.
+    pub fn is_pending(&self, id: &Id) -> bool {
+        self.pending.contains_key(id)
+    }
+
     /// Whether a question was cancelled, for whoever works on it.
     pub fn stop_of(&self, id: &Id) -> Stop {
         self.pending.get(id).map(|p| p.stop.clone()).unwrap_or_default()
@@ -253,6 +257,10 @@ impl State {
 
     /// Lets a reader answer a question about an open program; of any other document there is nothing to say.
     pub fn ask_reader(&mut self, id: &Id, uri: &str, work: Work) {
+        self.documents.sync(uri);
+        if self.documents.is_unread(uri) {
+            return self.park(id, uri, work);
+        }
         let Some(context) = self.context(uri) else { return self.reply(id, Ok(Value::Null)) };
         let (id, uri, stop, events) = (id.clone(), uri.to_owned(), self.stop_of(id), self.events.clone());
         self.pool.run(move || {
@@ -376,6 +384,7 @@ impl State {
         let key = params.text_document.uri.as_str();
         if self.documents.close(key) {
             self.drags.remove(key);
+            self.unpark();
             for (uri, marks) in self.board.remove(key) {
                 self.publish(&uri, &marks);
             }
@@ -397,7 +406,8 @@ impl State {
         self.changed_on_disk(params.changes.iter().map(|change| disk::path_of(&change.uri)));
     }
 
-    fn changed_on_disk(&mut self, paths: impl IntoIterator<Item = PathBuf>) {
+    /// Files are other than they were.
+    pub fn changed_on_disk(&mut self, paths: impl IntoIterator<Item = PathBuf>) {
         for path in paths {
             // Of what is open, the editor's text counts.
             if self.documents.at(&path).is_none() {
@@ -406,24 +416,6 @@ impl State {
             }
         }
         self.wake();
-    }
-
-    /// Looks at files every now and then, for a client that cannot say when they change.
-    fn look_at_files(&self) {
-        const EVERY: Duration = Duration::from_millis(700);
-        let events = self.events.clone();
-        std::thread::spawn(move || {
-            let look = |state: &mut State| {
-                let changed = state.stamps.changed(state.documents.read());
-                if !changed.is_empty() {
-                    state.changed_on_disk(changed);
-                }
-            };
-            // Until there is no state any more.
-            while events.send(Event::Done(Box::new(look))).is_ok() {
-                std::thread::sleep(EVERY);
-            }
-        });
     }
 
     fn folders(&mut self, params: &DidChangeWorkspaceFoldersParams) {
@@ -527,15 +519,15 @@ impl State {
             d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
         };
         let keys: Vec<String> = self.documents.iter().filter(|d| stale(d)).map(|d| d.uri.as_str().to_owned()).collect();
-        if !self.client.watches_files && !keys.is_empty() {
-            // What is read from here on is at least as new.
-            self.stamps.learn(self.documents.read());
-        }
         for key in keys {
             let judging = self.documents.get(&key).and_then(|d| d.scene.as_ref()).is_some_and(|s| s.judging);
             // One verdict at a time: the next begins when this one is there, or was found outdated.
             if judging {
                 self.documents.sync(&key);
+                continue;
+            }
+            self.documents.sync(&key);
+            if self.documents.is_unread(&key) {
                 continue;
             }
             let Some(context) = self.context(&key) else { continue };
@@ -592,6 +584,10 @@ impl State {
         let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) else { return };
         // What is published first is the verdict.
         if !scene.unproved || self.proving || scene.published == 0 {
+            return;
+        }
+        if scene.is_stale() {
+            // The verdict on what it is now comes first.
             return;
         }
         scene.unproved = false;

@@ -1,12 +1,11 @@
 //! The command line and the server say the same of the same files, word for word.
 
 use crate::speaking::Client;
-use crate::support::{EXAMPLES, example, root, scenelang};
+use crate::support::{EXAMPLES, binary, example, root, scenelang};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 #[path = "../../../lang/tests/it/blocks.rs"]
 #[allow(dead_code, reason = "only the blocks are of use here")]
@@ -69,7 +68,7 @@ fn by_server(published: &Value) -> Said {
 
 /// A server with a folder as its workspace, that counts columns as reports do.
 fn server(folder: &Path) -> Client {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.arg("lsp").current_dir(folder);
     let mut client = Client::start(command, "agreement");
     let can = json!({ "general": { "positionEncodings": ["utf-32"] } });

@@ -1,7 +1,7 @@
 //! Programs of hostile sizes: a verdict, or a message that a limit was met, in bounded memory. A process that takes too
 //! long is ended by `support`; that twice as much takes no more than a few times as much memory is measured.
 
-use crate::support::{Ended, run};
+use crate::support::{Ended, binary, run};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -194,8 +194,94 @@ fn a_time_limit_is_kept_by_commands_that_search() {
         (&["check", "room.layout.json", "--time", "30"], &[0, 1, 2]),
         (&["formalize", request, "--time", "1", "-o", "asked.scene"], &[0, 2]),
     ] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+        let mut command = binary();
         let ended = run(command.args(args).current_dir(folder.path()), b"");
         assert!(codes.contains(&ended.code), "{args:?}: {ended:?}");
     }
+}
+
+/// The layout of as many cubes of a metre as there are places.
+fn cubes(places: impl Iterator<Item = [f64; 3]>) -> String {
+    let objects: Vec<String> = places
+        .enumerate()
+        .map(|(i, pos)| format!("\"a[{i}]\": {{ \"pos\": {pos:?}, \"scale\": [1, 1, 1] }}"))
+        .collect();
+    format!(
+        "{{ \"format\": \"scenelang.layout/1\", \"scene\": \"room.scene\", \"objects\": {{ {} }} }}",
+        objects.join(",")
+    )
+}
+
+/// Layouts in which all is in one place, or above each other: a verdict on what was judged, how much was not, and rows that
+/// somebody can read.
+#[test]
+fn layouts_in_one_place_end_with_a_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = |places: Vec<[f64; 3]>, args: &[&str]| {
+        fs::write(folder.path().join("room.scene"), format!("object a[{}];\n", places.len())).unwrap();
+        fs::write(folder.path().join("room.layout.json"), cubes(places.into_iter())).unwrap();
+        let ended = judged(folder.path(), args, "room.layout.json");
+        assert!(ended.stdout.len() < 8_000_000, "nobody reads {} bytes", ended.stdout.len());
+        ended
+    };
+    let many = |n: usize, at: fn(f64) -> [f64; 3]| (0..n).map(|i| at(i as f64)).collect::<Vec<_>>();
+    let [one, above]: [fn(f64) -> [f64; 3]; 2] = [|i| [i * 1e-6, 0.0, 0.0], |i| [0.0, i * 1.5, 0.0]];
+    let all = said(many(20_000, one), &["check", "--format", "json"]);
+    let report = all.reports().remove(0);
+    assert_eq!(all.code, 2, "{}", all.stderr);
+    assert_eq!(report["summary"]["physical"]["total"], 199_990_000 + 20_000);
+    let [finding] = report["diagnostics"].as_array().unwrap().as_slice() else { panic!("{report}") };
+    assert_eq!(finding["code"], "E0005");
+    let message = finding["message"].as_str().unwrap();
+    assert!(message.contains(" of 199990000 pairs were not judged"), "{message}");
+    // Those that overlap most are listed, the others are counted.
+    assert_eq!(report["constraints"].as_array().unwrap().len(), 1_000);
+    assert_eq!(report["unlisted"]["failing"], 2_000_000 - 1_000);
+    let tower = said(many(20_000, above), &["check"]);
+    assert_eq!(tower.code, 2, "{}", tower.stdout);
+    assert!(tower.stdout.contains("were not judged") || tower.stdout.contains("was not judged"), "{}", tower.stdout);
+    for command in
+        [&["repair"][..], &["check", "--all"], &["trace", "room.scene", "--layout"], &["diff", "room.layout.json"]]
+    {
+        assert_eq!(said(many(20_000, one), command).code, 2, "{command:?}");
+    }
+
+    // So many can be judged: what is not listed is counted, in each format.
+    let [failing, rest] = [60 * 59 / 2, 60 * 59 / 2 - 1_000];
+    let more = format!("{rest} more physical rules fail");
+    for (format, wanted) in [
+        ("human", format!("… and {} more that fail; `--format json` lists the first 1000", failing - 50)),
+        ("compact", more.clone()),
+        ("json", format!("\"unlisted\":{{\"failing\":{rest},\"holding\":0}}")),
+        ("sarif", more.clone()),
+        ("junit", more.clone()),
+        ("github", more),
+    ] {
+        let option = if format == "compact" { "--verbosity" } else { "--format" };
+        let ended = said(many(60, one), &["check", option, format]);
+        assert_eq!(ended.code, 1, "{format}: {}", ended.stderr);
+        assert!(
+            ended.stdout.contains(&wanted),
+            "{format}: {wanted}: {}",
+            ended.stdout.chars().rev().take(600).collect::<String>()
+        );
+    }
+}
+
+/// A requirement, an object and a statement of each, very often.
+#[test]
+fn many_requirements_are_traced() {
+    let folder = tempfile::tempdir().unwrap();
+    let n = 20_000;
+    let one = |i: usize| format!("@req(\"chair {i}\")\nobject c{i};\n@req(\"place {i}\")\nassert c{i}.pos.x >= 0;\n");
+    fs::write(folder.path().join("room.scene"), (0..n).map(one).collect::<String>()).unwrap();
+    for by in ["requirement", "object"] {
+        let ended = judged(folder.path(), &["trace", "--by", by], "room.scene");
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        assert!(ended.stdout.contains("40000 requirements"), "{}", ended.stdout.lines().last().unwrap_or_default());
+    }
+    let text = format!("object a[{n}];\n@req(\"all\")\nassert forall x in a: x.pos.x >= 0;\n");
+    fs::write(folder.path().join("room.scene"), text).unwrap();
+    let ended = judged(folder.path(), &["trace"], "room.scene");
+    assert!(ended.code == 0 && ended.stdout.contains("[a]\n"), "{}", ended.stdout);
 }

@@ -3,7 +3,7 @@
 
 use crate::model::server::{Act, Server};
 use crate::model::{KEY, folder, lamp_to, texts};
-use crate::support::{Ended, root, run};
+use crate::support::{Ended, binary, root, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -391,7 +391,7 @@ fn own(home: &Path, text: &str) {
 }
 
 fn solve(folder: &Path, home: &Path, environment: Option<&str>, args: &[String]) -> Ended {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(["solve", "room.scene", "--layout", "start.json", "-o", "end.json"]).args(args);
     command.current_dir(folder).env_clear().env("SCENELANG_CACHE", home.join("cache")).env("XDG_CONFIG_HOME", home);
     if let Some(model) = environment {
@@ -447,7 +447,7 @@ fn who_is_asked_is_said_before() {
         lamp_to(2.0, 1.5)
     });
     let folder = folder("[llm]\ntries = 1\ntimeout = 120\n");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(["solve", "room.scene", "--layout", "start.json", "-o", "end.json", "--model", "compatible:m"]);
     command.args(["--base-url", &server.url, "--max-calls", "9", "--max-tokens", "90000"]).current_dir(folder.path());
     command.env_clear().env("SCENELANG_CACHE", folder.path().join("cache"));
@@ -476,7 +476,7 @@ fn the_book_shows_what_the_user_says_and_hears() {
     let wanted = format!("asking the language model compatible:qwen3 at {}: at most 200 calls", server.url);
     assert!(ended.code == 0 && ended.stderr.contains(&wanted), "{ended:?}");
 
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(["solve", "room.scene", "--layout", "start.json", "-o", "end.json", "--model", "openai:gpt-4o"]);
     command.args(["--base-url", &server.url]).current_dir(folder.path()).env_clear().env("OPENAI_API_KEY", KEY);
     let ended = run(&mut command, b"");
@@ -587,7 +587,7 @@ fn editor(
     fs::copy(folder.path().join("start.json"), folder.path().join("room.layout.json")).unwrap();
     let home = tempfile::tempdir().unwrap();
     own(home.path(), own_text);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.current_dir(folder.path()).env_clear().env("XDG_CONFIG_HOME", home.path());
     command.env("SCENELANG_CACHE", home.path().join("cache")).env("SCENELANG_API_KEY", KEY).env("OPENAI_API_KEY", KEY);
     if !proxy.is_empty() {

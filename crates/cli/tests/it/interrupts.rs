@@ -2,7 +2,7 @@
 //! once and leaves nothing half-written.
 #![cfg(unix)]
 
-use crate::support::{fits, scenelang};
+use crate::support::{binary, fits, scenelang};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -21,7 +21,7 @@ const ENDLESS: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- v
     assert forall i in 0..118: distance(crate[i], crate[i + 1]) <= 4;\n";
 
 fn start(folder: &Path, args: &[&str]) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(args).current_dir(folder).env("NO_COLOR", "1").stdin(Stdio::null());
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
 }

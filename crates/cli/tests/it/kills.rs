@@ -2,7 +2,7 @@
 //! nothing had been.
 #![cfg(unix)]
 
-use crate::support::{fits, folder_with, scenelang};
+use crate::support::{binary, fits, folder_with, scenelang};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -39,7 +39,7 @@ const ROOM: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3
     object bed;\nbed.category <- \"bed\";\nbed.dimensions <- vec3(1.6, 0.55, 2);\nassert inside(bed, room);\n";
 
 fn synth(folder: &Path, seed: &str) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(["synth", "room.scene", "-o", "out", "--seed", seed]).current_dir(folder);
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }
@@ -107,7 +107,7 @@ struct Server {
 impl Server {
     /// A server for an editor that cannot make changes, so that the server writes layouts itself.
     fn start(folder: &Path, parent: &Value) -> Self {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+        let mut command = binary();
         command.arg("lsp").current_dir(folder).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
         let mut child = command.spawn().unwrap();
         let (to, from) = (child.stdin.take().unwrap(), BufReader::new(child.stdout.take().unwrap()));

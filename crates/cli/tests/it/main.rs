@@ -38,6 +38,7 @@ mod support;
 mod trace;
 mod view;
 mod view_hostile;
+mod view_users;
 mod watch;
 mod work;
 mod workspace;

@@ -3,12 +3,11 @@
 #[path = "../../../llm/tests/it/server.rs"]
 pub mod server;
 
-use crate::support::{Ended, root, run};
+use crate::support::{Ended, binary, root, run};
 use serde_json::{Value, json};
 use server::{Act, Server};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use tempfile::TempDir;
 
 pub const KEY: &str = "sk-very-secret";
@@ -51,7 +50,7 @@ fn command(folder: &Path, args: &[&str]) -> Ended {
 }
 
 fn command_with(variable: &str, folder: &Path, args: &[&str]) -> Ended {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(args).current_dir(folder).env_clear().env("SCENELANG_CACHE", folder.join("cache"));
     run(command.env(variable, KEY), b"")
 }

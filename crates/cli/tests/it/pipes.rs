@@ -2,7 +2,7 @@
 //! exit code says what happened.
 #![cfg(unix)]
 
-use crate::support::{example, folder_with};
+use crate::support::{binary, example, folder_with};
 use std::fs::{File, OpenOptions};
 use std::io::{PipeWriter, Read, pipe};
 use std::path::Path;
@@ -42,7 +42,7 @@ const COMMANDS: [&[&str]; 25] = [
 
 /// Runs a command whose standard output goes to `out`; its exit code and what it told besides.
 fn run(folder: &Path, args: &[&str], out: impl Into<Stdio>) -> (Option<i32>, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(args).current_dir(folder).env("NO_COLOR", "1");
     command.stdin(File::open(folder.join("bedroom.scene")).unwrap()).stdout(out).stderr(Stdio::piped());
     let output = command.spawn().unwrap().wait_with_output().unwrap();
@@ -76,7 +76,7 @@ fn every_command_survives_its_reader() {
 /// Every command that prints is in the list above.
 #[test]
 fn the_list_is_complete() {
-    let help = Command::new(env!("CARGO_BIN_EXE_scenelang")).arg("--help").output().unwrap();
+    let help = binary().arg("--help").output().unwrap();
     let help = String::from_utf8(help.stdout).unwrap();
     let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     for command in listed.filter_map(|line| line.split_whitespace().next()) {
@@ -121,7 +121,7 @@ fn both_streams_may_be_gone() {
     for args in
         [&["check", "missing.scene"][..], &["hir", "broken.scene"], &["solve", "broken.scene"], &["fmt", "missing"]]
     {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+        let mut command = binary();
         command.args(args).current_dir(folder.path()).stdin(Stdio::null()).stdout(unread()).stderr(unread());
         let code = command.status().unwrap().code();
         assert!(matches!(code, Some(1 | 2 | CLOSED)), "{args:?}: {code:?}");

@@ -4,6 +4,7 @@
 //! `SCENELANG_KILLS=200 cargo test -p scenelang-cli signals` tries more points.
 #![cfg(unix)]
 
+use crate::support::binary;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -79,7 +80,7 @@ fn restore(folder: &Path, wanted: &Files) {
 }
 
 fn start(folder: &Path, args: &[&str]) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(args).current_dir(folder).env("NO_COLOR", "1").stdin(Stdio::null());
     command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }

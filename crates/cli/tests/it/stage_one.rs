@@ -1,11 +1,10 @@
 //! A model writes the program: through the binary, from a recorded conversation, and from a server that fails.
 
 use crate::model::server::{Act, Server};
-use crate::support::{Ended, root, run};
+use crate::support::{Ended, binary, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 /// The request that `crates/formalize` holds a conversation about.
 fn request() -> String {
@@ -28,7 +27,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn scenelang(folder: &Path, args: &[&str]) -> Ended {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    let mut command = binary();
     command.args(args).current_dir(folder).env_clear().env("SCENELANG_CACHE", folder.join("cache"));
     run(&mut command, b"")
 }

@@ -96,7 +96,29 @@ pub fn scenelang<S: AsRef<OsStr>>(folder: &Path, args: impl IntoIterator<Item = 
 
 /// Runs `scenelang` in `folder` with something to read.
 pub fn scenelang_with_input<S: AsRef<OsStr>>(folder: &Path, args: impl IntoIterator<Item = S>, input: &[u8]) -> Ended {
-    run(Command::new(env!("CARGO_BIN_EXE_scenelang")).args(args).current_dir(folder), input)
+    run(binary().args(args).current_dir(folder), input)
+}
+
+/// `scenelang`, to be run as somebody who has set nothing: what whoever runs the tests has set changes none of them.
+pub fn binary() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+    at_home(&mut command);
+    command
+}
+
+/// Gives a command a home in which there is nothing, unless it has one already.
+fn at_home(command: &mut Command) {
+    let home = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("home-{}", std::process::id()));
+    let folders = ["HOME", "USERPROFILE", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "APPDATA", "LOCALAPPDATA"];
+    let given = |name: &str| command.get_envs().any(|(known, value)| known == name && value.is_some());
+    let missing: Vec<&str> = folders.into_iter().filter(|name| !given(name)).collect();
+    for name in missing {
+        match name {
+            // Without them both are below the home.
+            "XDG_CONFIG_HOME" | "XDG_CACHE_HOME" => command.env_remove(name),
+            _ => command.env(name, &home),
+        };
+    }
 }
 
 /// Runs a command to its end.
@@ -105,6 +127,10 @@ pub fn scenelang_with_input<S: AsRef<OsStr>>(folder: &Path, args: impl IntoItera
 /// If it hangs, or ends by a signal (a crash, a stack overflow).
 pub fn run(command: &mut Command, input: &[u8]) -> Ended {
     let name = format!("{command:?}");
+    // A shell that limits what the binary may do.
+    if command.get_program() == "sh" {
+        at_home(command);
+    }
     let mut child = command
         .env("NO_COLOR", "1")
         .stdin(Stdio::piped())

@@ -1,7 +1,7 @@
 //! `scenelang view`: who is answered, what is moved and written, what pages are told; Ctrl-C ends it.
 #![cfg(unix)]
 
-use crate::support::folder_with;
+use crate::support::{binary, folder_with};
 use scenelang_export::preview::has_viewer;
 use serde_json::{Value, json};
 use std::fs;
@@ -34,7 +34,7 @@ impl View {
     pub fn start() -> Self {
         let (folder, scene) = folder_with("meeting-room");
         let program = |args: &[&str]| {
-            let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+            let mut command = binary();
             command.args(args).arg(&scene).current_dir(folder.path()).stdin(Stdio::null());
             command
         };
@@ -327,7 +327,7 @@ fn changes_of_others_are_shown_and_never_overwritten() {
 fn a_layout_is_exported_as_it_is() {
     let (folder, scene) = folder_with("meeting-room");
     let run = |args: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_scenelang"));
+        let mut command = binary();
         command.args(args).current_dir(folder.path()).output().unwrap()
     };
     let layout = scene.with_extension("layout.json").display().to_string();

@@ -1,6 +1,7 @@
 //! `check --watch`: a new report for each change, by whatever way a file is saved; Ctrl-C ends it.
 #![cfg(unix)]
 
+use crate::support::binary;
 use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -19,7 +20,7 @@ struct Watch {
 
 impl Watch {
     fn start(folder: &Path, args: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_scenelang"))
+        let mut child = binary()
             .args(["check", "--watch", "--format", "json"])
             .args(args)
             .current_dir(folder)

@@ -164,3 +164,33 @@ fn schemas_are_printed() {
         ended.stderr
     );
 }
+
+/// Whatever judges a layout says by which settings, in the same words, where these are not the usual ones.
+#[test]
+fn the_settings_are_named_by_every_command_that_judges() {
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), "room.scene", "object a;\nobject b;\n@req(\"a is there\")\nassert a.pos.x = 0;\n");
+    write(folder.path(), "room.layout.json", &layout(0.5));
+    let commands: [&[&str]; 4] = [
+        &["check", "room.layout.json"],
+        &["repair", "room.layout.json"],
+        &["trace", "room.scene"],
+        &["diff", "room.layout.json", "room.layout.json"],
+    ];
+    for (settings, wanted) in [("physics = false\n", true), ("physics = true\n", false)] {
+        write(folder.path(), "scenelang.toml", settings);
+        for command in commands {
+            let told = scenelang(folder.path(), command);
+            let line = told.stdout.lines().filter(|line| *line == "judged with scenelang.toml: physics off").count();
+            assert_eq!(line, usize::from(wanted), "{command:?}: {}{}", told.stdout, told.stderr);
+            let json = scenelang(folder.path(), command.iter().chain(&["--format", "json"]));
+            let schema = match command[0] {
+                "check" => "report",
+                name => name,
+            };
+            let document = fits(schema, json.stdout.trim());
+            let with = if schema == "diff" { &document["before"]["judged_with"] } else { &document["judged_with"] };
+            assert_eq!(with["changes"] == serde_json::json!(["physics off"]), wanted, "{command:?}: {document}");
+        }
+    }
+}

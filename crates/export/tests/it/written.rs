@@ -2,7 +2,6 @@
 
 use crate::fixture::scene;
 use scenelang_export::{ExportError, Exporter, OutFile, Scene, exporters, write_all};
-use std::path::Path;
 
 #[test]
 fn the_same_scene_gives_the_same_bytes() {
@@ -41,7 +40,9 @@ fn nothing_is_written_unless_all_succeed() {
     let both: Vec<Box<dyn Exporter>> = vec![Box::new(scenelang_export::glb::Glb), Box::new(Refuses)];
     assert_eq!(write_all(&scene(), dir.path(), &both).unwrap_err().to_string(), "refuses: no");
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
-    let error =
-        write_all(&scene(), Path::new("/proc/nowhere"), &[Box::new(scenelang_export::glb::Glb) as Box<dyn Exporter>]);
+    // No folder can be made below a file.
+    std::fs::write(dir.path().join("file"), "").unwrap();
+    let nowhere = dir.path().join("file/nowhere");
+    let error = write_all(&scene(), &nowhere, &[Box::new(scenelang_export::glb::Glb) as Box<dyn Exporter>]);
     assert!(error.unwrap_err().to_string().contains("nowhere"));
 }

@@ -51,7 +51,7 @@ fn other(context: &Context, shared: &Shared, path: PathBuf) -> Option<Other> {
     if !shared.is_read_by(host.files()) {
         return None;
     }
-    judge_by(&mut host, layout_of(&path, &context.config).as_deref(), &files);
+    judge_by(&mut host, layout_of(&path, &context.config).as_deref(), files.door(), &files);
     Some(Other { snapshot: host.snapshot(), path })
 }
 

@@ -105,7 +105,7 @@ impl Workspace {
         let text = String::from_utf8_lossy(&files.load(path).ok()?).into_owned();
         let mut host = Host::new(&name_of(path), path, &text, &files);
         let layout = layout_of(path, &self.config);
-        let settings = judge_by(&mut host, layout.as_deref(), &files);
+        let settings = judge_by(&mut host, layout.as_deref(), files.door(), &files);
         let snapshot = host.snapshot();
         let mut hasher = FxHasher::default();
         snapshot.sources().iter().for_each(|(_, file)| file.text().hash(&mut hasher));

@@ -7,6 +7,8 @@ mod actions;
 mod client;
 mod commands;
 mod features;
+#[cfg(target_os = "linux")]
+mod hanging;
 mod hazards;
 mod life;
 mod model;

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// What measuring the gaps between objects that are near each other may cost, in gaps of two boxes.
-const GAPS: usize = 4_000_000;
+const GAPS: usize = 2_000_000;
 /// The same where the gaps are followed while objects move.
 pub const GAPS_FOLLOWED: usize = 400_000;
 /// So many violations of a rule are listed, those that fail most.

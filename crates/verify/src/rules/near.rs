@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 /// Finding the pairs compares no more than so many upright boxes (about a nanosecond each).
 const COMPARED: usize = 1_000_000_000;
 /// What looking for everything above and below objects may cost, in looks at one object.
-const LOOKS: usize = 4_000_000;
+const LOOKS: usize = 2_000_000;
 /// So many comparisons of upright boxes cost as much as a look.
 const CHEAP: usize = 16;
 

@@ -94,9 +94,9 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
     let tops = others.iter().filter_map(|&other| Some((other, &world.object(other).ok()?.body)));
     for (other, carrier) in tops.filter(|(other, carrier)| *other != id && below(body, carrier)) {
         for (part, face) in level_tops(carrier, tolerances.level) {
-            // Farther off than what is known, and too far to touch: nothing of it counts. Most of what is in one place is.
-            let far = from_face(lowest, part, face) - 1e-9;
-            if far > tolerances.support + tolerances.order && far > (lowest - nearest).abs() {
+            // No nearer than what is known, and too far to touch: nothing of it counts. Most of what is in one place is.
+            let far = from_face(lowest, part, face);
+            if far > tolerances.support + tolerances.order + 1e-9 && far >= (lowest - nearest).abs() {
                 continue;
             }
             for own in &base {

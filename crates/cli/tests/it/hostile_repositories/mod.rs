@@ -148,7 +148,11 @@ impl Repository {
     /// A command in the repository: with secrets in its environment, and not much memory.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new("sh");
-        command.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\""), env!("CARGO_BIN_EXE_scenelang")]);
+        command.args([
+            "-c",
+            &format!("ulimit -v {MEMORY} 2>/dev/null; exec \"$0\" \"$@\""),
+            env!("CARGO_BIN_EXE_scenelang"),
+        ]);
         command.args(args).current_dir(self.root()).env("HOME", self.around.path().join("home"));
         command.env("API_KEY", SECRET).env("NO_COLOR", "1").env_remove("XDG_CACHE_HOME");
         command
