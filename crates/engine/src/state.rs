@@ -3,6 +3,7 @@
 
 use crate::pose::Pose;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
+use scenelang_layout::Aabb;
 use scenelang_verify::{Cause, Value, World};
 
 /// A thing as it was.
@@ -45,6 +46,18 @@ impl State {
     /// Where an object is, unless the layout lacks it.
     pub fn pose(&self, id: ObjectId) -> Option<Pose> {
         self.world.object(id).ok().map(Pose::of)
+    }
+
+    /// The box around an object, unless the layout lacks it.
+    pub fn bounds(&self, id: ObjectId) -> Option<Aabb> {
+        self.world.object(id).ok().map(|thing| thing.body.aabb())
+    }
+
+    /// Objects other than one that are no further than this from one of these boxes (metres).
+    pub fn near(&self, id: ObjectId, boxes: &[Aabb], reach: f64) -> Vec<ObjectId> {
+        let is_near = |theirs: &Aabb| boxes.iter().any(|own| own.distance(theirs) <= reach);
+        let others = self.world.bodies().filter(|(other, body)| *other != id && is_near(&body.aabb()));
+        others.map(|(other, _)| other).collect()
     }
 
     /// Where a region is, unless the layout lacks it.

@@ -388,11 +388,8 @@ impl<'a> Stage<'a> {
 
     /// Objects next to the old or the new place of one.
     fn around(&self, id: ObjectId) -> Vec<ObjectId> {
-        let world = self.world();
-        let reach = world.options.tolerances.support + world.options.tolerances.order;
-        let boxes = [self.boxes[id.0 as usize], world.object(id).ok().map(|thing| thing.body.aabb())];
-        let near = |theirs: &Aabb| boxes.iter().flatten().any(|own| own.distance(theirs) <= reach);
-        let others = world.bodies().filter(|(other, _)| *other != id);
-        others.filter(|(_, body)| near(&body.aabb())).map(|(other, _)| other).collect()
+        let tolerances = &self.world().options.tolerances;
+        let boxes: Vec<Aabb> = self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(id)).collect();
+        self.state.near(id, &boxes, tolerances.support + tolerances.order)
     }
 }
