@@ -11,7 +11,7 @@ use scenelang_base::{Edit, FileId};
 use scenelang_engine::{check_file_with, program_of};
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::{Vec3, file as layout_file};
+use scenelang_layout::file as layout_file;
 use scenelang_solve::repair::{
     Alternative, Damaged, How, Moved, RepairOptions, Text, Unjudged, Which, edited, repair as look,
 };
@@ -224,7 +224,7 @@ impl Told<'_> {
 
     fn alternative(&self, a: &Alternative) -> Value {
         let moves = a.moves.iter().map(|m| {
-            let step = step(m);
+            let step = m.step();
             let [pos, rot] = [m.to.pos, m.to.rot].map(<[f64; 3]>::from);
             json!({ "object": self.object(m.object), "by": step.by, "turn": step.turn, "pos": pos, "rot": rot })
         });
@@ -285,7 +285,7 @@ impl Told<'_> {
     /// An alternative in the imperative.
     fn words(&self, a: &Alternative) -> String {
         let mut parts = Vec::new();
-        let steps: Vec<Step> = a.moves.iter().map(step).collect();
+        let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
         if !steps.is_empty() {
             parts.push(move_in_words(self.program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
         }
@@ -311,14 +311,6 @@ impl Told<'_> {
             _ => change,
         }
     }
-}
-
-/// A move as the step that it is.
-fn step(m: &Moved) -> Step {
-    let by: Vec3 = m.to.pos - m.from.pos;
-    let turn = (m.to.rot.y - m.from.rot.y).rem_euclid(360.0);
-    let turn = rounded(if turn > 180.0 { turn - 360.0 } else { turn });
-    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: m.with }
 }
 
 /// To four digits after the point: tolerances are of that size.

@@ -4,7 +4,7 @@
 use crate::{Index, Pose, State};
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::{ObjectId, Program};
-use scenelang_layout::{Aabb, Layout, Vec3};
+use scenelang_layout::{Layout, Vec3};
 use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, rooms, stated, too_dense};
 use scenelang_verify::report::model::Summary;
 use scenelang_verify::rules::{Columns, Support, pairs_up_to, support};
@@ -140,6 +140,14 @@ impl<'a> Live<'a> {
         self.set_pose(object, &Pose { pos, rot, ..pose })
     }
 
+    /// The same of an object that is held by a pointer. Whatever else was moved since the last [`Live::keep`] was let go
+    /// without being put down, and goes back.
+    pub fn drag(&mut self, object: ObjectId, pos: Vec3, rot: Vec3) -> usize {
+        let others = self.state.moved().any(|(id, _)| id != object);
+        let judged = if others { self.undo() } else { 0 };
+        judged + self.place(object, pos, rot)
+    }
+
     /// From here on things are where they belong.
     pub fn keep(&mut self) {
         self.state.keep();
@@ -208,11 +216,8 @@ impl<'a> Live<'a> {
 
     /// Objects within reach of one.
     fn around(&self, object: ObjectId) -> Vec<ObjectId> {
-        let world = self.state.world();
-        let (Some(rules), Ok(thing)) = (&self.rules, world.object(object)) else { return Vec::new() };
-        let of: Aabb = thing.body.aabb();
-        let near = world.bodies().filter(|(id, body)| *id != object && body.aabb().distance(&of) <= rules.reach());
-        near.map(|(id, _)| id).collect()
+        let of = self.state.bounds(object);
+        self.rules.as_ref().map_or(Vec::new(), |rules| self.state.near(object, of.as_slice(), rules.reach()))
     }
 
     /// The layout as it is now.

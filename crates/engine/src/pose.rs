@@ -63,6 +63,13 @@ impl Pose {
     pub fn right(&self) -> Vec3 {
         rotation::matrix(self.rot).column(0).into()
     }
+    /// How hard it is to move: metres that a degree moves the farthest point of its footprint, and what the way counts:
+    /// once for what is small, up to twice for what is large, since one would rather move the nightstand than the bed.
+    pub fn heft(&self) -> (f64, f64) {
+        let per_degree = (self.scale.x.hypot(self.scale.z) / 2.0).max(0.1).to_radians();
+        let volume: f64 = self.scale.iter().product();
+        (per_degree, 1.0 + volume / (1.0 + volume))
+    }
     /// Centre of its box.
     pub fn center(&self) -> Vec3 {
         self.pos + rotation::matrix(self.rot).column(1) * (self.scale.y / 2.0)
@@ -97,6 +104,12 @@ pub fn round_turn(degrees: f64) -> f64 {
     let exact = if (degrees - quarter).abs() < 1e-9 { quarter } else { degrees };
     let turned = exact.rem_euclid(360.0);
     if turned >= 360.0 { 0.0 } else { turned + 0.0 }
+}
+
+/// An angle between −180 and 180.
+pub fn half_turn(degrees: f64) -> f64 {
+    let turn = degrees.rem_euclid(360.0);
+    if turn > 180.0 { turn - 360.0 } else { turn }
 }
 
 /// The yaw at which an object faces along a horizontal direction.

@@ -3,6 +3,7 @@
 
 use crate::pose::Pose;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
+use scenelang_layout::Aabb;
 use scenelang_verify::{Cause, Value, World};
 
 /// A thing as it was.
@@ -21,13 +22,20 @@ pub struct State {
     journal: Vec<Before>,
     /// By object: whether the journal has it.
     has_moved: Vec<bool>,
+    /// Counts changes, for those who follow: see [`Mirror`](crate::Mirror).
+    pub(crate) clock: u64,
+    /// By object: when it was last moved.
+    pub(crate) moved_at: Vec<u64>,
+    /// When a region or a decision variable was last changed.
+    pub(crate) changed_at: u64,
 }
 
 impl State {
     /// With everything where an instance has it.
     pub fn new(world: World<f64>) -> Self {
         let objects = world.bodies().map(|(id, _)| id.0 as usize + 1).max().unwrap_or(0);
-        Self { world, journal: Vec::new(), has_moved: vec![false; objects] }
+        let (has_moved, moved_at) = (vec![false; objects], vec![0; objects]);
+        Self { world, journal: Vec::new(), has_moved, clock: 0, moved_at, changed_at: 0 }
     }
 
     /// The layout as it is now.
@@ -38,6 +46,18 @@ impl State {
     /// Where an object is, unless the layout lacks it.
     pub fn pose(&self, id: ObjectId) -> Option<Pose> {
         self.world.object(id).ok().map(Pose::of)
+    }
+
+    /// The box around an object, unless the layout lacks it.
+    pub fn bounds(&self, id: ObjectId) -> Option<Aabb> {
+        self.world.object(id).ok().map(|thing| thing.body.aabb())
+    }
+
+    /// Objects other than one that are no further than this from one of these boxes (metres).
+    pub fn near(&self, id: ObjectId, boxes: &[Aabb], reach: f64) -> Vec<ObjectId> {
+        let is_near = |theirs: &Aabb| boxes.iter().any(|own| own.distance(theirs) <= reach);
+        let others = self.world.bodies().filter(|(other, body)| *other != id && is_near(&body.aabb()));
+        others.map(|(other, _)| other).collect()
     }
 
     /// Where a region is, unless the layout lacks it.
@@ -81,7 +101,7 @@ impl State {
     /// Gives a decision variable a value of its kind.
     pub fn set_variable(&mut self, id: VariableId, value: Value<f64>) {
         self.journal.push(Before::Variable(id, self.world.variable(id)));
-        self.world.set_variable(id, value);
+        self.put_variable(id, Ok(value));
     }
 
     /// From here on things are where they belong.
@@ -103,8 +123,7 @@ impl State {
                     self.put(id, &pose);
                 }
                 Before::Region(id, pose) => self.put_region(id, &pose),
-                Before::Variable(id, Ok(value)) => self.world.set_variable(id, value),
-                Before::Variable(id, Err(cause)) => self.world.refuse_variable(id, cause),
+                Before::Variable(id, value) => self.put_variable(id, value),
             }
         }
     }
@@ -112,10 +131,23 @@ impl State {
     fn put(&mut self, id: ObjectId, pose: &Pose) {
         let [pos, rot, scale] = pose.constant();
         self.world.place(id, pos, rot, scale);
+        self.clock += 1;
+        self.moved_at[id.0 as usize] = self.clock;
     }
 
     fn put_region(&mut self, id: RegionId, pose: &Pose) {
         let [pos, rot, scale] = pose.constant();
         self.world.place_region(id, pos, rot, scale);
+        self.clock += 1;
+        self.changed_at = self.clock;
+    }
+
+    fn put_variable(&mut self, id: VariableId, value: Result<Value<f64>, Cause>) {
+        match value {
+            Ok(value) => self.world.set_variable(id, value),
+            Err(cause) => self.world.refuse_variable(id, cause),
+        }
+        self.clock += 1;
+        self.changed_at = self.clock;
     }
 }

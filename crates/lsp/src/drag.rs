@@ -152,14 +152,8 @@ fn follow(scene: &Scene, steps: &Receiver<Step>, events: &Sender<Event>) {
     let program = &scene.judged.compiled.program;
     let layout = &scene.layout.read.layout;
     let mut live = Live::new(program, layout, &scene.options);
-    let mut dragged: Option<ObjectId> = None;
     while let Ok(step) = steps.recv() {
-        if dragged.is_some_and(|id| id != step.object) {
-            // Another object: the first one was let go without being put down.
-            live.undo();
-        }
-        dragged = Some(step.object);
-        live.place(step.object, step.pos, step.rot);
+        live.drag(step.object, step.pos, step.rot);
         let answer = scenelang_engine::moved(&live, program, &scene.sources, &scene.name);
         let reply = move |state: &mut State| state.reply(&step.id, Ok(answer));
         if events.send(Event::Done(Box::new(reply))).is_err() {

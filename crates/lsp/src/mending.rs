@@ -198,7 +198,7 @@ fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
 fn words(job: &Job, chosen: &Alternative) -> String {
     let program = &job.compiled.program;
     let mut parts = Vec::new();
-    let steps: Vec<Step> = chosen.moves.iter().map(step).collect();
+    let steps: Vec<Step> = chosen.moves.iter().map(Moved::step).collect();
     if !steps.is_empty() {
         parts.push(move_in_words(program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
     }
@@ -210,14 +210,6 @@ fn words(job: &Job, chosen: &Alternative) -> String {
     );
     parts.extend(chosen.drops.iter().map(|i| format!("give up the wish `{}`", program.constraints[*i].text)));
     parts.join("; ")
-}
-
-fn step(m: &Moved) -> Step {
-    let by = m.to.pos - m.from.pos;
-    let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-    let turn = (m.to.rot.y - m.from.rot.y).rem_euclid(360.0);
-    let turn = rounded(if turn > 180.0 { turn - 360.0 } else { turn });
-    Step { object: m.object, by: [by.x, by.y, by.z].map(rounded), turn, with: m.with }
 }
 
 /// Which margins a change changes, the first few: `text: −0.07 m → +0.00 m`.

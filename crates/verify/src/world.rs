@@ -258,16 +258,10 @@ impl<N: Number> World<N> {
             outlined: r.outlined,
             prism: r.prism.clone(),
         };
-        let value = |v: Value<N>| match v {
-            Value::Number(n) => Value::Number(M::constant(n.value())),
-            Value::Vector(v) => Value::Vector(convert(&v)),
-            Value::Rotation(v) => Value::Rotation(convert(&v)),
-            Value::Truth(t) => Value::Truth(crate::eval::Truth::discrete(t.holds)),
-        };
         World {
             objects: self.objects.iter().map(|o| o.as_ref().map(thing)).collect(),
             regions: self.regions.iter().map(|r| r.as_ref().map(room)).collect(),
-            variables: self.variables.iter().map(|v| v.map(value)).collect(),
+            variables: self.variables.iter().map(|v| v.map(Value::constant)).collect(),
             draws: self.draws.clone(),
             allow: self.allow.clone(),
             options: self.options,
@@ -320,6 +314,10 @@ impl<N: Number> World<N> {
     /// Ids and prisms of the regions that are there.
     pub fn prisms(&self) -> impl Iterator<Item = (RegionId, &Prism)> {
         self.regions.iter().enumerate().filter_map(|(i, room)| Some((RegionId(i as u32), &room.as_ref()?.prism)))
+    }
+    /// Ids and values of the decision variables that have one.
+    pub fn values(&self) -> impl Iterator<Item = (VariableId, Value<N>)> {
+        self.variables.iter().enumerate().filter_map(|(i, value)| Some((VariableId(i as u32), value.ok()?)))
     }
     /// The first object that the layout lacks, if any.
     pub fn missing_object(&self) -> Option<Cause> {

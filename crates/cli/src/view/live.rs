@@ -198,14 +198,8 @@ impl Drag {
         std::thread::Builder::new().name("drag".to_owned()).stack_size(8 << 20).spawn(move || {
             let Room { program, layout, options, checked, .. } = &*own;
             let mut live = Live::new(program, layout, options);
-            let mut dragged: Option<ObjectId> = None;
             for step in taken {
-                if dragged.is_some_and(|id| id != step.object) {
-                    // Another object: the first one was let go without being put down.
-                    live.undo();
-                }
-                dragged = Some(step.object);
-                live.place(step.object, Vec3::from(step.pos), Vec3::from(step.rot));
+                live.drag(step.object, Vec3::from(step.pos), Vec3::from(step.rot));
                 // Whoever asked may be gone.
                 let _ =
                     step.answer.send(scenelang_engine::moved(&live, program, &checked.sources, &checked.report.file));

@@ -46,9 +46,8 @@ pub(super) struct Search<'s, 'a> {
     /// What goes along.
     riders: &'s [ObjectId],
     freedom: Freedom,
-    /// Metres that a degree moves the farthest point of its footprint.
+    /// See [`Pose::heft`](crate::Pose::heft).
     per_degree: f64,
-    /// How hard it is to move: 1 for what is small, up to 2 for what is large.
     weight: f64,
     /// What must not be exceeded, in [`Stage::work`].
     limit: usize,
@@ -64,18 +63,14 @@ impl<'s, 'a> Search<'s, 'a> {
         freedom: Freedom,
         limit: usize,
     ) -> Option<Self> {
-        let half = stage.home(from.object)?.scale / 2.0;
-        let per_degree = half.x.hypot(half.z).max(0.1).to_radians();
-        let volume = 8.0 * half.x * half.y * half.z;
-        let weight = 1.0 + volume / (1.0 + volume);
+        let (per_degree, weight) = stage.home(from.object)?.heft();
         let mut goals = goals.to_vec();
         goals.sort_by_key(|goal| stage.cost(*goal));
         let dear = goals.iter().any(|goal| stage.cost(*goal) > DEAR);
         Some(Self { stage, goals, from, riders, freedom, per_degree, weight, limit, dear })
     }
 
-    /// How far the farthest point of the object travels at most (metres); of what is large it counts up to twice, since
-    /// one would rather move the nightstand than the bed.
+    /// How far the farthest point of the object travels at most (metres), by its weight.
     fn cost(&self, step: &Step) -> f64 {
         let [x, y, z] = step.by;
         (x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree) * self.weight

@@ -97,12 +97,7 @@ impl<'a> Stage<'a> {
         let Some(mut pose) = self.state.home(step.object) else { return };
         (0..3).for_each(|i| pose.pos[i] += step.by[i]);
         pose.rot.y += step.turn;
-        self.set_pose(step.object, &pose);
-    }
-
-    fn set_pose(&mut self, id: ObjectId, pose: &Pose) {
-        self.state.set_pose(id, pose);
-        self.dual.iter_mut().for_each(|dual| dual.moved(id));
+        self.state.set_pose(step.object, &pose);
     }
 
     /// The same, and with it what goes along.
@@ -128,9 +123,6 @@ impl<'a> Stage<'a> {
 
     /// Puts everything back, then these elsewhere.
     pub fn set(&mut self, steps: &[Step]) {
-        for (id, _) in self.state.moved() {
-            self.dual.iter_mut().for_each(|dual| dual.moved(id));
-        }
         self.state.undo();
         steps.iter().for_each(|step| self.put(step));
     }
@@ -160,8 +152,8 @@ impl<'a> Stage<'a> {
         let cone = self.cone(goal);
         let state = &self.state;
         let pivot = state.pose(object)?.pos;
-        let dual = self.dual.get_or_insert_with(|| Mirror::new(state.world().constant()));
-        dual.follow(|id| state.pose(id));
+        let dual = self.dual.get_or_insert_with(|| Mirror::of(state));
+        dual.catch_up(state);
         for id in riders.iter().copied().chain([object]) {
             let Some(pose) = state.pose(id) else { continue };
             let [mut pos, mut rot, scale]: [V3<Slope>; 3] = pose.constant();
@@ -247,7 +239,7 @@ impl<'a> Stage<'a> {
         for row in rows {
             self.before(*row);
         }
-        now.iter().for_each(|(id, pose)| self.set_pose(*id, pose));
+        now.iter().for_each(|(id, pose)| self.state.set_pose(*id, pose));
     }
 
     /// What judging a goal costs, in small comparisons.
@@ -396,11 +388,8 @@ impl<'a> Stage<'a> {
 
     /// Objects next to the old or the new place of one.
     fn around(&self, id: ObjectId) -> Vec<ObjectId> {
-        let world = self.world();
-        let reach = world.options.tolerances.support + world.options.tolerances.order;
-        let boxes = [self.boxes[id.0 as usize], world.object(id).ok().map(|thing| thing.body.aabb())];
-        let near = |theirs: &Aabb| boxes.iter().flatten().any(|own| own.distance(theirs) <= reach);
-        let others = world.bodies().filter(|(other, _)| *other != id);
-        others.filter(|(_, body)| near(&body.aabb())).map(|(other, _)| other).collect()
+        let tolerances = &self.world().options.tolerances;
+        let boxes: Vec<Aabb> = self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(id)).collect();
+        self.state.near(id, &boxes, tolerances.support + tolerances.order)
     }
 }

@@ -5,3 +5,4 @@ mod explanations;
 #[path = "../../../verify/tests/it/given.rs"]
 mod given;
 mod live;
+mod state;

@@ -2,9 +2,9 @@
 //! still holds, else as far as it does; then to round numbers.
 
 use super::moves::changes;
-use super::room::{Room, half_turn};
+use super::room::Room;
 use crate::pipeline::tidy::round_to;
-use crate::problem::pose::{Pose, round_turn};
+use crate::problem::pose::{Pose, half_turn, round_turn};
 use crate::search::state::Change;
 use scenelang_lang::program::ObjectId;
 

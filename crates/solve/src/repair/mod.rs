@@ -23,7 +23,7 @@ mod tests;
 mod whole;
 
 use crate::problem::limit::Stop;
-use crate::problem::pose::Pose;
+use crate::problem::pose::{Pose, half_turn};
 pub use edit::edited;
 use judge::Judge;
 use scenelang_base::{Edit, SourceMap};
@@ -31,7 +31,7 @@ use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
-use scenelang_verify::explain::RowRef;
+use scenelang_verify::explain::{RowRef, Step};
 use std::path::Path;
 use std::time::Duration;
 
@@ -155,6 +155,16 @@ pub struct Moved {
     pub to: Pose,
     /// The object that it goes along with, because it rests on it.
     pub with: Option<ObjectId>,
+}
+
+impl Moved {
+    /// The same as a step, to six digits after the point: the rest is noise.
+    pub fn step(&self) -> Step {
+        let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+        let by: [f64; 3] = (self.to.pos - self.from.pos).into();
+        let turn = rounded(half_turn(self.to.rot.y - self.from.rot.y));
+        Step { object: self.object, by: by.map(rounded), turn, with: self.with }
+    }
 }
 
 /// A layout that cannot be judged cannot be repaired: something is missing in it, or has no value.

@@ -6,7 +6,7 @@ use crate::pipeline::tidy::round_to;
 use crate::problem::Options;
 use crate::problem::checks::Check;
 use crate::problem::frame::{Frame, variables};
-use crate::problem::pose::{Pose, Ride};
+use crate::problem::pose::{Pose, Ride, half_turn};
 use crate::problem::rules::{self, Rules, Source};
 use crate::problem::terms;
 use crate::search::least_squares::Polisher;
@@ -322,19 +322,11 @@ pub(super) fn describe(judge: &Judge<'_>, layout: Layout, broken: &[RowRef]) -> 
     Alternative { how, moves, also, edits: Vec::new(), least: Vec::new(), drops, layout, cost }
 }
 
-/// Metres that the farthest point of an object travels at most; of what is large they count up to twice, since one would
-/// rather move the nightstand than the bed.
+/// Metres that the farthest point of an object travels at most, by its weight.
 fn travel(from: &Pose, to: &Pose) -> f64 {
-    let per_degree = (from.scale.x.hypot(from.scale.z) / 2.0).max(0.1).to_radians();
+    let (per_degree, weight) = from.heft();
     let turn: f64 = (0..3).map(|i| half_turn(to.rot[i] - from.rot[i]).abs()).sum();
-    let volume: f64 = from.scale.iter().product();
-    ((to.pos - from.pos).norm() + turn * per_degree) * (1.0 + volume / (1.0 + volume))
-}
-
-/// An angle between −180 and 180.
-pub(super) fn half_turn(degrees: f64) -> f64 {
-    let turn = degrees.rem_euclid(360.0);
-    if turn > 180.0 { turn - 360.0 } else { turn }
+    ((to.pos - from.pos).norm() + turn * per_degree) * weight
 }
 
 /// Whether two poses of an object are not the same place.

@@ -60,8 +60,6 @@ pub(crate) struct State<'a> {
     pub work: u64,
     /// When looking has to end, whatever the work.
     pub limit: Limit,
-    /// Objects that moved since the other world, that of slopes, was last brought up to date.
-    pub stale: Vec<bool>,
     placed: Vec<bool>,
     /// By term: how many of its objects are not placed yet.
     missing: Vec<usize>,
@@ -96,7 +94,6 @@ impl<'a> State<'a> {
             seats: vec![None; n],
             work: 0,
             limit: Limit::default(),
-            stale: vec![true; n],
             placed: vec![false; n],
             missing: frame.terms.iter().map(|t| t.objects.len()).collect(),
             spans: vec![Aabb::of([]); n],
@@ -113,6 +110,10 @@ impl<'a> State<'a> {
         state
     }
 
+    /// The layout.
+    pub fn layout(&self) -> &Moving {
+        &self.layout
+    }
     /// The layout, as the evaluator sees it.
     pub fn world(&self) -> &World<f64> {
         self.layout.world()
@@ -337,7 +338,6 @@ impl<'a> State<'a> {
         let journal = std::mem::take(&mut self.journal);
         for (id, pose) in self.layout.moved() {
             self.spans[id.0 as usize] = pose.span();
-            self.stale[id.0 as usize] = true;
         }
         self.layout.undo();
         for id in journal.placed {
@@ -459,7 +459,6 @@ impl<'a> State<'a> {
             self.layout.keep();
         }
         self.spans[id.0 as usize] = pose.span();
-        self.stale[id.0 as usize] = true;
     }
 
     /// Obeys the rules that depend on what has moved.

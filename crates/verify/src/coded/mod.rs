@@ -14,7 +14,7 @@ use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
 use crate::number::Algebra;
 use crate::prove::interval::Interval;
-use crate::prove::tape::{Claim, Fact, Op, Tape, Term, look, unknown};
+use crate::prove::tape::{Claim, Fact, Op, Tape, Term, unknown};
 use crate::vector::{M3, V3};
 use crate::world::{Room, Thing, World};
 use rustc_hash::FxHashMap;
@@ -191,6 +191,7 @@ impl CodedValue {
 /// Writes code for formulas of one program in one instance.
 pub struct Coder<'w> {
     plain: &'w World<f64>,
+    tape: Tape,
     world: World<Term>,
     objects: usize,
     /// By the number of an unknown: its slot.
@@ -204,58 +205,12 @@ pub struct Coder<'w> {
 impl<'w> Coder<'w> {
     /// For an instance in which some objects never move.
     pub fn new(program: &Program, plain: &'w World<f64>, still: &dyn Fn(ObjectId) -> bool) -> Self {
-        Tape::begin();
-        let mut world = World::<Term>::nowhere(program, &plain.options);
-        let n = program.objects.len();
-        for index in 0..n as u32 {
-            let id = ObjectId(index);
-            let inputs = [
-                unknown(Interval::new(-FAR, FAR)),
-                unknown(Interval::new(-FAR, FAR)),
-                unknown(Interval::new(-FAR, FAR)),
-                unknown(Interval::new(0.0, 360.0)),
-                unknown(Interval::new(-1.0, 1.0)),
-                unknown(Interval::new(-1.0, 1.0)),
-            ];
-            let Ok(thing) = plain.object(id) else { continue };
-            let upright = thing.rot.0[0] == 0.0 && thing.rot.0[2] == 0.0;
-            let [x, y, z, yaw, sin, cos] = inputs;
-            let (zero, one) = (Term::constant(0.0), Term::constant(1.0));
-            let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
-            let (pos, rot, axes) = if still(id) {
-                (lift(&thing.pos), lift(&thing.rot), M3(thing.axes.0.map(|axis| lift(&axis))))
-            } else if upright {
-                let axes = M3([V3([cos, zero, -sin]), V3([zero, one, zero]), V3([sin, zero, cos])]);
-                (V3([x, y, z]), V3([zero, yaw, zero]), axes)
-            } else {
-                continue;
-            };
-            world.objects[index as usize] =
-                Some(Thing { pos, rot, scale: lift(&thing.scale), axes, body: thing.body.clone() });
-        }
-        for index in 0..program.regions.len() as u32 {
-            let Ok(room) = plain.region(RegionId(index)) else { continue };
-            let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
-            world.regions[index as usize] = Some(Room {
-                pos: lift(&room.pos),
-                rot: lift(&room.rot),
-                scale: lift(&room.scale),
-                outlined: room.outlined,
-                prism: room.prism.clone(),
-            });
-        }
-        for (to, from) in world.variables.iter_mut().zip(&plain.variables) {
-            *to = from.map(|value| match value {
-                Value::Number(n) => Value::Number(Term::constant(n)),
-                Value::Vector(v) => Value::Vector(V3(v.0.map(Term::constant))),
-                Value::Rotation(v) => Value::Rotation(V3(v.0.map(Term::constant))),
-                Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
-            });
-        }
+        let mut tape = Tape::new();
         Self {
             plain,
-            world,
-            objects: n,
+            world: tape.record(|| inputs(program, plain, still)),
+            tape,
+            objects: program.objects.len(),
             constants: Vec::new(),
             known: FxHashMap::default(),
             measures: FxHashMap::default(),
@@ -272,8 +227,7 @@ impl<'w> Coder<'w> {
     /// The code of as many truths that a truth is made of as have code, and the others. Those are truths that are not
     /// themselves made of others.
     pub fn partly(&mut self, formula: &Formula) -> (Coded, Vec<NodeId>) {
-        let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
-        let _ = self.scratch.evaluate_with(formula, &self.world, &mut boxes);
+        let _ = self.evaluate(formula);
         let (mut found, mut missing) = (Vec::new(), Vec::new());
         for id in atoms(formula) {
             match self.scratch.value(id) {
@@ -292,10 +246,15 @@ impl<'w> Coder<'w> {
         (Coded { code: code.code, atoms }, missing)
     }
 
+    fn evaluate(&mut self, formula: &Formula) -> Result<Value<Term>, EvalError> {
+        let Self { plain, tape, world, measures, scratch, .. } = self;
+        tape.record(|| scratch.evaluate_with(formula, world, &mut Boxes { plain, measures }))
+    }
+
     fn atom(&mut self, code: &mut Draft, truth: Truth<Term>) -> Option<Atom> {
         let margin = self.emit(code, truth.margin)?;
         let contrary = truth.holds.is_contrary();
-        let fact = look(|tape| tape.facts[truth.holds.index()].clone());
+        let fact = self.tape.facts[truth.holds.index()].clone();
         let verdict = match fact {
             Fact::True => Verdict::Known(truth.holds == Claim::TRUE),
             Fact::Atom { term, bound, strict } => {
@@ -308,8 +267,7 @@ impl<'w> Coder<'w> {
 
     /// The code of a number, a vector or a rotation; `None`: it has none.
     pub fn value(&mut self, formula: &Formula) -> Option<CodedValue> {
-        let mut boxes = Boxes { plain: self.plain, measures: &mut self.measures };
-        let parts = match self.scratch.evaluate_with(formula, &self.world, &mut boxes).ok()? {
+        let parts = match self.evaluate(formula).ok()? {
             Value::Number(n) => vec![n],
             Value::Vector(v) | Value::Rotation(v) => v.0.to_vec(),
             Value::Truth(_) => return None,
@@ -341,7 +299,7 @@ impl<'w> Coder<'w> {
                 open.pop();
                 continue;
             }
-            let op = look(|tape| tape.ops[term.0 as usize]);
+            let op = self.tape.ops[term.0 as usize];
             let mut arguments = Vec::with_capacity(2);
             let measure = self.measures.get(&term);
             match measure {
@@ -406,6 +364,57 @@ impl<'w> Coder<'w> {
             (first + constants.len() - 1) as u32
         })
     }
+}
+
+/// An instance whose numbers are inputs of the code, but for what never moves.
+fn inputs(program: &Program, plain: &World<f64>, still: &dyn Fn(ObjectId) -> bool) -> World<Term> {
+    let mut world = World::<Term>::nowhere(program, &plain.options);
+    for index in 0..program.objects.len() as u32 {
+        let id = ObjectId(index);
+        let inputs = [
+            unknown(Interval::new(-FAR, FAR)),
+            unknown(Interval::new(-FAR, FAR)),
+            unknown(Interval::new(-FAR, FAR)),
+            unknown(Interval::new(0.0, 360.0)),
+            unknown(Interval::new(-1.0, 1.0)),
+            unknown(Interval::new(-1.0, 1.0)),
+        ];
+        let Ok(thing) = plain.object(id) else { continue };
+        let upright = thing.rot.0[0] == 0.0 && thing.rot.0[2] == 0.0;
+        let [x, y, z, yaw, sin, cos] = inputs;
+        let (zero, one) = (Term::constant(0.0), Term::constant(1.0));
+        let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
+        let (pos, rot, axes) = if still(id) {
+            (lift(&thing.pos), lift(&thing.rot), M3(thing.axes.0.map(|axis| lift(&axis))))
+        } else if upright {
+            let axes = M3([V3([cos, zero, -sin]), V3([zero, one, zero]), V3([sin, zero, cos])]);
+            (V3([x, y, z]), V3([zero, yaw, zero]), axes)
+        } else {
+            continue;
+        };
+        world.objects[index as usize] =
+            Some(Thing { pos, rot, scale: lift(&thing.scale), axes, body: thing.body.clone() });
+    }
+    for index in 0..program.regions.len() as u32 {
+        let Ok(room) = plain.region(RegionId(index)) else { continue };
+        let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
+        world.regions[index as usize] = Some(Room {
+            pos: lift(&room.pos),
+            rot: lift(&room.rot),
+            scale: lift(&room.scale),
+            outlined: room.outlined,
+            prism: room.prism.clone(),
+        });
+    }
+    for (to, from) in world.variables.iter_mut().zip(&plain.variables) {
+        *to = from.map(|value| match value {
+            Value::Number(n) => Value::Number(Term::constant(n)),
+            Value::Vector(v) => Value::Vector(V3(v.0.map(Term::constant))),
+            Value::Rotation(v) => Value::Rotation(V3(v.0.map(Term::constant))),
+            Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
+        });
+    }
+    world
 }
 
 /// The truths that a truth is made of, which are not themselves made of others.

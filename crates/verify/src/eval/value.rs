@@ -87,6 +87,19 @@ impl<N: Algebra> From<N> for Value<N> {
     }
 }
 
+impl<N: Number> Value<N> {
+    /// The same in other numbers, which depend on nothing.
+    pub fn constant<M: Number>(self) -> Value<M> {
+        let convert = |v: V3<N>| V3::<M>::constant(&v.value());
+        match self {
+            Self::Number(n) => Value::Number(M::constant(n.value())),
+            Self::Vector(v) => Value::Vector(convert(v)),
+            Self::Rotation(v) => Value::Rotation(convert(v)),
+            Self::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
+        }
+    }
+}
+
 /// Why a node yields nothing, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EvalError {

@@ -73,7 +73,13 @@ const SKEW: f64 = 0.0018;
 impl Model {
     /// The model of a choice.
     pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
-        Tape::begin();
+        let mut tape = Tape::new();
+        let model = tape.record(|| Self::noted(program, options, choice));
+        Self { tape, ..model }
+    }
+
+    /// The same, without the tape that is written meanwhile.
+    fn noted(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
         let counts = |statement: usize| choice.statements.binary_search(&statement).is_ok();
         let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
         let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
@@ -94,7 +100,7 @@ impl Model {
         builder.frames(&mut unknowns, &groups);
         let names = unknowns.names();
         let (always, curved) = (unknowns.always, unknowns.curved);
-        Self { tape: Tape::end(), always, curved, given: builder.given, groups, names }
+        Self { tape: Tape::default(), always, curved, given: builder.given, groups, names }
     }
 
     /// As equations.

@@ -84,20 +84,24 @@ pub(crate) struct Tape {
 }
 
 thread_local! {
-    /// The tape that is being written: numbers are `Copy` and come from nowhere, so they cannot carry it.
+    /// The tape that is being written, while [`Tape::record`] runs: numbers are `Copy`, and constants come from nowhere, so
+    /// they cannot carry it.
     static TAPE: RefCell<Tape> = RefCell::new(Tape::default());
 }
 
 impl Tape {
-    /// An empty tape, from here on the one that is written.
-    pub fn begin() {
+    /// An empty tape.
+    pub fn new() -> Self {
         let mut tape = Self::default();
         tape.fact(Fact::True);
-        TAPE.replace(tape);
+        tape
     }
-    /// What was written since [`Self::begin`].
-    pub fn end() -> Self {
-        TAPE.take()
+    /// Notes what is computed meanwhile, behind what is on the tape already. Another tape that was being written waits.
+    pub fn record<R>(&mut self, compute: impl FnOnce() -> R) -> R {
+        let waiting = TAPE.replace(std::mem::take(self));
+        let result = compute();
+        *self = TAPE.replace(waiting);
+        result
     }
     fn op(&mut self, op: Op, range: Interval) -> Term {
         if let Some(&known) = self.known_ops.get(&op) {

@@ -8,9 +8,10 @@ mod system;
 use crate::problem::frame::Hold;
 use crate::problem::pose::{Pose, round_turn};
 use crate::search::state::{Change, State};
+use scenelang_engine::Mirror;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId, VariableKind};
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Algebra, Dual, Number, Scratch, Truth, Value, World};
+use scenelang_verify::{Dual, Number, Scratch, Truth, Value};
 use system::System;
 
 /// Unknowns that are differentiated by at a time: two objects on a floor.
@@ -59,19 +60,16 @@ struct Unknown {
 
 /// Two worlds to try things in, kept between uses: one of plain numbers, one of slopes.
 pub(crate) struct Polisher {
-    plain: World<f64>,
-    slopes: World<Slope>,
+    plain: Mirror<f64>,
+    slopes: Mirror<Slope>,
     scratch: (Scratch<f64>, Scratch<Slope>),
 }
 
 impl Polisher {
     /// For a state.
     pub fn new(state: &State<'_>) -> Self {
-        Self {
-            plain: state.world().clone(),
-            slopes: state.world().constant(),
-            scratch: (Scratch::new(), Scratch::new()),
-        }
+        let (plain, slopes) = (Mirror::of(state.layout()), Mirror::of(state.layout()));
+        Self { plain, slopes, scratch: (Scratch::new(), Scratch::new()) }
     }
 
     /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
@@ -80,17 +78,13 @@ impl Polisher {
         if unknowns.is_empty() {
             return false;
         }
-        self.catch_up(state);
+        self.plain.catch_up(state.layout());
+        self.slopes.catch_up(state.layout());
         let mut system = System::new(state, self, unknowns);
         let start = system.values.clone();
         system.solve(iterations);
         let (values, unknowns, work) = (system.values, system.unknowns, system.work);
         state.work += work;
-        // What was tried here is not yet so.
-        let touched: Vec<ObjectId> = unknowns.iter().flat_map(|u| touched_objects(state, u.entity)).collect();
-        for object in touched {
-            state.stale[object.0 as usize] = true;
-        }
         if values == start {
             return false;
         }
@@ -101,38 +95,6 @@ impl Polisher {
         }
         false
     }
-
-    /// Takes over what has moved since.
-    fn catch_up(&mut self, state: &mut State<'_>) {
-        for id in state.frame.objects() {
-            if std::mem::replace(&mut state.stale[id.0 as usize], false) {
-                let pose = state.pose(id);
-                place(&mut self.plain, id, &pose);
-                place(&mut self.slopes, id, &pose);
-            }
-        }
-        for index in 0..state.frame.program.regions.len() as u32 {
-            let pose = state.region_pose(RegionId(index));
-            place_region(&mut self.plain, RegionId(index), &pose);
-            place_region(&mut self.slopes, RegionId(index), &pose);
-        }
-        for id in crate::problem::frame::variables(state.frame.program) {
-            if let Ok(value) = state.world().variable(id) {
-                self.plain.set_variable(id, value);
-                self.slopes.set_variable(id, lift(numbers(value).map(Slope::constant), value));
-            }
-        }
-    }
-}
-
-fn place<N: Number>(world: &mut World<N>, id: ObjectId, pose: &Pose) {
-    let [pos, rot, scale] = pose.constant();
-    world.place(id, pos, rot, scale);
-}
-
-fn place_region<N: Number>(world: &mut World<N>, id: RegionId, pose: &Pose) {
-    let [pos, rot, scale] = pose.constant();
-    world.place_region(id, pos, rot, scale);
 }
 
 /// Which numbers are free.

@@ -3,14 +3,13 @@
 //! Plain numbers say which checks miss something, and whether a step is one for the better; slopes are taken only of
 //! these.
 
-use super::{
-    Entity, K, Polisher, Slope, Unknown, lift, numbers, place, place_region, rules_after, touched_objects, with_numbers,
-};
+use super::{Entity, K, Polisher, Slope, Unknown, lift, numbers, rules_after, touched_objects, with_numbers};
 use crate::problem::checks::Check;
 use crate::problem::pose::Pose;
 use crate::search::penalty::Penalty;
 use crate::search::state::State;
 use nalgebra::{DMatrix, DVector};
+use scenelang_engine::Mirror;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Algebra, Dual, Number, Scratch, World, gap, rules};
@@ -176,11 +175,11 @@ impl<'s, 'a> System<'s, 'a> {
             match entity {
                 Entity::Object(id) => {
                     let pose = with_numbers(&self.state.pose(id), self.own(entity));
-                    place(&mut self.worlds.plain, id, &pose);
+                    self.worlds.plain.set(id, pose.constant());
                 }
                 Entity::Region(id) => {
                     let pose = with_numbers(&self.state.region_pose(id), self.own(entity));
-                    place_region(&mut self.worlds.plain, id, &pose);
+                    self.worlds.plain.set_region(id, pose.constant());
                 }
                 Entity::Variable(id) => {
                     let Ok(old) = self.state.world().variable(id) else { continue };
@@ -197,8 +196,13 @@ impl<'s, 'a> System<'s, 'a> {
         let mut found: Vec<f64> = Vec::new();
         for equation in &mut self.equations {
             found.clear();
-            self.work +=
-                residuals(self.state, equation.check, &self.worlds.plain, &mut self.worlds.scratch.0, &mut found);
+            self.work += residuals(
+                self.state,
+                equation.check,
+                self.worlds.plain.world(),
+                &mut self.worlds.scratch.0,
+                &mut found,
+            );
             equation.missing = found.len();
             sum += self.state.weight[equation.check] * found.iter().map(|r| r * r).sum::<f64>();
         }
@@ -246,8 +250,13 @@ impl<'s, 'a> System<'s, 'a> {
                     self.seed(chunk, chunk);
                 }
                 found.clear();
-                self.work +=
-                    4 * residuals(self.state, check, &self.worlds.slopes, &mut self.worlds.scratch.1, &mut found);
+                self.work += 4 * residuals(
+                    self.state,
+                    check,
+                    self.worlds.slopes.world(),
+                    &mut self.worlds.scratch.1,
+                    &mut found,
+                );
                 if rows.len() == first {
                     rows.extend(found.iter().map(|r| Row { value: r.value, weight, slopes: Vec::new() }));
                 }
@@ -284,12 +293,12 @@ impl<'s, 'a> System<'s, 'a> {
             };
             match entity {
                 Entity::Object(id) => {
-                    let [pos, rot, scale] = lifted(&with_numbers(&self.state.pose(id), self.own(entity)));
-                    self.worlds.slopes.place(id, pos, rot, scale);
+                    let pose = lifted(&with_numbers(&self.state.pose(id), self.own(entity)));
+                    self.worlds.slopes.set(id, pose);
                 }
                 Entity::Region(id) => {
-                    let [pos, rot, scale] = lifted(&with_numbers(&self.state.region_pose(id), self.own(entity)));
-                    self.worlds.slopes.place_region(id, pos, rot, scale);
+                    let pose = lifted(&with_numbers(&self.state.region_pose(id), self.own(entity)));
+                    self.worlds.slopes.set_region(id, pose);
                 }
                 Entity::Variable(id) => {
                     let Ok(old) = self.state.world().variable(id) else { continue };
@@ -309,10 +318,10 @@ impl<'s, 'a> System<'s, 'a> {
 }
 
 /// Obeys a rule in a world.
-fn follow<N: Number>(state: &State<'_>, index: usize, world: &mut World<N>) {
+fn follow<N: Number>(state: &State<'_>, index: usize, mirror: &mut Mirror<N>) {
     let rule = &state.frame.rules.list[index];
-    if let Some([pos, rot, scale]) = rule.apply(world).filter(|_| state.is_placed(rule.owner)) {
-        world.place(rule.owner, pos, rot, scale);
+    if let Some(pose) = rule.apply(mirror.world()).filter(|_| state.is_placed(rule.owner)) {
+        mirror.set(rule.owner, pose);
     }
 }
 
