@@ -4,7 +4,7 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use scenelang_lang::{Options, Program, compile_text};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
-use scenelang_solve::{Progress, Stop};
+use scenelang_solve::{Progress, QUALITY, Stop};
 use scenelang_synth::{Hold, Observer, Request, Stage};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -112,6 +112,7 @@ fn solve(c: &mut Criterion) {
             free: 0,
             threads: 0,
             effort: 1,
+            quality: QUALITY,
             stop: &Stop::default(),
             seed: 0,
             judge: scenelang_verify::Options::default(),

@@ -251,6 +251,9 @@ pub struct Search {
     /// N times the usual work before the search gives up
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
+    /// How much of the work may go into preferences once all that must hold does, in percent: 0 leaves them as they come
+    #[arg(long, value_name = "PERCENT", default_value_t = scenelang_solve::QUALITY, value_parser = clap::value_parser!(u8).range(0..=100))]
+    pub quality: u8,
 }
 
 impl Search {

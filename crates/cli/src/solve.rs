@@ -68,6 +68,7 @@ pub fn run(args: &Solve) -> u8 {
         free: if args.free { FREE } else { 0 },
         threads: args.search.threads(),
         effort: args.search.effort,
+        quality: args.search.quality,
         stop: &stop,
         seed: args.seed,
         judge: judging.options,

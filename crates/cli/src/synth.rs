@@ -58,6 +58,7 @@ pub fn run(args: &Synth) -> u8 {
         free: 0,
         threads: args.search.threads(),
         effort: args.search.effort,
+        quality: args.search.quality,
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,

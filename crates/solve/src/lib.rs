@@ -32,4 +32,6 @@ pub use pipeline::{solve, solve_with};
 pub use problem::draws::draws;
 pub use problem::limit::Stop;
 pub use problem::pose::Pose;
-pub use problem::{End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, Standing, Unsatisfied, What};
+pub use problem::{
+    End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, QUALITY, Standing, Unsatisfied, What,
+};

@@ -1,6 +1,6 @@
 //! From a program file to a judged layout: stages I to III.
 
-use crate::again::mended;
+use crate::again::{FEW, Mended, mended, moved};
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
@@ -45,6 +45,8 @@ pub struct Request<'a> {
     pub threads: usize,
     /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
     pub effort: u64,
+    /// What part of the usual work may go into preferences, in percent.
+    pub quality: u8,
     /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
     pub stop: &'a Stop,
     /// Fixes draws and every random choice.
@@ -197,6 +199,7 @@ pub fn solve_with(
         time: request.time,
         threads: request.threads,
         effort: request.effort,
+        quality: Some(request.quality),
         seed: request.seed,
         judge: request.judge,
         stop: request.stop.clone(),
@@ -208,10 +211,9 @@ pub fn solve_with(
     observer.enter(Stage::Layout);
     let before = begun.elapsed();
     // With a model the layout is the model's to change.
-    if adviser.is_none()
-        && let Some(layout) = mended(program, &problem.start, &problem.placed, &options)
-    {
-        problem.start = layout;
+    let mut mended = if adviser.is_none() { mended(program, &problem.start, &problem.placed, &options) } else { None };
+    if let Some(few) = mended.take_if(|mended| mended.moved <= FEW || request.alternatives.is_some()) {
+        problem.start = few.layout;
     }
     if request.stop.is_set() {
         return Err(Failure::Interrupted);
@@ -230,7 +232,14 @@ pub fn solve_with(
                 (alternatives(&problem, &options, wanted, &mut watch), None)
             }
             None => {
-                let (outcome, advice) = place(&problem, &options, adviser, observer);
+                let (mut outcome, advice) = place(&problem, &options, adviser, observer);
+                // What a search moves is not always less than what was found move by move.
+                let less =
+                    |mended: &&Mended| !outcome.converged || moved(&problem.start, &outcome.layout) > mended.moved;
+                if let Some(mended) = mended.as_ref().filter(less) {
+                    let problem = Problem { start: mended.layout.clone(), ..problem.clone() };
+                    (outcome, _) = place(&problem, &options, None, observer);
+                }
                 (vec![outcome], advice)
             }
         };
@@ -291,6 +300,8 @@ pub struct Arranging<'a> {
     pub threads: usize,
     /// How many times the usual work the solver may do before it gives up; 0 counts as 1.
     pub effort: u64,
+    /// What part of the usual work may go into preferences, in percent; `None`: the usual part.
+    pub quality: Option<u8>,
     /// Fixes draws and every random choice.
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -343,6 +354,7 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         time: how.time,
         threads: how.threads,
         effort: how.effort,
+        polish: f64::from(how.quality.unwrap_or(scenelang_solve::QUALITY)) / 100.0,
         locked: how.locked,
         stop: how.stop,
         ..Default::default()

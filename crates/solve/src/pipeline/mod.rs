@@ -19,7 +19,7 @@ use crate::external::steps::Steps;
 use crate::problem::limit::Limit;
 use crate::problem::setup::{Setup, setup};
 use crate::problem::sound::sound;
-use crate::problem::{End, Options, Outcome, Phase, Problem, Progress};
+use crate::problem::{End, Options, Outcome, Phase, Problem, Progress, QUALITY};
 use crate::search::least_squares::Polisher;
 use crate::search::local::LocalSearch;
 use crate::search::state::State;
@@ -299,18 +299,14 @@ impl<'r, 'a> Run<'r, 'a> {
             if solved {
                 let preferences = (self.options.budget as f64 * self.options.polish) as u64;
                 let preferences = preferences.min(budget.saturating_sub(local.work));
-                local.improve_preferences(&mut chance, preferences, &limit, !self.setup.given.is_empty());
+                let quality = self.options.polish * 100.0 / f64::from(QUALITY);
+                local.improve_preferences(&mut chance, (preferences, quality), &limit, !self.setup.given.is_empty());
             }
             if solved && self.setup.given.is_empty() {
                 local.tidy(&mut chance, &limit);
             }
             show(&local, &mut search.state);
             let holds = solved && search.state.hard().0 == 0;
-            if std::env::var("DBG").is_ok() {
-                let f: Vec<String> =
-                    search.state.failing().iter().map(|c| format!("{:?}", search.state.numbering.check(*c))).collect();
-                eprintln!("DBG holds {holds} {f:?}");
-            }
             // What was thought to hold may not: it is judged otherwise from then on, and one goes on from here.
             let over = limit.is_over() || local.work >= budget;
             if !solved || holds || over || !local.doubt(&search.state.failing()) {

@@ -22,6 +22,9 @@ use std::time::Duration;
 /// More objects than this are not laid out: every pair of them may collide, and is a check of its own.
 pub const MOST_OBJECTS: usize = 4000;
 
+/// What part of the usual work may go into preferences, in percent, unless it is said otherwise.
+pub const QUALITY: u8 = 20;
+
 /// A scene to be laid out.
 #[derive(Clone, Debug)]
 pub struct Problem<'a> {
@@ -114,7 +117,7 @@ impl Default for Options {
             stop: Stop::default(),
             variant: 0,
             locked: Vec::new(),
-            polish: 0.2,
+            polish: f64::from(QUALITY) / 100.0,
             diagnose: true,
             judge: scenelang_verify::Options::default(),
         }

@@ -81,7 +81,7 @@ impl LocalSearch<'_> {
             // What has its place already is not given up so soon.
             while self.work < end
                 && !late()
-                && self.course.idle < patience[usize::from(self.is_warm() || self.walking && !self.groups.is_empty())]
+                && self.course.idle < patience[usize::from(self.is_warm() || self.walking && self.path_count() > 0)]
             {
                 if self.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
@@ -132,12 +132,12 @@ impl LocalSearch<'_> {
     fn bars_paths(&self, turn: f64) -> bool {
         let Course { begun, walking_since, freed, .. } = self.course;
         let share = WALKING * (walking_since - begun).max(SOON);
-        self.walking && !self.groups.is_empty() && (self.work - freed.max(walking_since)) as f64 > turn * share as f64
+        self.walking && self.path_count() > 0 && (self.work - freed.max(walking_since)) as f64 > turn * share as f64
     }
 
     /// Remembers what is violated least.
     fn note_best(&mut self) {
-        let bad = self.bad.len() + if self.walking { 0 } else { self.groups.len() };
+        let bad = self.bad.len() + if self.walking { 0 } else { self.path_count() };
         let barred = self.walks.iter().map(|(t, _)| self.cost[*t]).sum::<f64>();
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };

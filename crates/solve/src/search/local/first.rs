@@ -54,7 +54,7 @@ impl LocalSearch<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.walking = is_warm && self.bad.is_empty() || self.groups.is_empty();
+        self.walking = is_warm && self.bad.is_empty() || self.path_count() == 0;
         if self.walking {
             self.judge_paths();
             self.plan_missing(late);

@@ -10,6 +10,7 @@ mod course;
 mod exact;
 mod first;
 mod judge;
+mod mirror;
 mod moves;
 mod near;
 mod optimise;
@@ -255,8 +256,8 @@ impl<'a> LocalSearch<'a> {
                 Judge::Inside(id.0 as usize, room)
             } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
                 Judge::Clear(clear)
-            } else if let Some(group) =
-                Asked::of(judges.len(), formula).filter(|_| term.is_hard() && floor.is_some() && !rooms.is_empty())
+            } else if let Some(group) = Asked::of(judges.len(), formula, (!term.is_hard()).then_some(term.constraint))
+                .filter(|_| floor.is_some() && !rooms.is_empty())
             {
                 asked.push(group);
                 Judge::Absent
@@ -291,8 +292,12 @@ impl<'a> LocalSearch<'a> {
             _ => false,
         };
         let walks = |judge: &Judge| matches!(judge, Judge::Mixed(mixed) if mixed.walks());
-        let terms = |which: &dyn Fn(&Judge) -> bool| (0..judges.len()).filter(|&t| which(&judges[t])).collect();
-        let (onlookers, path_terms) = (terms(&looks_around), terms(&walks));
+        let terms = |which: &dyn Fn(&Judge) -> bool| -> Vec<usize> {
+            (0..judges.len()).filter(|&t| which(&judges[t])).collect()
+        };
+        let (onlookers, mut path_terms) = (terms(&looks_around), terms(&walks));
+        // Preferences that ask for paths beside other things take them for granted.
+        path_terms.retain(|&t| frame.terms[t].is_hard());
         let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();

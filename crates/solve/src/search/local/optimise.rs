@@ -14,29 +14,36 @@ use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 
 /// What the heaviest preference costs: at first, by how much more each time that no move helps, and at most.
-const AT_FIRST: f64 = 0.3;
+const AT_FIRST: f64 = 0.1;
 const MORE: f64 = 0.3;
-const AT_MOST: f64 = 3.0;
+const AT_MOST: f64 = 20.0;
 /// What a violated check gains in weight when no move helps.
 const STUBBORN: f64 = 0.5;
 /// Steps without a better layout, for each object and in all, after which the search goes on from the best one, and so
-/// many such rounds in a row are the end.
-const PATIENCE: [usize; 2] = [6, 100];
-const ROUNDS: usize = 8;
+/// many such rounds in a row are the end, at the usual quality.
+const PATIENCE: [usize; 2] = [20, 100];
+const ROUNDS: f64 = 5.0;
 /// How often another check is drawn where the first was a preference and something that must hold does not.
 const DRAWS: usize = 3;
 impl LocalSearch<'_> {
     /// Looks for a layout in which preferences of more weight hold than in this one, in which all holds that must. It goes
     /// on holding.
-    pub(super) fn optimise(&mut self, preferences: &[Preference], chance: &mut ChaCha8Rng, end: u64, limit: &Limit) {
+    pub(super) fn optimise(
+        &mut self,
+        preferences: &[Preference],
+        chance: &mut ChaCha8Rng,
+        (end, quality): (u64, f64),
+        limit: &Limit,
+    ) {
         let weights = self.weight.clone();
         self.stake = self.stakes(preferences);
         self.weigh_anew();
         let (mut best, mut found) = (self.standing(preferences), self.found());
         let patience = PATIENCE[0] * self.count() + PATIENCE[1];
+        let most = (ROUNDS * quality).ceil() as usize;
         let (mut idle, mut rounds) = (0, 0);
         let mut poses = Vec::new();
-        while self.work < end && !limit.is_over() && rounds < ROUNDS && !self.bad.is_empty() {
+        while self.work < end && !limit.is_over() && rounds < most && !self.bad.is_empty() {
             self.step(chance, &mut poses);
             idle += 1;
             if self.is_allowed() {
@@ -57,9 +64,6 @@ impl LocalSearch<'_> {
         self.stake.clear();
         self.weight = weights;
         self.show(&found);
-        if std::env::var("DBG").is_ok() {
-            eprintln!("DBG end met {} work {} rounds {rounds}", best.met, self.work);
-        }
     }
 
     /// Whether all holds that must, as far as a search looks at it.

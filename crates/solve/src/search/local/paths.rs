@@ -27,11 +27,13 @@ pub(super) struct Asked {
     ends: [usize; 2],
     goals: Vec<usize>,
     width: f64,
+    /// The preference that it is a part of; `None`: it must be there.
+    preference: Option<usize>,
 }
 
 impl Asked {
     /// What a formula says, if it asks for a path of constant width, or for one of several that share an end.
-    pub fn of(term: usize, formula: &Formula) -> Option<Self> {
+    pub fn of(term: usize, formula: &Formula, preference: Option<usize>) -> Option<Self> {
         let one = |node: NodeId| {
             let node = match formula.node(node) {
                 // How far one walks is asked of the evaluator in the end; there has to be a path at all.
@@ -53,28 +55,36 @@ impl Asked {
         let shared = |end: &usize| all.iter().all(|(ends, w)| ends.contains(end) && *w == width);
         let from = ends.into_iter().find(shared)?;
         let goals: Vec<usize> = all.iter().map(|(ends, _)| if ends[0] == from { ends[1] } else { ends[0] }).collect();
-        Some(Self { term, ends: [from, goals[0]], goals, width })
+        Some(Self { term, ends: [from, goals[0]], goals, width, preference })
     }
 
     /// Paths by where they begin: things at which many do come first.
     pub fn together(all: &[Self], world: &World<f64>) -> Vec<(PathGroup, Vec<usize>)> {
         let mut found: Vec<(PathGroup, Vec<usize>)> = Vec::new();
-        let asks = |end: usize, width: f64| {
+        let asks = |end: usize, width: f64, preference: Option<usize>| {
             all.iter()
-                .filter(|a| a.width == width && (a.ends[0] == end || a.goals == [a.ends[1]] && a.ends[1] == end))
+                .filter(|a| {
+                    a.width == width
+                        && a.preference == preference
+                        && (a.ends[0] == end || a.goals == [a.ends[1]] && a.ends[1] == end)
+                })
                 .count()
         };
         for asked in all {
             let [a, b] = asked.ends;
-            let turned = asked.goals.len() == 1 && asks(b, asked.width) > asks(a, asked.width);
+            let turned = asked.goals.len() == 1
+                && asks(b, asked.width, asked.preference) > asks(a, asked.width, asked.preference);
             let (from, goals) = if turned { (b, vec![a]) } else { (a, asked.goals.clone()) };
             let radius = ((asked.width - world.options.tolerances.contact) / 2.0).max(0.0);
-            match found.iter_mut().find(|(group, _)| group.from == from && group.radius == radius) {
+            let alike = |group: &PathGroup| {
+                group.from == from && group.radius == radius && group.preference == asked.preference
+            };
+            match found.iter_mut().find(|(group, _)| alike(group)) {
                 Some((group, terms)) => {
                     group.targets.push(goals);
                     terms.push(asked.term);
                 }
-                None => found.push((PathGroup::new(from, goals, radius), vec![asked.term])),
+                None => found.push((PathGroup::new(from, goals, radius, asked.preference), vec![asked.term])),
             }
         }
         found
@@ -98,6 +108,8 @@ pub(super) struct PathGroup {
     /// What is to be reached: for each, things of which one will do.
     pub targets: Vec<Vec<usize>>,
     pub radius: f64,
+    /// The preference that asks for them; `None`: they must be there.
+    preference: Option<usize>,
     /// By target; `None`: nothing is planned yet.
     branches: Option<Vec<Branch>>,
     /// Where doors were when it was planned, and whether some are elsewhere now.
@@ -116,11 +128,12 @@ pub(super) struct PathGroup {
 }
 
 impl PathGroup {
-    fn new(from: usize, goals: Vec<usize>, radius: f64) -> Self {
+    fn new(from: usize, goals: Vec<usize>, radius: f64, preference: Option<usize>) -> Self {
         Self {
             from,
             targets: vec![goals],
             radius,
+            preference,
             branches: None,
             doors: Vec::new(),
             stale: false,
@@ -165,6 +178,16 @@ impl PathGroup {
 }
 
 impl LocalSearch<'_> {
+    /// Whether paths are looked at: they must be there, or preferences count.
+    fn looks_at(&self, group: usize) -> bool {
+        self.preferring || self.groups[group].preference.is_none()
+    }
+
+    /// How many groups of paths are looked at.
+    pub(super) fn path_count(&self) -> usize {
+        (0..self.groups.len()).filter(|&group| self.looks_at(group)).count()
+    }
+
     pub(super) fn is_in_the_way(&self, j: usize) -> bool {
         let span = &self.span[j];
         // Corridors are planned only where all rooms share a floor.
@@ -203,7 +226,7 @@ impl LocalSearch<'_> {
             let group = &self.groups[index];
             let near = |(m, _, old): &Moved| group.bounds.meets(old) || group.bounds.meets(&self.span[*m]);
             let has_end = moved.iter().any(|(m, ..)| group.has_end(*m));
-            if !group.is_planned() || !(through_door || has_end || moved.iter().any(near)) {
+            if !group.is_planned() || !self.counts(t) || !(through_door || has_end || moved.iter().any(near)) {
                 continue;
             }
             let stale = if through_door { group.doors != self.door_places() } else { group.stale };
@@ -320,7 +343,7 @@ impl LocalSearch<'_> {
     pub(super) fn plan_missing(&mut self, late: &dyn Fn() -> bool) {
         let all = (0..self.groups.len()).take_while(|_| !late());
         all.for_each(|group| {
-            if !self.groups[group].is_planned() {
+            if !self.groups[group].is_planned() && self.looks_at(group) {
                 self.plan_again(group);
             }
         });

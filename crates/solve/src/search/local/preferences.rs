@@ -67,8 +67,14 @@ impl LocalSearch<'_> {
     }
 
     /// Improves a layout in which all holds that must, up to so much work. It keeps holding. What is `settled` is moved only
-    /// for a preference that holds then.
-    pub fn improve_preferences(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, settled: bool) {
+    /// for a preference that holds then. The higher the quality (usually 1), the longer it is tried without success.
+    pub fn improve_preferences(
+        &mut self,
+        chance: &mut ChaCha8Rng,
+        (budget, quality): (u64, f64),
+        limit: &Limit,
+        settled: bool,
+    ) {
         let end = self.work + budget;
         let mut preferences = self.preferences();
         if preferences.is_empty() || budget == 0 {
@@ -82,6 +88,7 @@ impl LocalSearch<'_> {
         }
         self.judge_all();
         self.judge_paths();
+        self.plan_missing(&|| limit.is_over());
         for _ in 0..PASSES {
             let before = self.standing(&preferences);
             for preference in &preferences {
@@ -97,7 +104,7 @@ impl LocalSearch<'_> {
             }
         }
         if !settled {
-            self.optimise(&preferences, chance, end, limit);
+            self.optimise(&preferences, chance, (end, quality), limit);
         }
     }
 

@@ -68,6 +68,11 @@ impl Wall {
     pub fn point(&self, along: f64, inside: f64) -> [f64; 2] {
         [0, 1].map(|k| self.from[k] + self.along[k] * along + self.inward[k] * inside)
     }
+    /// How far it is from a point.
+    pub fn distance(&self, p: [f64; 2]) -> f64 {
+        let nearest = self.point(self.shadow(p).clamp(0.0, self.length), 0.0);
+        (p[0] - nearest[0]).hypot(p[1] - nearest[1])
+    }
     /// How far along a point is.
     pub fn shadow(&self, p: [f64; 2]) -> f64 {
         (p[0] - self.from[0]) * self.along[0] + (p[1] - self.from[1]) * self.along[1]

@@ -15,6 +15,8 @@ const STUBBORN: f64 = 0.5;
 const EXCHANGES: usize = 2;
 /// How many moves of a whole array.
 const TOGETHER: usize = 4;
+/// While preferences are raised: groups are mirrored once in so many steps.
+const MIRRORED: usize = 4;
 /// How many places are tried, each with a look for the paths of a term that asks for them beside other things.
 const PATHS: usize = 4;
 /// How many moves with whatever has to go along, and of how many objects at most: at first, and once paths are looked at.
@@ -42,6 +44,8 @@ enum Choice {
     Together(Inputs),
     /// It goes there with whatever has to stay where it is in relation to it.
     Along(Inputs),
+    /// It is mirrored along this axis, with what it has most to do with.
+    Mirrored(usize),
 }
 
 /// The best choice of a step so far, and by how much the layout costs more with it.
@@ -76,6 +80,13 @@ impl LocalSearch<'_> {
             self.try_together(i, &group, poses, chance, &mut best);
             self.try_along(i, poses, chance, &mut best);
         }
+        if !self.stake.is_empty() && chance.below(MIRRORED) == 0 {
+            for axis in [0, 2] {
+                if self.go_mirrored(i, axis) {
+                    self.weigh(Choice::Mirrored(axis), &mut best);
+                }
+            }
+        }
         match best.choice {
             Some(Choice::Along(pose)) => {
                 self.along[0] += 1.0;
@@ -83,6 +94,9 @@ impl LocalSearch<'_> {
             }
             Some(Choice::Alone(pose)) => self.go(i, pose),
             Some(Choice::Exchange(j, turn)) => self.exchange(i, j, turn),
+            Some(Choice::Mirrored(axis)) => {
+                self.go_mirrored(i, axis);
+            }
             Some(Choice::Together(pose)) => self.go_together(i, &group, pose),
             None => {}
         }
@@ -169,7 +183,7 @@ impl LocalSearch<'_> {
         let count = if often { ALONG } else { 0 };
         self.along[1] += f64::from(u8::from(often));
         let mut along: Vec<Inputs> = (0..count).map(|_| poses[chance.below(poses.len())]).collect();
-        if self.walking && !self.groups.is_empty() {
+        if self.walking && self.path_count() > 0 {
             self.out_of_the_way(i, &mut along);
             along.extend((0..ALONG).map(|_| {
                 // Far away, but turned as it is: a whole row may go there.
@@ -226,12 +240,15 @@ impl LocalSearch<'_> {
         self.go(i, pose);
         let pose = self.inputs(i);
         let mut looked = 0;
-        let most = COMPANY[usize::from(self.walking && !self.groups.is_empty())];
+        let most = COMPANY[usize::from(self.walking && self.path_count() > 0)];
         while looked < self.moved.len() && self.moved.len() < most {
             let k = self.moved[looked].0;
             looked += 1;
-            for at in 0..self.terms_of[k].len() {
-                let t = self.terms_of[k][at];
+            // While preferences are raised, those that hold tie things together, too.
+            let preferences = if self.stake.is_empty() { 0 } else { self.preferences_of[k].len() };
+            for at in 0..self.terms_of[k].len() + preferences {
+                let hard = self.terms_of[k].len();
+                let t = if at < hard { self.terms_of[k][at] } else { self.preferences_of[k][at - hard] };
                 let objects = &self.frame.terms[t].objects;
                 if !(2..=3).contains(&objects.len()) || self.bad_at[t] != u32::MAX {
                     continue;

@@ -41,7 +41,8 @@ const SCENES: [&str; 5] = [
     "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
      object door; object a[3]; object b;
      assert connects(door, room) and door.pos.y = 0;
-     assert forall x in a: reachable(door, x, 0.7); assert reachable(b, a[0], 0.9) or reachable(b, a[1], 0.9);",
+     assert forall x in a: reachable(door, x, 0.7); assert reachable(b, a[0], 0.9) or reachable(b, a[1], 0.9);
+     prefer reachable(b, a[2], 0.6); prefer forall x in a: reachable(door, x, 1.1) and againstWall(x, room);",
 ];
 
 #[test]
@@ -65,6 +66,7 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
         local.preferring = true;
         local.judge_all();
         local.judge_paths();
+        local.plan_missing(&|| false);
         let (mut poses, mut compared) = (Vec::new(), 0);
         for round in 0..2_000 {
             let i = local.movable[chance.below(local.movable.len())];

@@ -1,9 +1,10 @@
-//! Once all holds: better looks where they cost nothing, and clean numbers.
+//! Once all holds: better looks where they cost nothing, free turns along the walls, and clean numbers.
 //!
 //! The looks are those of the search proper, as far as boxes tell them: tall things like a wall behind them, nothing
 //! likes one in its face, and what has nothing to do with each other keeps apart.
 
-use super::LocalSearch;
+use super::moves::turned;
+use super::{Home, LocalSearch, Wall};
 use crate::pipeline::tidy::round_to;
 use crate::problem::limit::Limit;
 use crate::search::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
@@ -15,6 +16,8 @@ use scenelang_verify::coded::INPUTS;
 const GRIDS: [f64; 3] = [0.05, 0.01, 0.001];
 /// What a clean number may cost.
 const HARM: f64 = 1e-6;
+/// What is turned out of the directions of a wall by less is not (degrees).
+const ASKEW: f64 = 1e-6;
 /// How often all objects are gone through for better looks.
 const PASSES: usize = 2;
 /// How many places along walls are tried in each pass.
@@ -25,6 +28,12 @@ impl LocalSearch<'_> {
     pub fn tidy(&mut self, chance: &mut ChaCha8Rng, limit: &Limit) {
         let mut poses = Vec::new();
         let count = self.movable.len();
+        for at in 0..count {
+            if limit.is_over() {
+                return;
+            }
+            self.square(self.movable[at]);
+        }
         for at in (0..PASSES).flat_map(|_| 0..count) {
             if limit.is_over() {
                 return;
@@ -36,6 +45,28 @@ impl LocalSearch<'_> {
                 return;
             }
             self.round(self.movable[at]);
+        }
+    }
+
+    /// Turns what stands askew parallel or square to the nearest wall, the shortest way that does no harm.
+    fn square(&mut self, i: usize) {
+        let Home::Stands(walls) = &self.homes[i] else { return };
+        let now = self.inputs(i);
+        let apart = |wall: &&Wall| wall.distance([now[0], now[2]]);
+        let Some(wall) = walls.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) else { return };
+        let off = (now[3] - wall.yaw).rem_euclid(90.0);
+        if !self.turns[i] || off.min(90.0 - off) < ASKEW {
+            return;
+        }
+        let mut turns = [-off, 90.0 - off, -off - 90.0, 180.0 - off];
+        turns.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        for turn in turns {
+            self.go(i, turned(now, now[3] + turn));
+            if self.judge(HARM).is_some() && self.fresh.iter().all(|(check, _, holds)| *holds || !self.holds[*check]) {
+                self.keep();
+                return;
+            }
+            self.undo();
         }
     }
 

@@ -13,10 +13,11 @@ use rand_chacha::ChaCha8Rng;
 
 /// What it costs that a thing leaves its place: at first, and in each further search.
 const CHARGE: f64 = 0.05;
-const CHARGES: [f64; 8] = [0.1, 0.3, 0.1, 1.0, 0.3, 0.1, 1.0, 0.3];
-/// The work of a further search, and how much of that there is for each object.
-const WORK: u64 = 300_000;
-const WORK_EACH: u64 = 20_000;
+const CHARGES: [f64; 6] = [0.1, 0.3, 1.0, 0.1, 0.3, 1.0];
+/// The work of a further search: as much as the first one took, but at least and at most so much.
+const WORK: [u64; 2] = [300_000, 2_000_000];
+/// All further searches together may take so many times that.
+const IN_ALL: u64 = 3;
 /// How often all that moved is gone through to go back.
 const PASSES: usize = 4;
 /// What going back may cost.
@@ -65,16 +66,17 @@ impl LocalSearch<'_> {
         }
         // Where nothing is new, something had to move.
         let least = usize::from(given.iter().all(|given| *given));
+        let work = self.work.clamp(WORK[0], WORK[1]);
+        let end = self.work + IN_ALL * work;
         self.go_back();
         let mut best = self.kept();
         for charge in CHARGES {
-            if best.moved <= least || limit.is_over() {
+            if best.moved <= least || self.work >= end || limit.is_over() {
                 break;
             }
             (0..self.count()).for_each(|i| self.put(i, self.at_first[i].unwrap_or(self.inputs(i))));
             self.course = Course::default();
             self.charge = charge;
-            let work = WORK + WORK_EACH * self.count() as u64;
             if self.search(chance, work, limit, given) {
                 self.go_back();
                 if self.strayed() < best.moved {
