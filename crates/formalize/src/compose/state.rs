@@ -59,8 +59,10 @@ pub fn state(named: &Named) -> Stated {
 impl Stated {
     /// Adds a statement, once.
     pub fn push(&mut self, text: String, source: Source) {
-        if !self.statements.iter().any(|s| s.text == text) {
-            self.statements.push(Statement { text, source });
+        let statement = Statement::new(&text, source);
+        let known = |s: &Statement| s.text == statement.text && s.demand == statement.demand;
+        if !self.statements.iter().any(known) {
+            self.statements.push(statement);
         }
     }
 

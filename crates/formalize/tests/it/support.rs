@@ -54,7 +54,7 @@ pub fn thing(name: &str, category: &str, room: Option<usize>) -> Thing {
 }
 
 pub fn statement(text: &str, source: Source) -> Statement {
-    Statement { text: text.into(), source }
+    Statement::new(text, source)
 }
 
 /// Two rooms, openings of each kind, an array, a note.

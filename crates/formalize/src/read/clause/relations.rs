@@ -103,8 +103,8 @@ impl Reader<'_> {
                         self.multiply(&fresh, items[0]);
                     }
                     if negative {
-                        let (soft, at) = (self.s.soft, self.s.at.clone());
-                        self.state(&of, What::Rel(rel, items), soft, true, at);
+                        let soft = self.s.soft;
+                        self.state(&of, What::Rel(rel, items), soft, true);
                     } else {
                         let rel = if self.sides(i) && rel == Rel::Beside {
                             self.double();
@@ -629,8 +629,8 @@ impl Reader<'_> {
         if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
-            let (soft, at) = (self.s.soft, self.s.at.clone());
-            self.state(&of, What::Rel(rel, object), soft, true, at);
+            let soft = self.s.soft;
+            self.state(&of, What::Rel(rel, object), soft, true);
         } else {
             let sides = self.sides(i);
             if sides {
@@ -688,11 +688,11 @@ impl Reader<'_> {
     /// The usual relation of things to their owner gives way to the one in words.
     pub(super) fn drop_usual(&mut self, of: &[usize]) {
         if let Expect::With(owner, Join::Usual) = &self.s.expect {
-            let at = &self.s.at;
+            let within = |at: Range<usize>| self.s.at.start <= at.start && at.end <= self.s.at.end;
             self.brief.facts.retain(|f| {
                 !(f.of.len() == 1
                     && of.contains(&f.of[0])
-                    && f.source.at() == *at
+                    && within(f.source.at())
                     && matches!(&f.what, What::Rel(_, o) if o == owner)
                     && !f.not)
             });
