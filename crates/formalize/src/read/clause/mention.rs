@@ -131,6 +131,11 @@ impl Reader<'_> {
     /// Says something of things; denied or not.
     pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool) {
         let at = self.phrase(of);
-        self.brief.say(Fact { soft, not, ..Fact::new(of.to_vec(), what, Source::Stated(at)) });
+        self.brief.say(Fact {
+            soft,
+            not,
+            object: self.s.quantifier,
+            ..Fact::new(of.to_vec(), what, Source::Stated(at))
+        });
     }
 }

@@ -1,8 +1,8 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::brief::{
-    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Rel, Side, Source, Thing,
-    What,
+    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Quantifier, Rel, Side,
+    Source, Thing, What,
 };
 use crate::read::chunk::{Chunk, Piece};
 use crate::read::lexicon::{Class, Verb, get};
@@ -88,6 +88,8 @@ struct Sentence {
     at: Range<usize>,
     /// Its chunks.
     chunks: Range<usize>,
+    /// Of how many of the things on the other side the relation is said that is read.
+    quantifier: Quantifier,
     /// The chunk that is read.
     now: usize,
     /// Whether the sentence has a subject of its own.
@@ -744,6 +746,7 @@ impl Sentence {
             at,
             chunks: 0..0,
             now: 0,
+            quantifier: Quantifier::Usual,
             subject: false,
             lead: vec![],
             lead_not: false,

@@ -75,6 +75,7 @@ impl Reader<'_> {
         match object {
             Lead::Items(items, each) => {
                 self.mark(i);
+                self.s.quantifier = self.quantifier(i + 1..next, each);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
                 } else if self.s.nothing && !self.s.subject {
@@ -140,7 +141,18 @@ impl Reader<'_> {
                 }
             }
         }
+        self.s.quantifier = Quantifier::Usual;
         next
+    }
+
+    /// Of how many of the things in these chunks something is said.
+    fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
+        let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
+        match self.chunks.get(chunks) {
+            Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
+            Some(_) if each => Quantifier::Any,
+            _ => Quantifier::Usual,
+        }
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.

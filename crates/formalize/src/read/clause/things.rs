@@ -666,7 +666,9 @@ impl Reader<'_> {
                     if *each && items.len() == 1 {
                         self.multiply(&fresh, items[0]);
                     }
+                    self.s.quantifier = if *each { Quantifier::Each } else { Quantifier::Usual };
                     self.relate(&of, *rel, items);
+                    self.s.quantifier = Quantifier::Usual;
                     if *rel == Rel::On {
                         self.s.frame = Some(items.clone());
                     }
