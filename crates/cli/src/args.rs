@@ -292,11 +292,20 @@ pub struct Model {
 #[derive(ClapArgs, Debug)]
 pub struct Formalize {
     /// The request: "a meeting room with a long table and eight chairs around it"
-    #[arg(value_name = "REQUEST", required_unless_present = "file", conflicts_with = "file")]
+    #[arg(value_name = "REQUEST", required_unless_present_any = ["file", "from_brief"], conflicts_with = "file")]
     pub request: Option<String>,
     /// A file with the request; `-` is standard input
     #[arg(short, long, value_name = "FILE")]
     pub file: Option<PathBuf>,
+    /// Print what was understood as JSON (the schema `brief`), and write no program
+    #[arg(long, conflicts_with_all = ["output", "explain", "from_brief"])]
+    pub brief: bool,
+    /// Go on from what `--brief` printed; `-` is standard input
+    #[arg(long, value_name = "FILE.json", conflicts_with_all = ["request", "file"])]
+    pub from_brief: Option<PathBuf>,
+    /// Exit with 1 if a word of the request became nothing, or what it demands became a preference
+    #[arg(long)]
+    pub strict: bool,
     /// The program to write [default: standard output]
     #[arg(short, long, value_name = "FILE.scene")]
     pub output: Option<PathBuf>,

@@ -6,11 +6,12 @@ use crate::progress::{Progress, solving};
 use crate::solve::explain;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_base::door::Door;
-use scenelang_formalize::draft::Source;
+use scenelang_formalize::brief::{Word, json};
+use scenelang_formalize::draft::{Source, Statement};
 use scenelang_formalize::write::write;
-use scenelang_formalize::{Options, Reading, read};
+use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
 use scenelang_solve::Stop;
-use scenelang_synth::{Failure, rehearse};
+use scenelang_synth::{Failure, Tried, rehearse};
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
@@ -30,15 +31,17 @@ const MOST: u64 = 4 << 20;
 pub fn run(args: &Formalize) -> u8 {
     let time = args.time.map(Duration::from_secs_f64);
     interrupt::within(time);
-    let request = match (&args.request, &args.file) {
-        (Some(request), _) => request.clone(),
-        (None, Some(path)) => match text(path) {
-            Ok(text) => text,
-            Err(message) => return fail(&message),
-        },
-        (None, None) => return fail("there is no request"),
+    let asked = match (&args.request, &args.file, &args.from_brief) {
+        (Some(request), _, _) => Ok(Request::Words(request.clone())),
+        (None, Some(path), _) => text(path).map(Request::Words),
+        (None, None, Some(path)) => brief(path).map(|brief| Request::Brief(Box::new(brief))),
+        (None, None, None) => Err("there is no request".to_owned()),
     };
-    let inputs: Vec<&Path> = args.file.as_deref().into_iter().collect();
+    let asked = match asked {
+        Ok(asked) => asked,
+        Err(message) => return fail(&message),
+    };
+    let inputs: Vec<&Path> = args.file.as_deref().into_iter().chain(args.from_brief.as_deref()).collect();
     if let Some(path) = &args.output
         && let Err(message) = replace::permit(path, &inputs, args.force)
     {
@@ -53,11 +56,22 @@ pub fn run(args: &Formalize) -> u8 {
         Ok(model) => model,
         Err(error) => return fail(&error.to_string()),
     };
-    let Understood { reading, program, diagnostics } =
-        match understand(&request, args.literal, !args.untried, time.map(|time| time.mul_f64(TRIAL)), model.as_mut()) {
-            Ok(understood) => understood,
-            Err(message) => return fail(&message),
-        };
+    if model.is_some() && (args.brief || args.from_brief.is_some()) {
+        return fail(
+            "a brief is what the English reader makes of a request, and a model is asked for none: leave out --model, or --brief and --from-brief",
+        );
+    }
+    if let (Request::Words(request), true) = (&asked, args.brief) {
+        let brief = read_brief(request);
+        print!("{}", json::write(&brief));
+        return if brief.words.iter().any(|word| word.used) { GOOD } else { FINDINGS };
+    }
+    let understood =
+        understand(asked, args.literal, !args.untried, time.map(|time| time.mul_f64(TRIAL)), model.as_mut());
+    let Understood { reading, program, diagnostics } = match understood {
+        Ok(understood) => understood,
+        Err(message) => return fail(&message),
+    };
     if let Some(path) = &args.output
         && let Err(message) = replace::program(path, &program)
     {
@@ -65,7 +79,7 @@ pub fn run(args: &Formalize) -> u8 {
     }
     match args.format {
         SummaryFormat::Json => {
-            let mut outcome = json(&reading, &program);
+            let mut outcome = summary(&reading, &program);
             outcome["diagnostics"] = json!(diagnostics);
             if let Some(asked) = &model {
                 let spent = asked.spent();
@@ -93,7 +107,29 @@ pub fn run(args: &Formalize) -> u8 {
             tell(&diagnostics, model.as_ref());
         }
     }
-    if reading.understood == 0 { FINDINGS } else { GOOD }
+    let short = args.strict && (reading.words.iter().any(|word| !word.used) || relaxed(&reading) > 0);
+    if reading.nothing || short { FINDINGS } else { GOOD }
+}
+
+/// What a program is to be written from.
+pub enum Request {
+    /// A text.
+    Words(String),
+    /// What was understood of one.
+    Brief(Box<Brief>),
+}
+
+/// How many statements that the request makes became preferences.
+fn relaxed(reading: &Reading) -> usize {
+    let stated = |s: &&Statement| s.relaxed && matches!(s.source, Source::Stated(_));
+    reading.draft.statements.iter().filter(stated).count()
+}
+
+/// The brief in a file.
+fn brief(path: &Path) -> Result<Brief, String> {
+    json::read(&text(path)?).map_err(|why| {
+        format!("{} is no brief: {why}; `scenelang schema brief` says what one looks like", path.display())
+    })
 }
 
 /// What a request says, and the program of it.
@@ -113,7 +149,7 @@ pub struct Understood {
 ///
 /// With a time, the trial ends when it is over.
 pub fn understand(
-    request: &str,
+    request: Request,
     literal: bool,
     tried: bool,
     time: Option<Duration>,
@@ -121,10 +157,11 @@ pub fn understand(
 ) -> Result<Understood, String> {
     let begun = Instant::now();
     let options = Options { literal };
-    let (mut reading, mut diagnostics) = match model {
-        None => (read(request, &options), Vec::new()),
-        Some(model) => {
-            let formalized = model.formalize(request, &options).map_err(|error| error.to_string())?;
+    let (mut reading, mut diagnostics) = match (request, model) {
+        (Request::Brief(brief), _) => (of_brief(*brief, &options), Vec::new()),
+        (Request::Words(request), None) => (read(&request, &options), Vec::new()),
+        (Request::Words(request), Some(model)) => {
+            let formalized = model.formalize(&request, &options).map_err(|error| error.to_string())?;
             (formalized.reading(), formalized.diagnostics)
         }
     };
@@ -142,8 +179,15 @@ pub fn understand(
     if objects > scenelang_solve::MOST_OBJECTS {
         diagnostics.push(format!("{objects} objects are too many to try whether there is a layout"));
     }
-    let holds = !tried || try_out(&mut reading, &stop);
-    if !holds && time.is_some() && stop.is_set() {
+    let end = if tried { try_out(&mut reading, &stop) } else { Tried::Holds };
+    let holds = end == Tried::Holds;
+    if end == Tried::Spent {
+        diagnostics.push(
+            "the trial ended before a layout was found in which all of it holds: it takes a bounded amount of work; \
+             `scenelang solve` looks longer, and says what is in the way"
+                .to_owned(),
+        );
+    } else if !holds && time.is_some() && stop.is_set() {
         diagnostics.push("the time was over before a layout was found in which all of it holds".to_owned());
     } else if !holds {
         diagnostics.push(
@@ -154,16 +198,16 @@ pub fn understand(
     Ok(Understood { program: write(&reading.draft), reading, diagnostics })
 }
 
-/// Tries whether there is a layout, and gives up what is in the way. Whether there is one, or nothing to try.
-pub fn try_out(reading: &mut Reading, stop: &Stop) -> bool {
-    if reading.understood == 0 {
-        return true;
+/// Tries whether there is a layout, and gives up what is in the way.
+pub fn try_out(reading: &mut Reading, stop: &Stop) -> Tried {
+    if reading.nothing {
+        return Tried::Holds;
     }
     let progress = Progress::new("trying whether there is a layout");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
-    let holds = rehearse(&mut reading.draft, stop, &mut follow);
+    let end = rehearse(&mut reading.draft, stop, &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
-    holds
+    end
 }
 
 /// What went wrong with the model, and what it took, for people.
@@ -200,12 +244,41 @@ pub fn notes(reading: &Reading) -> String {
     let mut out = String::new();
     let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
     let _ = writeln!(out, "understood {} of {} {clauses}", reading.understood, reading.clauses);
+    if !reading.words.is_empty() {
+        let _ = writeln!(out, "{}", accounted(reading));
+    }
+    match relaxed(reading) {
+        0 => {}
+        1 => out.push_str("1 statement of the request became a preference, because it cannot hold with the rest\n"),
+        n => {
+            let _ = writeln!(
+                out,
+                "{n} statements of the request became preferences, because they cannot hold with the rest"
+            );
+        }
+    }
     for note in &reading.draft.notes {
         let _ =
             writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
     }
     for (name, at) in &reading.absent {
         let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));
+    }
+    out
+}
+
+/// How many of the words that say something became part of the program, and which did not.
+fn accounted(reading: &Reading) -> String {
+    const LISTED: usize = 12;
+    let all = reading.words.len();
+    let lost: Vec<&Word> = reading.words.iter().filter(|word| !word.used).collect();
+    let words = if all == 1 { "word" } else { "words" };
+    let mut out = format!("{} of {all} {words} became part of the program", all - lost.len());
+    if !lost.is_empty() {
+        let shown: Vec<String> =
+            lost.iter().take(LISTED).map(|word| format!("\"{}\"", quoted(reading, &word.at))).collect();
+        let more = if lost.len() > LISTED { format!(" and {} more", lost.len() - LISTED) } else { String::new() };
+        let _ = write!(out, "; not used: {}{more}", shown.join(", "));
     }
     out
 }
@@ -240,7 +313,7 @@ fn became(reading: &Reading, at: &std::ops::Range<usize>) -> Vec<String> {
         1 => format!("object {}", t.name),
         n => format!("object {}[{n}]", t.name),
     });
-    let statements = draft.statements.iter().filter(|s| within(&s.source)).map(|s| s.text.clone());
+    let statements = draft.statements.iter().filter(|s| within(&s.source)).map(Statement::line);
     rooms.chain(openings).chain(things).chain(statements).collect()
 }
 
@@ -253,7 +326,7 @@ fn inferred(reading: &Reading) -> Vec<String> {
     };
     let things = draft.things.iter().filter_map(|t| why(&t.source).map(|w| format!("object {}: {w}", t.name)));
     let openings = draft.openings.iter().filter_map(|o| why(&o.source).map(|w| format!("object {}: {w}", o.name)));
-    let statements = draft.statements.iter().filter_map(|s| why(&s.source).map(|w| format!("{} {w}", s.text)));
+    let statements = draft.statements.iter().filter_map(|s| why(&s.source).map(|w| format!("{} {w}", s.line())));
     openings.chain(things).chain(statements).collect()
 }
 
@@ -274,17 +347,25 @@ fn quoted(reading: &Reading, at: &std::ops::Range<usize>) -> String {
     }
 }
 
-fn json(reading: &Reading, program: &str) -> serde_json::Value {
+fn summary(reading: &Reading, program: &str) -> serde_json::Value {
     let clauses = reading.read.iter().map(|(at, understood)| {
         json!({ "bytes": [at.start, at.end], "text": quoted(reading, at), "understood": understood, "became": became(reading, at) })
     });
     let notes = reading.draft.notes.iter().map(|note| {
         json!({ "bytes": [note.at.start, note.at.end], "text": quoted(reading, &note.at), "reason": note.reason })
     });
+    let unused = reading.words.iter().filter(|word| !word.used);
+    let unused = unused.map(|word| json!({ "bytes": [word.at.start, word.at.end], "text": quoted(reading, &word.at) }));
     json!({
         "format": FORMALIZATION,
         "understood": reading.understood,
         "clauses": reading.clauses,
+        "words": {
+            "used": reading.words.iter().filter(|word| word.used).count(),
+            "all": reading.words.len(),
+            "unused": unused.collect::<Vec<_>>(),
+        },
+        "preferences": relaxed(reading),
         "read": clauses.collect::<Vec<_>>(),
         "notes": notes.collect::<Vec<_>>(),
         "absent": reading.absent.iter().map(|(name, _)| name).collect::<Vec<_>>(),

@@ -133,7 +133,7 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
 /// Writes the program of a request.
 fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<(), String> {
     let understood = formalize::understand(
-        request,
+        formalize::Request::Words(request.to_owned()),
         args.literal,
         true,
         args.time.map(|time| Duration::from_secs_f64(time / 3.0)),
@@ -141,7 +141,7 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
     )?;
     eprint!("{}", formalize::notes(&understood.reading));
     formalize::tell(&understood.diagnostics, None);
-    if understood.reading.understood == 0 {
+    if understood.reading.nothing {
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
     replace::program(path, &understood.program)

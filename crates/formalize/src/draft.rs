@@ -98,11 +98,50 @@ pub struct Thing {
     pub source: Source,
 }
 
-/// `assert`, `prefer` or a permission, as the language writes it.
+/// One statement of the program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// Without `@req` and without comments: `assert near(lamp, sofa, 0.5);`
+    /// Whether it must hold.
+    pub demand: Demand,
+    /// What is asked for, without keyword, semicolon, `@req` and comments: `near(lamp, sofa, 0.5)`.
     pub text: String,
     /// Where it comes from.
     pub source: Source,
+    /// Whether it was to hold, and is only preferred because it cannot, or because no layout was found in which it does.
+    pub relaxed: bool,
+}
+
+/// How much a statement demands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Demand {
+    /// It must hold: `assert`.
+    Must,
+    /// It should hold: `prefer`.
+    Prefer,
+    /// Neither: a permission or an assignment.
+    Given,
+}
+
+impl Statement {
+    /// The statement that a line of the language is.
+    pub fn new(line: &str, source: Source) -> Self {
+        let line = line.trim().trim_end_matches(';').trim_end();
+        let after = |keyword| line.strip_prefix(keyword).filter(|rest| rest.starts_with([' ', '(', '\n']));
+        let (demand, text) = match (after("assert"), after("prefer")) {
+            (Some(text), _) => (Demand::Must, text),
+            (_, Some(text)) => (Demand::Prefer, text),
+            (None, None) => (Demand::Given, line),
+        };
+        Self { demand, text: text.trim_start().to_owned(), source, relaxed: false }
+    }
+
+    /// The line of the language that says it.
+    pub fn line(&self) -> String {
+        let keyword = match self.demand {
+            Demand::Must => "assert ",
+            Demand::Prefer => "prefer ",
+            Demand::Given => "",
+        };
+        format!("{keyword}{};", self.text)
+    }
 }

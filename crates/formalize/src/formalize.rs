@@ -34,8 +34,8 @@ pub fn formalize(
 ) -> Result<Formalized, Error> {
     let Some((model, asking)) = model else { return Ok(of_draft(read(request, options).draft)) };
     let asking = Asking { literal: options.literal, ..*asking };
-    let Reading { draft, understood, .. } = read(request, options);
-    with_model(request, &asking, (understood > 0).then_some(draft), model)
+    let Reading { draft, nothing, .. } = read(request, options);
+    with_model(request, &asking, (!nothing).then_some(draft), model)
 }
 
 /// Asks a model what a request says, and writes the program. Where the model fails, the program is written from
@@ -89,8 +89,10 @@ impl Formalized {
             draft: draft.clone(),
             understood: read.iter().filter(|(_, came)| *came).count(),
             clauses: read.len(),
+            nothing: !read.iter().any(|(_, came)| *came),
             read,
             absent: Vec::new(),
+            words: Vec::new(),
         }
     }
 }

@@ -73,7 +73,7 @@ fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>)
     };
     let lines: Vec<String> = places.filter_map(whole).collect();
     let (bad, good) = std::mem::take(&mut draft.statements).into_iter().partition(|s| {
-        let own = code(&s.text);
+        let own = code(&s.line());
         lines.iter().any(|l| l.ends_with(&own))
     });
     draft.statements = good;

@@ -15,6 +15,15 @@ pub fn sentence(request: &str, at: &Range<usize>) -> String {
     folded(&request[whole])
 }
 
+/// The words of a request at some bytes, word for word, its blanks folded; where they are too many, or none, the
+/// sentence around their beginning.
+pub fn phrase(request: &str, at: &Range<usize>) -> String {
+    match request.get(at.clone()) {
+        Some(words) if words.len() <= LONGEST && !words.trim().is_empty() => folded(words),
+        _ => sentence(request, at),
+    }
+}
+
 /// The bytes of the sentence that contains others; of one too long the words near them.
 pub fn sentence_range(request: &str, at: &Range<usize>) -> Range<usize> {
     let start = floor(request, at.start.min(request.len()));

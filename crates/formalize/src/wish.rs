@@ -1,6 +1,6 @@
 //! Statements that are given up: what must hold becomes what is wished for, and a note says why.
 
-use crate::draft::{Draft, Note, Opening, OpeningKind, Source, Statement};
+use crate::draft::{Demand, Draft, Note, Opening, OpeningKind, Source, Statement};
 use crate::write::{clear_space, number};
 use scenelang_lang::program::{ConstraintKind, Program};
 use std::collections::BTreeMap;
@@ -15,8 +15,8 @@ impl Stated {
     pub fn new(draft: &Draft, program: &Program) -> Self {
         let mut by_text: BTreeMap<String, usize> = BTreeMap::new();
         for (i, statement) in draft.statements.iter().enumerate() {
-            if let Some(text) = statement.text.strip_prefix("assert") {
-                by_text.insert(code(text.trim_end_matches(';')), i);
+            if statement.demand == Demand::Must {
+                by_text.insert(code(&statement.text), i);
             }
         }
         let of = |c: &scenelang_lang::program::Constraint| {
@@ -47,14 +47,19 @@ impl Draft {
         statements.dedup();
         for &i in &statements {
             let statement = &mut self.statements[i];
-            let (wish, source) = (statement.text.replacen("assert", "prefer", 1), statement.source.clone());
+            let source = statement.source.clone();
             match weaker(&statement.text) {
                 // What is left of it must hold.
-                Some(text) => {
-                    statement.text = text;
-                    self.statements.push(Statement { text: wish, source: source.clone() });
+                Some(weaker) => {
+                    let text = std::mem::replace(&mut statement.text, weaker);
+                    self.statements.push(Statement {
+                        demand: Demand::Prefer,
+                        text,
+                        source: source.clone(),
+                        relaxed: true,
+                    });
                 }
-                None => statement.text = wish,
+                None => (statement.demand, statement.relaxed) = (Demand::Prefer, true),
             }
             self.note(&source, reason);
         }
@@ -74,8 +79,10 @@ impl Draft {
         }
         let depth = number(clear_space(door));
         self.statements.push(Statement {
-            text: format!("prefer clear({name}, front, {depth}) and clear({name}, behind, {depth});"),
+            demand: Demand::Prefer,
+            text: format!("clear({name}, front, {depth}) and clear({name}, behind, {depth})"),
             source: Source::Inferred("a door opens freely, where there is room for it".to_owned()),
+            relaxed: false,
         });
         true
     }
@@ -88,13 +95,13 @@ impl Draft {
             return false;
         };
         let text = match thing.count {
-            0 | 1 => format!("prefer inside({name}, {});", room.name),
-            _ => format!("prefer forall each in {name}: inside(each, {});", room.name),
+            0 | 1 => format!("inside({name}, {})", room.name),
+            _ => format!("forall each in {name}: inside(each, {})", room.name),
         };
         let source = thing.source.clone();
         thing.room = None;
         self.note(&source, "no layout was found in which it is in its room, so that is a wish");
-        self.statements.push(Statement { text, source });
+        self.statements.push(Statement { demand: Demand::Prefer, text, source, relaxed: true });
         true
     }
 

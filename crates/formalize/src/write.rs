@@ -2,15 +2,15 @@
 //!
 //! Rooms first, then doors and windows, then each room with its things, what is asked of a thing behind it; at the end
 //! the words of the request that became no statement. Each declaration and statement has before it, as `@req`, the
-//! sentence that it comes from, or the reason why it is there (`inferred: …`).
+//! words that it comes from, or the reason why it is there (`inferred: …`).
 //!
 //! Words without a statement stand before a predicate that nobody calls (`unmet1`): it asks for nothing, and can be
 //! given a meaning. The text is as the formatter leaves it.
 
 use crate::colors;
-use crate::draft::{Draft, Look, Opening, OpeningKind, Room, Source, Thing};
+use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Room, Source, Thing};
 use crate::names::words;
-use crate::text::{folded, plain, quoted, sentence, wrapped};
+use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -225,13 +225,13 @@ impl Writer<'_> {
     /// Whether some statement of the draft says already that the whole thing is in the room.
     fn says_where(&self, thing: &Thing, room: &Room) -> bool {
         const PLACES: [&str; 6] = ["inside", "onFloor", "againstWall", "inCorner", "wallMounted", "ceilingMounted"];
-        self.draft.statements.iter().filter(|s| s.text.trim_start().starts_with("assert")).any(|statement| {
+        self.draft.statements.iter().filter(|s| s.demand == Demand::Must).any(|statement| {
             let code: String = statement.text.split_whitespace().collect::<Vec<_>>().join(" ");
             if [" or ", "not ", " implies ", "exists ", "count("].iter().any(|open| code.contains(open)) {
                 return false;
             }
             let subject = if thing.count > 1 {
-                let all = code.strip_prefix("assert forall ").and_then(|rest| rest.split_once(" in "));
+                let all = code.strip_prefix("forall ").and_then(|rest| rest.split_once(" in "));
                 match all.filter(|(_, domain)| domain.split(':').next() == Some(&thing.name)) {
                     Some((one, _)) => one.to_owned(),
                     None => return false,
@@ -247,10 +247,9 @@ impl Writer<'_> {
     fn following(&mut self, name: Option<&str>) {
         for at in self.behind.get(&name).cloned().unwrap_or_default() {
             let statement = &self.draft.statements[at];
-            let text = statement.text.trim();
             self.line("");
             self.requirement(&statement.source);
-            self.line(&format!("{text}{}", if text.ends_with(';') { "" } else { ";" }));
+            self.line(&statement.line());
         }
     }
 
@@ -321,7 +320,7 @@ impl Writer<'_> {
 
     fn requirement(&mut self, source: &Source) {
         let words = match source {
-            Source::Stated(at) => sentence(&self.draft.request, at),
+            Source::Stated(at) => phrase(&self.draft.request, at),
             Source::Inferred(reason) => format!("{INFERRED}{}", folded(reason)),
         };
         if !words.is_empty() {

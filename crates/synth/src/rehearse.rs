@@ -27,9 +27,19 @@ const GROWTH: f64 = 1.15;
 /// Why a statement became a wish.
 const REASON: &str = "no layout was found in which it holds with the rest, so it is a wish";
 
-/// Tries the program of a draft, and gives up what is in the way. Whether a layout was found in which all holds that
-/// must.
-pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> bool {
+/// How a trial ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tried {
+    /// A layout was found in which all holds that must.
+    Holds,
+    /// None was found.
+    Fails,
+    /// None was found within the work that a trial may take.
+    Spent,
+}
+
+/// Tries the program of a draft, and gives up what is in the way.
+pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Tried {
     let judge = scenelang_verify::Options::default();
     // From where the next trial begins: less is asked of it, so little has to move.
     let mut last = None;
@@ -37,7 +47,7 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
     let (mut spent, mut patience) = (0, 1);
     for _ in 0..ROUNDS {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
-        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return false };
+        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
         let start = furnish(program, scenelang_solve::draws(program, 0), last.as_ref(), &judge).layout;
         let [least, each] = TRIAL;
         let options = scenelang_solve::Options {
@@ -55,15 +65,18 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         });
         if outcome.converged {
             if last.take().is_none() {
-                return true;
+                return Tried::Holds;
             }
             // Whoever solves it begins from nothing.
             patience = PATIENCE;
             continue;
         }
         spent += outcome.work;
-        if outcome.end == End::Asked || spent > MOST {
-            return false;
+        if outcome.end == End::Asked {
+            return Tried::Fails;
+        }
+        if spent > MOST {
+            return Tried::Spent;
         }
         if enlarge(draft, &crowded(draft, program, &outcome), &mut grown) {
             last = None;
@@ -75,11 +88,11 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         }
         let given_up = in_the_way(draft, program, &outcome);
         if !draft.wish(given_up, REASON) {
-            return false;
+            return Tried::Fails;
         }
         last = Some(outcome.layout);
     }
-    false
+    Tried::Spent
 }
 
 /// Rooms in which something finds no place: it stands in the way of another, or not in its room.
@@ -217,12 +230,13 @@ fn most_willing(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use scenelang_formalize::draft::Demand;
     use scenelang_formalize::{Options, read};
 
     fn tried(request: &str) -> (bool, Draft) {
         let mut draft = read(request, &Options { literal: true }).draft;
         let holds = rehearse(&mut draft, &Stop::default(), &mut |_| ());
-        (holds, draft)
+        (holds == Tried::Holds, draft)
     }
 
     #[test]
@@ -241,7 +255,7 @@ mod tests {
         );
         assert!(holds);
         let wishes: Vec<&str> =
-            draft.statements.iter().map(|s| s.text.as_str()).filter(|t| t.starts_with("prefer")).collect();
+            draft.statements.iter().filter(|s| s.demand == Demand::Prefer).map(|s| s.text.as_str()).collect();
         assert!(wishes.iter().any(|w| w.contains("clear(")), "{wishes:?}");
         assert!(draft.notes.iter().any(|note| note.reason == REASON), "{:?}", draft.notes);
     }

@@ -1,8 +1,9 @@
 //! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, the trace,
-//! what `repair` and `solve` print, the settings.
+//! the brief of a request, what `repair` and `solve` print, the settings.
 
 /// The schemas by name: name and text.
-pub const ALL: [(&str, &str); 7] = [
+pub const ALL: [(&str, &str); 8] = [
+    ("brief", include_str!("../schemas/brief.json")),
     ("config", include_str!("../schemas/config.json")),
     ("diff", include_str!("../schemas/diff.json")),
     ("layout", include_str!("../schemas/layout.json")),

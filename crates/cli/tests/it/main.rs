@@ -4,6 +4,7 @@
 
 mod agreement;
 mod bounded;
+mod brief;
 mod carriers;
 mod checkers;
 mod cli;

@@ -1,6 +1,7 @@
 //! A fact of a brief: what is said of things, by itself, with others, or about their place in the room.
 
 use super::Source;
+use serde::{Deserialize, Serialize};
 
 /// Something said of things.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,8 @@ impl Fact {
 }
 
 /// Of how many of several things something is said.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Quantifier {
     /// Not said: as many go together as the numbers of both sides suggest.
     #[default]
@@ -91,7 +93,8 @@ impl What {
 }
 
 /// A side of a thing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Side {
     Front,
@@ -103,7 +106,8 @@ pub enum Side {
 }
 
 /// What two things are to each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Rel {
     On,
@@ -149,7 +153,8 @@ pub enum Rel {
 }
 
 /// A place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Place {
     Wall,
@@ -168,7 +173,8 @@ pub enum Place {
 }
 
 /// How several things stand to each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Pattern {
     /// In one line.
     Row,
@@ -189,7 +195,8 @@ pub enum Pattern {
 }
 
 /// How a measure binds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Op {
     /// So much, exactly.
     Equal,
@@ -200,7 +207,8 @@ pub enum Op {
 }
 
 /// Which of a thing's measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Dim {
     Width,

@@ -9,6 +9,7 @@
 //! from, or the reason why it was added. Lengths are in metres.
 
 mod fact;
+pub mod json;
 mod room;
 mod thing;
 
@@ -33,6 +34,28 @@ pub struct Brief {
     pub absent: Vec<(String, Range<usize>)>,
     /// Words that became nothing, or something else than they say, and why.
     pub notes: Vec<Note>,
+    /// The clauses of the request in their order.
+    pub clauses: Vec<Clause>,
+    /// The words of the request that say something, in their order.
+    pub words: Vec<Word>,
+}
+
+/// A clause of the request.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Clause {
+    /// Bytes of the request.
+    pub at: Range<usize>,
+    /// Whether all its words that say something became part of the brief.
+    pub understood: bool,
+}
+
+/// A word of the request that says something: a noun, a look, a relation, a number, a negation, a comparison.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// Bytes of the request.
+    pub at: Range<usize>,
+    /// Whether it became part of the brief.
+    pub used: bool,
 }
 
 /// Words of the request that became no statement.
@@ -98,6 +121,15 @@ impl Brief {
         }
     }
 
+    /// The thing on whose number that of another depends.
+    pub(crate) fn depends(&self, thing: usize) -> Option<usize> {
+        match (&self.things[thing].part, self.things[thing].number) {
+            (Some(part), _) => Some(part.of),
+            (None, Number::Each { of, .. }) if of < thing || !self.things[of].number.follows() => Some(of),
+            _ => None,
+        }
+    }
+
     /// How many there are of a thing, at most [`MOST_COUNT`].
     pub fn count(&self, thing: usize) -> usize {
         match &self.things[thing].part {
@@ -110,10 +142,10 @@ impl Brief {
     pub fn stated(&self, thing: usize) -> usize {
         let own = &self.things[thing];
         match own.number {
-            Number::Each { of, number } if of < thing || !self.things[of].number.follows() => {
-                self.count(of).saturating_mul(number)
+            Number::Each { number, .. } => {
+                self.depends(thing).map_or(number, |of| self.count(of).saturating_mul(number))
             }
-            Number::Exactly(n) | Number::AtLeast(n) | Number::Each { number: n, .. } => n,
+            Number::Exactly(n) | Number::AtLeast(n) => n,
             Number::Several => 3,
             Number::Plural if matches!(own.group, Group::Ceiling | Group::Seat) => 3,
             Number::Plural => 2,

@@ -1,6 +1,7 @@
 //! A thing of a brief: its noun, how many, how it looks, and where it is.
 
 use super::Dim;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// A thing, or several like ones; a door or a window too.
@@ -78,7 +79,8 @@ impl Number {
 }
 
 /// How a thing usually is in a room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Group {
     /// To sit on.
     Seat,
@@ -164,7 +166,8 @@ pub struct Part {
 }
 
 /// Which of several.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Pick {
     /// So many, from this one on: "one of them", "the second exit".
     Run(usize, usize),

@@ -3,6 +3,7 @@
 
 use crate::brief::{Brief, Fact, Group, Rel, What};
 use crate::read::lexicon::get;
+use crate::text::sentence;
 use scenelang_lang::library::usual_size;
 
 /// What has shelves inside, so that what is "on" it is in it.
@@ -48,7 +49,7 @@ pub fn settle(brief: &mut Brief) {
         let fact = &brief.facts[k];
         let What::Rel(rel, to) = &fact.what else { continue };
         let ([b], false) = (to.as_slice(), fact.not) else { continue };
-        let words = brief.request.get(fact.source.at()).unwrap_or("").to_lowercase();
+        let words = sentence(&brief.request, &fact.source.at()).to_lowercase();
         let top = fact.of.iter().all(|a| brief.things[*a].group == Group::Top);
         let new = match rel {
             Rel::LeftOf | Rel::RightOf if top && brief.things[*b].group == Group::Table && on_side(&words) => {

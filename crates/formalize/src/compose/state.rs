@@ -59,8 +59,10 @@ pub fn state(named: &Named) -> Stated {
 impl Stated {
     /// Adds a statement, once.
     pub fn push(&mut self, text: String, source: Source) {
-        if !self.statements.iter().any(|s| s.text == text) {
-            self.statements.push(Statement { text, source });
+        let statement = Statement::new(&text, source);
+        let known = |s: &Statement| s.text == statement.text && s.demand == statement.demand;
+        if !self.statements.iter().any(known) {
+            self.statements.push(statement);
         }
     }
 
@@ -162,6 +164,19 @@ impl Named<'_> {
         format!("forall a in {of}: exists b in {to}: {}", f("a", "b"))
     }
 
+    /// A formula for each element of `b`, with the one of `a`, or with some of them.
+    fn each(&self, a: usize, b: usize, f: &dyn Fn(&str, &str) -> String) -> String {
+        if !self.array(a) {
+            return self.every(a, b, f);
+        }
+        let one = |y: &str| format!("exists a in {}: {}", self.name(a), f("a", y));
+        if self.array(b) {
+            format!("forall b in {}: {}", self.name(b), one("b"))
+        } else {
+            self.elements(b).iter().map(|y| format!("({})", one(y))).collect::<Vec<_>>().join(" and ")
+        }
+    }
+
     /// A formula for each element of both.
     fn every(&self, a: usize, b: usize, f: &dyn Fn(&str, &str) -> String) -> String {
         let inner = |x: &str| -> String {
@@ -207,13 +222,13 @@ impl Named<'_> {
                 }
                 What::Rel(rel, to) => {
                     for to in to {
-                        self.rel(*of, *rel, *to, verb, fact.not, &mut out);
+                        self.rel(fact, *of, *rel, *to, &mut out);
                     }
                 }
                 What::Place(rel, place, which) => self.place(k, *of, *rel, *place, which, verb, &mut out),
                 What::Gap(op, v, to) => {
                     for to in to {
-                        out.push(format!("{verb} {};", self.gap(*of, *to, *op, *v)));
+                        out.push(format!("{verb} {};", self.gap(*of, *to, *op, *v, fact.object)));
                     }
                 }
                 What::Among(op, v) => out.extend(self.among(*of, *op, *v).map(|t| format!("{verb} {t};"))),

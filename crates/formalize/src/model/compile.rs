@@ -32,13 +32,13 @@ pub(super) struct Trial {
 
 impl Trial {
     /// The program of a draft without its statements, and these.
-    pub fn new<'s>(draft: &Draft, statements: impl IntoIterator<Item = &'s str>) -> Self {
+    pub fn new(draft: &Draft, statements: impl IntoIterator<Item = impl AsRef<str>>) -> Self {
         let bare = Draft { statements: Vec::new(), notes: Vec::new(), ..draft.clone() };
         let mut text = write(&bare);
         let base = text.lines().count() as u32;
         let mut count = 0;
         for statement in statements {
-            text.push_str(&one_line(statement));
+            text.push_str(&one_line(statement.as_ref()));
             text.push('\n');
             count += 1;
         }
@@ -127,7 +127,7 @@ pub(super) fn one_line(statement: &str) -> String {
 /// Makes sure of what is promised: the program of the draft compiles, and nothing in it is proved to contradict.
 pub(super) fn settle(draft: &mut Draft, told: &mut Vec<String>) {
     for _ in 0..LOOKS {
-        let trial = Trial::new(draft, draft.statements.iter().map(|s| s.text.as_str()));
+        let trial = Trial::new(draft, draft.statements.iter().map(Statement::line));
         let broken = trial.broken();
         if !broken.is_empty() {
             for at in broken.into_iter().rev() {
@@ -172,7 +172,7 @@ pub(super) fn weakest(all: &[Statement], among: &[usize]) -> Option<usize> {
 /// Takes a statement out. What the request says of it is kept as a note.
 pub(super) fn remove(draft: &mut Draft, at: usize, reason: &str) {
     let statement = draft.statements.remove(at);
-    if let Source::Stated(at) = statement.source {
-        draft.notes.push(Note { at, reason: format!("{} — {reason}", statement.text) });
+    if let Source::Stated(at) = &statement.source {
+        draft.notes.push(Note { at: at.clone(), reason: format!("{} — {reason}", statement.line()) });
     }
 }

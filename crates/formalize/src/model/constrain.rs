@@ -124,8 +124,8 @@ fn judged(draft: &Draft, given: &[Statement], constraints: &[Constraint]) -> (Ve
             None => formed.push(at),
         }
     }
-    let texts = || formed.iter().map(|at| constraints[*at].statement.as_str());
-    let trial = Trial::new(draft, given.iter().map(|s| s.text.as_str()).chain(texts()));
+    let texts = || formed.iter().map(|at| constraints[*at].statement.clone());
+    let trial = Trial::new(draft, given.iter().map(Statement::line).chain(texts()));
     let broken: Vec<usize> = trial.broken().into_iter().filter_map(|at| at.checked_sub(given.len())).collect();
     if !broken.is_empty() {
         report.push_str(&trial.told());
@@ -146,7 +146,7 @@ fn kept(
     for (at, Constraint { statement, sentence, reason }) in constraints.iter().enumerate() {
         let source = sentences.source(*sentence, reason.as_deref());
         let Some((_, why)) = wrong.iter().find(|(wrong, _)| *wrong == at) else {
-            out.push(Statement { text: one_line(statement), source });
+            out.push(Statement::new(&one_line(statement), source));
             continue;
         };
         asker.diagnostics.push(format!("a statement is left out: `{}`: {why}", plain(statement, 120)));

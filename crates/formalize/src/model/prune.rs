@@ -43,7 +43,7 @@ pub(super) fn prune(asker: &mut Asker<'_>, draft: &mut Draft, own: &mut Vec<Stat
 /// Takes out what is proved to be implied by the rest, and of sets proved contradictory one statement each.
 pub(super) fn by_proof(draft: &mut Draft, own: &mut Vec<Statement>) {
     for _ in 0..LOOKS {
-        let proved = Trial::new(draft, own.iter().map(|s| s.text.as_str())).proved(true);
+        let proved = Trial::new(draft, own.iter().map(Statement::line)).proved(true);
         if let Some((among, texts)) = proved.contradictions.iter().find(|(among, _)| !among.is_empty()) {
             let Some(at) = weakest(own, among) else { return };
             take_out(draft, own, at, &format!("it contradicts: {}", texts.join("; ")), false);
@@ -72,7 +72,7 @@ fn by_model(
         .zip(1..)
         .map(|(statement, number)| {
             let stated = matches!(statement.source, Source::Stated(_));
-            json!({ "number": number, "statement": statement.text, "stated": stated })
+            json!({ "number": number, "statement": statement.line(), "stated": stated })
         })
         .collect();
     let schema = object(&json!({ "remove": list(&removal) }));

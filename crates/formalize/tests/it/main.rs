@@ -1,6 +1,9 @@
 //! What a draft is as a program, and what a model makes of a request.
 
+mod account;
 mod arrange;
+mod brief;
+mod meaning;
 mod model;
 mod read;
 #[path = "../../../llm/tests/it/server.rs"]

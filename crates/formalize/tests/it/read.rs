@@ -2,7 +2,7 @@
 
 use crate::support::complaints;
 use proptest::prelude::*;
-use scenelang_formalize::draft::{Draft, Source};
+use scenelang_formalize::draft::{Draft, Source, Statement};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, read};
 use scenelang_lang::{Options as Front, compile_text};
@@ -19,7 +19,7 @@ fn literal(request: &str) -> (Vec<String>, Vec<String>) {
     let openings = draft.openings.iter().filter(|o| matches!(o.source, Source::Stated(_))).map(|o| o.name.clone());
     let things = things.chain(openings).collect();
     let stated = draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
-    (things, stated.map(|s| s.text.clone()).collect())
+    (things, stated.map(Statement::line).collect())
 }
 
 /// Phrase, things, pieces of statements. One a line, in `read.txt`.

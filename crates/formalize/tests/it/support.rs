@@ -54,7 +54,7 @@ pub fn thing(name: &str, category: &str, room: Option<usize>) -> Thing {
 }
 
 pub fn statement(text: &str, source: Source) -> Statement {
-    Statement { text: text.into(), source }
+    Statement::new(text, source)
 }
 
 /// Two rooms, openings of each kind, an array, a note.
@@ -105,4 +105,18 @@ pub fn office() -> Draft {
         reason: "nothing that can be measured is said".into(),
     }];
     draft
+}
+
+/// The texts of the requests of the repository.
+pub fn requests() -> Vec<String> {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests");
+    let mut files: Vec<_> = ["development", "aside"]
+        .iter()
+        .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap())
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "txt"))
+        .collect();
+    files.sort();
+    assert!(files.len() >= 50, "{}", files.len());
+    files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect()
 }

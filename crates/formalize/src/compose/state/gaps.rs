@@ -1,13 +1,17 @@
 //! Distances that are measured, and room that is kept free.
 
 use super::{Named, Side};
-use crate::brief::{Group, Op, Rel, What};
+use crate::brief::{Group, Op, Quantifier, Rel, What};
 use crate::write::number;
 
 impl Named<'_> {
-    pub(super) fn gap(&self, a: usize, b: usize, op: Op, v: f64) -> String {
+    pub(super) fn gap(&self, a: usize, b: usize, op: Op, v: f64, object: Quantifier) -> String {
         match op {
             Op::Least => self.every(a, b, &|x, y| format!("far({x}, {y}, {})", number(v))),
+            // "a shower within 3 m of every bench"
+            Op::Most if object == Quantifier::Each && self.counts[b] > 1 => {
+                self.each(a, b, &|x, y| format!("near({x}, {y}, {})", number(v)))
+            }
             Op::Most => self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(v))),
             Op::Equal => self.pairs(a, b, &|x, y| format!("abs(gap({x}, {y}) - {}) <= 0.05", number(v))),
         }

@@ -1,7 +1,7 @@
 //! One thing and another: on, beside, in front of, around, between.
 
 use super::{LISTED, Named, indexed};
-use crate::brief::{Group, Pattern, Place, Rel, What};
+use crate::brief::{Fact, Group, Pattern, Place, Quantifier, Rel, What};
 use crate::compose::sizes;
 use crate::write::number;
 
@@ -15,11 +15,14 @@ pub(in crate::compose) const ACROSS: f64 = 1.5;
 pub(super) const AROUND: f64 = 1.2;
 
 impl Named<'_> {
-    pub(super) fn rel(&self, a: usize, rel: Rel, b: usize, verb: &str, denied: bool, out: &mut Vec<String>) {
+    pub(super) fn rel(&self, fact: &Fact, a: usize, rel: Rel, b: usize, out: &mut Vec<String>) {
+        let (verb, denied) = (if fact.soft { "prefer" } else { "assert" }, fact.not);
         let (ga, gb) = (self.group(a), self.group(b));
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
         let far = |d: f64| move |x: &str, y: &str| format!("{}({x}, {y}, {})", "near", number(d));
-        let pairs = |f: &dyn Fn(&str, &str) -> String| self.pairs(a, b, f);
+        // "the bin is near every desk": of one thing it is said of all the others.
+        let all = fact.object == Quantifier::Each && self.counts[a] == 1 && self.array(b);
+        let pairs = |f: &dyn Fn(&str, &str) -> String| if all { self.every(a, b, f) } else { self.pairs(a, b, f) };
         let m = self.counts[b];
         if denied {
             let p = predicate(rel);

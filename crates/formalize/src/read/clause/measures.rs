@@ -380,10 +380,10 @@ impl Reader<'_> {
                 f.of.contains(&i) && place
             })
         };
+        let within = |at: Range<usize>| self.s.at.start <= at.start && at.end <= self.s.at.end;
         let related = |i: usize| {
             self.brief.facts.iter().any(|f| {
-                f.source.at() == self.s.at
-                    && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
+                within(f.source.at()) && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
             })
         };
         let of: Vec<usize> = (0..self.brief.things.len())

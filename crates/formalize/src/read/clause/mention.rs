@@ -100,8 +100,42 @@ impl Reader<'_> {
         self.brief.things.len() - 1
     }
 
+    /// The bytes that say something of things: from where they are named in this sentence, or its clause begins, to the
+    /// end of the clause.
+    fn phrase(&self, of: &[usize]) -> Range<usize> {
+        let (whole, chunks) = (&self.s.at, self.chunks);
+        let start = |k: usize| self.tokens[chunks[k].at.start].at.start;
+        let named = of.iter().map(|o| self.brief.things[*o].source.at());
+        let named: Vec<_> = named.filter(|at| whole.start <= at.start && at.end <= whole.end).collect();
+        let own = self.s.chunks.start..self.s.chunks.end.min(chunks.len());
+        let last = named.iter().map(|at| at.start).max().unwrap_or(0);
+        let now = own.clone().rev().find(|k| start(*k) <= last).unwrap_or(own.start).max(self.s.now);
+        let ends = |k: &usize| {
+            matches!(chunks[*k].piece, Piece::Comma | Piece::Stop | Piece::Line | Piece::Open | Piece::Close)
+        };
+        let first = (own.start..now).rev().find(ends).map_or(own.start, |k| k + 1);
+        // "between the sofa and the bed" is one phrase, "a lamp on the desk and a cup on the shelf" are two.
+        let joins = |k: &usize| {
+            let between = chunks[first..*k].iter().any(|c| matches!(c.piece, Piece::Rel(Rel::Between)));
+            chunks[*k].piece == Piece::And && !between && matches!(self.piece(*k + 1, own.end), Some(Piece::Np(_)))
+        };
+        let end = (now + 1..own.end).find(|k| ends(k) || joins(k)).unwrap_or(own.end);
+        if first >= end {
+            return whole.clone();
+        }
+        let clause = self.bytes(first..end);
+        let from = named.iter().map(|at| at.start).min().unwrap_or(clause.start);
+        from.min(clause.start)..clause.end.max(last)
+    }
+
     /// Says something of things; denied or not.
-    pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool, at: Range<usize>) {
-        self.brief.say(Fact { soft, not, ..Fact::new(of.to_vec(), what, Source::Stated(at)) });
+    pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool) {
+        let at = self.phrase(of);
+        self.brief.say(Fact {
+            soft,
+            not,
+            object: self.s.quantifier,
+            ..Fact::new(of.to_vec(), what, Source::Stated(at))
+        });
     }
 }

@@ -1,8 +1,8 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::brief::{
-    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Rel, Side, Source, Thing,
-    What,
+    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Quantifier, Rel, Side,
+    Source, Thing, What,
 };
 use crate::read::chunk::{Chunk, Piece};
 use crate::read::lexicon::{Class, Verb, get};
@@ -86,6 +86,12 @@ pub struct Reader<'a> {
 #[derive(Clone, Debug)]
 struct Sentence {
     at: Range<usize>,
+    /// Its chunks.
+    chunks: Range<usize>,
+    /// Of how many of the things on the other side the relation is said that is read.
+    quantifier: Quantifier,
+    /// The chunk that is read.
+    now: usize,
     /// Whether the sentence has a subject of its own.
     subject: bool,
     /// Relations that came before the subject.
@@ -277,7 +283,7 @@ impl<'a> Reader<'a> {
             return;
         }
         let at = self.bytes(from..end);
-        self.s = Sentence { from: self.room, ..Sentence::new(at) };
+        self.s = Sentence { from: self.room, chunks: from..end, now: from, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
         // What depends on a condition is no more than a wish.
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
@@ -315,8 +321,14 @@ impl<'a> Reader<'a> {
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
         let unsaid = self.unsaid(from, end);
+        for range in &unsaid {
+            let at = self.bytes(range.clone());
+            let reason = "a word here changes what is asked for, and no statement says it so".to_owned();
+            self.brief.notes.push(Note { at, reason });
+        }
         let mut i = from;
         while i < end {
+            self.s.now = i;
             i = match unsaid.iter().find(|r| r.contains(&i)) {
                 Some(range) => range.end,
                 None => self.step(i, end).max(i + 1),
@@ -491,8 +503,8 @@ impl<'a> Reader<'a> {
                     Some(other) if two && one(&of) => vec![*other, of[0]],
                     _ => of,
                 };
-                let (soft, at) = (self.s.soft, self.s.at.clone());
-                self.state(&of, What::Pattern(*pattern), soft, false, at);
+                let soft = self.s.soft;
+                self.state(&of, What::Pattern(*pattern), soft, false);
                 i + 1
             }
             Piece::Comma | Piece::Which => {
@@ -732,6 +744,9 @@ impl Sentence {
     fn new(at: Range<usize>) -> Self {
         Self {
             at,
+            chunks: 0..0,
+            now: 0,
+            quantifier: Quantifier::Usual,
             subject: false,
             lead: vec![],
             lead_not: false,

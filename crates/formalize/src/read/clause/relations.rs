@@ -75,6 +75,7 @@ impl Reader<'_> {
         match object {
             Lead::Items(items, each) => {
                 self.mark(i);
+                self.s.quantifier = self.quantifier(i + 1..next, each);
                 if let Some(m) = self.s.pending.take() {
                     self.measured(&of, rel, &items, &m, negative);
                 } else if self.s.nothing && !self.s.subject {
@@ -103,8 +104,8 @@ impl Reader<'_> {
                         self.multiply(&fresh, items[0]);
                     }
                     if negative {
-                        let (soft, at) = (self.s.soft, self.s.at.clone());
-                        self.state(&of, What::Rel(rel, items), soft, true, at);
+                        let soft = self.s.soft;
+                        self.state(&of, What::Rel(rel, items), soft, true);
                     } else {
                         let rel = if self.sides(i) && rel == Rel::Beside {
                             self.double();
@@ -140,7 +141,18 @@ impl Reader<'_> {
                 }
             }
         }
+        self.s.quantifier = Quantifier::Usual;
         next
+    }
+
+    /// Of how many of the things in these chunks something is said.
+    fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
+        let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
+        match self.chunks.get(chunks) {
+            Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
+            Some(_) if each => Quantifier::Any,
+            _ => Quantifier::Usual,
+        }
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
@@ -629,8 +641,8 @@ impl Reader<'_> {
         if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
-            let (soft, at) = (self.s.soft, self.s.at.clone());
-            self.state(&of, What::Rel(rel, object), soft, true, at);
+            let soft = self.s.soft;
+            self.state(&of, What::Rel(rel, object), soft, true);
         } else {
             let sides = self.sides(i);
             if sides {
@@ -688,11 +700,11 @@ impl Reader<'_> {
     /// The usual relation of things to their owner gives way to the one in words.
     pub(super) fn drop_usual(&mut self, of: &[usize]) {
         if let Expect::With(owner, Join::Usual) = &self.s.expect {
-            let at = &self.s.at;
+            let within = |at: Range<usize>| self.s.at.start <= at.start && at.end <= self.s.at.end;
             self.brief.facts.retain(|f| {
                 !(f.of.len() == 1
                     && of.contains(&f.of[0])
-                    && f.source.at() == *at
+                    && within(f.source.at())
                     && matches!(&f.what, What::Rel(_, o) if o == owner)
                     && !f.not)
             });

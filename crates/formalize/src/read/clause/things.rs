@@ -468,8 +468,8 @@ impl Reader<'_> {
     }
 
     pub(super) fn say(&mut self, of: &[usize], what: What) {
-        let (soft, at) = (self.s.soft, self.s.at.clone());
-        self.state(of, what, soft, false, at);
+        let soft = self.s.soft;
+        self.state(of, what, soft, false);
     }
 
     /// Things named one after the other, with what is said of each right after it: sizes, looks, parts.
@@ -606,8 +606,8 @@ impl Reader<'_> {
             Expect::Blocked if self.s.nothing || !self.s.subject => self.clear(group, Rel::InFrontOf, CLEAR),
             Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
             Expect::Blocked => {
-                let (of, soft, at) = (self.main.clone(), self.s.soft, self.s.at.clone());
-                self.state(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true, at);
+                let (of, soft) = (self.main.clone(), self.s.soft);
+                self.state(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true);
             }
             expect => {
                 if let Expect::With(..) = expect {
@@ -659,14 +659,16 @@ impl Reader<'_> {
         for (rel, to) in &lead {
             match to {
                 Lead::Items(items, _) if self.s.lead_not => {
-                    let (soft, at) = (self.s.soft, self.s.at.clone());
-                    self.state(&of, What::Rel(*rel, items.clone()), soft, true, at);
+                    let soft = self.s.soft;
+                    self.state(&of, What::Rel(*rel, items.clone()), soft, true);
                 }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
                         self.multiply(&fresh, items[0]);
                     }
+                    self.s.quantifier = if *each { Quantifier::Each } else { Quantifier::Usual };
                     self.relate(&of, *rel, items);
+                    self.s.quantifier = Quantifier::Usual;
                     if *rel == Rel::On {
                         self.s.frame = Some(items.clone());
                     }

@@ -73,6 +73,9 @@ impl Reader<'_> {
     /// "each with a lamp, except the last" says nothing of lamps, "a sofa rather than a bench" nothing of the bench.
     pub(super) fn unsaid(&self, from: usize, end: usize) -> Vec<Range<usize>> {
         let mut out = Vec::new();
+        if self.corrected(from, end) {
+            out.push(from..end);
+        }
         for i in from..end {
             let at = self.chunks[i].at.start;
             let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
@@ -86,10 +89,38 @@ impl Reader<'_> {
                     out.push(start..to);
                 }
                 ("rather", "than") | ("instead", "of") => out.push(i..to),
+                ("instead", _) | ("neither", _) => {
+                    let start = (from..i).rev().find(stop).map_or(from, |k| k + 1);
+                    // "neither the sofa nor the bed is …"
+                    let end = if word(0) == "neither" { end } else { to };
+                    out.push(start..end);
+                }
+                _ if self.compares(i, end) => {
+                    let object = self.np(i + 1, end).is_some();
+                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, Piece::Word(_)));
+                    out.push(begin..i + 1 + usize::from(object));
+                }
                 _ => {}
             }
         }
         out
+    }
+
+    /// "a table, actually no, a desk": what was said before is taken back, and nobody says how far.
+    fn corrected(&self, from: usize, end: usize) -> bool {
+        let Some(last) = end.checked_sub(1).and_then(|last| self.chunks.get(last)) else { return false };
+        let tokens = &self.tokens[self.chunks[from].at.start..last.at.end];
+        let words: Vec<&str> = tokens.iter().filter(|t| t.word()).map(|t| t.text.as_str()).collect();
+        words.windows(2).any(|pair| matches!(pair, ["actually", "no"] | ["no", "actually"] | ["no", "wait"]))
+            || words.windows(3).any(|three| matches!(three, ["on", "second", "thought" | "thoughts"]))
+    }
+
+    /// "taller than the desk": a comparison with a thing, for which there is no statement.
+    fn compares(&self, i: usize, end: usize) -> bool {
+        let chunk = &self.chunks[i];
+        let before = chunk.at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
+        let number = self.np(i + 1, end).is_some_and(|np| np.count.is_some() && np.det == Det::Number);
+        chunk.piece == Piece::Rel(Rel::Than) && !number && !matches!(before, "rather" | "other" | "more" | "less")
     }
 
     pub(super) fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {

@@ -1,0 +1,125 @@
+//! What became of the words of a request: each that says something is part of the brief, or it is reported.
+
+use super::lexicon::{Class, get};
+use super::token::{Kind, Token};
+use crate::brief::{Clause, Note, Word};
+use std::ops::Range;
+
+/// The clauses and the words of a request, and notes on those that became nothing.
+#[derive(Debug, Default)]
+pub struct Account {
+    /// In their order.
+    pub clauses: Vec<Clause>,
+    /// In their order.
+    pub words: Vec<Word>,
+    /// What became nothing, as far as no other note says so.
+    pub notes: Vec<Note>,
+}
+
+/// Of so many words in a row that became nothing there is a note, whatever they are.
+const MANY: usize = 3;
+
+/// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like
+/// and say nothing of their own. `noted`: what the reader has reported.
+pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]) -> Account {
+    let mut out = Account::default();
+    for clause in clauses(tokens) {
+        let at = tokens[clause.start].at.start..tokens[clause.end - 1].at.end;
+        let own: Vec<usize> = clause.clone().filter(|i| says_something(tokens, *i, grammar)).collect();
+        out.words.extend(own.iter().map(|i| Word { at: tokens[*i].at.clone(), used: used[*i] }));
+        out.clauses.push(Clause { at: at.clone(), understood: own.iter().all(|i| used[*i]) });
+        if !own.is_empty() && own.iter().all(|i| !used[*i]) {
+            out.notes.push(Note { at, reason: "nothing was understood here".into() });
+            continue;
+        }
+        let first = out.notes.len();
+        for run in runs(&own, used, clause.clone()) {
+            if let (true, [first, .., last]) = (run.len() >= MANY, run.as_slice()) {
+                let at = tokens[*first].at.start..tokens[*last].at.end;
+                if noted.iter().any(|note| note.at.start <= at.start && at.end <= note.at.end) {
+                    continue;
+                }
+                out.notes.push(Note { at, reason: "these words became nothing".into() });
+            }
+        }
+        for &i in own.iter().filter(|i| !used[**i]) {
+            let at = tokens[i].at.clone();
+            let told = |note: &Note| note.at.start <= at.start && at.end <= note.at.end;
+            let reason = match tokens[i].kind {
+                Kind::Number(_) => "this number is in no statement",
+                _ if turns(tokens, i) => "this changes what is asked for, and no statement says it",
+                _ => continue,
+            };
+            if !out.notes[first..].iter().chain(noted).any(told) {
+                out.notes.push(Note { at, reason: reason.into() });
+            }
+        }
+    }
+    out
+}
+
+/// Words that became nothing, as far as no used word stands between them.
+fn runs(own: &[usize], used: &[bool], clause: Range<usize>) -> Vec<Vec<usize>> {
+    let mut out = vec![Vec::new()];
+    for i in clause {
+        if used[i] {
+            out.push(Vec::new());
+        } else if own.contains(&i) {
+            out.last_mut().expect("there is a first run").push(i);
+        }
+    }
+    out
+}
+
+/// Clauses: what stands between signs, as far as it carries something; indices of tokens.
+fn clauses(tokens: &[Token]) -> Vec<Range<usize>> {
+    let mut out = Vec::new();
+    let mut from = 0;
+    for i in 0..=tokens.len() {
+        let ends = tokens.get(i).is_none_or(|t| {
+            matches!(
+                t.kind,
+                Kind::Line
+                    | Kind::Bullet
+                    | Kind::Sign('.' | ',' | ';' | ':' | '!' | '?' | '(' | ')' | '—' | '。' | '，')
+            )
+        });
+        if ends {
+            if tokens[from..i].iter().any(carries) {
+                out.push(from..i);
+            }
+            from = i + 1;
+        }
+    }
+    out
+}
+
+/// Whether a word carries something of its own.
+fn carries(token: &Token) -> bool {
+    let lexicon = get();
+    match token.kind {
+        Kind::Word => !lexicon.is(&token.text, Class::Stop) && !lexicon.is(&token.text, Class::Soft),
+        Kind::Number(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether a word says something here.
+fn says_something(tokens: &[Token], i: usize, grammar: &[bool]) -> bool {
+    turns(tokens, i) || carries(&tokens[i]) && !grammar[i]
+}
+
+/// Whether a word turns what is said into something else: a negation, a comparison, an exception.
+fn turns(tokens: &[Token], i: usize) -> bool {
+    let text = tokens[i].text.as_str();
+    let next = |n: usize| tokens.get(i + n).map_or("", |t| t.text.as_str());
+    match text {
+        "except" | "excepting" | "neither" | "nor" | "never" | "without" | "not" => true,
+        "instead" | "either" => true,
+        "rather" => next(1) == "than",
+        _ => {
+            let compares = text.ends_with("er") || matches!(text, "more" | "less" | "fewer");
+            compares && tokens[i].word() && next(1) == "than"
+        }
+    }
+}
