@@ -1,6 +1,6 @@
 //! What a request says, before it is a program: a value that can be printed, checked and edited.
 
-use std::ops::Range;
+pub use crate::brief::{Look, Note, Source};
 
 /// A request, read. Names are identifiers of the language, each used once among rooms, openings and things.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,17 +98,6 @@ pub struct Thing {
     pub source: Source,
 }
 
-/// What a thing looks like, in the words of the request.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Look {
-    /// As the request says it.
-    pub color: Option<String>,
-    /// In one or a few words: "oak".
-    pub material: Option<String>,
-    /// What else is said of it: "with armrests".
-    pub features: Vec<String>,
-}
-
 /// `assert`, `prefer` or a permission, as the language writes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
@@ -116,22 +105,4 @@ pub struct Statement {
     pub text: String,
     /// Where it comes from.
     pub source: Source,
-}
-
-/// Words of the request that became no statement.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Note {
-    /// Bytes of the request.
-    pub at: Range<usize>,
-    /// Why: "no thing of the request is called this".
-    pub reason: String,
-}
-
-/// Where something of a draft comes from.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
-    /// The request says so, in these bytes.
-    Stated(Range<usize>),
-    /// Rooms of the kind need it, or the world does: the sentence says why.
-    Inferred(String),
 }

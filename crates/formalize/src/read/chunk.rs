@@ -1,9 +1,10 @@
 //! Tokens → chunks: noun phrases, relations, verbs, measures, and the little words between them.
 
-use super::lexicon::{Class, Look, Rel, Verb, get};
-use super::measure::{Dim, Measure, measure};
+use super::lexicon::{Class, Look, Verb, get};
+use super::measure::{Measure, measure};
 use super::noun::{Kind as NounKind, Np, noun_phrase};
 use super::token::{Kind, Token};
+use crate::brief::{Dim, Pattern, Rel};
 use crate::draft;
 use std::ops::Range;
 
@@ -56,27 +57,6 @@ pub enum Piece {
     Bullet,
     /// A word that is none of these; whether it carries something of its own.
     Word(bool),
-}
-
-/// How several things stand to each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pattern {
-    /// In one line.
-    Row,
-    /// In so many lines.
-    Rows(usize),
-    /// In a circle.
-    Circle,
-    /// Beside each other.
-    SideBySide,
-    /// Back to back.
-    BackToBack,
-    /// Facing each other.
-    FaceToFace,
-    /// "left to right".
-    LeftToRight,
-    /// One on the other.
-    Stacked,
 }
 
 /// A piece and the tokens it is made of.

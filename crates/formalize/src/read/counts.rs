@@ -3,8 +3,8 @@
 
 use super::lexicon::get;
 use super::number::{self, unit};
-use super::scene::MOST_COUNT;
 use super::token::{Kind, Token};
+use crate::brief::too_many;
 use std::ops::Range;
 
 /// Less than this (metres) is no size of a thing.
@@ -73,7 +73,7 @@ pub fn said(n: f64) -> Option<String> {
     if n.fract() != 0.0 {
         return Some(format!("there is no part of a thing: {n} is read as {}", whole(n)));
     }
-    (n > MOST_COUNT as f64).then(|| format!("{n} are too many: of one kind {MOST_COUNT} are placed at most"))
+    too_many(n as usize)
 }
 
 #[cfg(test)]

@@ -1,41 +1,9 @@
 //! The words the reader knows, from the tables in `data/`.
 
 use super::token::Token;
+use crate::brief::{Group, Rel};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-
-/// How a thing usually is in a room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// To sit on.
-    Seat,
-    /// With a top that things stand on.
-    Table,
-    /// To store in.
-    Storage,
-    /// To sleep on.
-    Bed,
-    /// Other things on the floor; also what no table knows.
-    Floor,
-    /// On a wall.
-    Wall,
-    /// Under the ceiling.
-    Ceiling,
-    /// On top of something.
-    Top,
-    /// A television, a screen: hangs or stands.
-    Screen,
-    /// Flat on the floor.
-    Flat,
-    /// Lies on seats and beds.
-    Soft,
-    /// Hangs along windows.
-    Drape,
-    /// A way through a wall.
-    Door,
-    /// A view through a wall.
-    Window,
-}
 
 /// A word or words for how a thing looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,52 +16,6 @@ pub enum Look {
     Material,
     /// Anything else.
     Feature,
-}
-
-/// What two things are to each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)]
-pub enum Rel {
-    On,
-    Under,
-    Above,
-    Beside,
-    Near,
-    LeftOf,
-    RightOf,
-    /// On it, in its left or right half.
-    OnLeft,
-    OnRight,
-    /// In its middle.
-    Centre,
-    LongSide,
-    ShortSide,
-    InFrontOf,
-    Behind,
-    Between,
-    Around,
-    Facing,
-    Opposite,
-    Against,
-    Along,
-    In,
-    At,
-    Mounted,
-    Hang,
-    Far,
-    Parallel,
-    Perpendicular,
-    Aligned,
-    Visible,
-    Reachable,
-    /// Beside it at both sides.
-    Sides,
-    /// With its back to it.
-    BackTo,
-    From,
-    Of,
-    To,
-    Than,
 }
 
 /// What a verb does for a sentence.

@@ -2,31 +2,7 @@
 
 use super::number::{area, count, length, unit};
 use super::token::{Kind, Token};
-
-/// How a measure binds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Op {
-    /// So much, exactly.
-    Equal,
-    /// At least.
-    Least,
-    /// At most.
-    Most,
-}
-
-/// Which of a thing's measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Dim {
-    Width,
-    Height,
-    Depth,
-    Length,
-    Across,
-    Ceiling,
-    /// No measure of it, but how high above the floor it is.
-    Elevation,
-}
+use crate::brief::{Dim, Op};
 
 /// A measure.
 #[derive(Clone, Debug, PartialEq)]

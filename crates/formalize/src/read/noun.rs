@@ -1,10 +1,11 @@
 //! Noun phrases: "two low oak side tables", "each of the desks", "the back wall", "the meeting room", "it".
 
 use super::chunk::{Dims, add_look, look_at};
-use super::lexicon::{Class, Group, Look, get, plural, singular};
-use super::measure::{Dim, measure};
+use super::lexicon::{Class, Look, get, plural, singular};
+use super::measure::measure;
 use super::number;
 use super::token::{Kind as TokenKind, Token};
+use crate::brief::{Dim, Group, Place};
 use crate::draft;
 use ahead::*;
 
@@ -42,25 +43,6 @@ pub enum Kind {
     Abstract,
     /// "it", "they", "both".
     Pronoun,
-}
-
-/// A place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Place {
-    Wall,
-    Corner,
-    Ceiling,
-    Floor,
-    Middle,
-    Side,
-    End,
-    Head,
-    Foot,
-    Back,
-    Front,
-    Row,
-    Circle,
 }
 
 /// A noun phrase.

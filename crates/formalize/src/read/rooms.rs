@@ -2,10 +2,10 @@
 //! to, or is what a sentence is about. "The door to the garden" makes no garden.
 
 use super::chunk::{Chunk, Piece};
-use super::lexicon::{Rel, Verb, get};
-use super::noun::{Det, Kind, Place};
-use super::scene::Room;
+use super::lexicon::{Verb, get};
+use super::noun::{Det, Kind};
 use super::token::Token;
+use crate::brief::{Place, Rel, Room, Source};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -102,7 +102,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             && (!either || titled(chunks, i))
         {
             out.spoken.insert(i, out.rooms.len());
-            out.rooms.push(Room { name: np.name(), at: bytes(chunk), ..Room::default() });
+            out.rooms.push(Room { name: np.name(), source: Source::Stated(bytes(chunk)), ..Room::default() });
         } else if !either {
             weak.push((i, np.name()));
         }
@@ -112,7 +112,9 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let pick =
             loose.iter().find(|(_, n)| n != "room" && n != "space" && n != "place").or(loose.first()).or(weak.first());
         let room = match pick {
-            Some((i, name)) => Room { name: name.clone(), at: bytes(&chunks[*i]), ..Room::default() },
+            Some((i, name)) => {
+                Room { name: name.clone(), source: Source::Stated(bytes(&chunks[*i])), ..Room::default() }
+            }
             None => Room { name: "room".into(), ..Room::default() },
         };
         out.rooms.push(room);

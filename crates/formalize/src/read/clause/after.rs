@@ -6,9 +6,9 @@ impl Reader<'_> {
     /// What a second mention adds.
     pub(super) fn more_of(&mut self, id: usize, np: &Np) {
         let look = np.look.clone();
-        let item = &mut self.scene.items[id];
-        if item.count.is_none() && np.count.is_some() {
-            item.count = np.count;
+        let item = &mut self.brief.things[id];
+        if let (None, Some(n)) = (item.number.said(), np.count) {
+            item.number = Number::Exactly(n);
         }
         item.take_dims(&np.dims);
         if np.det != Det::None {
@@ -24,10 +24,10 @@ impl Reader<'_> {
     pub(super) fn for_each(&mut self, k: usize, end: usize, id: usize, group: &[usize]) -> usize {
         let Some(np) = self.np(k, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
         let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[k].at.start].is("per") {
-            self.scene.find(np, self.room)
+            self.find(np)
         } else {
             let ends = matches!(self.piece(k + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
-            let many = |o: &&usize| **o != id && self.scene.items[**o].many;
+            let many = |o: &&usize| **o != id && self.brief.things[**o].number.many();
             let lists = || group.iter().rev().chain(self.main.iter()).chain(self.before.iter());
             let each = np.kind == Kind::Pronoun && np.words.first().is_some_and(|w| w == "each");
             if each && ends { lists().find(many).copied() } else { None }
@@ -58,10 +58,10 @@ impl Reader<'_> {
                 // "a block of wood"
                 Some(Piece::Rel(Rel::Of))
                     if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
-                        && self.scene.items[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
+                        && self.brief.things[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
                 {
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.scene.items[id].of = Some(format!("of {}", text.join(" ")));
+                    self.brief.things[id].of = Some(format!("of {}", text.join(" ")));
                     self.mark(k);
                 }
                 Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
@@ -75,10 +75,10 @@ impl Reader<'_> {
                     // "a bowl of mints", "a stack of books"
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
                     let name = text.join(" ");
-                    let head = self.scene.items[id].words.last().cloned().unwrap_or_default();
+                    let head = self.brief.things[id].words.last().cloned().unwrap_or_default();
                     if get().is(&head, Class::Holder) && self.np(k + 1, end).is_some_and(|n| n.count.is_none()) {
                         // "a jar of honey", "a bar of soap"
-                        let item = &mut self.scene.items[id];
+                        let item = &mut self.brief.things[id];
                         item.of = Some(format!("of {name}"));
                         if get().is(&head, Class::Portion) && matches!(item.group, Group::Floor | Group::Table) {
                             item.group = Group::Top;
@@ -89,14 +89,14 @@ impl Reader<'_> {
                         continue;
                     }
                     let heap =
-                        self.scene.items[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
+                        self.brief.things[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
                     match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
                         // "a stack of beer mats"
                         Some(np) => {
                             let words = np.words.clone();
-                            self.scene.items[id].words.splice(0..0, words);
+                            self.brief.things[id].words.splice(0..0, words);
                         }
-                        None => self.scene.items[id].look.features.push(format!("of {name}")),
+                        None => self.brief.things[id].look.features.push(format!("of {name}")),
                     }
                     self.mark(k);
                     self.mark(k + 1);
@@ -110,8 +110,8 @@ impl Reader<'_> {
                 {
                     let mut dims = Vec::new();
                     crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
-                    let whole = self.scene.whole(id);
-                    self.scene.items[whole].take_dims(&dims);
+                    let whole = self.brief.whole(id);
+                    self.brief.things[whole].take_dims(&dims);
                     self.mark(k);
                 }
                 Some(Piece::Comma) if self.part_here(k + 1, end).is_some() => {
@@ -123,7 +123,7 @@ impl Reader<'_> {
                         self.add_look(&[id], &crate::draft::Look { features: vec![], ..look });
                     }
                     let text: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
-                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.brief.things[id].look.features.push(text.join(" "));
                     (k + 1..to).for_each(|c| self.mark(c));
                     k = to;
                     continue;
@@ -141,7 +141,7 @@ impl Reader<'_> {
                     // "(white tops, grey steel frames)"
                     self.add_look(&[id], &np.look.clone());
                     let text: Vec<&str> = self.chunks[k].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.brief.things[id].look.features.push(text.join(" "));
                     self.mark(k);
                 }
                 Some(Piece::With)
@@ -159,7 +159,7 @@ impl Reader<'_> {
                 }
                 // "palms in black pots", "a picture in a gold frame"
                 Some(Piece::Rel(Rel::In))
-                    if matches!(self.scene.items[id].group, Group::Floor | Group::Wall)
+                    if matches!(self.brief.things[id].group, Group::Floor | Group::Wall)
                         && self.np(k + 1, end).is_some_and(|n| {
                             matches!(n.head().as_str(), "pot" | "planter" | "tub" | "frame" | "flower pot" | "case")
                                 && matches!(n.det, Det::None | Det::Indefinite)
@@ -169,7 +169,7 @@ impl Reader<'_> {
                     let text: Vec<&str> = (self.chunks[k].at.start..self.chunks[k + 1].at.end)
                         .map(|t| self.tokens[t].text.as_str())
                         .collect();
-                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.brief.things[id].look.features.push(text.join(" "));
                     self.mark(k);
                     self.mark(k + 1);
                     k += 1;
@@ -182,7 +182,7 @@ impl Reader<'_> {
                     let np = (k + 1..end).find(|n| self.np(*n, end).is_some()).unwrap_or(k);
                     let words = self.tokens[self.chunks[k].at.start..self.chunks[np].at.end].iter();
                     let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
-                    self.scene.items[id].look.features.push(text.join(" "));
+                    self.brief.things[id].look.features.push(text.join(" "));
                     (k..=np).for_each(|c| self.mark(c));
                     k = np;
                 }
@@ -214,17 +214,20 @@ impl Reader<'_> {
         // "heat lamps over the pass - four": of the lamps.
         let definite = self.chunks[first - 1].np().is_some_and(|np| !matches!(np.det, Det::None | Det::Number));
         let subject = self.main.first().copied().filter(|_| definite && self.s.subject).unwrap_or(id);
-        let item = &mut self.scene.items[subject];
+        let item = &mut self.brief.things[subject];
         let free = item.part.is_none()
-            && item.per.is_none()
-            && if definite { item.many && item.count.is_none() } else { item.count.is_none_or(|c| c == 1) };
+            && !item.number.follows()
+            && if definite {
+                item.number.many() && item.number.said().is_none()
+            } else {
+                item.number.said().is_none_or(|c| c == 1)
+            };
         if !said || !free || n == 0 {
             return None;
         }
-        item.count = Some(n.min(crate::read::scene::MOST_COUNT));
-        let at = item.at.clone();
-        self.scene.notes.extend(crate::read::counts::said(n as f64).map(|why| (at, why)));
-        item.many = n > 1;
+        item.number = Number::Exactly(n.min(MOST_COUNT));
+        let at = item.source.at();
+        self.brief.notes.extend(crate::read::counts::said(n as f64).map(|reason| Note { at, reason }));
         self.mark(k + 1);
         Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
     }
@@ -237,7 +240,7 @@ impl Reader<'_> {
             let at = self.bytes(k..k + 1);
             // "no blorbing" rules out nothing that could be there.
             if np.known || !np.words.last().is_some_and(|w| w.ends_with("ing")) {
-                self.scene.absent.push((np.name(), at));
+                self.brief.absent.push((np.name(), at));
                 self.mark(k);
             }
             k += 1;
@@ -257,7 +260,7 @@ impl Reader<'_> {
         }
         // Where it must not be says nothing more; one that must not be there is none that must not be at all.
         if matches!(self.piece(k, end), Some(Piece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near))) {
-            self.scene.absent.pop();
+            self.brief.absent.pop();
         }
         while k < end && !matches!(self.chunks[k].piece, Piece::Comma | Piece::And) {
             self.mark(k);

@@ -13,7 +13,7 @@ impl Reader<'_> {
         }
         if m.area {
             let room = self.room;
-            self.scene.rooms[room].area = Some(m.values[0]);
+            self.brief.rooms[room].area = Some(m.values[0]);
             return i + 1;
         }
         if m.dims.contains(&Dim::Elevation) {
@@ -89,8 +89,8 @@ impl Reader<'_> {
                     self.say(&of, What::Height(m.op, m.values[0]));
                 } else if !of.is_empty() && !m.said {
                     for o in of {
-                        let o = self.scene.whole(o);
-                        self.scene.items[o].take_dims(&[(Dim::Length, m.values[0])]);
+                        let o = self.brief.whole(o);
+                        self.brief.things[o].take_dims(&[(Dim::Length, m.values[0])]);
                     }
                 } else {
                     self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
@@ -126,7 +126,7 @@ impl Reader<'_> {
         while k < end {
             if let Some(np) = self.np(k, end)
                 && np.kind == Kind::Thing
-                && let Some(id) = self.scene.find(np, self.room)
+                && let Some(id) = self.find(np)
             {
                 items.push(id);
                 self.mark(k);
@@ -138,9 +138,11 @@ impl Reader<'_> {
         match items.as_slice() {
             [] => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
             [one] => {
-                let door = self.scene.items.iter().position(|it| it.group == Group::Door);
+                let door = self.brief.things.iter().position(|it| it.group == Group::Door);
                 match door {
-                    _ if self.scene.items[*one].many => self.say(&[*one], What::Among(Op::Least, m.values[0])),
+                    _ if self.brief.things[*one].number.many() => {
+                        self.say(&[*one], What::Among(Op::Least, m.values[0]))
+                    }
                     Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
                     _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                 }
@@ -166,7 +168,7 @@ impl Reader<'_> {
         if of_room || self.near.is_empty() && self.main.is_empty() && !self.s.subject && self.before.is_empty() {
             let room = self.s.rooms.last().copied().filter(|_| self.s.room_last).unwrap_or(self.room);
             // What was said first stands: "1 m by 1 m" later on is of something else.
-            let size = self.scene.rooms[room].size;
+            let size = self.brief.rooms[room].size;
             let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
             for (dim, value) in dims.into_iter().filter(|_| !whole && !limit) {
                 self.room_dim(room, dim, value);
@@ -191,8 +193,8 @@ impl Reader<'_> {
             self.say(&of, What::Size(dim, op, dims[0].1));
         } else {
             for o in of {
-                let o = self.scene.whole(o);
-                self.scene.items[o].take_dims(&dims);
+                let o = self.brief.whole(o);
+                self.brief.things[o].take_dims(&dims);
             }
         }
     }
@@ -228,7 +230,7 @@ impl Reader<'_> {
         // "the exits are to be kept clear to a depth of 1.2 m"
         let ends = matches!(self.piece(k, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
         if ends && self.s.subject && self.s.keep && !self.s.path {
-            let passage = self.main.iter().all(|o| self.scene.items[*o].opening());
+            let passage = self.main.iter().all(|o| self.brief.things[*o].opening());
             let depth = match self.s.pending.take() {
                 Some(m) => Some(m.values[0]),
                 None => passage.then_some(CLEAR),
@@ -303,9 +305,9 @@ impl Reader<'_> {
     pub(super) fn rows(&mut self, m: &Measure) {
         let op = min_if_keep(&Measure { op: flip(m, self.s.not || self.s.nothing), ..m.clone() }, true);
         let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
-        let many = of.iter().copied().find(|o| self.scene.items[*o].many);
+        let many = of.iter().copied().find(|o| self.brief.things[*o].number.many());
         let rows =
-            self.scene.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
+            self.brief.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
         if let Some(item) = rows.or(many) {
             self.say(&[item], What::Rows(op, m.values[0]));
         }
@@ -326,21 +328,21 @@ impl Reader<'_> {
     /// "Two doors: the main door …, the back door …": the two are those.
     fn listed_one_by_one(&mut self) {
         let start = self.s.at.start;
-        let new = |i: &usize| self.scene.items[*i].at.start >= start && self.scene.items[*i].part.is_none();
-        let mut items = (0..self.scene.items.len()).filter(new);
-        let Some(first) = items.next().filter(|i| self.scene.items[*i].many) else { return };
-        let item = &self.scene.items[first];
+        let new = |i: &usize| self.brief.things[*i].source.at().start >= start && self.brief.things[*i].part.is_none();
+        let mut items = (0..self.brief.things.len()).filter(new);
+        let Some(first) = items.next().filter(|i| self.brief.things[*i].number.many()) else { return };
+        let item = &self.brief.things[first];
         let colon = self
             .chunks
             .iter()
-            .find(|c| self.tokens[c.at.start].at.start >= item.at.end)
+            .find(|c| self.tokens[c.at.start].at.start >= item.source.at().end)
             .is_some_and(|c| c.piece == Piece::Colon);
-        let (last, count) = (item.words.last().cloned(), item.count);
+        let (last, count) = (item.words.last().cloned(), item.number.said());
         let others: Vec<usize> = items.collect();
-        let named: usize = others.iter().map(|o| self.scene.items[*o].count.unwrap_or(0)).sum();
-        let like = others.iter().all(|o| self.scene.items[*o].words.last() == last.as_ref());
+        let named: usize = others.iter().map(|o| self.brief.things[*o].number.said().unwrap_or(0)).sum();
+        let like = others.iter().all(|o| self.brief.things[*o].words.last() == last.as_ref());
         if colon && like && !others.is_empty() && Some(named) == count {
-            self.scene.gone.push(first);
+            self.gone.push(first);
         }
     }
 
@@ -357,8 +359,8 @@ impl Reader<'_> {
         if let Some((rel, to)) = self.s.shared.take() {
             let bare = |i: &usize| {
                 self.small(*i, &to)
-                    && self.scene.items[*i].group != Group::Wall
-                    && !self.scene.facts.iter().any(|f| f.of.contains(i))
+                    && self.brief.things[*i].group != Group::Wall
+                    && !self.brief.facts.iter().any(|f| f.of.contains(i))
             };
             let of: Vec<usize> = self.main.iter().copied().filter(bare).collect();
             self.relate(&of, rel, &to);
@@ -369,7 +371,7 @@ impl Reader<'_> {
     fn framed(&mut self) {
         let Some(to) = self.s.frame.take() else { return };
         let carried = |i: usize| {
-            self.scene.facts.iter().any(|f| {
+            self.brief.facts.iter().any(|f| {
                 let place = matches!(
                     f.what,
                     What::Place(..)
@@ -379,12 +381,13 @@ impl Reader<'_> {
             })
         };
         let related = |i: usize| {
-            self.scene.facts.iter().any(|f| {
-                f.at == self.s.at && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
+            self.brief.facts.iter().any(|f| {
+                f.source.at() == self.s.at
+                    && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
             })
         };
-        let of: Vec<usize> = (0..self.scene.items.len())
-            .filter(|i| self.small(*i, &to) && self.scene.items[*i].part.is_none() && !carried(*i) && related(*i))
+        let of: Vec<usize> = (0..self.brief.things.len())
+            .filter(|i| self.small(*i, &to) && self.brief.things[*i].part.is_none() && !carried(*i) && related(*i))
             .collect();
         for item in of {
             self.relate(&[item], Rel::On, &to);
@@ -393,9 +396,9 @@ impl Reader<'_> {
 
     /// Whether a thing of this sentence is small enough to stand on others.
     fn small(&self, i: usize, to: &[usize]) -> bool {
-        let item = &self.scene.items[i];
-        let [w, _, d] = crate::read::sizes::usual(item.group, &item.words);
-        item.at.start >= self.s.at.start
+        let item = &self.brief.things[i];
+        let [w, _, d] = crate::sizes::usual(item.group, &item.words);
+        item.source.at().start >= self.s.at.start
             && !to.contains(&i)
             && matches!(item.group, Group::Top | Group::Floor | Group::Soft | Group::Wall)
             && w * d < if item.group == Group::Wall { 0.05 } else { 0.3 }

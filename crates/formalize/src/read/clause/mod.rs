@@ -1,16 +1,20 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
-use crate::read::chunk::{Chunk, Pattern, Piece};
-use crate::read::lexicon::{Class, Group, Rel, Verb, get};
-use crate::read::measure::{Dim, Measure, Op};
-use crate::read::noun::{Det, Kind, Np, Nth, Place};
+use crate::brief::{
+    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Rel, Side, Source, Thing,
+    What,
+};
+use crate::read::chunk::{Chunk, Piece};
+use crate::read::lexicon::{Class, Verb, get};
+use crate::read::measure::Measure;
+use crate::read::noun::{Det, Kind, Np, Nth};
 use crate::read::rooms::Rooms;
-use crate::read::scene::{MOST_ITEMS, Pick, Scene, Side, What};
 use crate::read::token::Token;
 use std::ops::Range;
 
 mod after;
 mod measures;
+mod mention;
 mod relations;
 mod things;
 mod verbs;
@@ -51,7 +55,9 @@ pub struct Reader<'a> {
     chunks: &'a [Chunk],
     rooms: &'a Rooms,
     /// What was read.
-    pub scene: Scene,
+    pub brief: Brief,
+    /// Things that were taken back: "no, forget the carpet".
+    pub gone: Vec<usize>,
     /// For every token, whether something came of it.
     pub used: Vec<bool>,
     room: usize,
@@ -161,13 +167,14 @@ enum Lead {
 impl<'a> Reader<'a> {
     /// A reader of a text; nothing is read yet.
     pub fn new(tokens: &'a [Token], chunks: &'a [Chunk], rooms: &'a Rooms) -> Self {
-        let scene = Scene { rooms: rooms.rooms.clone(), ..Scene::default() };
+        let brief = Brief { rooms: rooms.rooms.clone(), ..Brief::default() };
         let s = Sentence::new(0..0);
         Self {
             tokens,
             chunks,
             rooms,
-            scene,
+            brief,
+            gone: vec![],
             used: vec![false; tokens.len()],
             room: 0,
             about_room: true,
@@ -375,7 +382,7 @@ impl<'a> Reader<'a> {
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
-        let r = &mut self.scene.rooms[room];
+        let r = &mut self.brief.rooms[room];
         for f in &np.look.features {
             match f.as_str() {
                 "octagonal" => r.corners = Some(8),
@@ -391,7 +398,7 @@ impl<'a> Reader<'a> {
     }
 
     fn room_dim(&mut self, room: usize, dim: Dim, value: f64) {
-        let size = &mut self.scene.rooms[room].size;
+        let size = &mut self.brief.rooms[room].size;
         match dim {
             Dim::Elevation => {}
             Dim::Width => {
@@ -432,7 +439,7 @@ impl<'a> Reader<'a> {
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
             Piece::With => {
-                let seat = |o: &usize| self.scene.items[*o].group == Group::Seat;
+                let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
                 let with_back = self.np(i + 1, end).is_some_and(|n| {
                     n.kind == Kind::Thing
                         && n.count.is_none()
@@ -474,17 +481,18 @@ impl<'a> Reader<'a> {
                     return i + 1;
                 }
                 let of = self.subject(i);
-                let one = |l: &[usize]| l.len() == 1 && self.scene.count(l[0]) == 1 && !self.scene.items[l[0]].many;
+                let one =
+                    |l: &[usize]| l.len() == 1 && self.brief.count(l[0]) == 1 && !self.brief.things[l[0]].number.many();
                 let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
                 // "a bed along the wall and a dresser next to each other"
                 let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
-                let new = |o: &&usize| self.scene.items[**o].at.start >= self.s.at.start;
+                let new = |o: &&usize| self.brief.things[**o].source.at().start >= self.s.at.start;
                 let of = match self.before.last().filter(new) {
                     Some(other) if two && one(&of) => vec![*other, of[0]],
                     _ => of,
                 };
                 let (soft, at) = (self.s.soft, self.s.at.clone());
-                self.scene.say(&of, What::Pattern(*pattern), soft, false, at);
+                self.state(&of, What::Pattern(*pattern), soft, false, at);
                 i + 1
             }
             Piece::Comma | Piece::Which => {
@@ -505,9 +513,9 @@ impl<'a> Reader<'a> {
                 }
                 let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
                 if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
-                    let item = &mut self.scene.items[self.near[0]];
-                    if item.many {
-                        item.count = Some(n);
+                    let item = &mut self.brief.things[self.near[0]];
+                    if item.number.many() {
+                        item.number = Number::Exactly(n);
                     }
                     self.mark(i + 1);
                     return i + 2;
@@ -541,13 +549,13 @@ impl<'a> Reader<'a> {
                     (self.number_at(i, end), self.piece(i + 1, end), owner)
                 {
                     self.s.one = true;
-                    let owner = self.scene.find(owner, self.room);
+                    let owner = self.find(owner);
                     let of = self.main.last().copied().filter(|o| Some(*o) != owner);
-                    if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.scene.items[o]))
-                        && item.many
-                        && item.count.is_none()
+                    if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.brief.things[o]))
+                        && item.number.many()
+                        && item.number.said().is_none()
                     {
-                        item.per = Some((owner, n));
+                        item.number = Number::Each { of: owner, number: n };
                     }
                     self.near = self.main.clone();
                     self.mark(i);
@@ -557,9 +565,9 @@ impl<'a> Reader<'a> {
                 let in_number = self.tokens.get(at).is_some_and(|t| t.is("in"))
                     && self.tokens.get(at + 1).is_some_and(|t| t.is("number"));
                 if let (Some(n), true, [item]) = (self.number_at(i, end), in_number, self.main.as_slice()) {
-                    let item = &mut self.scene.items[*item];
-                    if item.many && item.count.is_none() && n > 0 {
-                        item.count = Some(n);
+                    let item = &mut self.brief.things[*item];
+                    if item.number.many() && item.number.said().is_none() && n > 0 {
+                        item.number = Number::Exactly(n);
                         self.mark(i);
                     }
                 }
@@ -567,9 +575,9 @@ impl<'a> Reader<'a> {
                 if let (Some(n), Some(Piece::Pattern(_)), [item]) =
                     (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
                 {
-                    let item = &mut self.scene.items[*item];
-                    if item.many && item.count.is_none() && n > 1 {
-                        item.count = Some(n);
+                    let item = &mut self.brief.things[*item];
+                    if item.number.many() && item.number.said().is_none() && n > 1 {
+                        item.number = Number::Exactly(n);
                         self.mark(i);
                     }
                     self.near = self.main.clone();
@@ -589,9 +597,9 @@ impl<'a> Reader<'a> {
                     "forget" | "scrap" | "skip" | "omit" | "cancel" => {
                         let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
                         if let Some(np) = np {
-                            self.scene.gone.extend(self.scene.find(np, self.room));
+                            self.gone.extend(self.find(np));
                             let at = self.bytes(i + 1..i + 2);
-                            self.scene.absent.push((np.name(), at));
+                            self.brief.absent.push((np.name(), at));
                             self.mark(i);
                             self.mark(i + 1);
                             return i + 2;
@@ -630,7 +638,7 @@ impl<'a> Reader<'a> {
 
     fn add_look(&mut self, items: &[usize], look: &crate::draft::Look) {
         for i in items {
-            let to = &mut self.scene.items[*i].look;
+            let to = &mut self.brief.things[*i].look;
             match (&to.color, &look.color) {
                 (None, Some(c)) => to.color = Some(c.clone()),
                 (Some(old), Some(c)) if old != c => to.features.push(c.clone()),
@@ -713,7 +721,7 @@ impl<'a> Reader<'a> {
             (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
         if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
             let feature = format!("with {}", text.join(" "));
-            self.scene.items[*item].look.features.push(feature);
+            self.brief.things[*item].look.features.push(feature);
             (i..to).for_each(|k| self.mark(k));
         }
         to

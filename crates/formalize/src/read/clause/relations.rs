@@ -51,7 +51,7 @@ impl Reader<'_> {
         // "knives go on a magnetic strip on the wall": the strip is on the wall.
         let led = match self.s.lead.last() {
             Some((_, Lead::Items(items, _))) if !self.s.subject && self.s.verb && chunks[i - 1].np().is_some() => {
-                items.iter().all(|o| self.scene.items[*o].at.start >= self.s.at.start)
+                items.iter().all(|o| self.brief.things[*o].source.at().start >= self.s.at.start)
             }
             _ => false,
         };
@@ -96,13 +96,15 @@ impl Reader<'_> {
                         let fresh: Vec<usize> = of
                             .iter()
                             .copied()
-                            .filter(|o| self.scene.items[*o].at.start >= self.s.at.start && !items.contains(o))
+                            .filter(|o| {
+                                self.brief.things[*o].source.at().start >= self.s.at.start && !items.contains(o)
+                            })
                             .collect();
                         self.multiply(&fresh, items[0]);
                     }
                     if negative {
                         let (soft, at) = (self.s.soft, self.s.at.clone());
-                        self.scene.say(&of, What::Rel(rel, items), soft, true, at);
+                        self.state(&of, What::Rel(rel, items), soft, true, at);
                     } else {
                         let rel = if self.sides(i) && rel == Rel::Beside {
                             self.double();
@@ -110,7 +112,8 @@ impl Reader<'_> {
                         } else {
                             rel
                         };
-                        let fresh = items.iter().all(|o| self.scene.items[*o].at.start >= self.bytes(i..i + 1).start);
+                        let fresh =
+                            items.iter().all(|o| self.brief.things[*o].source.at().start >= self.bytes(i..i + 1).start);
                         self.drop_usual(&of);
                         self.relate(&of, rel, &items);
                         // "a lamp on a table next to the sofa": the table is next to the sofa.
@@ -163,9 +166,9 @@ impl Reader<'_> {
             Kind::Thing => {
                 // "between two tables": any two of those there are.
                 let two = np.count == Some(2) && np.det == Det::Number && rel == Rel::Between;
-                let known = self.scene.find(np, self.room).filter(|f| {
-                    let item = &self.scene.items[*f];
-                    two && item.many && item.words == np.words && item.room == self.room
+                let known = self.find(np).filter(|f| {
+                    let item = &self.brief.things[*f];
+                    two && item.number.many() && item.words == np.words && item.room == self.room
                 });
                 let id = match known {
                     Some(id) => id,
@@ -250,7 +253,7 @@ impl Reader<'_> {
                     Place::Foot | Place::Front => Rel::InFrontOf,
                     Place::Back => Rel::Behind,
                     Place::Side if rel == Rel::On && np.words.first().is_some_and(|w| w == "edge") => Rel::On,
-                    Place::Middle if items.iter().all(|o| self.scene.items[*o].group == Group::Table) => Rel::On,
+                    Place::Middle if items.iter().all(|o| self.brief.things[*o].group == Group::Table) => Rel::On,
                     _ => of_length(&np.which).or_else(|| of_length(&np.look.features)).unwrap_or(Rel::Beside),
                 });
                 Some((Lead::Items(items, false), k + 1))
@@ -304,7 +307,7 @@ impl Reader<'_> {
                         };
                         if rel.is_some() {
                             let carries = !matches!(
-                                self.scene.items[id].group,
+                                self.brief.things[id].group,
                                 Group::Seat | Group::Wall | Group::Ceiling | Group::Door | Group::Window
                             );
                             if place == Place::Middle && carries && matches!(said, Rel::At | Rel::In | Rel::On) {
@@ -361,9 +364,9 @@ impl Reader<'_> {
         let of = matches!(self.piece(i + 2, end), Some(Piece::Rel(Rel::Of)));
         let each = if of { self.number_at(i + 3, end) } else { None };
         if let (Some(each), [item]) = (each, self.main.as_slice()) {
-            let item = &mut self.scene.items[*item];
-            if item.many && item.count.is_none() {
-                item.count = Some(n * each);
+            let item = &mut self.brief.things[*item];
+            if item.number.many() && item.number.said().is_none() {
+                item.number = Number::Exactly(n * each);
             }
             self.mark(i + 1);
         }
@@ -373,12 +376,12 @@ impl Reader<'_> {
     /// "the doors", where one was named after the other: all of them.
     fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
         let like = |o: &usize| {
-            let item = &self.scene.items[*o];
-            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.scene.gone.contains(o)
+            let item = &self.brief.things[*o];
+            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.gone.contains(o)
         };
         let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
-        let doors: Vec<usize> = (0..self.scene.items.len()).filter(like).collect();
-        if plain && doors.len() > 1 && !self.scene.items[id].many { doors } else { vec![id] }
+        let doors: Vec<usize> = (0..self.brief.things.len()).filter(like).collect();
+        if plain && doors.len() > 1 && !self.brief.things[id].number.many() { doors } else { vec![id] }
     }
 
     /// "the first row", "the back row": the one in its middle, of what stands in rows here.
@@ -391,11 +394,11 @@ impl Reader<'_> {
             _ if which(&["back", "last", "rear"]) => usize::MAX,
             _ => return None,
         };
-        let rows = |f: &&crate::read::scene::Fact| {
-            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.scene.items[f.of[0]].room == self.room
+        let rows = |f: &&Fact| {
+            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
         };
-        let of = self.scene.facts.iter().rev().find(rows)?.of[0];
-        Some(self.scene.part(of, Pick::Row(row), self.s.at.clone()))
+        let of = self.brief.facts.iter().rev().find(rows)?.of[0];
+        Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
     }
 
     /// Whether a relation says "either side", "both sides".
@@ -408,9 +411,9 @@ impl Reader<'_> {
     /// "round lamps, one for each counter": as many as there are of the other.
     pub(super) fn one_each(&mut self, of: &[usize], owner: usize) {
         for o in of.iter().filter(|o| **o != owner) {
-            let item = &mut self.scene.items[*o];
-            if item.many && item.count.is_none() && item.per.is_none() {
-                item.per = Some((owner, 1));
+            let item = &mut self.brief.things[*o];
+            if item.number.many() && item.number.said().is_none() && !item.number.follows() {
+                item.number = Number::Each { of: owner, number: 1 };
             }
         }
     }
@@ -451,10 +454,9 @@ impl Reader<'_> {
     /// "a nightstand on each side": two of them.
     pub(super) fn double(&mut self) {
         for o in self.near.clone() {
-            let item = &mut self.scene.items[o];
-            if item.count == Some(1) && item.per.is_none() {
-                item.count = Some(2);
-                item.many = true;
+            let item = &mut self.brief.things[o];
+            if item.number == Number::Exactly(1) {
+                item.number = Number::Exactly(2);
             }
         }
     }
@@ -462,7 +464,7 @@ impl Reader<'_> {
     pub(super) fn enter(&mut self, room: usize) {
         // What this sentence has brought in so far is in that room.
         let start = self.s.at.start;
-        for item in self.scene.items.iter_mut().filter(|i| i.at.start >= start) {
+        for item in self.brief.things.iter_mut().filter(|i| i.source.at().start >= start) {
             item.room = room;
         }
         self.room = room;
@@ -479,8 +481,7 @@ impl Reader<'_> {
         }
         let alone =
             matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
-        let known = np.det == Det::Definite
-            || np.det == Det::None && np.count.is_none() && self.scene.find(np, self.room).is_some();
+        let known = np.det == Det::Definite || np.det == Det::None && np.count.is_none() && self.find(np).is_some();
         (alone && known).then_some(k + 1)
     }
 
@@ -491,7 +492,7 @@ impl Reader<'_> {
                 Expect::With(owner, _) => owner.clone(),
                 _ => vec![],
             };
-            let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
             if many(&owner) {
                 return owner;
             }
@@ -502,7 +503,9 @@ impl Reader<'_> {
                     return others;
                 }
             }
-            if let Some(i) = self.recent.iter().rev().find(|i| self.scene.items[**i].many && !subject.contains(i)) {
+            if let Some(i) =
+                self.recent.iter().rev().find(|i| self.brief.things[**i].number.many() && !subject.contains(i))
+            {
                 return vec![*i];
             }
         }
@@ -527,8 +530,8 @@ impl Reader<'_> {
         let small = |l: &[usize]| {
             l.len() > 1
                 || l.iter().any(|i| {
-                    self.scene.items[*i].many
-                        || matches!(self.scene.items[*i].group, Group::Top | Group::Soft | Group::Flat)
+                    self.brief.things[*i].number.many()
+                        || matches!(self.brief.things[*i].group, Group::Top | Group::Soft | Group::Flat)
                 })
         };
         if self.s.subject
@@ -551,7 +554,7 @@ impl Reader<'_> {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
         let many = text.contains(&"them");
         let object = if rel == Rel::Between {
-            let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+            let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
             let list = match &self.s.expect {
                 // "two sofas with a table between them"
                 Expect::With(owner, _) if pair(owner) => owner.clone(),
@@ -627,7 +630,7 @@ impl Reader<'_> {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
             let (soft, at) = (self.s.soft, self.s.at.clone());
-            self.scene.say(&of, What::Rel(rel, object), soft, true, at);
+            self.state(&of, What::Rel(rel, object), soft, true, at);
         } else {
             let sides = self.sides(i);
             if sides {
@@ -636,9 +639,9 @@ impl Reader<'_> {
             if rel == Rel::Between {
                 // "two sofas with a table between them": one table.
                 for o in &of {
-                    let item = &mut self.scene.items[*o];
-                    if item.per.is_some_and(|(owner, n)| n == 1 && object.contains(&owner)) {
-                        (item.per, item.count, item.many) = (None, Some(1), false);
+                    let item = &mut self.brief.things[*o];
+                    if matches!(item.number, Number::Each { of, number: 1 } if object.contains(&of)) {
+                        item.number = Number::Exactly(1);
                     }
                 }
             }
@@ -686,10 +689,10 @@ impl Reader<'_> {
     pub(super) fn drop_usual(&mut self, of: &[usize]) {
         if let Expect::With(owner, Join::Usual) = &self.s.expect {
             let at = &self.s.at;
-            self.scene.facts.retain(|f| {
+            self.brief.facts.retain(|f| {
                 !(f.of.len() == 1
                     && of.contains(&f.of[0])
-                    && f.at == *at
+                    && f.source.at() == *at
                     && matches!(&f.what, What::Rel(_, o) if o == owner)
                     && !f.not)
             });
@@ -700,15 +703,15 @@ impl Reader<'_> {
     pub(super) fn relate(&mut self, of: &[usize], rel: Rel, to: &[usize]) {
         let of: Vec<usize> = of.iter().copied().filter(|o| !to.contains(o) || to.len() == 1 && of.len() == 1).collect();
         // "sunlight streams through a window onto a table": windows are on nothing.
-        let opening = matches!(rel, Rel::On | Rel::In) && of.iter().all(|o| self.scene.items[*o].opening());
+        let opening = matches!(rel, Rel::On | Rel::In) && of.iter().all(|o| self.brief.things[*o].opening());
         if of.is_empty() || opening {
             return;
         }
         // Nothing lies on what lies on it.
-        let back = |f: &crate::read::scene::Fact| matches!(&f.what, What::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
+        let back = |f: &Fact| matches!(&f.what, What::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
         if of == to
             || matches!(rel, Rel::On | Rel::Under | Rel::In | Rel::Above)
-                && self.scene.facts.iter().rev().take(8).any(back)
+                && self.brief.facts.iter().rev().take(8).any(back)
         {
             return;
         }
@@ -730,7 +733,7 @@ impl Reader<'_> {
                 Expect::With(owner, _) if !owner.is_empty() => owner.clone(),
                 _ => self.before.clone(),
             };
-            let table = |o: &usize| !of.contains(o) && self.scene.items[*o].group == Group::Table;
+            let table = |o: &usize| !of.contains(o) && self.brief.things[*o].group == Group::Table;
             let owner: Vec<usize> = owner.into_iter().filter(table).collect();
             if !owner.is_empty() {
                 return self.relate(of, side, &owner);
@@ -749,9 +752,9 @@ impl Reader<'_> {
         if place == Place::Corner && which.iter().any(|w| w == "each") {
             // "speakers in every corner": rooms have four.
             for o in of {
-                let item = &mut self.scene.items[*o];
-                if item.many && item.count.is_none() {
-                    item.count = Some(4);
+                let item = &mut self.brief.things[*o];
+                if item.number.many() && item.number.said().is_none() {
+                    item.number = Number::Exactly(4);
                 }
             }
         }

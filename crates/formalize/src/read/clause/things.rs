@@ -60,7 +60,7 @@ impl Reader<'_> {
             k += 1;
         }
         if surface && let Some(Piece::Attr(look)) = self.piece(k, end) {
-            let room = &mut self.scene.rooms[self.room];
+            let room = &mut self.brief.rooms[self.room];
             match place {
                 Place::Wall => room.walls = look.clone(),
                 Place::Floor => room.floor = look.clone(),
@@ -136,11 +136,11 @@ impl Reader<'_> {
         }
         match rooms.as_slice() {
             [a, b, ..] if a != b => self.connect(*a, *b),
-            [a] if self.scene.rooms.len() > 1 && *a != self.s.from => {
+            [a] if self.brief.rooms.len() > 1 && *a != self.s.from => {
                 let from = self.s.from;
                 self.connect(from, *a);
             }
-            [] | [_] if self.scene.rooms.len() == 2 => self.connect(0, 1),
+            [] | [_] if self.brief.rooms.len() == 2 => self.connect(0, 1),
             _ => {}
         }
     }
@@ -148,14 +148,14 @@ impl Reader<'_> {
     pub(super) fn connect(&mut self, from: usize, to: usize) {
         let start = self.s.at.start;
         let said = self
-            .scene
-            .items
+            .brief
+            .things
             .iter()
-            .rposition(|it| it.group == Group::Door && it.at.start >= start && it.part.is_none());
-        let again = self.recent.last().copied().filter(|r| self.scene.items[*r].group == Group::Door);
-        let again = again.map(|r| self.scene.whole(r));
+            .rposition(|it| it.group == Group::Door && it.source.at().start >= start && it.part.is_none());
+        let again = self.recent.last().copied().filter(|r| self.brief.things[*r].group == Group::Door);
+        let again = again.map(|r| self.brief.whole(r));
         if let Some(door) = said.or(again) {
-            let item = &mut self.scene.items[door];
+            let item = &mut self.brief.things[door];
             if item.room == to {
                 item.room = from;
             }
@@ -176,15 +176,14 @@ impl Reader<'_> {
             && each_next.is_none()
         {
             // "four of them"
-            let it = &mut self.scene.items[*item];
-            if it.many && it.count.is_none() {
-                it.count = Some(n);
+            let it = &mut self.brief.things[*item];
+            if it.number.many() && it.number.said().is_none() {
+                it.number = Number::Exactly(n);
                 self.mark(i);
             }
         }
         if let (Some(1), Some(k)) = (np.count, each_next)
-            && let (Some(owner), Some(of)) =
-                (self.np(k, end).and_then(|np| self.scene.find(np, self.room)), self.main.first().copied())
+            && let (Some(owner), Some(of)) = (self.np(k, end).and_then(|np| self.find(np)), self.main.first().copied())
         {
             // "one for each counter"
             self.one_each(&[of], owner);
@@ -196,7 +195,7 @@ impl Reader<'_> {
         if !matches!(self.s.expect, Expect::Object(_))
             && let Some(part) = self.dealt(i, end, np)
         {
-            if self.main.first().is_some_and(|m| self.scene.items[*m].part.is_none()) {
+            if self.main.first().is_some_and(|m| self.brief.things[*m].part.is_none()) {
                 self.before = std::mem::take(&mut self.main);
             }
             self.main = vec![part];
@@ -227,11 +226,11 @@ impl Reader<'_> {
         if matches!(word, "each" | "both" | "all" | "these" | "those" | "ones") || np.det == Det::Each {
             self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
             if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
-                let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.scene.items[*i].many);
+                let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
                 if self.main.is_empty() {
                     self.main = dir;
                 } else if !many(&self.main)
-                    && let Some(last) = self.recent.iter().rev().find(|r| self.scene.items[**r].many)
+                    && let Some(last) = self.recent.iter().rev().find(|r| self.brief.things[**r].number.many())
                 {
                     self.main = vec![*last];
                 }
@@ -291,13 +290,13 @@ impl Reader<'_> {
 
     /// The things that "them" stands for.
     pub(super) fn them(&self) -> Vec<usize> {
-        let many = |list: &[usize]| list.len() > 1 || list.first().is_some_and(|i| self.scene.items[*i].many);
+        let many = |list: &[usize]| list.len() > 1 || list.first().is_some_and(|i| self.brief.things[*i].number.many());
         for list in [&self.main, &self.before] {
             if many(list) {
                 return list.clone();
             }
         }
-        if let Some(i) = self.recent.iter().rev().find(|i| self.scene.items[**i].many) {
+        if let Some(i) = self.recent.iter().rev().find(|i| self.brief.things[**i].number.many()) {
             return vec![*i];
         }
         self.it()
@@ -305,28 +304,28 @@ impl Reader<'_> {
 
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
-        let found = self.scene.find(np, self.room);
+        let found = self.find(np);
         if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
             return Some(part);
         }
         // "the window", in a room that has spoken of none: its own.
         let plain = np.words.len() == 1 && matches!(np.group, Some(Group::Window)) && np.det != Det::Each;
         let here = |f: &usize| {
-            let item = &self.scene.items[*f];
+            let item = &self.brief.things[*f];
             !plain || item.room == self.room || item.beyond == Some(self.room)
         };
         let found = found.filter(here);
         let exact = found.filter(|f| {
-            let item = &self.scene.items[*f];
+            let item = &self.brief.things[*f];
             item.words == np.words && (np.look.color.is_none() || item.look.color == np.look.color)
         });
-        let counted = |f: &usize| np.count.is_none_or(|n| self.scene.items[*f].count.is_none_or(|m| m >= n));
+        let counted = |f: &usize| np.count.is_none_or(|n| self.brief.things[*f].number.said().is_none_or(|m| m >= n));
         let again = match np.det {
             Det::Definite | Det::Own => found.filter(|f| counted(f)),
             Det::Each | Det::No => found,
             Det::None if np.count.is_none() => {
                 let plain = object || self.s.keep || self.s.pending.is_some();
-                let here = |f: &usize| plain || self.scene.items[*f].room == self.room;
+                let here = |f: &usize| plain || self.brief.things[*f].room == self.room;
                 exact.filter(here).or(found.filter(|_| plain))
             }
             // "on one nightstand", "on a nightstand" where there are two: on one of these. Where there are more,
@@ -334,14 +333,14 @@ impl Reader<'_> {
             Det::Indefinite | Det::Number if object && np.count.unwrap_or(1) == 1 && !np.many => {
                 let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
                 let known = |f: &usize| {
-                    let item = &self.scene.items[*f];
-                    let of_these = np.det == Det::Number || item.opening() || item.count == Some(2);
-                    plain && of_these && item.many && item.words == np.words && item.room == self.room
+                    let item = &self.brief.things[*f];
+                    let of_these = np.det == Det::Number || item.opening() || item.number.said() == Some(2);
+                    plain && of_these && item.number.many() && item.words == np.words && item.room == self.room
                 };
                 match found.filter(known) {
                     // "to an exit": any of those there are.
-                    Some(of) if self.scene.items[of].opening() && np.count.is_none() => Some(of),
-                    Some(of) if self.scene.items[of].count.is_some() => self.deal(i, of, 1),
+                    Some(of) if self.brief.things[of].opening() && np.count.is_none() => Some(of),
+                    Some(of) if self.brief.things[of].number.said().is_some() => self.deal(i, of, 1),
                     _ => None,
                 }
             }
@@ -355,8 +354,8 @@ impl Reader<'_> {
 
     /// "the first exit", "two of the chairs": some of what is known.
     fn some_of(&mut self, i: usize, nth: Nth, count: Option<usize>, found: Option<usize>) -> Option<usize> {
-        let of = found.filter(|f| self.scene.items[*f].many)?;
-        let all = self.scene.count(of);
+        let of = found.filter(|f| self.brief.things[*f].number.many())?;
+        let all = self.brief.count(of);
         let pick = match nth {
             Nth::At(n) if n < all => Pick::Run(n, 1),
             Nth::At(_) => return None,
@@ -369,20 +368,20 @@ impl Reader<'_> {
         if nth == Nth::Half {
             self.dealt = Some((of, (all / 2).max(1)));
         }
-        Some(self.scene.part(of, pick, at))
+        Some(self.brief.part(of, pick, at))
     }
 
     /// The next so many of several, if there are so many.
     fn deal(&mut self, i: usize, of: usize, n: usize) -> Option<usize> {
-        let all = self.scene.count(of);
-        let stated = self.scene.items[of].count.is_some() || self.scene.items[of].per.is_some();
+        let all = self.brief.count(of);
+        let stated = self.brief.things[of].number.said().is_some() || self.brief.things[of].number.follows();
         if n == 0 || n >= all && stated {
             return None;
         }
         let from = self.dealt.filter(|d| d.0 == of && d.1 + n <= all).map_or(0, |d| d.1);
         self.dealt = Some((of, from + n));
         let at = self.bytes(i..i + 1);
-        Some(self.scene.part(of, Pick::Run(from, n), at))
+        Some(self.brief.part(of, Pick::Run(from, n), at))
     }
 
     /// "one on the west wall and one on the east wall", "the other two": some of what was spoken of last.
@@ -391,14 +390,14 @@ impl Reader<'_> {
         if np.other && matches!(np.det, Det::Definite | Det::Own) {
             let (of, taken) = self.dealt?;
             let at = self.bytes(i..i + 1);
-            let all = self.scene.count(of);
+            let all = self.brief.count(of);
             let n = np.count.unwrap_or(all.saturating_sub(taken));
             if taken >= all {
                 return None;
             }
             self.dealt = Some((of, taken + n));
             let whole = taken + n >= all;
-            return Some(self.scene.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
+            return Some(self.brief.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
         }
         let n = np.count?;
         let others = self.chunks[i..end]
@@ -414,19 +413,21 @@ impl Reader<'_> {
         if !(of_them || bare) || !goes_on || np.det == Det::Each {
             return None;
         }
-        let many = |o: &usize| self.scene.items[*o].many && self.scene.items[*o].part.is_none();
+        let many = |o: &usize| self.brief.things[*o].number.many() && self.brief.things[*o].part.is_none();
         let known = |o: &usize| self.dealt.is_some_and(|d| d.0 == *o);
-        let last = self.recent.last().filter(|r| self.scene.items[**r].at.start >= self.s.at.start);
+        let last = self.recent.last().filter(|r| self.brief.things[**r].source.at().start >= self.s.at.start);
         let of = [&self.main, &self.near]
             .into_iter()
             .flatten()
             .chain(last)
-            .map(|o| self.scene.whole(*o))
+            .map(|o| self.brief.whole(*o))
             .find(|o| many(o))
             .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o) || others)))?;
         // "one on each side": of one thing, so many for each.
         let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
-        if each(i + 2) || self.scene.items[of].count.is_none() && self.scene.items[of].per.is_none() && !of_them {
+        if each(i + 2)
+            || self.brief.things[of].number.said().is_none() && !self.brief.things[of].number.follows() && !of_them
+        {
             return None;
         }
         self.deal(i, of, n)
@@ -438,7 +439,7 @@ impl Reader<'_> {
         if np.det == Det::Own && get().part(&head) && !matches!(np.group, Some(Group::Door | Group::Window)) {
             return None;
         }
-        if self.scene.items.len() >= MOST_ITEMS || !nameable(&head) {
+        if self.brief.things.len() >= MOST_THINGS || !nameable(&head) {
             return None;
         }
         // "the draught": a word nobody knows is a thing only where things are.
@@ -455,11 +456,12 @@ impl Reader<'_> {
             return None;
         }
         let at = self.bytes(i..i + 1);
-        let id = self.scene.add(np, self.room, at);
+        let id = self.add(np, at);
         if np.row {
             self.say(&[id], What::Pattern(Pattern::Row));
         }
-        if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.scene.items[id].opening() {
+        if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.brief.things[id].opening()
+        {
             self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
         }
         Some(id)
@@ -467,7 +469,7 @@ impl Reader<'_> {
 
     pub(super) fn say(&mut self, of: &[usize], what: What) {
         let (soft, at) = (self.s.soft, self.s.at.clone());
-        self.scene.say(of, what, soft, false, at);
+        self.state(of, what, soft, false, at);
     }
 
     /// Things named one after the other, with what is said of each right after it: sizes, looks, parts.
@@ -488,11 +490,11 @@ impl Reader<'_> {
         let limits = (i..end).any(|k| match &chunks[k].piece {
             Piece::Measure(_) => true,
             Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
-                self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.scene.find(np, self.room).is_some()
+                self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.find(np).is_some()
             }
             Piece::Verb(Verb::Be) => {
                 chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
-                    && self.scene.find(np, self.room).is_some()
+                    && self.find(np).is_some()
             }
             _ => false,
         });
@@ -511,7 +513,7 @@ impl Reader<'_> {
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;
-        let new_from = self.scene.items.len();
+        let new_from = self.brief.things.len();
         let (mut joined, mut over) = (false, false);
         while let Some(np) = self.np(k, end) {
             if np.kind != Kind::Thing {
@@ -579,13 +581,14 @@ impl Reader<'_> {
         let fresh: Vec<usize> = group.iter().copied().filter(|g| *g >= new_from).collect();
         match std::mem::replace(&mut self.s.expect, Expect::Nothing) {
             Expect::With(owner, join) if !owner.is_empty() => {
-                let per = self.s.each || owner.iter().any(|o| self.scene.items[*o].many);
+                let per = self.s.each || owner.iter().any(|o| self.brief.things[*o].number.many());
                 if per && owner.len() == 1 {
                     // "six desks, with the printer in a corner": one printer.
                     let definite = std::mem::take(&mut self.s.definite);
                     let own: Vec<usize> = fresh.iter().copied().filter(|f| !definite.contains(f)).collect();
                     // "two monitors with a keyboard": one keyboard.
-                    let small = matches!(self.scene.items[owner[0]].group, Group::Top | Group::Screen | Group::Ceiling);
+                    let small =
+                        matches!(self.brief.things[owner[0]].group, Group::Top | Group::Screen | Group::Ceiling);
                     if self.s.each || !(small || self.s.together) {
                         self.multiply(&own, owner[0]);
                     }
@@ -604,7 +607,7 @@ impl Reader<'_> {
             Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
             Expect::Blocked => {
                 let (of, soft, at) = (self.main.clone(), self.s.soft, self.s.at.clone());
-                self.scene.say(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true, at);
+                self.state(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true, at);
             }
             expect => {
                 if let Expect::With(..) = expect {
@@ -626,19 +629,18 @@ impl Reader<'_> {
 
     /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
     pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
-        let seat = self.scene.items[owner].group == Group::Seat;
-        let all = self.scene.count(owner);
+        let seat = self.brief.things[owner].group == Group::Seat;
+        let all = self.brief.count(owner);
         for f in fresh {
-            let item = &mut self.scene.items[*f];
+            let item = &mut self.brief.things[*f];
             // "five placemats, aligned with each chair": one for each, where there are as many.
-            if item.count.is_some_and(|n| n > 1 && n == all) {
+            if item.number.said().is_some_and(|n| n > 1 && n == all) {
                 continue;
             }
-            let own = item.count.unwrap_or(1);
+            let own = item.number.said().unwrap_or(1);
             let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
-            if *f != owner && item.per.is_none() && !(seat && large) {
-                item.per = Some((owner, own));
-                item.many = true;
+            if *f != owner && !item.number.follows() && !(seat && large) {
+                item.number = Number::Each { of: owner, number: own };
             }
         }
     }
@@ -658,7 +660,7 @@ impl Reader<'_> {
             match to {
                 Lead::Items(items, _) if self.s.lead_not => {
                     let (soft, at) = (self.s.soft, self.s.at.clone());
-                    self.scene.say(&of, What::Rel(*rel, items.clone()), soft, true, at);
+                    self.state(&of, What::Rel(*rel, items.clone()), soft, true, at);
                 }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
@@ -681,12 +683,12 @@ impl Reader<'_> {
     /// Things that come with another.
     pub(super) fn join(&mut self, owner: &[usize], things: &[usize], join: Join) {
         for t in things {
-            let (group, owner_group) = (self.scene.items[*t].group, self.scene.items[owner[owner.len() - 1]].group);
+            let (group, owner_group) = (self.brief.things[*t].group, self.brief.things[owner[owner.len() - 1]].group);
             let usual = match group {
                 Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
                 Group::Soft => Some(Rel::On),
                 Group::Seat if matches!(owner_group, Group::Table) => {
-                    if self.scene.items[owner[0]].head().contains("desk") {
+                    if self.brief.things[owner[0]].head().contains("desk") {
                         Some(Rel::InFrontOf)
                     } else {
                         Some(Rel::Around)
@@ -696,7 +698,7 @@ impl Reader<'_> {
                 Group::Flat => Some(Rel::Under),
                 Group::Drape if matches!(owner_group, Group::Window | Group::Door) => Some(Rel::Near),
                 Group::Ceiling => Some(Rel::Above),
-                Group::Floor if self.scene.items[*t].words.last().is_some_and(|w| w == "lamp") => {
+                Group::Floor if self.brief.things[*t].words.last().is_some_and(|w| w == "lamp") => {
                     Some(if owner_group == Group::Table { Rel::On } else { Rel::Beside })
                 }
                 Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),

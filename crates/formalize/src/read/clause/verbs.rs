@@ -20,18 +20,18 @@ impl Reader<'_> {
         let word = self.tokens[self.chunks[i].at.start].text.as_str();
         let participle =
             word.ends_with("ing") || word.ends_with("ed") || matches!(word, "set" | "hung" | "laid" | "laden");
-        let last = self.recent.last().copied().filter(|l| self.scene.items[*l].words == before.words)?;
+        let last = self.recent.last().copied().filter(|l| self.brief.things[*l].words == before.words)?;
         // "a basket next to the shelf holding two rolls": what is spoken of again holds nothing new.
-        let again = self.scene.items[last].at.start < self.bytes(i - 1..i).start;
+        let again = self.brief.things[last].source.at().start < self.bytes(i - 1..i).start;
         let last = if again && !placed { self.near.last().copied()? } else { last };
-        let own = self.scene.whole(last);
+        let own = self.brief.whole(last);
         (participle && !self.main.is_empty() && !self.main.contains(&last) && !self.main.contains(&own)).then_some(last)
     }
 
     /// Who has what comes: doors and windows have curtains and nothing else.
     pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
         let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
-        let opening = |l: &[usize]| l.iter().all(|o| self.scene.items[*o].opening());
+        let opening = |l: &[usize]| l.iter().all(|o| self.brief.things[*o].opening());
         if !drape && opening(&near) && !self.main.is_empty() && !opening(&self.main) { self.main.clone() } else { near }
     }
 
@@ -148,7 +148,8 @@ impl Reader<'_> {
                 let (join, rel) =
                     if verb == Verb::Flank { (Join::Beside, Rel::Beside) } else { (Join::Around, Rel::Around) };
                 self.s.expect = if passive { Expect::With(self.near.clone(), join) } else { Expect::Object(rel) };
-                self.s.each = self.s.each || passive && self.near.first().is_some_and(|n| self.scene.items[*n].many);
+                self.s.each =
+                    self.s.each || passive && self.near.first().is_some_and(|n| self.brief.things[*n].number.many());
             }
             Verb::Lead => {}
         }

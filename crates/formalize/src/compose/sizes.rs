@@ -1,19 +1,13 @@
 //! Sizes that the request leaves out: of things, so that what stands on them finds room; of rooms, so that all does.
 
-use super::lexicon::{Group, Rel, get};
-use super::measure::{Dim, Op};
-use super::noun::Place;
-use super::scene::{Scene, Side, What};
 use super::state::ACROSS;
-use scenelang_lang::library::usual_size;
-
-/// What nothing is known of.
-const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
+use crate::brief::{Brief, Dim, Group, Op, Place, Rel, Side, What};
+use crate::read::lexicon::get;
 
 /// Width, height and depth of every thing.
-pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
-    let mut out: Vec<[f64; 3]> = scene.items.iter().map(|item| usual(item.group, &item.words)).collect();
-    for (size, item) in out.iter_mut().zip(&scene.items) {
+pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
+    let mut out: Vec<[f64; 3]> = brief.things.iter().map(|item| crate::sizes::usual(item.group, &item.words)).collect();
+    for (size, item) in out.iter_mut().zip(&brief.things) {
         let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
         let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) {
             0.75
@@ -41,9 +35,9 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             *have = said.unwrap_or(*have);
         }
     }
-    for fact in scene.facts.iter().filter(|f| !f.not) {
+    for fact in brief.facts.iter().filter(|f| !f.not) {
         for a in &fact.of {
-            let item = &scene.items[*a];
+            let item = &brief.things[*a];
             let large = ["wardrobe", "closet", "locker", "armoire", "safe", "trunk"];
             let shelf = item.group == Group::Storage
                 && out[*a][1] > 0.7
@@ -65,14 +59,14 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
                 What::Rel(Rel::On, to)
                     if item.size[1].is_none()
                         && item.name() == "lamp"
-                        && to.iter().any(|b| matches!(scene.items[*b].group, Group::Table | Group::Storage)) =>
+                        && to.iter().any(|b| matches!(brief.things[*b].group, Group::Table | Group::Storage)) =>
                 {
                     out[*a] = [0.25, 0.45, 0.25];
                 }
                 // What is under another is no higher than that.
                 What::Rel(Rel::Under, to) => {
                     let least = |b: &usize| {
-                        let under = matches!(scene.items[*b].group, Group::Table | Group::Bed | Group::Seat);
+                        let under = matches!(brief.things[*b].group, Group::Table | Group::Bed | Group::Seat);
                         if under { out[*b][1] - 0.08 } else { f64::INFINITY }
                     };
                     let most = to.iter().map(least).fold(f64::INFINITY, f64::min);
@@ -85,43 +79,43 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
         }
     }
     // What stands on another needs its place there.
-    for b in (0..scene.items.len()).filter(|b| scene.items[*b].part.is_none()) {
+    for b in (0..brief.things.len()).filter(|b| brief.things[*b].part.is_none()) {
         let carries = matches!(
-            scene.items[b].group,
+            brief.things[b].group,
             Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor | Group::Top
         );
-        if scene.items[b].size[0].is_some() || !carries {
+        if brief.things[b].size[0].is_some() || !carries {
             continue;
         }
         let mut width = 0.0;
         let mut area = 0.0;
-        for fact in scene.facts.iter().filter(|f| !f.not) {
+        for fact in brief.facts.iter().filter(|f| !f.not) {
             let What::Rel(rel, to) = &fact.what else { continue };
-            if !to.iter().any(|t| scene.whole(*t) == b) {
+            if !to.iter().any(|t| brief.whole(*t) == b) {
                 continue;
             }
             for a in &fact.of {
-                let each = (scene.count(*a) as f64 / scene.count(b) as f64).ceil();
+                let each = (brief.count(*a) as f64 / brief.count(b) as f64).ceil();
                 match rel {
                     // A cushion is as large as its seat.
-                    Rel::On if scene.items[*a].group == Group::Soft && scene.items[b].group == Group::Seat => {}
+                    Rel::On if brief.things[*a].group == Group::Soft && brief.things[b].group == Group::Seat => {}
                     Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
                     Rel::InFrontOf | Rel::Along
-                        if scene.items[*a].group == Group::Seat && each > 1.0 && seats(scene, b) =>
+                        if brief.things[*a].group == Group::Seat && each > 1.0 && seats(brief, b) =>
                     {
                         width = each * (out[*a][0] + 0.12)
                     }
                     Rel::LongSide if each > 1.0 => width = f64::max(width, each * (out[*a][0] + 0.12)),
-                    Rel::Around | Rel::At if scene.items[*a].group == Group::Seat && each > 2.0 && seats(scene, b) => {
+                    Rel::Around | Rel::At if brief.things[*a].group == Group::Seat && each > 2.0 && seats(brief, b) => {
                         // Half of them at either long side, the ends left free.
                         width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
                     }
-                    Rel::Under if scene.items[*a].group != Group::Flat => width = each * (out[*a][0] + 0.1),
+                    Rel::Under if brief.things[*a].group != Group::Flat => width = each * (out[*a][0] + 0.1),
                     _ => {}
                 }
             }
         }
-        let flat = scene.items[b].group == Group::Flat;
+        let flat = brief.things[b].group == Group::Flat;
         let top = out[b][0] * out[b][2];
         let wanted = area * if flat { 2.2 } else { 1.8 };
         if wanted > top {
@@ -130,13 +124,13 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
             out[b][2] *= grow.sqrt();
         }
         out[b][0] = out[b][0].max(width);
-        if scene.items[b].look.features.iter().any(|f| f == "round") && width > 0.0 {
+        if brief.things[b].look.features.iter().any(|f| f == "round") && width > 0.0 {
             out[b][2] = out[b][0];
         }
     }
-    contained(scene, &mut out);
+    contained(brief, &mut out);
     // A size that the request limits.
-    for fact in &scene.facts {
+    for fact in &brief.facts {
         let What::Size(dim, op, v) = &fact.what else { continue };
         let axis = match dim {
             Dim::Height | Dim::Ceiling | Dim::Elevation => 1,
@@ -160,28 +154,28 @@ pub fn things(scene: &Scene) -> Vec<[f64; 3]> {
 }
 
 /// Makes what is in another small enough for it, side by side with what else is there.
-fn contained(scene: &Scene, out: &mut [[f64; 3]]) {
+fn contained(brief: &Brief, out: &mut [[f64; 3]]) {
     let inside = |b: usize| {
-        scene.facts.iter().filter(move |f| matches!(&f.what, What::Rel(Rel::In, to) if !f.not && to.as_slice() == [b]))
+        brief.facts.iter().filter(move |f| matches!(&f.what, What::Rel(Rel::In, to) if !f.not && to.as_slice() == [b]))
     };
-    for b in 0..scene.items.len() {
-        let shelf = scene.items[b].group == Group::Storage;
+    for b in 0..brief.things.len() {
+        let shelf = brief.things[b].group == Group::Storage;
         if matches!(
-            scene.items[b].group,
+            brief.things[b].group,
             Group::Seat | Group::Flat | Group::Table | Group::Bed | Group::Door | Group::Window
         ) {
             continue;
         }
         let things: Vec<usize> = inside(b).flat_map(|f| f.of.iter().copied()).collect();
-        let n: usize = things.iter().map(|a| scene.count(*a)).sum();
-        let n = (n as f64 / scene.count(b) as f64).ceil().max(1.0);
+        let n: usize = things.iter().map(|a| brief.count(*a)).sum();
+        let n = (n as f64 / brief.count(b) as f64).ceil().max(1.0);
         let [w, h, d] = out[b];
         // In a row; in a round or square thing in two.
         let (columns, rows) = if n > 3.0 && d > 0.7 * w { ((n / 2.0).ceil(), 2.0) } else { (n, 1.0) };
         let most =
             [0.95 * w / columns - 0.01, if shelf { 0.4_f64.min(0.9 * h) } else { 0.9 * h }, 0.95 * d / rows - 0.01];
         for a in things {
-            let item = &scene.items[a];
+            let item = &brief.things[a];
             let small = matches!(item.group, Group::Top | Group::Soft | Group::Floor | Group::Wall);
             for k in (0..3).filter(|k| small && item.size[*k].is_none()) {
                 out[a][k] = out[a][k].min(most[k].max(0.02));
@@ -190,67 +184,18 @@ fn contained(scene: &Scene, out: &mut [[f64; 3]]) {
     }
 }
 
-/// The usual size of a thing of this name.
-pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
-    let name = words.join(" ");
-    if let Some(size) = own_size(words) {
-        return size;
-    }
-    let size = usual_size(&name).unwrap_or(match group {
-        Group::Seat => [0.5, 0.85, 0.5],
-        Group::Table => [1.4, 0.8, 0.7],
-        Group::Storage => [0.9, 1.6, 0.42],
-        Group::Bed => [1.2, 0.6, 2.05],
-        Group::Wall => [0.6, 0.5, 0.06],
-        Group::Ceiling => [0.4, 0.4, 0.4],
-        Group::Top => [0.25, 0.25, 0.25],
-        Group::Screen => [1.2, 0.75, 0.12],
-        Group::Flat => [1.6, 0.012, 1.1],
-        Group::Soft => [0.45, 0.15, 0.4],
-        Group::Drape => [1.4, 1.8, 0.1],
-        Group::Door => [0.95, 2.08, 0.12],
-        Group::Window => [1.2, 1.3, 0.12],
-        Group::Floor => UNKNOWN,
-    });
-    match group {
-        Group::Screen => [size[0], size[1], size[2].min(0.26)],
-        // "espresso machine" is no machine tool.
-        Group::Top => [size[0].min(0.6), size[1].min(0.6), size[2].min(0.5)],
-        Group::Wall => [size[0], size[1].min(2.0), size[2].min(0.35)],
-        _ => size,
-    }
-}
-
-/// What the language has no category for.
-fn own_size(words: &[String]) -> Option<[f64; 3]> {
-    let find = |key: &str| {
-        include_str!("../../data/sizes.txt").lines().find_map(|line| {
-            let mut parts = line.split_whitespace();
-            if parts.next() != Some(key) {
-                return None;
-            }
-            let mut next = || parts.next().and_then(|n| n.parse().ok());
-            Some([next()?, next()?, next()?])
-        })
-    };
-    (0..words.len()).find_map(|skip| {
-        find(&words[skip..].join("_"))
-            .filter(|_| skip == 0 || usual_size(&words.join("_")).is_none() || skip + 1 < words.len())
-    })
-}
-
 /// Whether people sit at a thing, so that it is as long as they need.
-pub fn seats(scene: &Scene, item: usize) -> bool {
-    let head = scene.items[item].head();
+pub fn seats(brief: &Brief, item: usize) -> bool {
+    let head = brief.things[item].head();
     ["table", "desk", "bar", "counter", "island", "worktop"].iter().any(|w| head.ends_with(w))
 }
 
 /// Makes what stands at walls narrower, where a room of a given size has not so much wall.
-pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
+pub fn fit_walls(brief: &Brief, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
     for (i, size) in sizes.iter_mut().enumerate() {
-        let item = &scene.items[i];
-        let n = scene.count(i) as f64;
-        let which = scene.facts.iter().find_map(|f| match &f.what {
+        let item = &brief.things[i];
+        let n = brief.count(i) as f64;
+        let which = brief.facts.iter().find_map(|f| match &f.what {
             What::Place(Rel::Against | Rel::Along | Rel::At | Rel::On, Place::Wall, which) if f.of == [i] && !f.not => {
                 Some(which)
             }
@@ -282,8 +227,8 @@ pub fn fit_walls(scene: &Scene, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
 }
 
 /// Whether a thing takes floor.
-fn stands(scene: &Scene, item: usize) -> bool {
-    let group = scene.items[item].group;
+fn stands(brief: &Brief, item: usize) -> bool {
+    let group = brief.things[item].group;
     let floor = !matches!(
         group,
         Group::Wall
@@ -296,13 +241,13 @@ fn stands(scene: &Scene, item: usize) -> bool {
             | Group::Window
             | Group::Screen
     );
-    floor && !scene.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, What::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| scene.items[*t].group != Group::Flat)))
+    floor && !brief.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, What::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| brief.things[*t].group != Group::Flat)))
 }
 
 /// Width, height and depth of every room, and an outline where it is no rectangle.
-pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
+pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mut out = Vec::new();
-    for (r, room) in scene.rooms.iter().enumerate() {
+    for (r, room) in brief.rooms.iter().enumerate() {
         let words: Vec<String> = room.name.split(' ').map(str::to_owned).collect();
         let kind = get().room_ending(&words).map_or([5.0, 4.0, 2.7], |(_, k)| k.size);
         // Room for everything, and to walk between.
@@ -310,19 +255,19 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let mut along = 0.0;
         let mut widest = 2.0_f64;
         let mut tallest = 2.2_f64;
-        for (i, item) in scene.items.iter().enumerate().filter(|(_, item)| item.room == r || item.beyond == Some(r)) {
-            let n = scene.count(i) as f64;
+        for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| item.room == r || item.beyond == Some(r)) {
+            let n = brief.count(i) as f64;
             let [w, h, d] = sizes[i];
             widest = widest.max(w + 1.0).max(d + 1.0);
             tallest = tallest.max(h + 0.2);
-            let spread = spread(scene, i);
-            if stands(scene, i) && item.part.is_none() {
+            let spread = spread(brief, i);
+            if stands(brief, i) && item.part.is_none() {
                 need += n * (w + 0.35 + spread) * (d + 0.55 + spread);
             }
             if item.group == Group::Flat {
                 need += n * w * d * 0.5;
             }
-            let at_wall = scene
+            let at_wall = brief
                 .facts
                 .iter()
                 .any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
@@ -331,12 +276,12 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
             }
         }
         let mut grids = [0.0_f64; 2];
-        for i in (0..scene.items.len()).filter(|i| scene.items[*i].room == r) {
-            if let Some(g) = super::grid::grid(scene, sizes, i, None) {
+        for i in (0..brief.things.len()).filter(|i| brief.things[*i].room == r) {
+            if let Some(g) = super::grid::grid(brief, sizes, i, None) {
                 grids = [grids[0].max(g.takes[0]), grids[1] + g.takes[1]];
             }
         }
-        let apart = distances(scene, r);
+        let apart = distances(brief, r);
         need = need * 1.7 + apart * 3.0;
         let side = (along / 4.0 * 1.5).max(widest).max(apart + 2.2);
         let [mut w, mut d] = [kind[0], kind[1]];
@@ -368,21 +313,21 @@ pub fn rooms(scene: &Scene, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 d = (d * 5.0).ceil() / 5.0;
             }
         }
-        let h = sh.unwrap_or(kind[2].max(tallest).max(above(scene, r, sizes)));
+        let h = sh.unwrap_or(kind[2].max(tallest).max(above(brief, r, sizes)));
         out.push([w, h, d].map(|v| ((v * 1000.0).round() / 1000.0).clamp(0.5, 500.0)));
     }
     out
 }
 
 /// How far apart the things of an array are to be.
-fn spread(scene: &Scene, item: usize) -> f64 {
+fn spread(brief: &Brief, item: usize) -> f64 {
     let mut out = 0.0_f64;
-    for f in scene.facts.iter().filter(|f| f.of.contains(&item)) {
+    for f in brief.facts.iter().filter(|f| f.of.contains(&item)) {
         match &f.what {
             What::Among(_, v) => out = out.max(*v),
             What::Clear(Side::Front | Side::Behind | Side::Around, v) => out = out.max(v * 0.7),
             What::Path(v, _) => out = out.max(v * 0.5),
-            What::Gap(Op::Least, v, to) if to.iter().any(|t| scene.count(*t) > 1) => out = out.max(v * 0.5),
+            What::Gap(Op::Least, v, to) if to.iter().any(|t| brief.count(*t) > 1) => out = out.max(v * 0.5),
             _ => {}
         }
     }
@@ -390,9 +335,9 @@ fn spread(scene: &Scene, item: usize) -> f64 {
 }
 
 /// The longest distance that is asked for in a room.
-fn distances(scene: &Scene, room: usize) -> f64 {
+fn distances(brief: &Brief, room: usize) -> f64 {
     let mut out = 0.0_f64;
-    for f in scene.facts.iter().filter(|f| f.of.iter().any(|i| scene.items[*i].room == room)) {
+    for f in brief.facts.iter().filter(|f| f.of.iter().any(|i| brief.things[*i].room == room)) {
         match &f.what {
             What::Rel(Rel::Opposite, _) if !f.not => out = out.max(ACROSS),
             What::Gap(Op::Least | Op::Equal, v, _)
@@ -406,14 +351,14 @@ fn distances(scene: &Scene, room: usize) -> f64 {
 }
 
 /// How high a room must be for what hangs above other things.
-fn above(scene: &Scene, room: usize, sizes: &[[f64; 3]]) -> f64 {
+fn above(brief: &Brief, room: usize, sizes: &[[f64; 3]]) -> f64 {
     let mut out = 0.0_f64;
-    for f in &scene.facts {
+    for f in &brief.facts {
         let What::Rel(Rel::Above, to) = &f.what else { continue };
-        for a in f.of.iter().filter(|a| scene.items[**a].room == room) {
+        for a in f.of.iter().filter(|a| brief.things[**a].room == room) {
             for b in to {
                 out = out
-                    .max(sizes[*a][1] + sizes[*b][1] + if scene.items[*b].group == Group::Window { 1.1 } else { 0.3 });
+                    .max(sizes[*a][1] + sizes[*b][1] + if brief.things[*b].group == Group::Window { 1.1 } else { 0.3 });
             }
         }
     }

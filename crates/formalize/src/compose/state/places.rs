@@ -1,9 +1,7 @@
 //! Where in its room a thing stands: at which wall, in which corner, on which side.
 
 use super::{Named, Side};
-use crate::read::lexicon::{Group, Rel};
-use crate::read::noun::Place;
-use crate::read::scene::What;
+use crate::brief::{Group, Place, Rel, What};
 use crate::write::number;
 
 impl Named<'_> {
@@ -20,10 +18,10 @@ impl Named<'_> {
     ) {
         let room = self.room(a);
         let group = self.group(a);
-        let opening = self.scene.items[a].opening();
+        let opening = self.brief.things[a].opening();
         // What things stand behind cannot have its back at a wall.
         let behind =
-            self.scene.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
+            self.brief.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         // What is no contact with the wall.
@@ -75,7 +73,7 @@ impl Named<'_> {
                 // A corner is for one: what comes when all are taken is near one at best.
                 let free = 4_usize.saturating_sub(self.corners_before(k, a));
                 let taken = self.elements(a);
-                let aside = self.scene.facts.iter().find_map(|f| match f.what {
+                let aside = self.brief.facts.iter().find_map(|f| match f.what {
                     What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
                     _ => None,
                 });
@@ -120,7 +118,7 @@ impl Named<'_> {
             Place::Middle if opening => {}
             Place::Middle if self.counts[a] == 1 => say(format!("centeredIn({}, {room})", self.name(a))),
             Place::Middle => {
-                let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
+                let size = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
                 let half = self.grid(a).map_or(0.0, |g| {
                     (g.steps[0] * (g.columns - 1) as f64).hypot(g.steps[1] * (g.rows - 1) as f64) / 2.0 + 0.6
                 });
@@ -148,8 +146,8 @@ impl Named<'_> {
 
     /// How many things are said to be in corners of the same room before.
     fn corners_before(&self, k: usize, a: usize) -> usize {
-        let same = |o: &usize| self.scene.items[*o].room == self.scene.items[a].room && *o != a;
-        let before = self.scene.facts[..k]
+        let same = |o: &usize| self.brief.things[*o].room == self.brief.things[a].room && *o != a;
+        let before = self.brief.facts[..k]
             .iter()
             .filter(|f| !f.not && !f.soft && matches!(f.what, What::Place(_, Place::Corner, _)));
         before.flat_map(|f| f.of.iter().filter(|o| same(o))).map(|o| self.counts[*o]).sum()
@@ -157,7 +155,7 @@ impl Named<'_> {
 
     /// Along which axis a "long" or "short" wall looks.
     fn axis(&self, a: usize, which: &[String]) -> Option<char> {
-        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        let size = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
         which.iter().find_map(|w| {
             let along_x = size[0] >= size[2];
             match w.as_str() {
@@ -182,10 +180,10 @@ impl Named<'_> {
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
-                    let other = self.scene.facts[..k].iter().rev().find(|f| {
+                    let other = self.brief.facts[..k].iter().rev().find(|f| {
                         !f.of.contains(&a)
                             && matches!(f.what, What::Place(_, Place::Wall, _))
-                            && self.scene.items[f.of[0]].room == self.scene.items[a].room
+                            && self.brief.things[f.of[0]].room == self.brief.things[a].room
                     })?;
                     let b = self.elements(other.of[0]).first()?.clone();
                     let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
@@ -200,7 +198,7 @@ impl Named<'_> {
     /// In which part of the room.
     fn side(&self, a: usize, which: &[String]) -> Option<String> {
         let room = self.room(a);
-        let size = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
+        let size = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0, 2.7, 5.0]);
         let tests: Vec<(char, f64)> = which.iter().filter_map(|w| direction(w)).collect();
         if tests.is_empty() {
             return None;
@@ -209,7 +207,7 @@ impl Named<'_> {
             let each: Vec<String> = tests
                 .iter()
                 .map(|(axis, sign)| {
-                    let reach = if self.scene.items[a].opening() {
+                    let reach = if self.brief.things[a].opening() {
                         if *axis == 'x' { size[0] / 2.0 - 0.3 } else { size[2] / 2.0 - 0.3 }
                     } else {
                         0.0

@@ -1,8 +1,6 @@
 //! Things in rows: how many rows and columns, and how far from one to the next.
 
-use super::chunk::Pattern;
-use super::lexicon::{Group, Rel};
-use super::scene::{Scene, Side, What};
+use crate::brief::{Brief, Group, Pattern, Rel, Side, What};
 
 /// Rows and columns; the first stands at the left of the first row, rows follow towards -z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,23 +21,23 @@ pub struct Grid {
 const MARGIN: f64 = 0.9;
 
 /// The grid of an array that stands in rows, unless something else says where its elements are: at a wall, on a table.
-pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
-    let n = scene.count(a);
-    let rows = scene.facts.iter().find_map(|f| match f.what {
+pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
+    let n = brief.count(a);
+    let rows = brief.facts.iter().find_map(|f| match f.what {
         What::Pattern(Pattern::Rows(r)) if f.of == [a] => Some(r),
         What::Pattern(Pattern::Row) if f.of == [a] => Some(1),
         _ => None,
     });
     let said = rows.is_some();
-    let middle = middle(scene, sizes, a);
-    let seats = scene.facts.iter().any(|f| {
+    let middle = middle(brief, sizes, a);
+    let seats = brief.facts.iter().any(|f| {
         matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
-            && scene.items[f.of[0]].group == Group::Seat
+            && brief.things[f.of[0]].group == Group::Seat
     });
     // Tables with their seats stand in rows where nothing else is said.
     let rows = match rows {
         Some(rows) => rows,
-        None if scene.items[a].group == Group::Table && n >= 4 && seats && !crowded(scene, a) => {
+        None if brief.things[a].group == Group::Table && n >= 4 && seats && !crowded(brief, a) => {
             if middle > 0.0 {
                 2
             } else {
@@ -48,10 +46,10 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
         None => return None,
     };
-    let elsewhere = scene.facts.iter().any(|f| {
+    let elsewhere = brief.facts.iter().any(|f| {
         f.of.contains(&a)
             && match &f.what {
-                What::Place(_, place, _) => !matches!(place, super::noun::Place::Middle),
+                What::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
                 What::Rel(rel, _) => !matches!(
                     rel,
                     Rel::Facing
@@ -66,27 +64,27 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
                 _ => false,
             }
     });
-    let hung = matches!(scene.items[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
-    if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || scene.items[a].opening() {
+    let hung = matches!(brief.things[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
+    if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || brief.things[a].opening() {
         return None;
     }
     // A row to the left or right of something runs past it.
     let aside = rows == 1
-        && scene
+        && brief
             .facts
             .iter()
             .any(|f| f.of == [a] && !f.not && matches!(f.what, What::Rel(Rel::LeftOf | Rel::RightOf, _)));
     let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
     let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
-    for f in &scene.facts {
+    for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {
             What::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
             What::Rows(_, v) if own => behind = behind.max(*v + 0.02),
             What::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
             // Seats take their place: between the rows, or at the sides.
-            What::Rel(rel, to) if to.contains(&a) && scene.items[f.of[0]].group == Group::Seat => {
+            What::Rel(rel, to) if to.contains(&a) && brief.things[f.of[0]].group == Group::Seat => {
                 let seat = sizes[f.of[0]];
                 match rel {
                     Rel::Around | Rel::At => {
@@ -96,7 +94,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
                     Rel::Beside => beside = beside.max(seat[0] + 0.5),
                     _ => {}
                 }
-                for g in scene.facts.iter().filter(|g| g.of == f.of) {
+                for g in brief.facts.iter().filter(|g| g.of == f.of) {
                     if let What::Clear(_, v) = g.what {
                         behind = behind.max(seat[2] + v + 0.5);
                     }
@@ -106,7 +104,7 @@ pub fn grid(scene: &Scene, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
     }
     let backs =
-        rows == 2 && scene.facts.iter().any(|f| matches!(f.what, What::Pattern(Pattern::BackToBack)) && f.of == [a]);
+        rows == 2 && brief.facts.iter().any(|f| matches!(f.what, What::Pattern(Pattern::BackToBack)) && f.of == [a]);
     if backs {
         behind = 0.02;
     }
@@ -142,16 +140,16 @@ fn spread(n: usize) -> usize {
 }
 
 /// How deep the largest thing is that stands in the middle of the room; 0: nothing does.
-fn middle(scene: &Scene, sizes: &[[f64; 3]], a: usize) -> f64 {
-    let room = scene.items[a].room;
-    let there = scene.facts.iter().filter(|f| matches!(f.what, What::Place(_, super::noun::Place::Middle, _)));
-    let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && scene.items[**o].room == room);
+fn middle(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> f64 {
+    let room = brief.things[a].room;
+    let there = brief.facts.iter().filter(|f| matches!(f.what, What::Place(_, crate::brief::Place::Middle, _)));
+    let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && brief.things[**o].room == room);
     items.map(|o| sizes[*o][0].max(sizes[*o][2])).fold(0.0, f64::max)
 }
 
 /// Whether something is said of where each of them is.
-fn crowded(scene: &Scene, a: usize) -> bool {
-    scene.facts.iter().any(|f| match &f.what {
+fn crowded(brief: &Brief, a: usize) -> bool {
+    brief.facts.iter().any(|f| match &f.what {
         What::Gap(..) | What::Pattern(_) => f.of.contains(&a),
         _ => false,
     })

@@ -1,18 +1,15 @@
 //! What nobody says because everybody knows it: pictures hang on walls, lamps under the ceiling, a cup stands on a table;
 //! a rug may lie under anything.
 
-use super::chunk::Pattern;
-use super::lexicon::{Group, Rel};
-use super::noun::Place;
-use super::scene::{Fact, What};
 use super::state::{Named, Stated};
+use crate::brief::{Fact, Group, Pattern, Place, Rel, What};
 use crate::write::number;
 
 /// Adds it.
 pub fn usual(named: &Named, out: &mut Stated) {
-    let scene = named.scene;
-    for a in (0..scene.items.len()).filter(|a| scene.items[*a].part.is_none()) {
-        let item = &scene.items[a];
+    let brief = named.brief;
+    for a in (0..brief.things.len()).filter(|a| brief.things[*a].part.is_none()) {
+        let item = &brief.things[a];
         let room = named.room(a).to_owned();
         let held =
             named.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _)));
@@ -24,14 +21,14 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let measured = named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..)));
         let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
         let mounted = |p: &str| format!("assert {};", named.all(a, |x| format!("{p}({x}, {room})")));
-        let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| scene.items[*t].group != Group::Ceiling));
+        let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| brief.things[*t].group != Group::Ceiling));
         let elsewhere = held || placed || above && measured || named.said(a, beside);
         let hangs = item.group == Group::Ceiling && !elsewhere;
         // "a mixer to the left of the counter", "a lamp beside the armchair" stand on the floor.
         let apart = item.group == Group::Top
             && named.said(a, |w| {
                 matches!(w, What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to)
-                    if to.iter().any(|t| !matches!(scene.items[*t].group, Group::Top | Group::Screen) && carrier(named, *t).is_none()))
+                    if to.iter().any(|t| !matches!(brief.things[*t].group, Group::Top | Group::Screen) && carrier(named, *t).is_none()))
             });
         match item.group {
             Group::Wall | Group::Drape
@@ -49,18 +46,18 @@ pub fn usual(named: &Named, out: &mut Stated) {
                 out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord")
             }
             Group::Top if !held && !placed && !above && !apart => {
-                let near = named.scene.facts.iter().find_map(|f| match &f.what {
+                let near = named.brief.facts.iter().find_map(|f| match &f.what {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
                     _ => None,
                 });
                 // "an espresso machine beside the cake display": on what that stands on.
-                let same = scene.facts.iter().find_map(|f| match &f.what {
+                let same = brief.facts.iter().find_map(|f| match &f.what {
                     What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| carrier(named, *t)),
                     _ => None,
                 });
                 let top = near.or(same).or_else(|| {
-                    (0..scene.items.len())
-                        .find(|i| scene.items[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
+                    (0..brief.things.len())
+                        .find(|i| brief.things[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
                 });
                 if let Some(top) = top {
                     out.infer(
@@ -69,16 +66,16 @@ pub fn usual(named: &Named, out: &mut Stated) {
                     );
                 }
             }
-            Group::Bed | Group::Storage if !scene.facts.iter().any(|f| f.of.contains(&a)) && named.counts[a] <= 4 => {
+            Group::Bed | Group::Storage if !brief.facts.iter().any(|f| f.of.contains(&a)) && named.counts[a] <= 4 => {
                 out.infer(
                     format!("prefer {};", named.all(a, |x| format!("againstWall({x}, {room})"))),
                     "such things stand at a wall",
                 );
             }
             Group::Soft if !held && !placed => {
-                let under = (0..scene.items.len()).find(|i| {
-                    scene.items[*i].room == item.room
-                        && matches!(scene.items[*i].group, Group::Bed | Group::Seat)
+                let under = (0..brief.things.len()).find(|i| {
+                    brief.things[*i].room == item.room
+                        && matches!(brief.things[*i].group, Group::Bed | Group::Seat)
                         && named.sizes[*i][0] > 0.7
                 });
                 if let Some(under) = under {
@@ -136,12 +133,12 @@ pub fn usual(named: &Named, out: &mut Stated) {
             out.infer(format!("assert {places};"), "seats are drawn up to their tables");
         }
         let faces = |f: &Fact| matches!(f.what, What::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
-        if let Some(turned) = named.turned(a).filter(|_| !scene.facts.iter().any(faces)) {
+        if let Some(turned) = named.turned(a).filter(|_| !brief.facts.iter().any(faces)) {
             out.infer(turned, "rows stand straight");
         }
         // A television looks the way its stand does, unless it is said to look elsewhere.
         if let (Group::Screen, Some(stand)) = (item.group, carrier(named, a))
-            && matches!(scene.items[stand].group, Group::Table | Group::Storage)
+            && matches!(brief.things[stand].group, Group::Table | Group::Storage)
         {
             let turned = named.said(a, |w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
             let verb = if turned { "prefer" } else { "assert" };
@@ -152,8 +149,8 @@ pub fn usual(named: &Named, out: &mut Stated) {
         let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
         if up && named.sizes[a][1] < 1.6 {
             // People look at a screen from their seats.
-            let sits = |i: &super::scene::Item| matches!(i.group, Group::Seat | Group::Bed) && i.room == item.room;
-            let seated = named.screen(a) && scene.items.iter().any(sits);
+            let sits = |i: &crate::brief::Thing| matches!(i.group, Group::Seat | Group::Bed) && i.room == item.room;
+            let seated = named.screen(a) && brief.things.iter().any(sits);
             let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
             let low = (eyes - named.sizes[a][1] / 2.0).max(least);
             let test = |x: &str| format!("abs({x}.bottom - {}) <= {}", number(low), number(give));
@@ -171,9 +168,9 @@ pub fn usual(named: &Named, out: &mut Stated) {
 
 /// What a thing is said to stand on.
 fn carrier(named: &Named, item: usize) -> Option<usize> {
-    named.scene.facts.iter().find_map(|f| match &f.what {
+    named.brief.facts.iter().find_map(|f| match &f.what {
         What::Rel(Rel::On, to) if f.of.contains(&item) && !f.not => {
-            to.first().copied().filter(|t| named.scene.items[*t].group != Group::Flat)
+            to.first().copied().filter(|t| named.brief.things[*t].group != Group::Flat)
         }
         _ => None,
     })
@@ -181,6 +178,6 @@ fn carrier(named: &Named, item: usize) -> Option<usize> {
 
 /// Whether small things can stand on it.
 fn holds(named: &Named, item: usize) -> bool {
-    let group = named.scene.items[item].group;
+    let group = named.brief.things[item].group;
     matches!(group, Group::Table) && named.sizes[item][1] < 1.5
 }

@@ -1,8 +1,8 @@
 //! What the words of a request leave open about where small things are: a mouse beside a keyboard is on the keyboard's desk,
 //! a novel "on" a bookcase is in it, a wallet on the left of a desk lies on it. Read before sizes and statements are made.
 
-use super::lexicon::{Group, Rel, get};
-use super::scene::{Fact, Scene, What};
+use crate::brief::{Brief, Fact, Group, Rel, What};
+use crate::read::lexicon::get;
 use scenelang_lang::library::usual_size;
 
 /// What has shelves inside, so that what is "on" it is in it.
@@ -34,35 +34,35 @@ const SMALL: f64 = 0.45;
 /// Things beside things beside things: so many in a chain.
 const CHAIN: usize = 4;
 
-/// Settles it. `request` is the text that the facts have their places in.
-pub fn settle(scene: &mut Scene, request: &str) {
+/// Settles it.
+pub fn settle(brief: &mut Brief) {
     for _ in 0..CHAIN {
-        let small: Vec<usize> = (0..scene.items.len()).filter(|a| is_small(scene, *a)).collect();
+        let small: Vec<usize> = (0..brief.things.len()).filter(|a| is_small(brief, *a)).collect();
         if small.is_empty() {
             break;
         }
-        small.into_iter().for_each(|a| scene.items[a].group = Group::Top);
+        small.into_iter().for_each(|a| brief.things[a].group = Group::Top);
     }
     let mut added: Vec<(usize, Fact)> = Vec::new();
-    for k in 0..scene.facts.len() {
-        let fact = &scene.facts[k];
+    for k in 0..brief.facts.len() {
+        let fact = &brief.facts[k];
         let What::Rel(rel, to) = &fact.what else { continue };
         let ([b], false) = (to.as_slice(), fact.not) else { continue };
-        let words = request.get(fact.at.clone()).unwrap_or("").to_lowercase();
-        let top = fact.of.iter().all(|a| scene.items[*a].group == Group::Top);
+        let words = brief.request.get(fact.source.at()).unwrap_or("").to_lowercase();
+        let top = fact.of.iter().all(|a| brief.things[*a].group == Group::Top);
         let new = match rel {
-            Rel::LeftOf | Rel::RightOf if top && scene.items[*b].group == Group::Table && on_side(&words) => {
+            Rel::LeftOf | Rel::RightOf if top && brief.things[*b].group == Group::Table && on_side(&words) => {
                 added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
             }
             Rel::On
-                if shelved(scene, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(scene, *a)) =>
+                if shelved(brief, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(brief, *a)) =>
             {
                 Rel::In
             }
-            Rel::On if last(scene, *b, &THIN) && !words.contains("on top") => {
-                let Some(c) = carrier(scene, *b).filter(|c| !fact.of.contains(c)) else { continue };
-                scene.facts[k].what = What::Rel(Rel::On, vec![c]);
+            Rel::On if last(brief, *b, &THIN) && !words.contains("on top") => {
+                let Some(c) = carrier(brief, *b).filter(|c| !fact.of.contains(c)) else { continue };
+                brief.facts[k].what = What::Rel(Rel::On, vec![c]);
                 continue;
             }
             Rel::Centre => {
@@ -71,14 +71,14 @@ pub fn settle(scene: &mut Scene, request: &str) {
             }
             _ => continue,
         };
-        scene.facts[k].what = What::Rel(new, vec![*b]);
+        brief.facts[k].what = What::Rel(new, vec![*b]);
     }
     for (k, fact) in added.into_iter().rev() {
-        scene.facts.insert(k, fact);
+        brief.facts.insert(k, fact);
     }
-    for _ in 0..scene.items.len() {
-        let Some((at, fact)) = (0..scene.facts.len()).find_map(|k| Some((k + 1, beside(scene, k)?))) else { break };
-        scene.facts.insert(at, fact);
+    for _ in 0..brief.things.len() {
+        let Some((at, fact)) = (0..brief.facts.len()).find_map(|k| Some((k + 1, beside(brief, k)?))) else { break };
+        brief.facts.insert(at, fact);
     }
 }
 
@@ -88,26 +88,26 @@ fn on_side(words: &str) -> bool {
 }
 
 /// Whether an item that no table of nouns knows is small: something carries it, or it is beside something small.
-fn is_small(scene: &Scene, a: usize) -> bool {
-    let item = &scene.items[a];
+fn is_small(brief: &Brief, a: usize) -> bool {
+    let item = &brief.things[a];
     let known = get().noun_ending(&item.words).is_some();
     let size = usual_size(&item.name());
     let large = size.is_some_and(|s| s.iter().any(|v| *v > SMALL)) || item.size.iter().flatten().any(|v| *v > SMALL);
     if item.group != Group::Floor || large || known && size.is_none() {
         return false;
     }
-    let group = |b: &usize| scene.items[*b].group;
+    let group = |b: &usize| brief.things[*b].group;
     let carries = |b: &usize| matches!(group(b), Group::Table | Group::Storage | Group::Bed | Group::Seat | Group::Top);
     // "a cup on the desk stands next to a gadget"
     let met = |f: &Fact| {
         !f.not
             && matches!(&f.what, What::Rel(Rel::Beside | Rel::LeftOf | Rel::RightOf, to) if to.contains(&a))
-            && f.of.iter().all(|b| group(b) == Group::Top && carrier(scene, *b).is_some())
+            && f.of.iter().all(|b| group(b) == Group::Top && carrier(brief, *b).is_some())
     };
-    if scene.facts.iter().any(met) {
+    if brief.facts.iter().any(met) {
         return true;
     }
-    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
+    brief.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
         What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
         What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
             to.iter().all(|b| group(b) == Group::Top)
@@ -117,34 +117,34 @@ fn is_small(scene: &Scene, a: usize) -> bool {
 }
 
 /// Whether things are in it rather than on it.
-fn shelved(scene: &Scene, b: usize) -> bool {
-    last(scene, b, &SHELVED) || last(scene, b, &HOLLOW)
+fn shelved(brief: &Brief, b: usize) -> bool {
+    last(brief, b, &SHELVED) || last(brief, b, &HOLLOW)
 }
 
 /// Whether the name of a thing ends in one of these.
-fn last(scene: &Scene, b: usize, kinds: &[&str]) -> bool {
-    let name = scene.items[b].name();
+fn last(brief: &Brief, b: usize, kinds: &[&str]) -> bool {
+    let name = brief.things[b].name();
     kinds.iter().any(|kind| name.strip_suffix(kind).is_some_and(|rest| rest.is_empty() || rest.ends_with(' ')))
 }
 
 /// What a thing is said to be on; not a rug.
-fn carrier(scene: &Scene, a: usize) -> Option<usize> {
-    scene.facts.iter().filter(|f| !f.not && f.of.contains(&a)).find_map(|f| match &f.what {
-        What::Rel(Rel::On, on) => on.first().copied().filter(|c| scene.items[*c].group != Group::Flat),
+fn carrier(brief: &Brief, a: usize) -> Option<usize> {
+    brief.facts.iter().filter(|f| !f.not && f.of.contains(&a)).find_map(|f| match &f.what {
+        What::Rel(Rel::On, on) => on.first().copied().filter(|c| brief.things[*c].group != Group::Flat),
         _ => None,
     })
 }
 
 /// Whether a thing can be in a shelf.
-fn shelvable(scene: &Scene, a: usize) -> bool {
-    let item = &scene.items[a];
+fn shelvable(brief: &Brief, a: usize) -> bool {
+    let item = &brief.things[a];
     let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
     !lamp && matches!(item.group, Group::Top | Group::Soft | Group::Wall | Group::Floor) && item.size[1].is_none()
 }
 
 /// Of a small thing beside another small thing, or that has one beside it: on what that is on.
-fn beside(scene: &Scene, k: usize) -> Option<Fact> {
-    let fact = &scene.facts[k];
+fn beside(brief: &Brief, k: usize) -> Option<Fact> {
+    let fact = &brief.facts[k];
     let What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) = &fact.what
     else {
         return None;
@@ -153,13 +153,13 @@ fn beside(scene: &Scene, k: usize) -> Option<Fact> {
         let says = |what: &What| {
             matches!(what, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..))
         };
-        scene.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
+        brief.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
     };
-    let group = |a: &usize| scene.items[*a].group;
+    let group = |a: &usize| brief.things[*a].group;
     let free = |list: &[usize]| list.iter().all(|a| group(a) == Group::Top && !placed(a));
     let carried = |list: &[usize]| {
         let small = list.iter().filter(|b| matches!(group(b), Group::Top | Group::Screen));
-        small.filter_map(|b| carrier(scene, *b)).next()
+        small.filter_map(|b| carrier(brief, *b)).next()
     };
     let (of, on) = if fact.not {
         return None;
@@ -174,5 +174,5 @@ fn beside(scene: &Scene, k: usize) -> Option<Fact> {
         return None;
     }
     let what = What::Rel(Rel::On, vec![on]);
-    Some(Fact { of: of.clone(), what, soft: fact.soft, not: false, at: fact.at.clone() })
+    Some(Fact { soft: fact.soft, ..Fact::new(of.clone(), what, fact.source.clone()) })
 }

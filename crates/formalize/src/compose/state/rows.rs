@@ -2,12 +2,8 @@
 
 use super::relations::{AROUND, DRAWN_UP};
 use super::{Named, indexed};
-use crate::read::chunk::Pattern;
-use crate::read::grid::{self, Grid};
-use crate::read::lexicon::{Group, Rel};
-use crate::read::measure::Op;
-use crate::read::noun::Place;
-use crate::read::scene::What;
+use crate::brief::{Group, Op, Pattern, Place, Rel, What};
+use crate::compose::grid::{self, Grid};
 use crate::write::number;
 
 impl Named<'_> {
@@ -15,7 +11,7 @@ impl Named<'_> {
         let of = self.name(a);
         let n = self.counts[a];
         let elements = self.elements(a);
-        if self.scene.items[a].part.is_some() && elements.len() > 1 {
+        if self.brief.things[a].part.is_some() && elements.len() > 1 {
             // Some of several: each with the next.
             let each = |f: &dyn Fn(&str, &str) -> String| {
                 elements.windows(2).map(|w| f(&w[1], &w[0])).collect::<Vec<_>>().join(" and ")
@@ -90,8 +86,8 @@ impl Named<'_> {
         if !self.array(a) || !floor || !row {
             return None;
         }
-        let size = *self.room_sizes.get(self.scene.items[a].room)?;
-        let which = self.scene.facts.iter().find_map(|f| match &f.what {
+        let size = *self.room_sizes.get(self.brief.things[a].room)?;
+        let which = self.brief.facts.iter().find_map(|f| match &f.what {
             What::Place(Rel::Against | Rel::Along | Rel::At, Place::Wall, which) if f.of == [a] && !f.not => {
                 Some(which)
             }
@@ -107,7 +103,7 @@ impl Named<'_> {
         if self.said(a, elsewhere) {
             return None;
         }
-        let gap = self.scene.facts.iter().find_map(|f| match f.what {
+        let gap = self.brief.facts.iter().find_map(|f| match f.what {
             What::Among(_, v) if f.of == [a] => Some(v),
             _ => None,
         });
@@ -171,7 +167,7 @@ impl Named<'_> {
 
     /// Seats at tables that stand in rows: each at its place, turned to its table.
     pub fn drawn_up(&self, a: usize) -> Option<String> {
-        let (rel, b) = self.scene.facts.iter().find_map(|f| match &f.what {
+        let (rel, b) = self.brief.facts.iter().find_map(|f| match &f.what {
             What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
                 if f.of == [a] && to.len() == 1 =>
             {
@@ -250,8 +246,8 @@ impl Named<'_> {
 
     /// How an array in rows stands, if nothing else says where.
     pub fn grid(&self, a: usize) -> Option<Grid> {
-        let room = self.room_sizes.get(self.scene.items[a].room)?;
-        grid::grid(self.scene, &self.sizes, a, Some(*room))
+        let room = self.room_sizes.get(self.brief.things[a].room)?;
+        grid::grid(self.brief, &self.sizes, a, Some(*room))
     }
 
     pub(super) fn rows_apart(&self, a: usize, op: Op, v: f64) -> Option<String> {
@@ -266,7 +262,7 @@ impl Named<'_> {
 
     /// What a circle is around, if that was said.
     fn centre_of(&self, a: usize) -> Option<usize> {
-        self.scene.facts.iter().find_map(|f| match &f.what {
+        self.brief.facts.iter().find_map(|f| match &f.what {
             What::Rel(Rel::Around, to) if f.of.contains(&a) && self.counts[to[0]] == 1 => Some(to[0]),
             _ => None,
         })

@@ -5,10 +5,7 @@ mod places;
 mod relations;
 mod rows;
 
-use super::lexicon::{Group, Rel};
-use super::measure::{Dim, Op};
-use super::noun::Place;
-use super::scene::{Fact, Scene, Side, What};
+use crate::brief::{Brief, Dim, Fact, Group, Op, Place, Rel, Side, What};
 use crate::draft::{Note, Source, Statement};
 use crate::write::number;
 pub(super) use relations::ACROSS;
@@ -19,7 +16,7 @@ const LISTED: usize = 12;
 /// Names and counts that statements speak of.
 pub struct Named<'a> {
     /// What was read.
-    pub scene: &'a Scene,
+    pub brief: &'a Brief,
     /// Names of things; of an opening that there are several of, one for each.
     pub names: Vec<Vec<String>>,
     /// How many of each.
@@ -44,15 +41,15 @@ pub struct Stated {
 /// All statements of what was read.
 pub fn state(named: &Named) -> Stated {
     let mut out = Stated::default();
-    for (k, fact) in named.scene.facts.iter().enumerate() {
+    for (k, fact) in named.brief.facts.iter().enumerate() {
         let texts = named.fact(k, fact);
         if texts.is_empty() {
-            out.notes.push(Note { at: fact.at.clone(), reason: "no predicate says this of one thing alone".into() });
+            out.notes.push(Note { at: fact.source.at(), reason: "no predicate says this of one thing alone".into() });
         }
         // Of what nobody asked for nobody said anything either.
-        let why = fact.of.iter().find_map(|of| named.scene.items[*of].inferred.clone());
+        let why = fact.of.iter().map(|of| &named.brief.things[*of].source).find(|source| source.reason().is_some());
         for text in texts {
-            out.push(text, why.clone().map_or(Source::Stated(fact.at.clone()), Source::Inferred));
+            out.push(text, why.unwrap_or(&fact.source).clone());
         }
     }
     super::usual::usual(named, &mut out);
@@ -76,7 +73,7 @@ impl Stated {
 impl Named<'_> {
     /// The room of a thing, by name.
     pub fn room(&self, item: usize) -> &str {
-        self.rooms.get(self.scene.items[item].room).map_or("", String::as_str)
+        self.rooms.get(self.brief.things[item].room).map_or("", String::as_str)
     }
 
     /// The set, or the one.
@@ -85,7 +82,7 @@ impl Named<'_> {
     }
 
     fn array(&self, item: usize) -> bool {
-        self.counts[item] > 1 && !self.scene.items[item].opening() && self.scene.items[item].part.is_none()
+        self.counts[item] > 1 && !self.brief.things[item].opening() && self.brief.things[item].part.is_none()
     }
 
     /// Names of its elements, no more than a few.
@@ -185,8 +182,8 @@ impl Named<'_> {
 
     /// Whether a fact says something of a thing, or of some of several.
     pub fn said(&self, item: usize, f: impl Fn(&What) -> bool) -> bool {
-        let of = |i: &usize| *i == item || self.scene.whole(*i) == item;
-        self.scene.facts.iter().any(|fact| !fact.not && fact.of.iter().any(of) && f(&fact.what))
+        let of = |i: &usize| *i == item || self.brief.whole(*i) == item;
+        self.brief.facts.iter().any(|fact| !fact.not && fact.of.iter().any(of) && f(&fact.what))
     }
 
     /// The statements of one fact.
@@ -263,7 +260,7 @@ impl Named<'_> {
     }
 
     fn group(&self, item: usize) -> Group {
-        self.scene.items[item].group
+        self.brief.things[item].group
     }
 }
 

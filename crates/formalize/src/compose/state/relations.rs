@@ -1,11 +1,8 @@
 //! One thing and another: on, beside, in front of, around, between.
 
 use super::{LISTED, Named, indexed};
-use crate::read::chunk::Pattern;
-use crate::read::lexicon::{Group, Rel};
-use crate::read::noun::Place;
-use crate::read::scene::What;
-use crate::read::sizes;
+use crate::brief::{Group, Pattern, Place, Rel, What};
+use crate::compose::sizes;
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
@@ -13,7 +10,7 @@ const NEAR: f64 = 1.0;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
-pub(in crate::read) const ACROSS: f64 = 1.5;
+pub(in crate::compose) const ACROSS: f64 = 1.5;
 /// How far "around" reaches, for what is no seat.
 pub(super) const AROUND: f64 = 1.2;
 
@@ -129,7 +126,7 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
                 if ga == Group::Seat && matches!(gb, Group::Table) {
                     // Rows of chairs before a lectern are not drawn up to it.
-                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.scene, b);
+                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.brief, b);
                     let d = if away { None } else { Some(DRAWN_UP) };
                     if let Some(d) = d {
                         out.push(format!("{verb} {};", pairs(&far(d))));
@@ -174,7 +171,7 @@ impl Named<'_> {
                 }
             }
             Rel::Opposite => {
-                let front = !self.scene.items[b].opening();
+                let front = !self.brief.things[b].opening();
                 let f = |x: &str, y: &str| {
                     if front {
                         format!("looksAt({x}, {y}) and inFrontOf({x}, {y})")
@@ -188,7 +185,7 @@ impl Named<'_> {
                 }
             }
             Rel::Far => {
-                let room = self.room_sizes.get(self.scene.items[a].room).copied().unwrap_or([6.0; 3]);
+                let room = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
                 let d = (room[0].min(room[2]) / 3.0).clamp(0.5, 2.0);
                 out.push(format!(
                     "{verb} {};",
@@ -230,7 +227,7 @@ impl Named<'_> {
     /// Whether a thing stands on the floor and is as high as people.
     pub fn tall(&self, item: usize) -> bool {
         let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
-        let lamp = self.scene.items[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
+        let lamp = self.brief.things[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
         let [w, h, d] = self.sizes[item];
         !lamp
             && matches!(self.group(item), Group::Floor | Group::Storage | Group::Bed | Group::Table | Group::Seat)
@@ -259,7 +256,7 @@ impl Named<'_> {
         self.said(item, |w| {
             matches!(w, What::Place(_, Place::Wall, _))
                 && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
-        }) && self.scene.facts.iter().any(|f| {
+        }) && self.brief.facts.iter().any(|f| {
             f.of.contains(&item) && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
         })
     }
@@ -269,7 +266,7 @@ impl Named<'_> {
         let (n, m) = (self.counts[a], self.counts[b]);
         let (of, to) = (self.name(a), self.name(b));
         let seat = self.group(a) == Group::Seat;
-        let gap = self.scene.facts.iter().find_map(|f| match &f.what {
+        let gap = self.brief.facts.iter().find_map(|f| match &f.what {
             What::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
             _ => None,
         });
@@ -315,7 +312,7 @@ impl Named<'_> {
 
     /// Whether it is to be looked at from a seat.
     pub fn screen(&self, item: usize) -> bool {
-        let item = &self.scene.items[item];
+        let item = &self.brief.things[item];
         item.group == Group::Screen || item.group == Group::Wall && item.words.last().is_some_and(|w| w == "screen")
     }
 

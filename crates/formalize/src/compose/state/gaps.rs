@@ -1,9 +1,7 @@
 //! Distances that are measured, and room that is kept free.
 
 use super::{Named, Side};
-use crate::read::lexicon::{Group, Rel};
-use crate::read::measure::Op;
-use crate::read::scene::What;
+use crate::brief::{Group, Op, Rel, What};
 use crate::write::number;
 
 impl Named<'_> {
@@ -44,7 +42,7 @@ impl Named<'_> {
     /// Whether two things are said to be near each other, or above one another.
     fn kin(&self, a: usize, b: usize) -> bool {
         let flat = matches!(self.group(b), Group::Flat | Group::Ceiling | Group::Wall | Group::Door | Group::Window);
-        flat || self.scene.facts.iter().any(|f| match &f.what {
+        flat || self.brief.facts.iter().any(|f| match &f.what {
             What::Rel(rel, to) => {
                 !f.not
                     && *rel != Rel::Far
@@ -67,7 +65,7 @@ impl Named<'_> {
             Side::Around => &["left", "right"],
         };
         // A door's front is whichever side the solver gives it.
-        let outer = door && self.scene.items[a].beyond.is_none();
+        let outer = door && self.brief.things[a].beyond.is_none();
         let sides: &[&str] = if door && !outer { &["front", "behind"] } else { sides };
         self.all(a, |x| sides.iter().map(|s| format!("clear({x}, {s}, {v})")).collect::<Vec<_>>().join(" and "))
     }

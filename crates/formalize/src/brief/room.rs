@@ -1,0 +1,24 @@
+//! A room of a brief.
+
+use super::{Look, Source};
+
+/// A room, as far as the request describes it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Room {
+    /// Its kind in the singular: "meeting room".
+    pub name: String,
+    /// Width, height and depth, where they are said.
+    pub size: [Option<f64>; 3],
+    /// Square metres, where they are said.
+    pub area: Option<f64>,
+    /// How many corners an even outline has: 8 for "octagonal". `None`: a rectangle.
+    pub corners: Option<usize>,
+    /// How many people it is for.
+    pub people: Option<usize>,
+    /// The look of its floor.
+    pub floor: Look,
+    /// The look of its walls.
+    pub walls: Look,
+    /// Where it comes from.
+    pub source: Source,
+}

@@ -1,0 +1,251 @@
+//! A thing of a brief: its noun, how many, how it looks, and where it is.
+
+use super::Dim;
+use std::ops::Range;
+
+/// A thing, or several like ones; a door or a window too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Thing {
+    /// The words of its name in the singular: "coffee", "table".
+    pub words: Vec<String>,
+    /// How many of the last words are one noun.
+    pub last: usize,
+    /// How such things usually are in a room.
+    pub group: Group,
+    /// How many.
+    pub number: Number,
+    /// What it holds or consists of, as part of its name: "honey" of a jar of honey.
+    pub of: Option<String>,
+    /// The room it is in, an index.
+    pub room: usize,
+    /// For a door or a window: the room on the other side. `None`: the outside.
+    pub beyond: Option<usize>,
+    /// Its looks.
+    pub look: Look,
+    /// Width, height and depth, where they are said.
+    pub size: [Option<f64>; 3],
+    /// Where it comes from.
+    pub source: Source,
+    /// Set where this is no thing of its own, but some of another: "the first exit", "two of them".
+    pub part: Option<Part>,
+}
+
+/// How many there are of a thing, as the request says it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Number {
+    /// Nothing is said: one.
+    #[default]
+    Unsaid,
+    /// A plural without a number: "chairs".
+    Plural,
+    /// "several", "a few": three or more.
+    Several,
+    /// This number.
+    Exactly(usize),
+    /// This number or more.
+    AtLeast(usize),
+    /// So many for each of another thing, an index.
+    Each {
+        /// The other thing.
+        of: usize,
+        /// How many for each.
+        number: usize,
+    },
+}
+
+impl Number {
+    /// The number that is said, for each of another thing where it is of that kind.
+    pub fn said(self) -> Option<usize> {
+        match self {
+            Self::Exactly(n) | Self::AtLeast(n) | Self::Each { number: n, .. } => Some(n),
+            Self::Unsaid | Self::Plural | Self::Several => None,
+        }
+    }
+
+    /// Whether it is so many for each of another thing.
+    pub fn follows(self) -> bool {
+        matches!(self, Self::Each { .. })
+    }
+
+    /// Whether the thing is spoken of in the plural.
+    pub fn many(self) -> bool {
+        match self {
+            Self::Unsaid => false,
+            Self::Exactly(n) | Self::AtLeast(n) => n > 1,
+            Self::Plural | Self::Several | Self::Each { .. } => true,
+        }
+    }
+}
+
+/// How a thing usually is in a room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// To sit on.
+    Seat,
+    /// With a top that things stand on.
+    Table,
+    /// To store in.
+    Storage,
+    /// To sleep on.
+    Bed,
+    /// Other things on the floor; also what no table knows.
+    Floor,
+    /// On a wall.
+    Wall,
+    /// Under the ceiling.
+    Ceiling,
+    /// On top of something.
+    Top,
+    /// A television, a screen: hangs or stands.
+    Screen,
+    /// Flat on the floor.
+    Flat,
+    /// Lies on seats and beds.
+    Soft,
+    /// Hangs along windows.
+    Drape,
+    /// A way through a wall.
+    Door,
+    /// A view through a wall.
+    Window,
+}
+
+/// What a thing looks like, in the words of the request.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Look {
+    /// As the request says it.
+    pub color: Option<String>,
+    /// In one or a few words: "oak".
+    pub material: Option<String>,
+    /// What else is said of it: "with armrests".
+    pub features: Vec<String>,
+}
+
+/// Where something comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The request says so, in these bytes.
+    Stated(Range<usize>),
+    /// Rooms of the kind need it, or the world does: the sentence says why.
+    Inferred(String),
+}
+
+impl Default for Source {
+    fn default() -> Self {
+        Self::Stated(0..0)
+    }
+}
+
+impl Source {
+    /// The bytes of the request; empty where it does not say so.
+    pub fn at(&self) -> Range<usize> {
+        match self {
+            Self::Stated(at) => at.clone(),
+            Self::Inferred(_) => 0..0,
+        }
+    }
+
+    /// Why it was added, if the request does not say so.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Stated(_) => None,
+            Self::Inferred(why) => Some(why),
+        }
+    }
+}
+
+/// Some of several like things.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The thing, an index.
+    pub of: usize,
+    /// Which of it.
+    pub pick: Pick,
+}
+
+/// Which of several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pick {
+    /// So many, from this one on: "one of them", "the second exit".
+    Run(usize, usize),
+    /// All from this one on: "the others".
+    Rest(usize),
+    /// The last one.
+    Last,
+    /// "half of the desks".
+    Half,
+    /// "every second counter".
+    Every(usize),
+    /// The one in the middle of a row.
+    Row(usize),
+}
+
+impl Pick {
+    /// The indices of so many elements that stand in so many rows.
+    pub fn indices(self, count: usize, rows: usize) -> Vec<usize> {
+        let last = count.max(1) - 1;
+        let all = 0..=last;
+        let some: Vec<usize> = match self {
+            Self::Run(from, n) => all.skip(from).take(n).collect(),
+            Self::Rest(from) => all.skip(from).collect(),
+            Self::Last => vec![],
+            Self::Half => all.take((count / 2).max(1)).collect(),
+            Self::Every(n) => all.skip(n.max(1) - 1).step_by(n.max(1)).collect(),
+            Self::Row(row) => {
+                let columns = count.div_ceil(rows.max(1)).max(1);
+                let row = row.min(rows.max(1) - 1);
+                vec![(row * columns + (columns - 1) / 2).min(last)]
+            }
+        };
+        if some.is_empty() { vec![last] } else { some }
+    }
+}
+
+impl Thing {
+    /// The noun: "table" of a coffee table.
+    pub fn head(&self) -> String {
+        self.words[self.words.len().saturating_sub(self.last)..].join(" ")
+    }
+
+    /// Its whole name.
+    pub fn name(&self) -> String {
+        self.words.join(" ")
+    }
+
+    /// Whether it is a door or a window.
+    pub fn opening(&self) -> bool {
+        matches!(self.group, Group::Door | Group::Window)
+    }
+
+    /// Takes over sizes; "long" and "wide" together are width and depth, "long" alone is the width.
+    pub fn take_dims(&mut self, dims: &[(Dim, f64)]) {
+        // "6 m long, 1.2 m wide": what was taken for the width is the depth.
+        if let ([(Dim::Width, _)], Some(long), None) = (dims, self.size[0], self.size[2]) {
+            self.size[2] = Some(long);
+        }
+        let wide = dims.iter().any(|(d, _)| *d == Dim::Width) || self.size[0].is_some();
+        let rod = self.group == Group::Bed;
+        for (dim, value) in dims {
+            let axis = match dim {
+                Dim::Width => 0,
+                Dim::Elevation => continue,
+                Dim::Height | Dim::Ceiling => 1,
+                Dim::Depth => 2,
+                // A bed's length is how far it reaches into the room.
+                Dim::Length if rod || wide => 2,
+                Dim::Length => 0,
+                Dim::Across => {
+                    self.size[2] = self.size[2].or(Some(*value));
+                    0
+                }
+            };
+            // "90 x 60 cm" of what hangs on a wall is as it is seen.
+            let axis = if axis == 2 && matches!(self.group, Group::Wall | Group::Screen) && dims.len() == 2 {
+                1
+            } else {
+                axis
+            };
+            self.size[axis] = Some(*value);
+        }
+    }
+}

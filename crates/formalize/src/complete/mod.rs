@@ -1,0 +1,30 @@
+//! What a request leaves open is added to its brief: what rooms of a kind have, doors, seats for people, and what small
+//! things stand on. All that is added says why.
+
+mod defaults;
+mod settle;
+
+use crate::brief::Brief;
+
+/// How much is added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Furniture that such rooms have, and doors.
+    Usual,
+    /// Only doors between rooms, without which nobody gets from one to the other.
+    Literal,
+}
+
+/// Completes a brief.
+pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
+    defaults::counted(&mut brief);
+    match extent {
+        Extent::Usual => {
+            defaults::add(&mut brief);
+            defaults::seats(&mut brief);
+        }
+        Extent::Literal => defaults::joined(&mut brief),
+    }
+    settle::settle(&mut brief);
+    brief
+}

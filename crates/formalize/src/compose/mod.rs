@@ -1,0 +1,197 @@
+//! What is asked for becomes a draft of the program: names, sizes, places of rooms, and the statements of each fact.
+//! It knows the language and its library, and no words.
+
+mod grid;
+mod sizes;
+mod state;
+mod usual;
+
+use crate::arrange::arrange_rooms;
+use crate::brief::{Brief, Group, Look, Rel, What, too_many};
+use crate::draft::{Draft, Note, Opening, OpeningKind, Room, Source, Surface, Thing};
+use crate::names::{Names, identifier};
+
+/// The draft of a brief.
+pub fn compose(brief: &Brief) -> Draft {
+    let mut names = Names::default();
+    let sizes = sizes::things(brief);
+    let mut room_sizes = sizes::rooms(brief, &sizes);
+    let mut draft = Draft { request: brief.request.clone(), ..Draft::default() };
+    let room_names: Vec<String> = brief.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
+    let mut sizes = sizes;
+    sizes::fit_walls(brief, &mut sizes, &room_sizes);
+    for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| !item.opening() && item.part.is_none()) {
+        let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
+        let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];
+        if (0..3).any(|k| sizes[i][k] > most[k]) {
+            (0..3).for_each(|k| sizes[i][k] = sizes[i][k].min(most[k].max(0.05)));
+            if item.size.iter().any(Option::is_some) {
+                draft
+                    .notes
+                    .push(Note { at: item.source.at(), reason: "larger than its room: made as large as fits".into() });
+            }
+        }
+    }
+    draft.outdoor = brief.rooms.len() == 1
+        && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
+            .iter()
+            .any(|o| brief.rooms[0].name.ends_with(o));
+    let mut counts: Vec<usize> = (0..brief.things.len())
+        .map(|i| if brief.things[i].opening() { brief.count(i).min(8) } else { brief.count(i) })
+        .collect();
+    let mut given: Vec<Vec<String>> = Vec::new();
+    for (i, item) in brief.things.iter().enumerate() {
+        let name = identifier(&item.name(), "thing");
+        given.push(match &item.part {
+            Some(part) => {
+                sizes[i] = sizes[part.of];
+                let of = |n: usize| match given[part.of].as_slice() {
+                    _ if item.opening() => given[part.of].get(n).cloned(),
+                    [one] if counts[part.of] == 1 => Some(one.clone()),
+                    [set] => Some(format!("{set}[{n}]")),
+                    _ => None,
+                };
+                brief.elements(part).into_iter().filter_map(of).collect()
+            }
+            // Several doors are told apart by numbers.
+            None if item.opening() && counts[i] > 1 => {
+                (1..=counts[i]).map(|n| names.take(&format!("{name}{n}"))).collect()
+            }
+            None => vec![names.take(&name)],
+        });
+    }
+    for (count, given) in counts.iter_mut().zip(&given) {
+        // At most as many openings as are made.
+        if given.len() > 1 {
+            *count = given.len();
+        }
+    }
+    for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| item.part.is_none()) {
+        let source = item.source.clone();
+        if item.opening() {
+            let mut rooms = vec![item.room];
+            rooms.extend(item.beyond);
+            let kind = if item.group == Group::Door { OpeningKind::Door } else { OpeningKind::Window };
+            for name in &given[i] {
+                let mut size = sizes[i];
+                let ceiling =
+                    rooms.iter().filter_map(|r| room_sizes.get(*r)).map(|r| r[1]).fold(f64::INFINITY, f64::min);
+                size[1] = size[1].min(ceiling - 0.1).max(0.3);
+                size[2] = size[2].min(0.12);
+                draft.openings.push(Opening {
+                    name: name.clone(),
+                    kind,
+                    rooms: rooms.clone(),
+                    size,
+                    look: item.look.clone(),
+                    source: source.clone(),
+                });
+            }
+        } else {
+            draft.things.push(Thing {
+                name: given[i][0].clone(),
+                category: item.of.iter().fold(item.words.join("_"), |name, of| format!("{name} {of}")),
+                count: counts[i],
+                room: Some(item.room),
+                size: Some(sizes[i]),
+                look: item.look.clone(),
+                source,
+            });
+        }
+    }
+    for (i, room) in brief.rooms.iter().enumerate() {
+        let source = match &room.source {
+            Source::Stated(at) if at.is_empty() => Source::Inferred("the things stand in a room".into()),
+            source => source.clone(),
+        };
+        let sized = room.size[0].is_some() && room.size[2].is_some();
+        let [w, _, d] = room_sizes[i];
+        let outline = room.corners.map(|n| polygon(n, w, d));
+        draft.rooms.push(Room {
+            name: room_names[i].clone(),
+            kind: room.name.clone(),
+            at: [0.0; 2],
+            size: room_sizes[i],
+            sized,
+            outline,
+            floor: surface(&room.floor),
+            walls: surface(&room.walls),
+            source,
+        });
+    }
+    arrange_rooms(&mut draft);
+    for (size, room) in room_sizes.iter_mut().zip(&draft.rooms) {
+        *size = room.size;
+    }
+    let named = state::Named { brief, names: given, counts, rooms: room_names, sizes, room_sizes };
+    let mut stated = state::state(&named);
+    windows(&named, &mut draft, &mut stated);
+    draft.statements = stated.statements;
+    draft.notes.extend(stated.notes);
+    draft.notes.extend(limited(brief, &draft));
+    for (name, at) in &brief.absent {
+        if brief.things.iter().any(|i| i.name() == *name) {
+            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is asked for elsewhere") });
+        }
+    }
+    draft
+}
+
+/// Numbers of things that follow from others, and sizes of rooms, that are not taken as they are.
+fn limited(brief: &Brief, draft: &Draft) -> Vec<Note> {
+    let mut out = Vec::new();
+    for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| item.number.follows() && item.part.is_none()) {
+        let reason = too_many(brief.stated(i));
+        out.extend(reason.map(|reason| Note { at: item.source.at(), reason }));
+    }
+    for (room, made) in brief.rooms.iter().zip(&draft.rooms) {
+        for (said, is) in room.size.iter().zip(made.size) {
+            let said = said.filter(|said| (said - is).abs() > 0.001);
+            let reason = said.map(|said| format!("no room is so large or so small: {said} m is read as {is} m"));
+            out.extend(reason.map(|reason| Note { at: room.source.at(), reason }));
+        }
+    }
+    out
+}
+
+/// A window that something stands under begins above it.
+fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
+    for fact in named.brief.facts.iter().filter(|f| !f.not) {
+        let What::Rel(Rel::Under, to) = &fact.what else { continue };
+        for w in to.iter().filter(|w| named.brief.things[**w].group == Group::Window) {
+            // As high above it as it reaches from the wall: so `below` has it.
+            let top = fact.of.iter().map(|a| named.sizes[*a][1] + named.sizes[*a][2] / 2.0).fold(0.0, f64::max);
+            let sill = ((top + 0.05) * 20.0).ceil() / 20.0;
+            let ceiling = named.room_sizes.get(named.brief.things[*w].room).map_or(2.7, |s| s[1]);
+            // Where the window begins if nothing is said.
+            if sill <= ((ceiling - named.sizes[*w][1]) / 2.0).min(0.9) {
+                continue;
+            }
+            for name in &named.names[*w] {
+                if let Some(o) = draft.openings.iter_mut().find(|o| o.name == *name) {
+                    o.size[1] = o.size[1].min(ceiling - sill - 0.1).max(0.3);
+                }
+                out.infer(
+                    format!("assert {name}.bottom = {};", crate::write::number(sill)),
+                    "the window begins above what stands under it",
+                );
+            }
+        }
+    }
+}
+
+fn surface(look: &Look) -> Surface {
+    Surface { color: look.color.clone(), material: look.material.clone() }
+}
+
+/// An even polygon with a side at the front, within a width and a depth.
+fn polygon(corners: usize, w: f64, d: f64) -> Vec<[f64; 2]> {
+    let step = std::f64::consts::TAU / corners as f64;
+    let reach = (step / 2.0).cos();
+    (0..corners)
+        .map(|i| {
+            let angle = step * (i as f64 + 0.5);
+            [angle.sin() * w / 2.0 / reach, angle.cos() * d / 2.0 / reach].map(|v| (v * 1e4).round() / 1e4)
+        })
+        .collect()
+}

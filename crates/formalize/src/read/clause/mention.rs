@@ -1,0 +1,107 @@
+//! Noun phrases and the things of a brief: which thing a phrase speaks of again, and what a new one brings in.
+
+use super::*;
+impl Reader<'_> {
+    /// The thing that a phrase speaks of again: the last one of that name, in this room before others.
+    pub(super) fn find(&self, np: &Np) -> Option<usize> {
+        let lexicon = get();
+        let head = np.head();
+        let tail = np.words.last().cloned().unwrap_or_default();
+        let score = |item: &Thing| -> u32 {
+            let same_head = item.head() == head;
+            let same_tail = item.words.last() == Some(&tail);
+            let all = np.words.iter().all(|w| item.words.contains(w));
+            let own = np.words.iter().all(|w| {
+                item.words.contains(w)
+                    || item.look.features.iter().any(|f| f == w)
+                    || item.look.material.as_deref() == Some(w)
+            });
+            let fewer = item.words.iter().all(|w| np.words.contains(w));
+            let color = np.look.color.is_none() || np.look.color == item.look.color;
+            if item.words == np.words && color {
+                8
+            } else if all && same_tail {
+                7
+            } else if (same_head || same_tail) && own {
+                6
+            } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
+                // "the wardrobe door" is no wardrobe; "the desk" is rather a desk than a desk lamp
+                3
+            } else if np.words.len() == 1
+                && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head))
+            {
+                // "the bench" is the workbench
+                5
+            } else if all {
+                3
+            } else if lexicon.alike(&item.head(), &head)
+                && np.words[..np.words.len() - np.last].iter().all(|w| lexicon.alike(&item.head(), w))
+            {
+                4
+            } else if fewer
+                && (same_head || same_tail)
+                && np.look.color.is_none()
+                && (np.many || np.count.is_some_and(|c| c > 1) || !item.number.many())
+            {
+                2
+            } else {
+                0
+            }
+        };
+        let best = self
+            .brief
+            .things
+            .iter()
+            .enumerate()
+            .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
+            .map(|(i, item)| (score(item) * 2 + u32::from(item.room == self.room), score(item), i));
+        let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
+        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(&head) } else { None })
+    }
+
+    /// "the tabletop": what was spoken of last that has one.
+    fn surface(&self, said: &str) -> Option<usize> {
+        let with_top = |i: &usize| {
+            let item = &self.brief.things[*i];
+            item.room == self.room && item.group == Group::Table && item.part.is_none() && !self.gone.contains(i)
+        };
+        // "the tabletop" is rather that of a table than of a sideboard.
+        let named = |i: &usize| self.brief.things[*i].words.last().is_some_and(|w| said.starts_with(w.as_str()));
+        let all = || (0..self.brief.things.len()).rev().filter(with_top);
+        all().find(named).or_else(|| all().next())
+    }
+
+    /// A new thing.
+    pub(super) fn add(&mut self, np: &Np, at: Range<usize>) -> usize {
+        let number = match (np.count, np.det) {
+            (Some(n), _) => Number::Exactly(n.clamp(1, MOST_COUNT)),
+            (None, _) if np.several => Number::Several,
+            (None, _) if np.many => Number::Plural,
+            (None, Det::Each | Det::No) => Number::Unsaid,
+            (None, _) => Number::Exactly(1),
+        };
+        let notes = np.number.and_then(crate::read::counts::said);
+        self.brief.notes.extend(notes.map(|reason| Note { at: at.clone(), reason }));
+        let mut thing = Thing {
+            words: np.words.clone(),
+            last: np.last,
+            group: np.group.unwrap_or(Group::Floor),
+            number,
+            of: None,
+            room: self.room,
+            beyond: None,
+            look: np.look.clone(),
+            size: [None; 3],
+            source: Source::Stated(at),
+            part: None,
+        };
+        thing.take_dims(&np.dims);
+        self.brief.things.push(thing);
+        self.brief.things.len() - 1
+    }
+
+    /// Says something of things; denied or not.
+    pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool, at: Range<usize>) {
+        self.brief.say(Fact { soft, not, ..Fact::new(of.to_vec(), what, Source::Stated(at)) });
+    }
+}
