@@ -14,6 +14,7 @@ pub const FILES: &[(&str, &str)] = &[
     ("std/distance.scene", include_str!("../std/distance.scene")),
     ("std/orientation.scene", include_str!("../std/orientation.scene")),
     ("std/walls.scene", include_str!("../std/walls.scene")),
+    ("std/groups.scene", include_str!("../std/groups.scene")),
 ];
 
 /// The library, parsed once per process.

@@ -90,6 +90,19 @@ impl Builder {
         self.add(Node::Arith(op, l, r), range)
     }
 
+    /// A count of facts that no layout changes, as its number; anything else as it is.
+    pub(super) fn tallied(&mut self, id: NodeId, range: TextRange) -> NodeId {
+        let Node::Count(list) = self.node(id) else { return id };
+        let known = list.iter().map(|member| match self.node(*member) {
+            Node::Truth(truth) => Some(usize::from(*truth)),
+            _ => None,
+        });
+        match known.sum::<Option<usize>>() {
+            Some(number) => self.number(number as f64, range),
+            None => id,
+        }
+    }
+
     pub(super) fn component(&mut self, axis: Axis, of: NodeId, range: TextRange) -> NodeId {
         match self.node(of) {
             Node::Vector(v) => v[axis as usize],

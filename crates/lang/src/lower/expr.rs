@@ -326,6 +326,7 @@ impl<'a> Lowerer<'a, '_> {
                     _ if ta == Ty::Literal && tb == Ty::Literal => Ty::Literal,
                     _ => Ty::Number,
                 };
+                let (a, b) = (self.f.b.tallied(a, range), self.f.b.tallied(b, range));
                 Val::Num(self.f.b.arith(arith, a, b, range), ty)
             }
             (Val::Vec(a), Val::Vec(b) | Val::Num(b, _)) | (Val::Num(a, _), Val::Vec(b)) => {
