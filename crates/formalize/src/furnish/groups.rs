@@ -21,10 +21,12 @@ pub enum Where {
     Front(f64, f64),
     /// Behind its back; turned by so much.
     Back(f64, f64),
-    /// At its left or right side, or at both.
-    Side(f64, Along, f64),
+    /// At its left (1) or right (-1) side; turned by so much.
+    Side(f64, Along, f64, f64),
     /// At both sides.
     Sides(f64, Along),
+    /// In a row before its front, turned to it: so many, or as many as there is room for.
+    Row(usize, f64),
     /// On top: shares of the free width and depth from the middle, and a turn.
     Top(f64, f64, f64),
     /// On a board of a shelf, counted from below; a share of the free width.
@@ -59,9 +61,7 @@ pub fn of(name: &str) -> &'static [Part] {
     static GROUPS: OnceLock<BTreeMap<&'static str, Vec<Part>>> = OnceLock::new();
     let groups = GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")));
     let words: Vec<&str> = name.split([' ', '_']).collect();
-    (0..words.len())
-        .find_map(|from| groups.get(words[from..].join(" ").as_str()))
-        .map_or(&[], Vec::as_slice)
+    (0..words.len()).find_map(|from| groups.get(words[from..].join(" ").as_str())).map_or(&[], Vec::as_slice)
 }
 
 fn parse(text: &'static str) -> BTreeMap<&'static str, Vec<Part>> {
@@ -94,8 +94,9 @@ fn part(line: &'static str) -> Option<Part> {
     let at = match head {
         "front" => Where::Front(n(0)?, n(1).unwrap_or(180.0)),
         "behind" => Where::Back(n(0)?, n(1).unwrap_or(0.0)),
-        "left" => Where::Side(n(0)?, along, 1.0),
-        "right" => Where::Side(n(0)?, along, -1.0),
+        "left" => Where::Side(n(0)?, along, 1.0, n(2).unwrap_or(0.0)),
+        "right" => Where::Side(n(0)?, along, -1.0, n(2).unwrap_or(0.0)),
+        "row" => Where::Row(n(0)? as usize, n(1)?),
         "sides" => Where::Sides(n(0)?, along),
         "top" => Where::Top(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
         "board" => Where::Board(n(0)? as usize, n(1)?, n(2).map_or(1, |n| n as usize)),

@@ -1,6 +1,7 @@
 //! What rooms of a kind have, from `data/kinds.txt`: their usual size, who is in them, floor, walls, colours, openings,
 //! light and inventory. A test reads every line.
 
+use crate::read::lexicon::{plural, singular};
 use std::sync::OnceLock;
 
 /// How many of a thing a room has.
@@ -33,8 +34,8 @@ pub enum Place {
     Back(f64),
     /// At the wall at the front of the room.
     Front(f64),
-    /// At a distance from the wall at the back, with its own back to it.
-    Before(f64),
+    /// At a distance from the wall at the back, so turned: 180 looks into the room.
+    Before(f64, f64),
     /// At a wall opposite a thing, looking at it.
     Opposite(String),
     /// On a wall, at the height of the eyes.
@@ -93,11 +94,17 @@ pub fn all() -> &'static [Kind] {
 
 /// The kind whose name ends a room's name: "a small meeting room" is a meeting room.
 pub fn of(room: &str) -> Option<&'static Kind> {
-    let words: Vec<&str> = room.split_whitespace().collect();
+    let words: Vec<String> = room.split_whitespace().map(one).collect();
     (0..words.len()).find_map(|from| {
         let tail = words[from..].join(" ");
-        all().iter().find(|kind| kind.name == tail || kind.also.contains(&tail.as_str()))
+        let same = |name: &str| name.split(' ').map(one).collect::<Vec<_>>().join(" ") == tail;
+        all().iter().find(|kind| same(kind.name) || kind.also.iter().any(|name| same(name)))
     })
+}
+
+/// A word in the singular.
+fn one(word: &str) -> String {
+    if plural(word) { singular(word) } else { word.to_owned() }
 }
 
 fn parse(text: &'static str) -> Vec<Kind> {
@@ -171,7 +178,7 @@ fn entry(line: &'static str) -> Option<Line> {
         "rowsaway" => Place::Rows(false),
         "back" => Place::Back(number()),
         "front" => Place::Front(number()),
-        "before" => Place::Before(number()),
+        "before" => Place::Before(number(), rest.get(1).and_then(|n| n.parse().ok()).unwrap_or(180.0)),
         "opposite" => {
             Place::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
         }

@@ -17,7 +17,7 @@ pub fn fixed(part: &str, of: &str, slot: &Slot, height: f64, ceiling: f64) -> St
     shift("front", slot.z);
     let up = match slot.level {
         Level::Floor => None,
-        Level::Top => Some(format!("{of}.size.y")),
+        Level::Top => Some(format!("{of}.surface - {of}.bottom")),
         Level::At(y) | Level::Above(y) => Some(number(rounded_up(y))),
         Level::Ceiling => Some(number(rounded(ceiling - height))),
     };

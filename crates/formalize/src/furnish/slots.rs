@@ -43,19 +43,27 @@ pub struct Sizes {
 pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
     let ([width, height, depth], [w, _, d]) = (sizes.of, sizes.own);
     let slot = |x: f64, z: f64, level: Level, yaw: f64| Slot { x, z, level, yaw };
-    let beside = |gap: f64, along: Along, left: f64| {
+    let beside = |gap: f64, along: Along, left: f64, yaw: f64| {
+        let (w, d) = if (yaw / 90.0).round() as i64 % 2 == 0 { (w, d) } else { (d, w) };
         let z = match along {
             Along::Backs => (d - depth) / 2.0,
             Along::Middle => 0.0,
             Along::Fronts => (depth - d) / 2.0,
         };
-        slot(-left * (width / 2.0 + gap + w / 2.0), z, Level::Floor, 0.0)
+        slot(-left * (width / 2.0 + gap + w / 2.0), z, Level::Floor, yaw)
     };
     match *at {
         Where::Front(gap, yaw) => vec![slot(0.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)],
         Where::Back(gap, yaw) => vec![slot(0.0, -depth / 2.0 - gap - d / 2.0, Level::Floor, yaw)],
-        Where::Side(gap, along, left) => vec![beside(gap, along, left)],
-        Where::Sides(gap, along) => vec![beside(gap, along, 1.0), beside(gap, along, -1.0)],
+        Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],
+        Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],
+        Where::Row(n, gap) => {
+            let most = ((width - 0.1) / (w + 0.25)).floor().max(1.0) as usize;
+            let n = if n == 0 { most } else { n.min(most) };
+            let step = width / n as f64;
+            let z = depth / 2.0 + gap + d / 2.0;
+            (0..n).map(|i| slot(step * (i as f64 + 0.5) - width / 2.0, z, Level::Floor, 180.0)).collect()
+        }
         Where::Top(x, z, yaw) => {
             // A turned thing takes as much as its diagonal.
             let turned = yaw.to_radians();

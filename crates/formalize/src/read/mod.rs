@@ -24,6 +24,7 @@ use crate::brief::{Brief, Room};
 use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
+use crate::furnish::furnish;
 use crate::mend::mend;
 use lexicon::Class;
 use std::ops::Range;
@@ -101,6 +102,9 @@ pub fn read(request: &str, options: &Options) -> Reading {
     let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned());
     mend(&mut draft);
+    if extent == Extent::Usual {
+        furnish(&mut draft, &brief);
+    }
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
     Reading { draft, understood, clauses: clauses.len(), read: clauses, absent: brief.absent }

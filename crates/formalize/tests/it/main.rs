@@ -1,6 +1,7 @@
 //! What a draft is as a program, and what a model makes of a request.
 
 mod arrange;
+mod furnish;
 mod model;
 mod read;
 #[path = "../../../llm/tests/it/server.rs"]
