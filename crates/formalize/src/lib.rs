@@ -17,6 +17,7 @@ mod complete;
 mod compose;
 pub mod draft;
 pub mod formalize;
+mod furnish;
 mod mend;
 pub mod model;
 pub mod names;

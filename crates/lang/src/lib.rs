@@ -15,6 +15,7 @@ pub mod lint;
 pub mod lower;
 pub mod mend;
 pub mod natives;
+pub mod nouns;
 pub mod overlaps;
 pub mod parse;
 pub mod print;

@@ -62,6 +62,7 @@ pub fn usual_size(category: &str) -> Option<[f64; 3]> {
     (0..words.len())
         .find_map(|skip| lookup(&words[skip..].join("_")))
         .or_else(|| words.iter().rev().find_map(|w| lookup(w)))
+        .or_else(|| crate::nouns::noun(&words.join("_")).map(|noun| noun.size))
 }
 
 /// Whether the table of usual sizes has a word as it stands.

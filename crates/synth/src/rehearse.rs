@@ -24,6 +24,8 @@ const PART: usize = 3;
 /// How often a room grows whose size nobody gave, and by how much.
 const TIMES: usize = 3;
 const GROWTH: f64 = 1.15;
+/// How often some of what was added is left out, before all of it is.
+const PATIENT: usize = 6;
 /// Why a statement became a wish.
 const REASON: &str = "no layout was found in which it holds with the rest, so it is a wish";
 
@@ -44,8 +46,8 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
     // From where the next trial begins: less is asked of it, so little has to move.
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
-    let (mut spent, mut patience) = (0, 1);
-    for _ in 0..ROUNDS {
+    let (mut spent, mut patience, mut left_out) = (0, 1, 0);
+    for _ in 0..ROUNDS + PATIENT {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
         let start = furnish(program, scenelang_solve::draws(program, 0), last.as_ref(), &judge).layout;
@@ -78,6 +80,17 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         if spent > MOST {
             return Tried::Spent;
         }
+        // What was added goes before anything that was asked for.
+        if left_out < PATIENT && draft.leave_out(&at_odds(program, &outcome)) {
+            left_out += 1;
+            last = None;
+            continue;
+        }
+        if left_out == PATIENT && draft.leave_out_all() {
+            left_out += 1;
+            last = None;
+            continue;
+        }
         if enlarge(draft, &crowded(draft, program, &outcome), &mut grown) {
             last = None;
             continue;
@@ -93,6 +106,28 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         last = Some(outcome.layout);
     }
     Tried::Spent
+}
+
+/// What is in each other's way: the things and openings of each violated rule or statement.
+fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
+    let owned = |name: &str| base(name).to_owned();
+    let of = |c: usize| -> Vec<String> {
+        let objects = program.constraints[c].formula.objects();
+        objects.iter().map(|o| owned(&program.objects[o.0 as usize].name)).collect()
+    };
+    let mut groups: Vec<Vec<String>> = Vec::new();
+    for each in &outcome.unsatisfied {
+        groups.push(match &each.what {
+            What::Stated(c) if program.constraints[*c].kind == ConstraintKind::Assert => of(*c),
+            What::Stated(_) => continue,
+            What::Collision(a, b) => vec![owned(a), owned(b)],
+            What::Bounds(a) | What::Support(a) => vec![owned(a)],
+        });
+    }
+    if groups.is_empty() {
+        groups.extend(outcome.in_the_way.iter().map(|c| of(*c)));
+    }
+    groups
 }
 
 /// Rooms in which something finds no place: it stands in the way of another, or not in its room.

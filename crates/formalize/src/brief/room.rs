@@ -15,6 +15,8 @@ pub struct Room {
     pub corners: Option<usize>,
     /// How many people it is for.
     pub people: Option<usize>,
+    /// Usual width, height and depth of its kind, for so many people; set when a request is completed.
+    pub usual: Option<[f64; 3]>,
     /// The look of its floor.
     pub floor: Look,
     /// The look of its walls.

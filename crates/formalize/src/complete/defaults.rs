@@ -1,35 +1,7 @@
-//! What rooms of a kind have, for a request that says little: "a bedroom" is not an empty box.
+//! What follows from what is said: seats for people, doors between rooms.
 
-use crate::brief::{Brief, Fact, Group, Look, Number, Place, Rel, Source, Thing, What};
+use crate::brief::{Brief, Fact, Group, Look, Number, Rel, Source, Thing, What};
 use crate::read::lexicon::{get, plural, singular};
-
-/// A request that names fewer things says little.
-const LITTLE: usize = 3;
-
-/// Adds to each room with few things what such rooms have, as far as nothing of the kind is there or ruled out.
-pub fn add(brief: &mut Brief) {
-    let named = brief.things.iter().filter(|i| !i.opening() && i.part.is_none()).count();
-    for room in 0..brief.rooms.len() {
-        let own = brief.things.iter().filter(|i| i.room == room && !i.opening()).count();
-        if own >= LITTLE || named >= LITTLE {
-            continue;
-        }
-        let words: Vec<String> = brief.rooms[room].name.split(' ').map(str::to_owned).collect();
-        let Some((_, kind)) = get().room_ending(&words) else { continue };
-        for line in &kind.content {
-            add_one(brief, room, kind.name, line);
-        }
-    }
-    if named < LITTLE {
-        for room in 0..brief.rooms.len() {
-            if !brief.things.iter().any(|i| i.group == Group::Door && (i.room == room || i.beyond == Some(room))) {
-                push(brief, room, "door", 1, "one has to get in");
-            }
-        }
-    } else {
-        joined(brief);
-    }
-}
 
 /// "A table for twelve people; the chairs …": so many chairs.
 pub fn counted(brief: &mut Brief) {
@@ -67,54 +39,6 @@ pub fn joined(brief: &mut Brief) {
             brief.things[id].beyond = Some(room);
         }
     }
-}
-
-/// `2 nightstand beside bed`, `1 sofa against wall`, `1 table middle`.
-fn add_one(brief: &mut Brief, room: usize, kind: &str, line: &str) {
-    const RELATIONS: [(&str, Rel); 9] = [
-        ("against", Rel::Against),
-        ("in", Rel::In),
-        ("beside", Rel::Beside),
-        ("under", Rel::Under),
-        ("around", Rel::Around),
-        ("inFrontOf", Rel::InFrontOf),
-        ("facing", Rel::Facing),
-        ("near", Rel::Near),
-        ("mounted", Rel::Mounted),
-    ];
-    let words: Vec<&str> = line.split(' ').collect();
-    let count = words.first().and_then(|n| n.parse().ok()).unwrap_or(1);
-    let at = words.iter().position(|w| RELATIONS.iter().any(|(k, _)| k == w) || *w == "middle");
-    let name = words[1..at.unwrap_or(words.len())].join(" ");
-    let lexicon = get();
-    let find = |brief: &Brief, name: &str| {
-        let head = name.split(' ').next_back().unwrap_or(name).to_owned();
-        brief.things.iter().rposition(|i| {
-            i.room == room && (i.name() == name || i.words.last() == Some(&head) || lexicon.alike(&i.head(), name))
-        })
-    };
-    let ruled_out = brief.absent.iter().any(|(a, _)| name.contains(a.as_str()) || a.contains(&name));
-    if find(brief, &name).is_some() || ruled_out {
-        return;
-    }
-    let id = push(brief, room, &name, count, &format!("a {kind} has one"));
-    let Some(at) = at else { return };
-    let what = match (words[at], words.get(at + 1..).unwrap_or(&[]).join(" ")) {
-        ("middle", _) => What::Place(Rel::In, Place::Middle, vec![]),
-        (_, object) if object == "wall" => {
-            What::Place(if words[at] == "mounted" { Rel::Mounted } else { Rel::Against }, Place::Wall, vec![])
-        }
-        (_, object) if object == "corner" => What::Place(Rel::In, Place::Corner, vec![]),
-        (relation, object) => {
-            let rel = RELATIONS.iter().find(|(k, _)| *k == relation).map(|r| r.1);
-            match (rel, find(brief, &object)) {
-                (Some(rel), Some(to)) if to != id => What::Rel(rel, vec![to]),
-                _ => return,
-            }
-        }
-    };
-    let why = brief.things[id].source.clone();
-    brief.facts.push(Fact::new(vec![id], what, why));
 }
 
 fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {

@@ -20,7 +20,8 @@ pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
     defaults::counted(&mut brief);
     match extent {
         Extent::Usual => {
-            defaults::add(&mut brief);
+            crate::furnish::measure(&mut brief);
+            defaults::joined(&mut brief);
             defaults::seats(&mut brief);
         }
         Extent::Literal => defaults::joined(&mut brief),

@@ -250,6 +250,7 @@ pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
     for (r, room) in brief.rooms.iter().enumerate() {
         let words: Vec<String> = room.name.split(' ').map(str::to_owned).collect();
         let kind = get().room_ending(&words).map_or([5.0, 4.0, 2.7], |(_, k)| k.size);
+        let kind = room.usual.map_or(kind, |[w, h, d]| [w, d, h]);
         // Room for everything, and to walk between.
         let mut need = 4.0;
         let mut along = 0.0;

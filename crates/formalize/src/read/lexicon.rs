@@ -66,8 +66,6 @@ pub struct RoomKind {
     pub loose: bool,
     /// Usual width, depth, height.
     pub size: [f64; 3],
-    /// What one has: "2 nightstand beside bed".
-    pub content: Vec<&'static str>,
 }
 
 /// All tables.
@@ -344,12 +342,11 @@ fn rooms() -> (BTreeMap<&'static str, usize>, Vec<RoomKind>) {
         let mut size = columns.next().unwrap_or("").split(" x ").map(|n| n.trim().parse().unwrap_or(4.0));
         let mut next = || size.next().unwrap_or(4.0);
         let size = [next(), next(), next()];
-        let content = columns.next().unwrap_or("").split(';').map(str::trim).filter(|c| !c.is_empty()).collect();
         let (name, loose) = name.strip_suffix('*').map_or((name, false), |n| (n, true));
         for name in std::iter::once(name).chain(others.split(',').map(str::trim)) {
             names.entry(name).or_insert(kinds.len());
         }
-        kinds.push(RoomKind { name, loose, size, content });
+        kinds.push(RoomKind { name, loose, size });
     }
     (names, kinds)
 }

@@ -25,6 +25,7 @@ use crate::brief::{Brief, Room, Word};
 use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
+use crate::furnish::furnish;
 use crate::mend::mend;
 use account::Account;
 use chunk::Piece;
@@ -105,6 +106,9 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned());
     mend(&mut draft);
+    if extent == Extent::Usual {
+        furnish(&mut draft, &brief);
+    }
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
     let clauses: Vec<_> = brief.clauses.into_iter().map(|clause| (clause.at, clause.understood)).collect();

@@ -4,6 +4,7 @@ mod account;
 mod arrange;
 mod brief;
 mod meaning;
+mod furnish;
 mod model;
 mod read;
 #[path = "../../../llm/tests/it/server.rs"]

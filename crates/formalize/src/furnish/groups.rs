@@ -1,0 +1,141 @@
+//! What goes with a thing, from `data/groups.txt`: chairs with a table, a lamp on a nightstand, books on a shelf.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+/// How a thing lies along the side that another stands at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Along {
+    /// Backs flush.
+    Backs,
+    /// Middle to middle.
+    Middle,
+    /// Fronts flush.
+    Fronts,
+}
+
+/// Where a part of a group is, seen from what it goes with. Distances are gaps in metres.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Where {
+    /// Before its front; turned by so much.
+    Front(f64, f64),
+    /// Behind its back; turned by so much.
+    Back(f64, f64),
+    /// At its left (1) or right (-1) side; turned by so much.
+    Side(f64, Along, f64, f64),
+    /// At both sides.
+    Sides(f64, Along),
+    /// In a row before its front, turned to it: so many, or as many as there is room for.
+    Row(usize, f64),
+    /// On top: shares of the free width and depth from the middle, and a turn.
+    Top(f64, f64, f64),
+    /// On a board of a shelf, counted from below; a share of the free width.
+    Board(usize, f64, usize),
+    /// So many around it, at its long sides before its short ones.
+    Around(usize, f64),
+    /// At its long sides only.
+    LongSides(usize, f64),
+    /// Flat under it, so much wider and deeper.
+    Under(f64, f64, f64),
+    /// From the ceiling, over its middle.
+    Over,
+    /// On the wall behind it, so far above its top.
+    Above(f64, f64),
+}
+
+/// A part of a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// What.
+    pub noun: &'static str,
+    /// Where.
+    pub at: Where,
+    /// Only in rooms of at least so many square metres.
+    pub least: f64,
+    /// Its size, where it is not the usual one.
+    pub size: Option<[f64; 3]>,
+}
+
+/// The parts that go with a thing of this name: the longest ending of it that the table has.
+pub fn of(name: &str) -> &'static [Part] {
+    static GROUPS: OnceLock<BTreeMap<&'static str, Vec<Part>>> = OnceLock::new();
+    let groups = GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")));
+    let words: Vec<&str> = name.split([' ', '_']).collect();
+    (0..words.len()).find_map(|from| groups.get(words[from..].join(" ").as_str())).map_or(&[], Vec::as_slice)
+}
+
+fn parse(text: &'static str) -> BTreeMap<&'static str, Vec<Part>> {
+    let mut out: BTreeMap<&str, Vec<Part>> = BTreeMap::new();
+    let mut names: Vec<&'static str> = Vec::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        if let Some(list) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            names = list.split(',').map(str::trim).collect();
+            names.iter().for_each(|name| out.entry(name).or_default().clear());
+        } else if let Some(part) = part(line) {
+            names.iter().for_each(|name| out.entry(name).or_default().push(part.clone()));
+        }
+    }
+    out
+}
+
+/// `coffee table | front 0.4 180 | >=12 | 1.1 0.42 0.6`
+fn part(line: &'static str) -> Option<Part> {
+    let mut columns = line.split('|').map(str::trim);
+    let noun = columns.next()?;
+    let mut words = columns.next()?.split_whitespace();
+    let head = words.next()?;
+    let rest: Vec<&str> = words.collect();
+    let n = |i: usize| rest.get(i).and_then(|w| w.parse::<f64>().ok());
+    let along = match rest.get(1) {
+        Some(&"backs") => Along::Backs,
+        Some(&"fronts") => Along::Fronts,
+        _ => Along::Middle,
+    };
+    let at = match head {
+        "front" => Where::Front(n(0)?, n(1).unwrap_or(180.0)),
+        "behind" => Where::Back(n(0)?, n(1).unwrap_or(0.0)),
+        "left" => Where::Side(n(0)?, along, 1.0, n(2).unwrap_or(0.0)),
+        "right" => Where::Side(n(0)?, along, -1.0, n(2).unwrap_or(0.0)),
+        "row" => Where::Row(n(0)? as usize, n(1)?),
+        "sides" => Where::Sides(n(0)?, along),
+        "top" => Where::Top(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
+        "board" => Where::Board(n(0)? as usize, n(1)?, n(2).map_or(1, |n| n as usize)),
+        "around" => Where::Around(n(0)? as usize, n(1)?),
+        "longsides" => Where::LongSides(n(0)? as usize, n(1)?),
+        "under" => Where::Under(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
+        "over" => Where::Over,
+        "above" => Where::Above(n(0)?, n(1).unwrap_or(0.0)),
+        _ => return None,
+    };
+    let mut part = Part { noun, at, least: 0.0, size: None };
+    for column in columns {
+        let numbers: Vec<f64> = column.split_whitespace().filter_map(|n| n.parse().ok()).collect();
+        match (column.strip_prefix(">="), &numbers[..]) {
+            (Some(area), _) => part.least = area.trim().parse().ok()?,
+            (None, [w, h, d]) => part.size = Some([*w, *h, *d]),
+            _ => return None,
+        }
+    }
+    Some(part)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_read() {
+        let text = include_str!("../../data/groups.txt");
+        let lines = text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with(['#', '[']));
+        for line in lines {
+            assert!(part(line).is_some(), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_longest_name_counts() {
+        assert!(of("dining_table").iter().any(|part| part.noun.contains("chair")));
+        assert!(of("coffee table").iter().all(|part| !part.noun.contains("chair")));
+        assert!(of("quux").is_empty());
+    }
+}

@@ -1,0 +1,224 @@
+//! What rooms of a kind have, from `data/kinds.txt`: their usual size, who is in them, floor, walls, colours, openings,
+//! light and inventory. A test reads every line.
+
+use crate::read::lexicon::{plural, singular};
+use std::sync::OnceLock;
+
+/// How many of a thing a room has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Count {
+    /// So many.
+    Fixed(usize),
+    /// One for each so many square metres.
+    Area(f64),
+    /// One for each so many people.
+    People(f64),
+}
+
+/// Where in the room a thing stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// With its back at any wall.
+    Wall,
+    /// In a row with its back at a wall.
+    Run,
+    /// In a corner.
+    Corner,
+    /// In the middle.
+    Middle,
+    /// Anywhere on the floor, parallel to the walls.
+    Floor,
+    /// In rows that look to the back of the room (+z), or away from it.
+    Rows(bool),
+    /// At the wall at the back of the room, at a share of its length from the middle (-1 to 1).
+    Back(f64),
+    /// At the wall at the front of the room.
+    Front(f64),
+    /// At a distance from the wall at the back, so turned: 180 looks into the room.
+    Before(f64, f64),
+    /// At a wall opposite a thing, looking at it.
+    Opposite(String),
+    /// On a wall, at the height of the eyes.
+    Hung,
+    /// Under the ceiling, spread evenly.
+    Ceiling,
+}
+
+/// A line of the inventory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// How many.
+    pub count: Count,
+    /// What.
+    pub noun: &'static str,
+    /// Where.
+    pub place: Place,
+    /// Only in rooms of at least so many square metres.
+    pub least: f64,
+}
+
+/// A kind of room.
+#[derive(Clone, Debug, Default)]
+pub struct Kind {
+    /// "living room".
+    pub name: &'static str,
+    /// What else it is called.
+    pub also: Vec<&'static str>,
+    /// Usual width, height and depth in metres.
+    pub size: [f64; 3],
+    /// For so many people.
+    pub people: f64,
+    /// Square metres for each one more.
+    pub each: f64,
+    /// How much of the floor furniture may take, with the places of who uses it.
+    pub fill: f64,
+    /// Windows for each wall metre of a room with windows: how many in a room of the usual size.
+    pub windows: usize,
+    /// What the floor is made of, and its colour where the material does not tell.
+    pub floor: (&'static str, &'static str),
+    /// The colour of the walls.
+    pub walls: &'static str,
+    /// Colours of textiles and of what else stands out, in turn.
+    pub colors: Vec<&'static str>,
+    /// What wooden furniture is made of.
+    pub wood: &'static str,
+    /// The inventory, what matters most first.
+    pub lines: Vec<Line>,
+}
+
+/// All kinds, in the order of the table.
+pub fn all() -> &'static [Kind] {
+    static KINDS: OnceLock<Vec<Kind>> = OnceLock::new();
+    KINDS.get_or_init(|| parse(include_str!("../../data/kinds.txt")))
+}
+
+/// The kind whose name ends a room's name: "a small meeting room" is a meeting room.
+pub fn of(room: &str) -> Option<&'static Kind> {
+    let words: Vec<String> = room.split_whitespace().map(one).collect();
+    (0..words.len()).find_map(|from| {
+        let tail = words[from..].join(" ");
+        let same = |name: &str| name.split(' ').map(one).collect::<Vec<_>>().join(" ") == tail;
+        all().iter().find(|kind| same(kind.name) || kind.also.iter().any(|name| same(name)))
+    })
+}
+
+/// A word in the singular.
+fn one(word: &str) -> String {
+    if plural(word) { singular(word) } else { word.to_owned() }
+}
+
+fn parse(text: &'static str) -> Vec<Kind> {
+    let mut out: Vec<Kind> = Vec::new();
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            out.push(Kind { name, fill: 0.5, wood: "oak", ..Kind::default() });
+            continue;
+        }
+        let Some(kind) = out.last_mut() else { continue };
+        match line.split_once(": ") {
+            Some((key, value)) => set(kind, key, value),
+            None => kind.lines.extend(entry(line)),
+        }
+    }
+    out
+}
+
+fn set(kind: &mut Kind, key: &str, value: &'static str) {
+    let list = || value.split(',').map(str::trim).filter(|word| !word.is_empty()).collect::<Vec<_>>();
+    let numbers = || value.split_whitespace().filter_map(|n| n.parse().ok()).collect::<Vec<f64>>();
+    match key {
+        "also" => kind.also = list(),
+        "size" => {
+            if let [w, d, h] = numbers()[..] {
+                kind.size = [w, h, d];
+            }
+        }
+        "people" => {
+            if let [people, each] = numbers()[..] {
+                (kind.people, kind.each) = (people, each);
+            }
+        }
+        "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
+        "windows" => kind.windows = value.parse().unwrap_or(0),
+        "floor" => kind.floor = value.split_once(',').map_or((value, ""), |(a, b)| (a.trim(), b.trim())),
+        "walls" => kind.walls = value,
+        "colors" => kind.colors = list(),
+        "wood" => kind.wood = value,
+        _ => {}
+    }
+}
+
+/// `2 nightstand wall >=12`, `1/8 ceiling light ceiling`, `1p4 table rows`.
+fn entry(line: &'static str) -> Option<Line> {
+    const PLACES: [&str; 13] = [
+        "wall", "run", "corner", "middle", "floor", "rows", "rowsaway", "back", "front", "before", "opposite", "hung",
+        "ceiling",
+    ];
+    let words: Vec<&'static str> = line.split_whitespace().collect();
+    let at = (1..words.len()).rev().find(|i| PLACES.contains(&words[*i]))?;
+    let first = *words.first()?;
+    let count = match (first.split_once('/'), first.split_once('p')) {
+        (Some((_, area)), _) => Count::Area(area.parse().ok()?),
+        (_, Some((_, people))) => Count::People(people.parse().ok()?),
+        _ => Count::Fixed(first.parse().ok()?),
+    };
+    // The noun as it stands in the line.
+    let begin = line.find(words[1])?;
+    let end = words[at].as_ptr() as usize - line.as_ptr() as usize;
+    let noun = line.get(begin..end)?.trim();
+    let rest = &words[at + 1..];
+    let number = || rest.first().and_then(|n| n.parse().ok()).unwrap_or(0.0);
+    let place = match words[at] {
+        "wall" => Place::Wall,
+        "run" => Place::Run,
+        "corner" => Place::Corner,
+        "middle" => Place::Middle,
+        "floor" => Place::Floor,
+        "rows" => Place::Rows(true),
+        "rowsaway" => Place::Rows(false),
+        "back" => Place::Back(number()),
+        "front" => Place::Front(number()),
+        "before" => Place::Before(number(), rest.get(1).and_then(|n| n.parse().ok()).unwrap_or(180.0)),
+        "opposite" => {
+            Place::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
+        }
+        "hung" => Place::Hung,
+        _ => Place::Ceiling,
+    };
+    let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);
+    Some(Line { count, noun, place, least })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_read_and_every_kind_is_whole() {
+        let text = include_str!("../../data/kinds.txt");
+        let entries = text.lines().map(str::trim);
+        let entries = entries.filter(|l| l.starts_with(|c: char| c.is_ascii_digit()));
+        for line in entries {
+            assert!(entry(line).is_some(), "{line}");
+        }
+        assert!(all().len() >= 60, "{}", all().len());
+        for kind in all() {
+            assert!(kind.size.iter().all(|v| *v > 1.5) && kind.people > 0.0 && !kind.walls.is_empty(), "{kind:?}");
+            assert!(!kind.floor.0.is_empty() && !kind.colors.is_empty() && !kind.lines.is_empty(), "{kind:?}");
+            let lit = kind.lines.iter().any(|l| l.place == Place::Ceiling);
+            assert!(lit || ["terrace", "garden"].contains(&kind.name), "{}", kind.name);
+            let colors = kind.colors.iter().chain([&kind.walls, &kind.floor.1]).filter(|c| !c.is_empty());
+            assert!(colors.clone().all(|c| crate::colors::known(c).is_some()), "{}: {:?}", kind.name, kind.colors);
+        }
+    }
+
+    #[test]
+    fn no_name_has_two_kinds() {
+        let mut seen = std::collections::BTreeMap::new();
+        for kind in all() {
+            for name in kind.also.iter().chain([&kind.name]) {
+                assert_eq!(seen.insert(*name, kind.name), None, "{name}");
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! How large a room is said to be in words: "a small bedroom", "a spacious office".
+
+use crate::brief::Brief;
+
+/// How large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Smaller than usual.
+    Small,
+    /// Nothing is said.
+    Usual,
+    /// Larger than usual.
+    Large,
+}
+
+const SMALL: [&str; 10] = ["small", "tiny", "little", "compact", "cosy", "cozy", "narrow", "mini", "snug", "cramped"];
+const LARGE: [&str; 9] = ["large", "big", "spacious", "huge", "grand", "roomy", "generous", "vast", "airy"];
+/// How far before its name a room's adjectives are, in bytes.
+const BEFORE: usize = 40;
+
+/// How large a room is said to be: by a word of its phrase, or before it in the same clause.
+pub fn scale(brief: &Brief, room: usize) -> Scale {
+    let at = brief.rooms[room].source.at();
+    let text = brief.request.get(..at.end).unwrap_or("");
+    let mut from = at.start.saturating_sub(BEFORE).min(text.len());
+    while !text.is_char_boundary(from) {
+        from += 1;
+    }
+    let phrase = text[from..].rsplit(['.', ',', ';', ':', '!', '\n']).next().unwrap_or("").to_lowercase();
+    // What stands before an article belongs to something else.
+    let mut words = phrase.split(|c: char| !c.is_alphabetic()).rev().take_while(|w| !matches!(*w, "a" | "an" | "with"));
+    words
+        .find_map(|w| match w {
+            w if SMALL.contains(&w) => Some(Scale::Small),
+            w if LARGE.contains(&w) => Some(Scale::Large),
+            _ => None,
+        })
+        .unwrap_or(Scale::Usual)
+}

@@ -1,0 +1,311 @@
+//! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
+
+use super::groups::{self, Along, Part, Where};
+use super::kinds::Kind;
+use super::slots::{Level, Sizes, Slot, boards, capacity, slots};
+use super::{place, stand, taste};
+use crate::brief::Group;
+use crate::draft::{Draft, Source, Statement, Thing};
+use crate::names::{Names, identifier};
+use crate::read::lexicon::get;
+use crate::sizes::usual;
+use crate::write::number;
+use scenelang_lang::nouns;
+
+/// A furnished room has at most so many things, those asked for included, unless more are asked for.
+pub const MOST: usize = 110;
+/// Groups of groups of groups: so deep.
+const DEEP: usize = 3;
+
+/// A room and its draft.
+pub struct Plan<'a> {
+    /// What is furnished.
+    pub draft: &'a mut Draft,
+    /// The room.
+    pub room: usize,
+    /// Its kind.
+    pub kind: &'static Kind,
+    /// Names that are given.
+    names: Names,
+    /// Nouns that are asked for or ruled out.
+    closed: Vec<String>,
+    /// For how many people, where that is said.
+    pub people: Option<usize>,
+    /// Square metres of the floor that are taken.
+    floor: f64,
+    /// Metres of the walls that are taken.
+    walls: f64,
+    /// So many textiles and the like have a colour.
+    turn: usize,
+}
+
+/// Whether a thing stands at a wall, and whether that must hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtWall {
+    /// Its back touches it.
+    Yes,
+    /// It need not.
+    No,
+}
+
+impl<'a> Plan<'a> {
+    /// For a room of a draft; `closed`: what is asked for or ruled out.
+    pub fn new(
+        draft: &'a mut Draft,
+        room: usize,
+        kind: &'static Kind,
+        closed: Vec<String>,
+        people: Option<usize>,
+    ) -> Self {
+        let mut names = Names::default();
+        let rooms = draft.rooms.iter().map(|r| &r.name);
+        let all = rooms.chain(draft.openings.iter().map(|o| &o.name)).chain(draft.things.iter().map(|t| &t.name));
+        all.for_each(|name| {
+            names.take(name);
+        });
+        let (mut floor, mut walls) = (0.0, 0.0);
+        for thing in draft.things.iter().filter(|t| t.room == Some(room)) {
+            if let (Some([w, h, d]), true) = (thing.size, stand::on_floor(draft, thing)) {
+                // A low flat thing takes no floor.
+                let use_of = if h < 0.05 { 0.0 } else { 0.45 };
+                floor += thing.count as f64 * (w + 0.1) * (d + use_of);
+                if stand::has_back(&thing.category) {
+                    walls += thing.count as f64 * (w + 0.1);
+                }
+            }
+        }
+        let openings = draft.openings.iter().filter(|o| o.rooms.contains(&room));
+        walls += openings.map(|o| o.size[0] + 0.2).sum::<f64>();
+        Self { draft, room, kind, names, closed, people, floor, walls, turn: 0 }
+    }
+
+    /// Square metres.
+    pub fn area(&self) -> f64 {
+        let [w, _, d] = self.draft.rooms[self.room].size;
+        w * d
+    }
+
+    /// Its name in the program.
+    pub fn room_name(&self) -> String {
+        self.draft.rooms[self.room].name.clone()
+    }
+
+    /// Whether nothing of this name may be added: it is asked for or ruled out, or could be taken for that.
+    pub fn is_closed(&self, noun: &str) -> bool {
+        self.closed.iter().any(|asked| stand::counts_as(noun, asked))
+    }
+
+    /// Whether there is floor and, for what stands at a wall, wall for more.
+    pub fn has_room(&self, size: [f64; 3], n: usize, at_wall: bool) -> bool {
+        let [w, _, d] = self.draft.rooms[self.room].size;
+        let n = n as f64;
+        let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= self.kind.fill * w * d;
+        let walls = !at_wall || self.walls + n * (size[0] + 0.1) <= 0.72 * 2.0 * (w + d);
+        floor && walls && size[0].min(size[2]) < w.min(d) - 0.9
+    }
+
+    /// Takes it.
+    pub fn take(&mut self, size: [f64; 3], n: usize, at_wall: bool) {
+        self.floor += n as f64 * (size[0] + 0.1) * (size[2] + 0.3);
+        if at_wall {
+            self.walls += n as f64 * (size[0] + 0.1);
+        }
+    }
+
+    /// How many things there are in the program.
+    fn count(&self) -> usize {
+        self.draft.things.iter().map(|t| t.count).sum()
+    }
+
+    /// The usual size of a thing.
+    pub fn size(noun: &str) -> [f64; 3] {
+        if let Some(known) = nouns::noun(noun) {
+            return known.size;
+        }
+        let words: Vec<String> = noun.split(' ').map(str::to_owned).collect();
+        let group = get().noun_ending(&words).map_or(Group::Floor, |(_, group)| group);
+        usual(group, &words)
+    }
+
+    /// Adds a thing, or several like ones; its index among the things.
+    pub fn add(&mut self, noun: &str, count: usize, size: [f64; 3], why: &str) -> usize {
+        let look = taste::look(self.kind, noun, self.turn);
+        self.turn += usize::from(look.color.is_some());
+        self.draft.things.push(Thing {
+            name: self.names.take(&identifier(noun, "thing")),
+            category: noun.replace(' ', "_"),
+            count,
+            room: Some(self.room),
+            size: Some(size.map(|v| (v * 1000.0).round() / 1000.0)),
+            look,
+            source: Source::Inferred(why.to_owned()),
+        });
+        self.draft.things.len() - 1
+    }
+
+    /// A name that nothing else has.
+    pub fn name(&mut self, noun: &str) -> String {
+        self.names.take(&identifier(noun, "thing"))
+    }
+
+    /// Adds a statement.
+    pub fn say(&mut self, text: String, why: &str) {
+        self.draft.statements.push(Statement { text, source: Source::Inferred(why.to_owned()) });
+    }
+
+    /// The elements of a thing.
+    pub fn elements(&self, thing: usize) -> Vec<String> {
+        let Thing { name, count, .. } = &self.draft.things[thing];
+        if *count > 1 { (0..*count).map(|i| format!("{name}[{i}]")).collect() } else { vec![name.clone()] }
+    }
+
+    /// Adds what goes with a thing, and what goes with that.
+    pub fn surround(&mut self, thing: usize, wall: AtWall, deep: usize) {
+        if deep >= DEEP {
+            return;
+        }
+        let name = self.draft.things[thing].category.replace('_', " ");
+        let loaded = stand::loaded(self.draft, thing);
+        for part in groups::of(&name) {
+            let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
+            let hung = matches!(part.at, Where::Above(..));
+            if self.area() < part.least || on_top && loaded || hung && wall == AtWall::No {
+                continue;
+            }
+            self.part(thing, part, wall, deep);
+        }
+    }
+
+    /// How many elements of a thing that is there already need a part: none if such things are there.
+    fn part(&mut self, thing: usize, part: &Part, wall: AtWall, deep: usize) {
+        let noun = part.noun;
+        let Some(of) = self.draft.things[thing].size else { return };
+        let anchors = self.draft.things[thing].count;
+        let category = self.draft.things[thing].category.clone();
+        let height = self.draft.rooms[self.room].size[1];
+        if self.is_closed(noun) || self.count() > MOST {
+            return;
+        }
+        let mut own = part.size.unwrap_or_else(|| Self::size(noun));
+        let mut at = part.at.clone();
+        match &mut at {
+            Where::Under(wider, deeper, _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
+            Where::Around(n, _) | Where::LongSides(n, _) => {
+                if let Some(people) = self.people {
+                    *n = people.div_ceil(anchors).min(capacity(of, own));
+                }
+            }
+            _ => {}
+        }
+        let shelf = boards(&category, of[1], of[0]);
+        if let (Where::Board(board, ..), [low, next, ..]) = (&at, &shelf[..])
+            && board + 1 < shelf.len()
+        {
+            own[1] = own[1].min(next - low - 0.045);
+        }
+        let places: Vec<Slot> = slots(&at, &Sizes { of, own }, &shelf)
+            .into_iter()
+            .filter(|slot| match slot.level {
+                Level::Above(y) => y + own[1] < height - 0.05,
+                _ => true,
+            })
+            .collect();
+        let each = places.len();
+        let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
+        let [w, _, d] = self.draft.rooms[self.room].size;
+        let rug_fits = own[0].min(own[2]) < w.min(d) - 0.4 && own[0].max(own[2]) < w.max(d) - 0.4;
+        if each == 0 || !rug_fits || stands && !self.has_room(own, each * anchors, false) {
+            return;
+        }
+        if stands {
+            self.take(own, each * anchors, false);
+        }
+        let why = why(&category.replace('_', " "), noun, &at);
+        let new = self.add(noun, each * anchors, own, &why);
+        self.fix(thing, new, &places, height, &why);
+        self.group(thing, new, &at, &why);
+        let flush = matches!(at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
+        self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// Says where the elements of a part are, given those of what it goes with.
+    fn fix(&mut self, thing: usize, new: usize, places: &[Slot], ceiling: f64, why: &str) {
+        let (of, part) = (self.draft.things[thing].clone(), self.draft.things[new].clone());
+        let (each, own) = (places.len(), part.size.map_or(0.0, |s| s[1]));
+        let room = self.room_name();
+        let fixed: Vec<String> = places
+            .iter()
+            .enumerate()
+            .map(|(j, slot)| {
+                let anchor = if of.count > 1 { format!("{}[i]", of.name) } else { of.name.clone() };
+                let element = match (of.count > 1, each > 1, j) {
+                    (false, false, _) => part.name.clone(),
+                    (false, true, j) => format!("{}[{j}]", part.name),
+                    (true, false, _) => format!("{}[i]", part.name),
+                    (true, true, 0) => format!("{}[{each} * i]", part.name),
+                    (true, true, j) => format!("{}[{each} * i + {j}]", part.name),
+                };
+                place::fixed(&element, &anchor, slot, own, ceiling)
+            })
+            .collect();
+        let all = fixed.join(" and ");
+        let text =
+            if of.count > 1 { format!("assert forall i in 0..{}: {all};", of.count) } else { format!("assert {all};") };
+        self.say(text, why);
+        let every = |f: &dyn Fn(&str) -> String| match part.count {
+            1 => format!("assert {};", f(&part.name)),
+            _ => format!("assert forall a in {}: {};", part.name, f("a")),
+        };
+        match places.first().map(|slot| slot.level) {
+            Some(Level::Ceiling) => self.say(every(&|a| format!("ceilingMounted({a}, {room})")), why),
+            Some(Level::Above(_)) => self.say(every(&|a| format!("wallMounted({a}, {room})")), why),
+            _ => {}
+        }
+        if own < 0.05 && places.iter().any(|slot| slot.level == Level::Floor) {
+            let text = match part.count {
+                1 => format!("allowCollide({}, objects);", part.name),
+                _ => return,
+            };
+            self.say(text, "things may stand on it");
+        }
+    }
+
+    /// Names the group by the predicate of the library, where there is one of each.
+    fn group(&mut self, thing: usize, new: usize, at: &Where, why: &str) {
+        let (of, part) = (&self.draft.things[thing], &self.draft.things[new]);
+        if of.count > 1 {
+            return;
+        }
+        let last = |name: &str| name.rsplit('_').next().unwrap_or(name).to_owned();
+        let (anchor, kind) = (last(&of.category), last(&part.category));
+        let call = match (anchor.as_str(), kind.as_str(), at) {
+            ("table", "chair", Where::Around(..)) => "diningSet",
+            ("desk", "chair", Where::Front(..)) => "deskSet",
+            ("bed", "nightstand", _) => "bedSet",
+            ("sofa", "table", Where::Front(..)) => "seatingGroup",
+            _ => return,
+        };
+        let text = format!("assert {call}({}, {});", of.name, part.name);
+        self.say(text, why);
+    }
+}
+
+/// Why a part is there.
+fn why(of: &str, noun: &str, at: &Where) -> String {
+    let article = |noun: &str| if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    let a = |noun: &str| format!("{} {noun}", article(noun));
+    match at {
+        Where::Top(..) => format!("{} is used with {} on it", a(of), a(noun)),
+        Where::Board(..) => format!("{} is there to hold things", a(of)),
+        Where::Around(..) | Where::LongSides(..) | Where::Row(..) => format!("people sit at {}", a(of)),
+        Where::Under(..) => format!("{} lies under {}", a(noun), a(of)),
+        Where::Over => format!("{} lights {}", a(noun), a(of)),
+        Where::Above(..) => format!("{} is hung above {}", a(noun), a(of)),
+        _ => format!("{} goes with {}", a(noun), a(of)),
+    }
+}
+
+/// A number of metres, as the language writes it.
+pub fn metres(v: f64) -> String {
+    number((v * 1000.0).round() / 1000.0)
+}

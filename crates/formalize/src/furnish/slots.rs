@@ -1,0 +1,176 @@
+//! Where the parts of a group are, in the frame of the thing that they go with: metres to its right and to its front,
+//! a height, a turn. No statement is written here.
+
+use super::groups::{Along, Where};
+
+/// Height of a part's base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Level {
+    /// The floor that the other thing stands on.
+    Floor,
+    /// The top of the other thing.
+    Top,
+    /// So far above the base of the other thing.
+    At(f64),
+    /// Under the ceiling.
+    Ceiling,
+    /// On the wall behind the other thing, so far above its top.
+    Above(f64),
+}
+
+/// A place for one part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slot {
+    /// To the right of the other thing's middle.
+    pub x: f64,
+    /// To its front.
+    pub z: f64,
+    /// Height of the base.
+    pub level: Level,
+    /// Turn, in degrees.
+    pub yaw: f64,
+}
+
+/// What the place of a part depends on.
+pub struct Sizes {
+    /// Of the thing it goes with.
+    pub of: [f64; 3],
+    /// Its own.
+    pub own: [f64; 3],
+}
+
+/// The places of the parts of one kind.
+pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
+    let ([width, height, depth], [w, _, d]) = (sizes.of, sizes.own);
+    let slot = |x: f64, z: f64, level: Level, yaw: f64| Slot { x, z, level, yaw };
+    let beside = |gap: f64, along: Along, left: f64, yaw: f64| {
+        let (w, d) = if (yaw / 90.0).round() as i64 % 2 == 0 { (w, d) } else { (d, w) };
+        let z = match along {
+            Along::Backs => (d - depth) / 2.0,
+            Along::Middle => 0.0,
+            Along::Fronts => (depth - d) / 2.0,
+        };
+        slot(-left * (width / 2.0 + gap + w / 2.0), z, Level::Floor, yaw)
+    };
+    match *at {
+        Where::Front(gap, yaw) => vec![slot(0.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)],
+        Where::Back(gap, yaw) => vec![slot(0.0, -depth / 2.0 - gap - d / 2.0, Level::Floor, yaw)],
+        Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],
+        Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],
+        Where::Row(n, gap) => {
+            let most = ((width - 0.1) / (w + 0.25)).floor().max(1.0) as usize;
+            let n = if n == 0 { most } else { n.min(most) };
+            let step = width / n as f64;
+            let z = depth / 2.0 + gap + d / 2.0;
+            (0..n).map(|i| slot(step * (i as f64 + 0.5) - width / 2.0, z, Level::Floor, 180.0)).collect()
+        }
+        Where::Top(x, z, yaw) => {
+            // A turned thing takes as much as its diagonal.
+            let turned = yaw.to_radians();
+            let (across, along) = (
+                (w * turned.cos()).abs() + (d * turned.sin()).abs(),
+                (w * turned.sin()).abs() + (d * turned.cos()).abs(),
+            );
+            if across > width || along > depth {
+                return Vec::new();
+            }
+            vec![slot(x * (width - across) / 2.0, z * (depth - along) / 2.0, Level::Top, yaw)]
+        }
+        Where::Board(board, x, n) => {
+            let Some(y) = shelf.get(board) else { return Vec::new() };
+            let free = width - 0.06;
+            let step = w + 0.004;
+            let n = n.min((free / step) as usize);
+            let middle = x * (free - step * n as f64) / 2.0;
+            let first = middle - step * (n as f64 - 1.0) / 2.0;
+            (0..n).map(|i| slot(first + step * i as f64, 0.0, Level::At(*y), 0.0)).collect()
+        }
+        Where::Around(n, gap) => around(n, gap, sizes, true),
+        Where::LongSides(n, gap) => around(n, gap, sizes, false),
+        Where::Under(_, _, z) => vec![slot(0.0, z, Level::Floor, 0.0)],
+        Where::Over => vec![slot(0.0, 0.0, Level::Ceiling, 0.0)],
+        Where::Above(gap, x) => vec![slot(x * width / 2.0, (d - depth) / 2.0, Level::Above(height + gap), 0.0)],
+    }
+}
+
+/// How many seats of a width have room at a side.
+fn room_at(side: f64, seat: f64) -> usize {
+    ((side - 0.06) / (seat + 0.08)).floor().max(0.0) as usize
+}
+
+/// The most seats that a table of this size has room for.
+pub fn capacity(table: [f64; 3], seat: [f64; 3]) -> usize {
+    let (long, short) = (table[0].max(table[2]), table[0].min(table[2]));
+    2 * room_at(long, seat[0]).max(1) + 2 * usize::from(short >= seat[0] + 0.15)
+}
+
+/// Seats spread evenly at the sides of a table, turned to it.
+fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
+    let ([width, _, depth], [w, _, d]) = (sizes.of, sizes.own);
+    let turned = depth > width;
+    let (long, short) = (width.max(depth), width.min(depth));
+    let most = room_at(long, w).max(1);
+    let free_ends = if ends && short >= w + 0.15 { 2 } else { 0 };
+    let n = n.min(2 * most + free_ends);
+    let at_ends = if n >= 6 || n > 2 * most || most < 2 && n > 2 { free_ends.min(n.saturating_sub(2)) } else { 0 };
+    let (one, other) = ((n - at_ends).div_ceil(2), (n - at_ends) / 2);
+    let reach = short / 2.0 + gap + d / 2.0;
+    let mut out = Vec::new();
+    let mut place = |along: f64, across: f64, yaw: f64| {
+        // The long side along the front or along the sides of the table.
+        let (x, z, yaw) = if turned { (across, along, 90.0 + yaw) } else { (along, across, yaw) };
+        out.push(Slot { x, z, level: Level::Floor, yaw: yaw.rem_euclid(360.0) });
+    };
+    for (count, sign) in [(one, 1.0), (other, -1.0)] {
+        for i in 0..count {
+            let along = long * ((i as f64 + 0.5) / count as f64 - 0.5);
+            place(along, sign * reach, if sign > 0.0 { 180.0 } else { 0.0 });
+        }
+    }
+    for sign in [1.0, -1.0].into_iter().take(at_ends) {
+        let out_there = sign * (long / 2.0 + gap + d / 2.0);
+        let yaw = if turned == (sign > 0.0) { 90.0 } else { 270.0 };
+        place(out_there, 0.0, yaw);
+    }
+    out
+}
+
+/// Heights of the boards of a shelf that the furniture library draws, from below.
+pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
+    let (from, each) = match noun.rsplit([' ', '_']).next().unwrap_or(noun) {
+        "bookshelf" | "bookcase" => (0.0, 0.36),
+        "shelf" if height >= 0.4 || height >= width => (0.06 * height, 0.42),
+        _ => return Vec::new(),
+    };
+    let thick = if from == 0.0 { 0.025_f64.min(0.08 * width).min(0.08 * height) } else { 0.025_f64.min(0.06 * height) };
+    let rows = ((height / each).round() as usize).clamp(1, 6);
+    let step = (height - from - thick) / rows as f64;
+    (0..=rows).map(|i| from + thick + step * i as f64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seats_look_at_their_table_from_all_sides() {
+        for of in [[1.6, 0.75, 0.9], [0.9, 0.75, 1.6], [0.8, 0.75, 0.8]] {
+            for n in 1..9 {
+                let sizes = Sizes { of, own: [0.46, 0.9, 0.5] };
+                for slot in around(n, 0.03, &sizes, true) {
+                    let front = [slot.yaw.to_radians().sin(), slot.yaw.to_radians().cos()];
+                    let ahead = -(front[0] * slot.x + front[1] * slot.z);
+                    assert!(ahead > 0.3, "{of:?} {n} {slot:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn boards_are_in_the_shelf() {
+        let heights = boards("bookshelf", 1.9, 0.9);
+        assert_eq!(heights.len(), 6);
+        assert!((heights[5] - 1.9).abs() < 1e-9);
+        assert!(boards("wardrobe", 2.0, 1.0).is_empty());
+    }
+}

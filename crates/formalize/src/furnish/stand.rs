@@ -1,0 +1,129 @@
+//! What is known of how things stand: on the floor or not, with their back at a wall or not, how much room their use
+//! takes, and which words may be counted as one thing.
+
+use crate::brief::Group;
+use crate::draft::{Draft, Source, Thing};
+use crate::names::words;
+use crate::read::lexicon::get;
+use scenelang_lang::nouns::{self, Stands};
+
+/// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
+const KIN: [&[&str]; 31] = [
+    &["tv", "television", "screen", "monitor", "display"],
+    &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
+    &["nightstand", "bedside table", "night table", "bedside cabinet"],
+    &["wardrobe", "closet", "armoire"],
+    &["bookshelf", "bookcase", "book shelf", "shelf", "shelving", "shelving unit", "wall shelf"],
+    &["fridge", "refrigerator", "freezer", "mini fridge"],
+    &["painting", "picture", "artwork", "art", "poster", "print", "photo", "photograph", "canvas"],
+    &["photo", "picture frame", "photo frame", "frame"],
+    &["plant", "potted plant", "houseplant", "palm", "tree", "fern", "ficus", "cactus", "succulent", "flower pot"],
+    &["stove", "oven", "range", "cooker", "hob"],
+    &["rug", "carpet", "mat", "doormat", "runner"],
+    &["light", "lamp", "pendant", "chandelier", "sconce", "lantern", "ceiling light", "pendant lamp"],
+    &["bin", "trash can", "trash bin", "waste bin", "wastebasket", "garbage can", "basket"],
+    &["desk lamp", "table lamp", "bedside lamp"],
+    &["cabinet", "cupboard", "sideboard"],
+    &["chest of drawers", "dresser", "drawer", "drawer unit", "chest"],
+    &["armchair", "lounge chair", "recliner", "easy chair"],
+    &["washing machine", "washer"],
+    &["computer", "laptop", "pc"],
+    &["bathtub", "tub", "bath"],
+    &["mug", "cup", "glass"],
+    &["speaker", "loudspeaker"],
+    &["stool", "barstool", "bar stool"],
+    &["seat", "chair", "seating"],
+    &["sink", "washbasin", "basin", "kitchen sink"],
+    &["counter", "kitchen counter", "worktop", "countertop", "bar", "reception desk", "kitchenette"],
+    &["board", "whiteboard", "blackboard", "chalkboard"],
+    &["tv stand", "media console", "tv unit", "tv cabinet", "media unit", "lowboard"],
+    &["book", "books", "novel", "magazine"],
+    &["vase", "flowers", "bouquet"],
+    &["curtain", "drape", "blind", "blinds"],
+];
+
+/// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
+pub fn counts_as(noun: &str, asked: &str) -> bool {
+    let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
+    let (head, other) = (last(noun), last(asked));
+    let one_word = !noun.contains(' ') || !asked.contains(' ');
+    noun == asked
+        || head == other && (one_word || noun.ends_with(&format!(" {asked}")) || asked.ends_with(&format!(" {noun}")))
+        || KIN.iter().any(|kin| {
+            let among = |word: &str| kin.contains(&word);
+            among(noun) && among(asked)
+                || among(asked) && among(&head)
+                || among(noun) && among(&other) && !asked.contains(' ')
+                || among(&head) && among(&other) && one_word
+        })
+}
+
+/// Whether a thing of a draft stands on the floor: by its group, unless it is said to be on something, or to hang.
+pub fn on_floor(draft: &Draft, thing: &Thing) -> bool {
+    let group = group(&thing.category);
+    let carried = ["restsOn(", "on(", "wallMounted(", "ceilingMounted(", "allowFloat("];
+    let raised = draft.statements.iter().any(|s| {
+        carried.iter().any(|c| s.text.contains(c)) && words(&s.text).iter().any(|w| *w == thing.name) && {
+            let code: String = s.text.split_whitespace().collect();
+            let first = |name: &str| carried.iter().any(|c| code.contains(&format!("{c}{name}")));
+            first(&thing.name) || first("a,") && code.contains(&format!("forallain{}:", thing.name))
+        }
+    });
+    matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor) && !raised
+}
+
+/// How things of this name are in a room.
+pub fn group(category: &str) -> Group {
+    let words: Vec<String> = category.split(['_', ' ']).map(str::to_owned).collect();
+    get().noun_ending(&words).map_or(Group::Floor, |(_, group)| group)
+}
+
+/// Whether something of this name stands with its back at a wall.
+pub fn has_back(category: &str) -> bool {
+    nouns::ending(category).is_some_and(|noun| noun.stands == Stands::Back)
+}
+
+/// How much floor before a thing that stands at a wall is free for its use, in metres; `None`: none is kept free.
+pub fn access(category: &str) -> Option<f64> {
+    nouns::ending(category).filter(|noun| noun.stands == Stands::Back && noun.access > 0.0).map(|noun| noun.access)
+}
+
+/// Whether something asked for stands on a thing.
+pub fn loaded(draft: &Draft, thing: usize) -> bool {
+    let name = &draft.things[thing].name;
+    draft.statements.iter().any(|s| {
+        matches!(s.source, Source::Stated(_))
+            && ["restsOn(", "on(", "inside("].iter().any(|c| s.text.contains(c))
+            && words(&s.text).iter().any(|w| w == name)
+    })
+}
+
+/// Whether the request says where or how a thing stands.
+pub fn placed(draft: &Draft, name: &str) -> bool {
+    draft.statements.iter().any(|s| matches!(s.source, Source::Stated(_)) && words(&s.text).iter().any(|w| *w == name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::counts_as;
+
+    #[test]
+    fn what_is_asked_for_is_not_added_by_another_name() {
+        for (noun, asked, same) in [
+            ("coffee table", "table", true),
+            ("table", "coffee table", true),
+            ("coffee table", "dining table", false),
+            ("floor lamp", "lamp", true),
+            ("ceiling light", "lamp", true),
+            ("floor lamp", "desk lamp", false),
+            ("couch", "sofa", true),
+            ("desk lamp", "desk", false),
+            ("laptop", "computer", true),
+            ("office chair", "chair", true),
+            ("tv stand", "tv", false),
+            ("plant", "plant stand", false),
+        ] {
+            assert_eq!(counts_as(noun, asked), same, "{noun} / {asked}");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Materials and colours of what is added.
+
+use super::kinds::Kind;
+use crate::draft::{Look, Surface};
+
+/// What is made of cloth, or stands out by its colour.
+const COLORED: [&str; 22] = [
+    "rug",
+    "carpet",
+    "sofa",
+    "armchair",
+    "cushion",
+    "throw",
+    "curtain",
+    "pouf",
+    "ottoman",
+    "bench cushion",
+    "blanket",
+    "vase",
+    "booth",
+    "loveseat",
+    "mat",
+    "yoga mat",
+    "bean bag",
+    "lounge chair",
+    "play mat",
+    "towel",
+    "box",
+    "locker",
+];
+/// What is made of wood, if anything.
+const WOODEN: [&str; 29] = [
+    "table",
+    "desk",
+    "chair",
+    "stool",
+    "bench",
+    "nightstand",
+    "wardrobe",
+    "bookshelf",
+    "bookcase",
+    "shelf",
+    "sideboard",
+    "dresser",
+    "cabinet",
+    "bed",
+    "stand",
+    "counter",
+    "bar",
+    "lectern",
+    "chest",
+    "rack",
+    "drawers",
+    "island",
+    "workbench",
+    "platform",
+    "stage",
+    "case",
+    "cupboard",
+    "pew",
+    "crib",
+];
+
+/// The look of something of a kind of room; `turn` goes through the colours.
+pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
+    let last = noun.rsplit(' ').next().unwrap_or(noun);
+    let mut look = Look::default();
+    let colored = COLORED.iter().any(|c| *c == noun || *c == last);
+    if colored && !kind.colors.is_empty() {
+        look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
+    } else if WOODEN.contains(&last) && !["office chair", "desk chair", "lab bench", "bar stool"].contains(&noun) {
+        look.material = Some(kind.wood.to_owned());
+    }
+    look
+}
+
+/// The floor and the walls of a room of a kind, as far as nothing is said of them.
+pub fn surfaces(kind: &Kind, floor: &mut Surface, walls: &mut Surface) {
+    if floor.material.is_none() && floor.color.is_none() {
+        floor.material = Some(kind.floor.0.to_owned());
+        floor.color = Some(kind.floor.1.to_owned()).filter(|c| !c.is_empty());
+    }
+    if walls.material.is_none() && walls.color.is_none() {
+        walls.color = Some(kind.walls.to_owned());
+    }
+}

@@ -1,0 +1,125 @@
+//! What is added to a request that says little: openings, light, what goes with a thing, the inventory of a kind of room. And
+//! what is not: what is asked for with its number, what is ruled out, anything with `--literal`.
+
+use scenelang_formalize::draft::{Draft, OpeningKind, Source};
+use scenelang_formalize::write::write;
+use scenelang_formalize::{Options, read};
+use scenelang_lang::{Options as Front, compile_text, nouns};
+use std::path::{Path, PathBuf};
+
+fn draft(request: &str) -> Draft {
+    read(request, &Options::default()).draft
+}
+
+/// How many things of a draft have a category that ends in these words.
+fn count(draft: &Draft, noun: &str) -> usize {
+    let of = |category: &str| {
+        let category = category.replace('_', " ");
+        category == noun || category.ends_with(&format!(" {noun}"))
+    };
+    draft.things.iter().filter(|t| of(&t.category)).map(|t| t.count).sum()
+}
+
+fn requests() -> Vec<String> {
+    let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../../tests/requests/rooms.txt"].iter().collect();
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_owned).collect()
+}
+
+#[test]
+fn every_room_has_a_way_in_and_light_and_compiles() {
+    let all = requests();
+    assert!(all.len() >= 40);
+    for request in &all {
+        let draft = draft(request);
+        assert!(draft.openings.iter().any(|o| o.kind == OpeningKind::Door), "{request}: no door");
+        let light = |t: &scenelang_formalize::draft::Thing| {
+            ["light", "lamp", "panel", "chandelier", "spotlight"].iter().any(|l| t.category.ends_with(l))
+        };
+        assert!(draft.things.iter().any(light), "{request}: no light");
+        assert!(draft.rooms.iter().all(|r| r.floor.material.is_some() || r.floor.color.is_some()), "{request}");
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(&draft), Front::default());
+        assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
+    }
+}
+
+#[test]
+fn added_things_say_why() {
+    for request in requests() {
+        for thing in draft(&request).things {
+            match thing.source {
+                Source::Stated(at) => assert!(!at.is_empty(), "{request}: {}", thing.name),
+                Source::Inferred(why) => assert!(why.len() > 5, "{request}: {}", thing.name),
+            }
+        }
+    }
+}
+
+/// Request, noun, how many there are of it.
+#[test]
+fn what_is_asked_for_keeps_its_number() {
+    for (request, noun, number) in [
+        ("A bedroom with a bed and a lamp.", "lamp", 1),
+        ("A bedroom with two nightstands.", "nightstand", 2),
+        ("A living room with three armchairs and a table.", "table", 1),
+        ("A kitchen with a table and two chairs.", "chair", 2),
+        ("A classroom for twenty students without a blackboard.", "blackboard", 0),
+        ("A living room with no rug.", "rug", 0),
+        ("A bathroom with a shower and no bathtub.", "bathtub", 0),
+        ("An office with a desk.", "desk", 1),
+    ] {
+        assert_eq!(count(&draft(request), noun), number, "{request}");
+    }
+}
+
+/// Request, what is added, how many at least.
+#[test]
+fn what_goes_with_a_thing_is_added() {
+    for (request, noun, least) in [
+        ("A bedroom with a double bed and a desk.", "nightstand", 2),
+        ("A bedroom with a double bed and a desk.", "office chair", 1),
+        ("A bedroom with a double bed and a desk.", "wardrobe", 1),
+        ("A dining room.", "dining chair", 6),
+        ("A dining room for eight people.", "chair", 8),
+        ("A living room with a sofa.", "coffee table", 1),
+        ("A home office.", "monitor", 1),
+        ("A restaurant.", "restaurant chair", 16),
+        ("A classroom for twenty students.", "student desk", 20),
+    ] {
+        let found = count(&draft(request), noun);
+        assert!(found >= least, "{request}: {found} of {noun}");
+    }
+    let objects = |request: &str| draft(request).things.iter().map(|t| t.count).sum::<usize>();
+    assert!(objects("A living room.") >= 30, "{}", objects("A living room."));
+    assert!(objects("A small living room.") < objects("A large living room."));
+    assert!(objects("An office for two people.") < objects("An open-plan office for twelve people."));
+}
+
+#[test]
+fn literally_nothing_is_added() {
+    for request in requests() {
+        let draft = read(&request, &Options { literal: true }).draft;
+        assert!(draft.things.iter().all(|t| matches!(t.source, Source::Stated(_))), "{request}");
+        assert!(draft.openings.is_empty(), "{request}");
+    }
+}
+
+#[test]
+fn the_nouns_of_the_requests_are_known() {
+    let mut names = Vec::new();
+    for set in ["development", "aside"] {
+        let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../../tests/requests", set].iter().collect();
+        let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+        files.sort();
+        for file in files.iter().filter(|f| f.extension().is_some_and(|e| e == "json")) {
+            let truth: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+            let objects = truth["objects"].as_array().unwrap();
+            names.extend(objects.iter().filter_map(|o| o["name"].as_str()).map(str::to_owned));
+        }
+    }
+    names.sort();
+    names.dedup();
+    let unknown: Vec<&String> = names.iter().filter(|name| nouns::ending(name).is_none()).collect();
+    let share = 1.0 - unknown.len() as f64 / names.len() as f64;
+    assert!(share >= 0.95, "{:.1} % of {}; unknown: {unknown:?}", 100.0 * share, names.len());
+}
