@@ -375,6 +375,8 @@ impl Scope<'_> {
             area: room.area.map(|area| Self::length(&format!("{path}.area"), area)).transpose()?,
             corners: room.corners,
             people: room.people.map(|n| n.min(MOST_COUNT)),
+            // Completion decides it.
+            usual: None,
             floor: room.floor.look(),
             walls: room.walls.look(),
             source: self.source(&format!("{path}.source"), room.source)?,

@@ -150,7 +150,7 @@ impl<'a> Plan<'a> {
 
     /// Adds a statement.
     pub fn say(&mut self, text: String, why: &str) {
-        self.draft.statements.push(Statement { text, source: Source::Inferred(why.to_owned()) });
+        self.draft.statements.push(Statement::new(&text, Source::Inferred(why.to_owned())));
     }
 
     /// The elements of a thing.

@@ -5,7 +5,7 @@ use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, MOST, Plan, metres};
 use super::{groups, place, stand, taste};
 use crate::brief::Brief;
-use crate::draft::{Draft, Look, Opening, OpeningKind, Source};
+use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Source, Statement};
 
 /// So much wall is left beside a window (metres).
 const BESIDE: f64 = 0.3;
@@ -108,8 +108,8 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             1 => format!("{verb} {formula};"),
             _ => format!("{verb} forall a in {}: {formula};", it.name),
         };
-        let said = plan.draft.statements.iter().any(|s| s.text.starts_with("assert") && s.text.contains(&at_wall));
-        plan.draft.statements.retain(|s| s.text != format!("prefer {at_wall};"));
+        let said = plan.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&at_wall));
+        plan.draft.statements.retain(|s| s.demand != Demand::Prefer || s.text != at_wall);
         if !said {
             plan.say(all(&at_wall), "such things stand at a wall");
         }
@@ -358,7 +358,7 @@ fn keep_windows_free(draft: &mut Draft, at: usize) {
                 _ => format!("{verb} forall a in {name}: far(a, {window}, 0.1);"),
             };
             let source = Source::Inferred("nothing tall stands before a window".into());
-            draft.statements.push(crate::draft::Statement { text, source });
+            draft.statements.push(Statement::new(&text, source));
         }
     }
 }

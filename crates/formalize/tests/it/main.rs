@@ -3,8 +3,8 @@
 mod account;
 mod arrange;
 mod brief;
-mod meaning;
 mod furnish;
+mod meaning;
 mod model;
 mod read;
 #[path = "../../../llm/tests/it/server.rs"]
