@@ -25,6 +25,7 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
             End::Budget => ", when the budget was spent (--effort raises it)",
             _ => "",
         };
+        out += &preferred(found);
         let file = file.display().to_string();
         out += &format!("{} written after {} rounds{end}\n", plain::line(&file), found.outcome.iterations);
         out += &in_the_way(found);
@@ -35,6 +36,22 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
         out += &format!("of {wanted} layouts that differ in kind {found} were found\n");
     }
     out
+}
+
+/// How much the preferences weigh that hold, and all of them.
+fn weights(found: &Found) -> (f64, f64) {
+    let rows = found.checked.report.constraints.iter();
+    let preferences = rows.filter_map(|row| Some((row.weight?, row.satisfied == Some(true))));
+    preferences.fold((0.0, 0.0), |(met, all), (weight, holds)| (if holds { met + weight } else { met }, all + weight))
+}
+
+/// The same in words, where not all of them hold.
+fn preferred(found: &Found) -> String {
+    let (met, all) = weights(found);
+    if met >= all {
+        return String::new();
+    }
+    format!("preferences that hold weigh {met} of {all}, the best that was found (--quality has more looked for)\n")
 }
 
 /// What is free, in words.
@@ -93,6 +110,7 @@ pub fn json(file: &str, solved: &Solved, files: &[PathBuf]) -> Value {
         "layouts": solved.all().zip(files).map(|(found, file)| json!({
             "file": file.display().to_string(),
             "rounds": found.outcome.iterations,
+            "preferences": { "met": weights(found).0, "all": weights(found).1 },
             "in_the_way": named(found).map(|(id, text)| json!({ "id": id, "text": text })).collect::<Vec<_>>(),
             "free": { "objects": found.free.objects.iter().map(freedom).collect::<Vec<_>>(), "complete": found.free.complete },
             "report": found.checked.report,

@@ -156,6 +156,8 @@ fn threads_and_effort_have_limits() {
             ["--effort", "1001"],
             ["--effort", "-1"],
             ["--effort", "much"],
+            ["--quality", "101"],
+            ["--quality", "-1"],
             ["--threads", "0"],
             ["--threads", "65536"],
         ] {
@@ -235,4 +237,64 @@ fn the_answer_as_json() {
     let report = fits("report", &layout["report"].to_string());
     assert_eq!((&report["ok"], report["constraints"].as_array().unwrap().len()), (&true.into(), 5));
     assert!(folder.path().join(Path::new(layout["file"].as_str().unwrap())).exists());
+}
+
+/// What a layout of some scene has of its preferences, by weight, and the layout.
+fn preferred(scene: &str, options: &[&str]) -> ([f64; 2], Vec<u8>) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), scene).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"].iter().chain(options));
+    assert_eq!(ended.code, 0, "{options:?}: {}", ended.stderr);
+    let answer = fits("solution", &ended.stdout);
+    let weights = ["met", "all"].map(|key| answer["layouts"][0]["preferences"][key].as_f64().unwrap());
+    (weights, fs::read(folder.path().join("room.layout.json")).unwrap())
+}
+
+#[test]
+fn quality_says_how_much_is_done_for_preferences() {
+    let scene = fs::read_to_string(file("soft-n12-d40-s11", "scene")).unwrap();
+    let ([none, all], _) = preferred(&scene, &["--quality", "0"]);
+    let ([usual, _], layout) = preferred(&scene, &[]);
+    let ([most, _], _) = preferred(&scene, &["--quality", "100"]);
+    assert!(none < usual && usual <= most && most <= all, "{none} {usual} {most} {all}");
+    // The hidden layout is no better.
+    let hidden = tempfile::tempdir().unwrap();
+    fs::write(hidden.path().join("soft-n12-d40-s11.scene"), &scene).unwrap();
+    fs::copy(file("soft-n12-d40-s11", "witness.json"), hidden.path().join("witness.json")).unwrap();
+    let report = scenelang(hidden.path(), ["check", "witness.json", "--format", "json", "--explain", "none"]);
+    let report = report.reports().remove(0);
+    let rows = report["constraints"].as_array().unwrap().iter();
+    let met = rows.filter(|row| row["kind"] == "prefer" && row["satisfied"] == true);
+    assert!(usual >= met.map(|row| row["weight"].as_f64().unwrap()).sum::<f64>());
+    for threads in ["1", "2"] {
+        assert!(preferred(&scene, &["--threads", threads]).1 == layout, "{threads}");
+    }
+}
+
+#[test]
+fn paths_that_cannot_be_are_no_obstacle_where_they_are_only_preferred() {
+    let scene = "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(5, 2.5, 4);
+                 object door; object table; object chair[4]; object shelf[3];
+                 table.dimensions <- vec3(1.6, 0.75, 0.9); door.dimensions <- vec3(0.9, 2, 0.05);
+                 assert connects(door, room) and door.pos.y = 0;
+                 assert forall c in chair: inside(c, room) and near(c, table, 0.3);
+                 assert forall s in shelf: inside(s, room);
+                 prefer forall c in chair: reachable(door, c, 0.75) weight 2;
+                 prefer reachable(door, table, 3.9) weight 2;
+                 prefer forall s in shelf: againstWall(s, room);";
+    let ([met, all], _) = preferred(scene, &[]);
+    assert_eq!((met, all), (3.0, 5.0));
+}
+
+#[test]
+fn what_may_turn_freely_stands_along_the_nearest_wall() {
+    let scene = "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 2.5, 5); room.rot <- rot(0, 20, 0);
+                 object a; object b; object c; assert inside(a, room) and inside(b, room) and inside(c, room);
+                 assert distance(a, b) >= 2; assert near(b, c, 0.5);";
+    let (_, layout) = preferred(scene, &[]);
+    let layout: Value = serde_json::from_slice(&layout).unwrap();
+    for (name, placement) in layout["objects"].as_object().unwrap() {
+        let off = (placement["rot"][1].as_f64().unwrap() - 20.0).rem_euclid(90.0);
+        assert!(off.min(90.0 - off) < 1e-6, "{name}: {off}");
+    }
 }

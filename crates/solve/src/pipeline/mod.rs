@@ -295,12 +295,14 @@ impl<'r, 'a> Run<'r, 'a> {
         if solved {
             local.move_less(&mut chance, &limit, &given);
         }
+        let mut for_preferences = (self.options.budget as f64 * self.options.polish) as u64;
         let holds = loop {
             if solved {
-                let preferences = (self.options.budget as f64 * self.options.polish) as u64;
-                let preferences = preferences.min(budget.saturating_sub(local.work));
+                let begun = local.work;
+                let preferences = for_preferences.min(budget.saturating_sub(begun));
                 let quality = self.options.polish * 100.0 / f64::from(QUALITY);
                 local.improve_preferences(&mut chance, (preferences, quality), &limit, !self.setup.given.is_empty());
+                for_preferences = for_preferences.saturating_sub(local.work - begun);
             }
             if solved && self.setup.given.is_empty() {
                 local.tidy(&mut chance, &limit);

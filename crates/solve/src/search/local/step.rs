@@ -3,7 +3,7 @@
 
 use super::judge::carried;
 use super::moves::Inputs;
-use super::{Judge, LocalSearch};
+use super::{Home, Judge, LocalSearch};
 use crate::problem::checks::Check;
 use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
@@ -11,6 +11,8 @@ use scenelang_lang::program::ObjectId;
 
 /// What a violated check gains in weight when nothing can be moved for it.
 const STUBBORN: f64 = 0.5;
+/// What weighs so much has been violated for long: doors are moved for it, too.
+const INSISTENT: f64 = 2.0;
 /// How many exchanges of two objects are tried in a step.
 const EXCHANGES: usize = 2;
 /// How many moves of a whole array.
@@ -340,6 +342,11 @@ impl LocalSearch<'_> {
             }
             Check::Collide(a, b) => [a, b].iter().for_each(&mut moves),
             Check::Bounds(a) | Check::Support(a) => moves(&a),
+        }
+        // Openings stay where they are as long as something else may help.
+        let opens = |i: &usize| matches!(self.homes[*i], Home::Door(_));
+        if self.weight[check] < INSISTENT && !movers.iter().all(opens) {
+            movers.retain(|i| !opens(i));
         }
         movers.get(chance.below(movers.len())).copied()
     }
