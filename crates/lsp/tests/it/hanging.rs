@@ -79,7 +79,10 @@ fn others_are_answered(capabilities: Value) {
     drop(hanging);
     // The disk is gone for good.
     let answer = client.end(waiting);
-    assert!(answer["result"]["contents"]["value"].as_str().is_some_and(|text| text.contains("object chair")), "{answer}");
+    assert!(
+        answer["result"]["contents"]["value"].as_str().is_some_and(|text| text.contains("object chair")),
+        "{answer}"
+    );
     assert_eq!(client.stop(), 0);
 }
 
