@@ -6,7 +6,7 @@ use crate::support::{binary, example, folder_with};
 use std::fs::{File, OpenOptions};
 use std::io::{PipeWriter, Read, pipe};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// What the shell sees of a program whose reader is gone.
 const CLOSED: i32 = 141;
