@@ -74,7 +74,9 @@ fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Can
             let owner = word_of(*of);
             format!("{}\n\n{}{value}", code(&format!("{owner}.{} : {}", p.name, p.ty.name())), p.doc)
         }),
-        Symbol::AllRooms => Some(format!("{}\n\nall regions that are rooms: not those outdoors", code("Regions rooms"))),
+        Symbol::AllRooms => {
+            Some(format!("{}\n\nall regions that are rooms: not those outdoors", code("Regions rooms")))
+        }
         Symbol::AllObjects => Some(format!("{}\n\nall objects, elements of arrays included", code("Objects objects"))),
         Symbol::Component | Symbol::Side => None,
     })

@@ -7,6 +7,7 @@ mod bounded;
 mod carriers;
 mod checkers;
 mod cli;
+mod design;
 mod diff;
 mod documents;
 mod editors;
@@ -15,6 +16,7 @@ mod examples;
 mod faults;
 mod fixing;
 mod formats;
+mod groups;
 mod hostile;
 mod hostile_models;
 #[cfg(unix)]

@@ -92,6 +92,8 @@ pub(crate) fn complete(program: &Program, world: &World<f64>, verdict: &mut Verd
         Explain::All => usize::MAX,
         Explain::First(n) => n,
     };
+    // What a guideline asks for is plain, and a room may fail many of them: moves are looked for on request only.
+    let soft = soft.into_iter().filter(|row| how_many == Explain::All || row.guideline.is_none());
     let purse = if how_many == Explain::All { usize::MAX } else { PURSE };
     let mut mender: Option<Mender<'_>> = None;
     for row in hard.into_iter().chain(soft).take(most) {

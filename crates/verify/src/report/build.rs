@@ -1,7 +1,9 @@
 //! From a judgement to a [`Report`]: offsets become lines and columns, numbers become names.
 
 use super::exit_code;
-use super::model::{self, Design, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Tally, Whereabouts};
+use super::model::{
+    self, Design, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Tally, Whereabouts,
+};
 use crate::check::{Judged, Subject, Verdict};
 use crate::explain::{self, Explanation, RowRef};
 use crate::tolerances::Options;
