@@ -38,6 +38,8 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_man
     let fails = |row: &&mut Judged| row.satisfied == Some(false);
     let (hard, soft): (Vec<_>, Vec<_>) =
         verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != Kind::Prefer);
+    // What a guideline asks for is plain, and a room may fail many of them: moves are looked for on request only.
+    let soft = soft.into_iter().filter(|row| how_many == Explain::All || row.guideline.is_none());
     let (most, purse) = match how_many {
         Explain::All => (usize::MAX, usize::MAX),
         Explain::First(n) => (n, PURSE),

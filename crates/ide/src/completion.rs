@@ -11,7 +11,7 @@ use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::Meanings;
 use scenelang_lang::items::ItemKind;
 use scenelang_lang::library;
-use scenelang_lang::natives::{self, BUILT_INS, OBJECT_PROPERTIES, Property, REGION_PROPERTIES, SIDES};
+use scenelang_lang::natives::{self, BUILT_INS, OBJECT_PROPERTIES, Property, REGION_PROPERTIES, ROOMS, SIDES};
 use scenelang_lang::roles;
 use scenelang_lang::syntax::{CallSite, Expects, context_at, parse};
 use scenelang_lang::token::{Kind, Token, UNITS, lex};
@@ -367,6 +367,9 @@ impl At<'_> {
         }
         self.names(wanted, 2);
         self.push("objects", Sort::Constant, "Objects", if wanted == Some(Ty::Objects) { 0 } else { 3 });
+        if wanted.is_none() && self.after_in() {
+            self.push(ROOMS, Sort::Constant, "Regions", 3);
+        }
         if wanted.is_some_and(|ty| matches!(ty, Ty::Object | Ty::Region | Ty::Objects)) {
             return;
         }
@@ -453,6 +456,11 @@ impl At<'_> {
         if tokens.first().is_some_and(|t| self.slice(t) == "prefer") {
             self.push("weight", Sort::Keyword, "", 1);
         }
+    }
+
+    /// Whether the domain of a quantifier is wanted.
+    fn after_in(&self) -> bool {
+        self.before().last().is_some_and(|token| self.slice(token) == "in")
     }
 
     /// Texts of the property that the string is given to or compared with.

@@ -8,6 +8,7 @@ mod brief;
 mod carriers;
 mod checkers;
 mod cli;
+mod design;
 mod diff;
 mod documents;
 mod editors;
@@ -16,6 +17,7 @@ mod examples;
 mod faults;
 mod fixing;
 mod formats;
+mod groups;
 mod hostile;
 mod hostile_models;
 #[cfg(unix)]

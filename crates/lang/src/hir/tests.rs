@@ -36,6 +36,7 @@ fn words(resolution: &Resolution) -> String {
         Resolution::Item(name, kind) => format!("{name} {kind:?}"),
         Resolution::Element { array, index } => format!("{array}[{}]", index.map_or("_".into(), |i| i.to_string())),
         Resolution::AllObjects => "all".into(),
+        Resolution::AllRooms => "all rooms".into(),
         Resolution::Local(local) => format!("local {local}"),
         Resolution::Predicate { name, library } => format!("{} {name}", if *library { "std" } else { "own" }),
         Resolution::BuiltIn(s) => format!("{}({}) of {:?}", s.name, s.names, s.params),

@@ -4,7 +4,9 @@ use super::facts::{Facts, Node};
 use super::sets;
 use crate::ast::StmtKind;
 use crate::items::ItemKind;
+use crate::natives::ROOMS;
 use scenelang_base::{Code, Diagnostic, codes};
+use smol_str::SmolStr;
 
 /// Whether an error of this code may hide that a name is used: text that was not read, a name that was misspelt.
 pub fn may_hide_uses(code: Code) -> bool {
@@ -22,6 +24,7 @@ pub fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     }
     let all = facts.statements.iter().any(|s| s.uses.all) && facts.names.item("objects").is_none();
     let regions = facts.order.iter().filter(|(n, _)| facts.names.item(&n.text) == Some(ItemKind::Region)).count();
+    let rooms = facts.read.contains_key(&SmolStr::new_static(ROOMS)) && facts.names.item(ROOMS).is_none();
     let mut blank = None;
     for (name, declared) in &facts.order {
         let name = &name.text;
@@ -36,7 +39,7 @@ pub fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                 format!("nothing is said of `{name}`")
             }
             // The only region holds everything, whether anything is said of it or not.
-            ItemKind::Region if assigned || regions == 1 => continue,
+            ItemKind::Region if assigned || regions == 1 || rooms => continue,
             ItemKind::Region => format!("nothing is said of `{name}`"),
             // A file that is imported may define more than every importer needs.
             ItemKind::Variable(_) if facts.statements[*declared].place.file != facts.main => continue,

@@ -267,14 +267,16 @@ impl LocalSearch<'_> {
         }
     }
 
-    /// Looks for the paths that terms ask for beside other things. Whether all of these terms hold.
+    /// Looks for the paths that terms ask for beside other things. Whether all of these terms hold that must.
     pub(super) fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
         let mut all = true;
         for at in 0..self.path_terms.len() {
             if late() {
                 return false;
             }
-            all &= self.find_paths_of(self.path_terms[at]);
+            let term = self.path_terms[at];
+            let found = self.find_paths_of(term);
+            all &= found || self.demanded != Some(term) && !self.frame.terms[term].is_hard();
         }
         all
     }

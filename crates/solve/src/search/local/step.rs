@@ -59,8 +59,9 @@ struct Best {
 impl LocalSearch<'_> {
     /// One object of something violated goes to the best of many poses, or changes places with another.
     pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
-        // Where the program fixes everything there is nothing to try.
-        if self.movable.is_empty() {
+        // Where the program fixes everything there is nothing to try;
+        // and where ways alone are missing that are only preferred, nothing counts as violated.
+        if self.movable.is_empty() || self.bad.is_empty() {
             return;
         }
         self.work += 1;
