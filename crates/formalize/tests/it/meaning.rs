@@ -6,8 +6,22 @@ use scenelang_formalize::{Options, read};
 const CASES: usize = 500;
 
 const FURNITURE: [&str; 16] = [
-    "sofa", "wardrobe", "bookcase", "piano", "fridge", "stove", "dresser", "bench", "armchair", "cabinet", "fireplace",
-    "washing machine", "workbench", "sideboard", "locker", "bathtub",
+    "sofa",
+    "wardrobe",
+    "bookcase",
+    "piano",
+    "fridge",
+    "stove",
+    "dresser",
+    "bench",
+    "armchair",
+    "cabinet",
+    "fireplace",
+    "washing machine",
+    "workbench",
+    "sideboard",
+    "locker",
+    "bathtub",
 ];
 
 /// A choice that is the same each time.
@@ -42,8 +56,25 @@ fn same(a: &str, b: &str) {
 #[test]
 fn digits_and_words() {
     const WORDS: [&str; 19] = [
-        "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
-        "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
+        "two",
+        "three",
+        "four",
+        "five",
+        "six",
+        "seven",
+        "eight",
+        "nine",
+        "ten",
+        "eleven",
+        "twelve",
+        "thirteen",
+        "fourteen",
+        "fifteen",
+        "sixteen",
+        "seventeen",
+        "eighteen",
+        "nineteen",
+        "twenty",
     ];
     let mut dice = Dice(1);
     for _ in 0..CASES {
@@ -76,7 +107,9 @@ fn left_and_right_in_a_mirror() {
     for _ in 0..CASES {
         let ([a, b, c], side) = (dice.furniture(), dice.upto(3));
         let request = match side {
-            0 => format!("A {a}, a {b} and a {c}. The {a} stands to the left of the {b}. The {c} is to the right of it."),
+            0 => {
+                format!("A {a}, a {b} and a {c}. The {a} stands to the left of the {b}. The {c} is to the right of it.")
+            }
             1 => format!("A {a} and a {b}. To the right of the {a} stands the {b}. A {c} is left of the {a}."),
             _ => format!("There is a {a} on the left of the {b}, and a {c} to the right of the {a}."),
         };
