@@ -285,6 +285,10 @@ impl<'a> Reader<'a> {
         let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
+        // "no television; instead there is a piano": the piano is said as it is.
+        if self.chunks.get(from).is_some_and(|c| self.tokens[c.at.start].is("instead")) {
+            self.mark(from);
+        }
         let ruled_out = self.neither(from, end);
         let mut unsaid = if ruled_out.is_some() { Vec::new() } else { self.unsaid(from, end) };
         for range in &unsaid {

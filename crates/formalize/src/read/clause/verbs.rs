@@ -206,7 +206,7 @@ impl Reader<'_> {
             Verb::Flank | Verb::Surround => {
                 let passive = self.chunks[i].at.len() > 1;
                 let (join, rel) =
-                    if verb == Verb::Flank { (Join::Beside, Rel::Beside) } else { (Join::Around, Rel::Around) };
+                    if verb == Verb::Flank { (Join::Beside, Rel::Sides) } else { (Join::Around, Rel::Around) };
                 self.s.expect = if passive { Expect::With(self.near.clone(), join) } else { Expect::Object(rel) };
                 self.s.each =
                     self.s.each || passive && self.near.first().is_some_and(|n| self.brief.things[*n].number.many());
