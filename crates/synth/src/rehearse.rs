@@ -17,8 +17,8 @@ const ROUNDS: usize = 12;
 const TRIAL: [u64; 2] = [6_000_000, 400_000];
 /// How much more a trial from nothing may take once there is a layout.
 const PATIENCE: u64 = 3;
-/// Work after which no other trial begins.
-const MOST: u64 = 600_000_000;
+/// Work after which no other trial begins: some six seconds of it, where it is not interrupted.
+const MOST: u64 = 300_000_000;
 /// Of what is violated in the best layout, where the search can name nothing better, one in so many is given up at a time.
 const PART: usize = 3;
 /// How often a room grows whose size nobody gave, and by how much.

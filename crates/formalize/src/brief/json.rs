@@ -305,6 +305,12 @@ impl Wire {
         let clauses = self.clauses.into_iter().enumerate().map(clause).collect::<Result<_, String>>()?;
         let words = self.words.into_iter().enumerate().map(word).collect::<Result<_, String>>()?;
         let brief = Brief { request: self.request.clone(), rooms, things, facts, absent, notes, clauses, words };
+        for (i, thing) in brief.things.iter().enumerate() {
+            let whole = thing.part.as_ref().map(|part| &brief.things[part.of]);
+            if whole.is_some_and(|whole| whole.part.is_some() || whole.group != thing.group) {
+                return Err(format!("things[{i}].part.of: expected a thing of the same group that is no part itself"));
+            }
+        }
         for start in 0..brief.things.len() {
             let follow = std::iter::successors(Some(start), |thing| brief.depends(*thing));
             if follow.take(brief.things.len() + 1).count() > brief.things.len() {

@@ -39,6 +39,35 @@ pub fn compose(brief: &Brief) -> Draft {
     let mut counts: Vec<usize> = (0..brief.things.len())
         .map(|i| if brief.things[i].opening() { brief.count(i).min(8) } else { brief.count(i) })
         .collect();
+    let given = called(brief, &mut names, &counts, &mut sizes);
+    for (count, given) in counts.iter_mut().zip(&given) {
+        // At most as many openings as are made.
+        if given.len() > 1 {
+            *count = given.len();
+        }
+    }
+    declare(brief, &given, &counts, &sizes, &room_sizes, &mut draft);
+    draft.rooms = made_rooms(brief, &room_names, &room_sizes);
+    arrange_rooms(&mut draft);
+    for (size, room) in room_sizes.iter_mut().zip(&draft.rooms) {
+        *size = room.size;
+    }
+    let named = state::Named { brief, names: given, counts, rooms: room_names, sizes, room_sizes };
+    let mut stated = state::state(&named);
+    windows(&named, &mut draft, &mut stated);
+    draft.statements = stated.statements;
+    draft.notes.extend(stated.notes);
+    draft.notes.extend(limited(brief, &draft));
+    for (name, at) in &brief.absent {
+        if brief.things.iter().any(|i| i.name() == *name) {
+            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is asked for elsewhere") });
+        }
+    }
+    draft
+}
+
+/// What each thing is called in the program: an array by one name, of several doors each by its own.
+fn called(brief: &Brief, names: &mut Names, counts: &[usize], sizes: &mut [[f64; 3]]) -> Vec<Vec<String>> {
     let mut given: Vec<Vec<String>> = Vec::new();
     for (i, item) in brief.things.iter().enumerate() {
         let name = identifier(&item.name(), "thing");
@@ -60,12 +89,18 @@ pub fn compose(brief: &Brief) -> Draft {
             None => vec![names.take(&name)],
         });
     }
-    for (count, given) in counts.iter_mut().zip(&given) {
-        // At most as many openings as are made.
-        if given.len() > 1 {
-            *count = given.len();
-        }
-    }
+    given
+}
+
+/// Things, doors and windows.
+fn declare(
+    brief: &Brief,
+    given: &[Vec<String>],
+    counts: &[usize],
+    sizes: &[[f64; 3]],
+    room_sizes: &[[f64; 3]],
+    draft: &mut Draft,
+) {
     for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| item.part.is_none()) {
         let source = item.source.clone();
         if item.opening() {
@@ -99,19 +134,24 @@ pub fn compose(brief: &Brief) -> Draft {
             });
         }
     }
+}
+
+/// The rooms, not yet beside each other.
+fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<Room> {
+    let mut out = Vec::new();
     for (i, room) in brief.rooms.iter().enumerate() {
         let source = match &room.source {
             Source::Stated(at) if at.is_empty() => Source::Inferred("the things stand in a room".into()),
             source => source.clone(),
         };
         let sized = room.size[0].is_some() && room.size[2].is_some();
-        let [w, _, d] = room_sizes[i];
+        let [w, _, d] = sizes[i];
         let outline = room.corners.map(|n| polygon(n, w, d));
-        draft.rooms.push(Room {
-            name: room_names[i].clone(),
+        out.push(Room {
+            name: names[i].clone(),
             kind: room.name.clone(),
             at: [0.0; 2],
-            size: room_sizes[i],
+            size: sizes[i],
             sized,
             outline,
             floor: surface(&room.floor),
@@ -119,22 +159,7 @@ pub fn compose(brief: &Brief) -> Draft {
             source,
         });
     }
-    arrange_rooms(&mut draft);
-    for (size, room) in room_sizes.iter_mut().zip(&draft.rooms) {
-        *size = room.size;
-    }
-    let named = state::Named { brief, names: given, counts, rooms: room_names, sizes, room_sizes };
-    let mut stated = state::state(&named);
-    windows(&named, &mut draft, &mut stated);
-    draft.statements = stated.statements;
-    draft.notes.extend(stated.notes);
-    draft.notes.extend(limited(brief, &draft));
-    for (name, at) in &brief.absent {
-        if brief.things.iter().any(|i| i.name() == *name) {
-            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is asked for elsewhere") });
-        }
-    }
-    draft
+    out
 }
 
 /// Numbers of things that follow from others, and sizes of rooms, that are not taken as they are.

@@ -121,98 +121,107 @@ fn keyed<T: Copy>(text: &'static str, keys: &[(&str, T)]) -> BTreeMap<&'static s
     out
 }
 
+/// What the groups are called in `nouns.txt`.
+const GROUPS: [(&str, Group); 14] = [
+    ("seat", Group::Seat),
+    ("table", Group::Table),
+    ("storage", Group::Storage),
+    ("bed", Group::Bed),
+    ("floor", Group::Floor),
+    ("wall", Group::Wall),
+    ("ceiling", Group::Ceiling),
+    ("top", Group::Top),
+    ("screen", Group::Screen),
+    ("flat", Group::Flat),
+    ("soft", Group::Soft),
+    ("drape", Group::Drape),
+    ("door", Group::Door),
+    ("window", Group::Window),
+];
+
+/// What the kinds of looks are called in `looks.txt`.
+const LOOKS: [(&str, Look); 5] = [
+    ("color", Look::Color),
+    ("material", Look::Material),
+    ("joined", Look::Material),
+    ("feature", Look::Feature),
+    ("shade", Look::Shade),
+];
+
+/// What the relations are called in `relations.txt`.
+const RELATIONS: [(&str, Rel); 30] = [
+    ("on", Rel::On),
+    ("under", Rel::Under),
+    ("above", Rel::Above),
+    ("beside", Rel::Beside),
+    ("near", Rel::Near),
+    ("leftOf", Rel::LeftOf),
+    ("rightOf", Rel::RightOf),
+    ("inFrontOf", Rel::InFrontOf),
+    ("behind", Rel::Behind),
+    ("between", Rel::Between),
+    ("around", Rel::Around),
+    ("facing", Rel::Facing),
+    ("opposite", Rel::Opposite),
+    ("against", Rel::Against),
+    ("along", Rel::Along),
+    ("in", Rel::In),
+    ("at", Rel::At),
+    ("mounted", Rel::Mounted),
+    ("hang", Rel::Hang),
+    ("far", Rel::Far),
+    ("parallel", Rel::Parallel),
+    ("perpendicular", Rel::Perpendicular),
+    ("aligned", Rel::Aligned),
+    ("visible", Rel::Visible),
+    ("reachable", Rel::Reachable),
+    ("backTo", Rel::BackTo),
+    ("from", Rel::From),
+    ("of", Rel::Of),
+    ("to", Rel::To),
+    ("than", Rel::Than),
+];
+
+/// What the verbs are called in `verbs.txt`.
+const VERBS: [(&str, Verb); 12] = [
+    ("have", Verb::Have),
+    ("carry", Verb::Carry),
+    ("face", Verb::Face),
+    ("hang", Verb::Hang),
+    ("flank", Verb::Flank),
+    ("surround", Verb::Surround),
+    ("keep", Verb::Keep),
+    ("lead", Verb::Lead),
+    ("light", Verb::Light),
+    ("cover", Verb::Cover),
+    ("block", Verb::Block),
+    ("be", Verb::Be),
+];
+
+/// What the classes of words are called in `words.txt`.
+const CLASSES: [(&str, Class); 15] = [
+    ("det", Class::Det),
+    ("def", Class::Def),
+    ("each", Class::Each),
+    ("no", Class::No),
+    ("pronoun", Class::Pronoun),
+    ("soft", Class::Soft),
+    ("not", Class::Not),
+    ("space", Class::Space),
+    ("abstract", Class::Abstract),
+    ("stop", Class::Stop),
+    ("holder", Class::Holder),
+    ("portion", Class::Portion),
+    ("tail", Class::Tail),
+    ("paired", Class::Paired),
+    ("surface", Class::Surface),
+];
+
 impl Lexicon {
     fn new() -> Self {
-        use Rel::*;
-        let groups = [
-            ("seat", Group::Seat),
-            ("table", Group::Table),
-            ("storage", Group::Storage),
-            ("bed", Group::Bed),
-            ("floor", Group::Floor),
-            ("wall", Group::Wall),
-            ("ceiling", Group::Ceiling),
-            ("top", Group::Top),
-            ("screen", Group::Screen),
-            ("flat", Group::Flat),
-            ("soft", Group::Soft),
-            ("drape", Group::Drape),
-            ("door", Group::Door),
-            ("window", Group::Window),
-        ];
-        let looks = [
-            ("color", Look::Color),
-            ("material", Look::Material),
-            ("joined", Look::Material),
-            ("feature", Look::Feature),
-            ("shade", Look::Shade),
-        ];
-        let relations = [
-            ("on", On),
-            ("under", Under),
-            ("above", Above),
-            ("beside", Beside),
-            ("near", Near),
-            ("leftOf", LeftOf),
-            ("rightOf", RightOf),
-            ("inFrontOf", InFrontOf),
-            ("behind", Behind),
-            ("between", Between),
-            ("around", Around),
-            ("facing", Facing),
-            ("opposite", Opposite),
-            ("against", Against),
-            ("along", Along),
-            ("in", In),
-            ("at", At),
-            ("mounted", Mounted),
-            ("hang", Hang),
-            ("far", Far),
-            ("parallel", Parallel),
-            ("perpendicular", Perpendicular),
-            ("aligned", Aligned),
-            ("visible", Visible),
-            ("reachable", Reachable),
-            ("backTo", BackTo),
-            ("from", From),
-            ("of", Of),
-            ("to", To),
-            ("than", Than),
-        ];
-        let verbs = [
-            ("have", Verb::Have),
-            ("carry", Verb::Carry),
-            ("face", Verb::Face),
-            ("hang", Verb::Hang),
-            ("flank", Verb::Flank),
-            ("surround", Verb::Surround),
-            ("keep", Verb::Keep),
-            ("lead", Verb::Lead),
-            ("light", Verb::Light),
-            ("cover", Verb::Cover),
-            ("block", Verb::Block),
-            ("be", Verb::Be),
-        ];
-        let classes = [
-            ("det", Class::Det),
-            ("def", Class::Def),
-            ("each", Class::Each),
-            ("no", Class::No),
-            ("pronoun", Class::Pronoun),
-            ("soft", Class::Soft),
-            ("not", Class::Not),
-            ("space", Class::Space),
-            ("abstract", Class::Abstract),
-            ("stop", Class::Stop),
-            ("holder", Class::Holder),
-            ("portion", Class::Portion),
-            ("tail", Class::Tail),
-            ("paired", Class::Paired),
-            ("surface", Class::Surface),
-        ];
         let mut words: BTreeMap<&str, Vec<Class>> = BTreeMap::new();
         for (key, items) in table(include_str!("../../data/words.txt")) {
-            if let Some((_, class)) = classes.iter().find(|(k, _)| *k == key) {
+            if let Some((_, class)) = CLASSES.iter().find(|(k, _)| *k == key) {
                 for item in items {
                     words.entry(item).or_default().push(*class);
                 }
@@ -220,10 +229,10 @@ impl Lexicon {
         }
         let (rooms, kinds) = rooms();
         Self {
-            nouns: keyed(include_str!("../../data/nouns.txt"), &groups),
-            looks: keyed(include_str!("../../data/looks.txt"), &looks),
-            relations: keyed(include_str!("../../data/relations.txt"), &relations),
-            verbs: keyed(include_str!("../../data/verbs.txt"), &verbs),
+            nouns: keyed(include_str!("../../data/nouns.txt"), &GROUPS),
+            looks: keyed(include_str!("../../data/looks.txt"), &LOOKS),
+            relations: keyed(include_str!("../../data/relations.txt"), &RELATIONS),
+            verbs: keyed(include_str!("../../data/verbs.txt"), &VERBS),
             words,
             synonyms: lines(include_str!("../../data/synonyms.txt")),
             rooms,

@@ -109,7 +109,7 @@ pub fn office() -> Draft {
 
 /// The texts of the requests of the repository.
 pub fn requests() -> Vec<String> {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests");
     let mut files: Vec<_> = ["development", "aside"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap())

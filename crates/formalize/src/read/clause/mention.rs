@@ -113,12 +113,15 @@ impl Reader<'_> {
         let ends = |k: &usize| {
             matches!(chunks[*k].piece, Piece::Comma | Piece::Stop | Piece::Line | Piece::Open | Piece::Close)
         };
-        let first = (own.start..now).rev().find(ends).map_or(own.start, |k| k + 1);
         // "between the sofa and the bed" is one phrase, "a lamp on the desk and a cup on the shelf" are two.
         let joins = |k: &usize| {
-            let between = chunks[first..*k].iter().any(|c| matches!(c.piece, Piece::Rel(Rel::Between)));
+            let between =
+                chunks[own.start..*k].iter().rev().take_while(|c| !matches!(c.piece, Piece::Comma | Piece::Stop));
+            let between = between.into_iter().any(|c| matches!(c.piece, Piece::Rel(Rel::Between)));
             chunks[*k].piece == Piece::And && !between && matches!(self.piece(*k + 1, own.end), Some(Piece::Np(_)))
         };
+        let starts = |k: &usize| ends(k) || joins(k) && named.iter().all(|at| at.start > start(*k));
+        let first = (own.start..now).rev().find(starts).map_or(own.start, |k| k + 1);
         let end = (now + 1..own.end).find(|k| ends(k) || joins(k)).unwrap_or(own.end);
         if first >= end {
             return whole.clone();

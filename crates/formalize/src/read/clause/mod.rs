@@ -16,6 +16,7 @@ mod after;
 mod measures;
 mod mention;
 mod relations;
+mod sentences;
 mod things;
 mod verbs;
 
@@ -210,42 +211,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether a sentence ends as a question that the next one answers with "no".
-    fn asked_back(&self, end: usize) -> bool {
-        let first = |i: usize| self.chunks.get(i).map(|c| &self.tokens[c.at.start]);
-        first(end).is_some_and(|t| t.is("?")) && first(end + 1).is_some_and(|t| t.is("no") || t.is("nope"))
-    }
-
-    /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
-    fn last_clause(&self, from: usize, end: usize) -> usize {
-        let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;
-        (from + 1..end).rev().find(joined).map_or(from, |k| k - 1)
-    }
-
-    /// The chunk that ends a sentence: a full stop, or the end of a line that is one.
-    fn sentence_end(&self, from: usize) -> usize {
-        let mut i = from;
-        while i < self.chunks.len() {
-            match self.chunks[i].piece {
-                Piece::Stop => return i,
-                Piece::Line => {
-                    let next = self.chunks.get(i + 1);
-                    let fresh = next.is_none_or(|c| {
-                        c.piece == Piece::Bullet
-                            || self.tokens[c.at.start].capital
-                            || i > 0 && self.chunks[i - 1].piece == Piece::Colon
-                    });
-                    if fresh || matches!(self.chunks[from].piece, Piece::Bullet) {
-                        return i;
-                    }
-                }
-                _ => {}
-            }
-            i += 1;
-        }
-        i
-    }
-
     fn bytes(&self, chunks: Range<usize>) -> Range<usize> {
         let first = self.chunks.get(chunks.start).map_or(0, |c| self.tokens[c.at.start].at.start);
         let last = chunks
@@ -320,12 +285,18 @@ impl<'a> Reader<'a> {
         let side = self.side.clone();
         self.before = std::mem::take(&mut self.main);
         self.near.clear();
-        let unsaid = self.unsaid(from, end);
+        // "no television; instead there is a piano": the piano is said as it is.
+        if self.chunks.get(from).is_some_and(|c| self.tokens[c.at.start].is("instead")) {
+            self.mark(from);
+        }
+        let ruled_out = self.neither(from, end);
+        let mut unsaid = if ruled_out.is_some() { Vec::new() } else { self.unsaid(from, end) };
         for range in &unsaid {
             let at = self.bytes(range.clone());
             let reason = "a word here changes what is asked for, and no statement says it so".to_owned();
             self.brief.notes.push(Note { at, reason });
         }
+        unsaid.extend(ruled_out);
         let mut i = from;
         while i < end {
             self.s.now = i;
@@ -345,52 +316,6 @@ impl<'a> Reader<'a> {
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
-    }
-
-    /// "Storage." after a number, "Kitchen:", a title: what begins no sentence.
-    fn heading(&mut self, from: usize, end: usize) -> bool {
-        let first = from + usize::from(matches!(self.piece(from, end), Some(Piece::Bullet)));
-        let Some(np) = self.np(first, end) else { return false };
-        let closed = first + 1 == end || first + 2 == end && matches!(self.piece(first + 1, end), Some(Piece::Colon));
-        match np.kind {
-            Kind::Room => {
-                if let Some(room) = self.rooms.spoken.get(&first) {
-                    self.room = *room;
-                    self.room_look(*room, np);
-                    if closed {
-                        self.mark(from);
-                        self.mark(first);
-                        self.main.clear();
-                        self.near.clear();
-                        self.about_room = true;
-                        return true;
-                    }
-                }
-                false
-            }
-            _ if closed && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
-                let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
-                // "2. Desks. Eight desks …", "Entrance. Customers come in …", but "- armchair" is a thing.
-                let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
-                let next = self.chunks.get(end + 1..self.sentence_end(end + 1)).unwrap_or(&[]);
-                let told = next.iter().any(|c| matches!(c.piece, Piece::Verb(_)));
-                if stop && more && (first > from || told) || self.numbered(from, end) {
-                    self.mark(first);
-                    return true;
-                }
-                false
-            }
-            _ => false,
-        }
-    }
-
-    /// "5. General" before "5.1 All doors …".
-    fn numbered(&self, from: usize, end: usize) -> bool {
-        let bullet = |i: usize| {
-            let c = self.chunks.get(i).filter(|c| c.piece == Piece::Bullet)?;
-            Some(self.tokens[c.at.start].text.as_str())
-        };
-        matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
@@ -450,26 +375,7 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Measure(m) => self.on_measure(i, end, m),
-            Piece::With => {
-                let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
-                let with_back = self.np(i + 1, end).is_some_and(|n| {
-                    n.kind == Kind::Thing
-                        && n.count.is_none()
-                        && (get().part(&n.head())
-                            || !n.known && n.det == Det::None && n.many
-                            || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
-                });
-                let with_back = with_back && !self.relates_after(i + 2, end);
-                if !with_back && !self.near.is_empty() {
-                    let owner = self.bearer(self.near.clone(), i + 1, end);
-                    // "speakers in the corners, with a screen on the wall": one screen.
-                    self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
-                    self.s.expect = Expect::With(owner, Join::Usual);
-                } else if with_back {
-                    return self.with_part(i, end);
-                }
-                i + 1
-            }
+            Piece::With => self.on_with(i, end),
             Piece::Attr(look) => {
                 let target = self.near.clone();
                 if target.is_empty() && self.s.of_room {
@@ -554,77 +460,100 @@ impl<'a> Reader<'a> {
                 i + 1
             }
             Piece::Free => self.on_free(i, end),
-            Piece::Soft | Piece::Word(_) => {
-                // "stools, two at each bench"
-                let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == Kind::Thing);
-                if let (Some(n), Some(Piece::Rel(_)), Some(owner)) =
-                    (self.number_at(i, end), self.piece(i + 1, end), owner)
-                {
-                    self.s.one = true;
-                    let owner = self.find(owner);
-                    let of = self.main.last().copied().filter(|o| Some(*o) != owner);
-                    if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.brief.things[o]))
-                        && item.number.many()
-                        && item.number.said().is_none()
-                    {
-                        item.number = Number::Each { of: owner, number: n };
-                    }
-                    self.near = self.main.clone();
-                    self.mark(i);
-                }
-                // "the stools, six in number"
-                let at = chunks[i].at.end;
-                let in_number = self.tokens.get(at).is_some_and(|t| t.is("in"))
-                    && self.tokens.get(at + 1).is_some_and(|t| t.is("number"));
-                if let (Some(n), true, [item]) = (self.number_at(i, end), in_number, self.main.as_slice()) {
-                    let item = &mut self.brief.things[*item];
-                    if item.number.many() && item.number.said().is_none() && n > 0 {
-                        item.number = Number::Exactly(n);
-                        self.mark(i);
-                    }
-                }
-                // "carts stand by the door, ten in a row"
-                if let (Some(n), Some(Piece::Pattern(_)), [item]) =
-                    (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
-                {
-                    let item = &mut self.brief.things[*item];
-                    if item.number.many() && item.number.said().is_none() && n > 1 {
-                        item.number = Number::Exactly(n);
-                        self.mark(i);
-                    }
-                    self.near = self.main.clone();
-                }
-                self.s.centre |= matches!(
-                    self.tokens[chunks[i].at.start].text.as_str(),
-                    "center" | "centre" | "centred" | "centered"
-                );
-                match self.tokens[chunks[i].at.start].text.as_str() {
-                    // "stands centrally", but "centrally against the wall"
-                    "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
-                        let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
-                        self.at_place(&of, Rel::In, Place::Middle, &[]);
-                        self.mark(i);
-                    }
-                    // "forget the carpet"
-                    "forget" | "scrap" | "skip" | "omit" | "cancel" => {
-                        let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
-                        if let Some(np) = np {
-                            self.gone.extend(self.find(np));
-                            let at = self.bytes(i + 1..i + 2);
-                            self.brief.absent.push((np.name(), at));
-                            self.mark(i);
-                            self.mark(i + 1);
-                            return i + 2;
-                        }
-                    }
-                    "nothing" | "nobody" => self.s.nothing = true,
-                    // "don't put anything between …"
-                    "anything" if std::mem::take(&mut self.s.not) => self.s.nothing = true,
-                    _ => {}
-                }
-                i + 1
+            Piece::Soft | Piece::Word(_) => self.on_word(i, end),
+        }
+    }
+
+    /// "with": what comes belongs to what was spoken of last, or is a part of it.
+    fn on_with(&mut self, i: usize, end: usize) -> usize {
+        let chunks = self.chunks;
+        let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
+        let with_back = self.np(i + 1, end).is_some_and(|n| {
+            n.kind == Kind::Thing
+                && n.count.is_none()
+                && (get().part(&n.head())
+                    || !n.known && n.det == Det::None && n.many
+                    || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
+        });
+        let with_back = with_back && !self.relates_after(i + 2, end);
+        if !with_back && !self.near.is_empty() {
+            let owner = self.bearer(self.near.clone(), i + 1, end);
+            // "speakers in the corners, with a screen on the wall": one screen.
+            self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
+            self.s.expect = Expect::With(owner, Join::Usual);
+        } else if with_back {
+            return self.with_part(i, end);
+        }
+        i + 1
+    }
+
+    /// A word of no other kind: a number, "centrally", "forget", "nothing".
+    fn on_word(&mut self, i: usize, end: usize) -> usize {
+        let chunks = self.chunks;
+        // "stools, two at each bench"
+        let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == Kind::Thing);
+        if let (Some(n), Some(Piece::Rel(_)), Some(owner)) = (self.number_at(i, end), self.piece(i + 1, end), owner) {
+            self.s.one = true;
+            let owner = self.find(owner);
+            let of = self.main.last().copied().filter(|o| Some(*o) != owner);
+            if let (Some(owner), Some(item)) = (owner, of.map(|o| &mut self.brief.things[o]))
+                && item.number.many()
+                && item.number.said().is_none()
+            {
+                item.number = Number::Each { of: owner, number: n };
+            }
+            self.near = self.main.clone();
+            self.mark(i);
+        }
+        // "the stools, six in number"
+        let at = chunks[i].at.end;
+        let in_number =
+            self.tokens.get(at).is_some_and(|t| t.is("in")) && self.tokens.get(at + 1).is_some_and(|t| t.is("number"));
+        if let (Some(n), true, [item]) = (self.number_at(i, end), in_number, self.main.as_slice()) {
+            let item = &mut self.brief.things[*item];
+            if item.number.many() && item.number.said().is_none() && n > 0 {
+                item.number = Number::Exactly(n);
+                self.mark(i);
             }
         }
+        // "carts stand by the door, ten in a row"
+        if let (Some(n), Some(Piece::Pattern(_)), [item]) =
+            (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
+        {
+            let item = &mut self.brief.things[*item];
+            if item.number.many() && item.number.said().is_none() && n > 1 {
+                item.number = Number::Exactly(n);
+                self.mark(i);
+            }
+            self.near = self.main.clone();
+        }
+        self.s.centre |=
+            matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
+        match self.tokens[chunks[i].at.start].text.as_str() {
+            // "stands centrally", but "centrally against the wall"
+            "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+                let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
+                self.at_place(&of, Rel::In, Place::Middle, &[]);
+                self.mark(i);
+            }
+            // "forget the carpet"
+            "forget" | "scrap" | "skip" | "omit" | "cancel" => {
+                let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
+                if let Some(np) = np {
+                    self.gone.extend(self.find(np));
+                    let at = self.bytes(i + 1..i + 2);
+                    self.brief.absent.push((np.name(), at));
+                    self.mark(i);
+                    self.mark(i + 1);
+                    return i + 2;
+                }
+            }
+            "nothing" | "nobody" => self.s.nothing = true,
+            // "don't put anything between …"
+            "anything" if std::mem::take(&mut self.s.not) => self.s.nothing = true,
+            _ => {}
+        }
+        i + 1
     }
 
     /// "either a sofa or two armchairs by the window": nobody says which; where that ends.

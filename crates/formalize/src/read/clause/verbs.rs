@@ -89,6 +89,8 @@ impl Reader<'_> {
                     out.push(start..to);
                 }
                 ("rather", "than") | ("instead", "of") => out.push(i..to),
+                // "no television; instead there is a piano": the piano is said as it is.
+                ("instead", _) if i == from => {}
                 ("instead", _) | ("neither", _) => {
                     let start = (from..i).rev().find(stop).map_or(from, |k| k + 1);
                     // "neither the sofa nor the bed is …"
@@ -104,6 +106,33 @@ impl Reader<'_> {
             }
         }
         out
+    }
+
+    /// "there is neither a telephone nor a television": both are ruled out. What is read with it.
+    pub(super) fn neither(&mut self, from: usize, end: usize) -> Option<Range<usize>> {
+        let chunks = self.chunks;
+        let i = (from..end).find(|k| self.tokens[chunks[*k].at.start].is("neither"))?;
+        let there = |c: &Chunk| {
+            matches!(c.piece, Piece::There | Piece::With | Piece::Verb(Verb::Have))
+                || self.tokens[c.at.start].is("there")
+        };
+        let listed = |k: &usize| match &chunks[*k].piece {
+            Piece::Np(np) => np.kind == Kind::Thing,
+            piece => matches!(piece, Piece::Not | Piece::Word(_) | Piece::And | Piece::Comma),
+        };
+        let to = (i..end).find(|k| !listed(k)).unwrap_or(end);
+        let told = matches!(self.piece(to, end), Some(Piece::Verb(_) | Piece::ToIts(_) | Piece::Pattern(_)))
+            || matches!(self.piece(to, end), Some(Piece::Rel(rel)) if *rel != Rel::To);
+        let things: Vec<usize> = (i..to).filter(|k| self.np(*k, to).is_some()).collect();
+        if !chunks[from..i].iter().any(there) || told || things.len() < 2 {
+            return None;
+        }
+        for k in things {
+            let at = self.bytes(k..k + 1);
+            self.brief.absent.extend(self.np(k, to).map(|np| (np.name(), at)));
+        }
+        (i..to).for_each(|k| self.mark(k));
+        Some(i..end)
     }
 
     /// "a table, actually no, a desk": what was said before is taken back, and nobody says how far.
@@ -177,7 +206,7 @@ impl Reader<'_> {
             Verb::Flank | Verb::Surround => {
                 let passive = self.chunks[i].at.len() > 1;
                 let (join, rel) =
-                    if verb == Verb::Flank { (Join::Beside, Rel::Beside) } else { (Join::Around, Rel::Around) };
+                    if verb == Verb::Flank { (Join::Beside, Rel::Sides) } else { (Join::Around, Rel::Around) };
                 self.s.expect = if passive { Expect::With(self.near.clone(), join) } else { Expect::Object(rel) };
                 self.s.each =
                     self.s.each || passive && self.near.first().is_some_and(|n| self.brief.things[*n].number.many());

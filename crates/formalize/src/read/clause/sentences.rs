@@ -1,0 +1,87 @@
+//! Where sentences end, and what begins none: headings, titles, questions that are answered with "no".
+
+use super::*;
+
+impl Reader<'_> {
+    /// Whether a sentence ends as a question that the next one answers with "no".
+    pub(super) fn asked_back(&self, end: usize) -> bool {
+        let first = |i: usize| self.chunks.get(i).map(|c| &self.tokens[c.at.start]);
+        first(end).is_some_and(|t| t.is("?")) && first(end + 1).is_some_and(|t| t.is("no") || t.is("nope"))
+    }
+
+    /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
+    pub(super) fn last_clause(&self, from: usize, end: usize) -> usize {
+        let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;
+        (from + 1..end).rev().find(joined).map_or(from, |k| k - 1)
+    }
+
+    /// The chunk that ends a sentence: a full stop, or the end of a line that is one.
+    pub(super) fn sentence_end(&self, from: usize) -> usize {
+        let mut i = from;
+        while i < self.chunks.len() {
+            match self.chunks[i].piece {
+                Piece::Stop => return i,
+                Piece::Line => {
+                    let next = self.chunks.get(i + 1);
+                    let fresh = next.is_none_or(|c| {
+                        c.piece == Piece::Bullet
+                            || self.tokens[c.at.start].capital
+                            || i > 0 && self.chunks[i - 1].piece == Piece::Colon
+                    });
+                    if fresh || matches!(self.chunks[from].piece, Piece::Bullet) {
+                        return i;
+                    }
+                }
+                _ => {}
+            }
+            i += 1;
+        }
+        i
+    }
+
+    /// "Storage." after a number, "Kitchen:", a title: what begins no sentence.
+    pub(super) fn heading(&mut self, from: usize, end: usize) -> bool {
+        let first = from + usize::from(matches!(self.piece(from, end), Some(Piece::Bullet)));
+        let Some(np) = self.np(first, end) else { return false };
+        let closed = first + 1 == end || first + 2 == end && matches!(self.piece(first + 1, end), Some(Piece::Colon));
+        match np.kind {
+            Kind::Room => {
+                if let Some(room) = self.rooms.spoken.get(&first) {
+                    self.room = *room;
+                    self.room_look(*room, np);
+                    if closed {
+                        self.mark(from);
+                        self.mark(first);
+                        self.main.clear();
+                        self.near.clear();
+                        self.about_room = true;
+                        return true;
+                    }
+                }
+                false
+            }
+            _ if closed && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
+                let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
+                // "2. Desks. Eight desks …", "Entrance. Customers come in …", but "- armchair" is a thing.
+                let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
+                let next = self.chunks.get(end + 1..self.sentence_end(end + 1)).unwrap_or(&[]);
+                let told = next.iter().any(|c| matches!(c.piece, Piece::Verb(_)));
+                if stop && more && (first > from || told) || self.numbered(from, end) {
+                    self.mark(first);
+                    return true;
+                }
+                false
+            }
+            _ => false,
+        }
+    }
+
+    /// "5. General" before "5.1 All doors …".
+    pub(super) fn numbered(&self, from: usize, end: usize) -> bool {
+        let bullet = |i: usize| {
+            let c = self.chunks.get(i).filter(|c| c.piece == Piece::Bullet)?;
+            Some(self.tokens[c.at.start].text.as_str())
+        };
+        matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
+    }
+}
