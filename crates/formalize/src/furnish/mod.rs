@@ -18,7 +18,6 @@ use crate::brief::Brief;
 use crate::draft::Draft;
 use number::{Scale, scale};
 
-
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
 pub fn measure(brief: &mut Brief) {
