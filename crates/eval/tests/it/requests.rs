@@ -79,7 +79,8 @@ fn ground_truth_is_well_formed() {
 fn the_reader_reads_the_development_set_well_enough() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests/development");
     let reader = |request: Request<'_>| {
-        let options = scenelang_formalize::Options::default();
+        // What is added to a room is in no request.
+        let options = scenelang_formalize::Options { literal: true };
         let made = scenelang_formalize::formalize(request.text, &options, None).map_err(|e| e.to_string())?;
         Ok(Reading { program: made.program, ..Reading::default() })
     };

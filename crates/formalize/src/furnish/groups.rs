@@ -108,7 +108,7 @@ fn part(line: &'static str) -> Option<Part> {
         _ => return None,
     };
     let mut part = Part { noun, at, least: 0.0, size: None };
-    for column in columns {
+    for column in columns.filter(|column| !column.is_empty()) {
         let numbers: Vec<f64> = column.split_whitespace().filter_map(|n| n.parse().ok()).collect();
         match (column.strip_prefix(">="), &numbers[..]) {
             (Some(area), _) => part.least = area.trim().parse().ok()?,

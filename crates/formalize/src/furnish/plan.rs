@@ -2,7 +2,7 @@
 
 use super::groups::{self, Along, Part, Where};
 use super::kinds::Kind;
-use super::slots::{Level, Sizes, Slot, boards, capacity, slots};
+use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
 use super::{place, stand, taste};
 use crate::brief::Group;
 use crate::draft::{Draft, Source, Statement, Thing};
@@ -100,7 +100,8 @@ impl<'a> Plan<'a> {
         let [w, _, d] = self.draft.rooms[self.room].size;
         let n = n as f64;
         let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= self.kind.fill * w * d;
-        let walls = !at_wall || self.walls + n * (size[0] + 0.1) <= 0.72 * 2.0 * (w + d);
+        // Corners cannot be used from both sides.
+        let walls = !at_wall || self.walls + n * (size[0] + 0.1) <= 0.75 * (2.0 * (w + d) - 2.4);
         floor && walls && size[0].min(size[2]) < w.min(d) - 0.9
     }
 
@@ -153,12 +154,6 @@ impl<'a> Plan<'a> {
         self.draft.statements.push(Statement::new(&text, Source::Inferred(why.to_owned())));
     }
 
-    /// The elements of a thing.
-    pub fn elements(&self, thing: usize) -> Vec<String> {
-        let Thing { name, count, .. } = &self.draft.things[thing];
-        if *count > 1 { (0..*count).map(|i| format!("{name}[{i}]")).collect() } else { vec![name.clone()] }
-    }
-
     /// Adds what goes with a thing, and what goes with that.
     pub fn surround(&mut self, thing: usize, wall: AtWall, deep: usize) {
         if deep >= DEEP {
@@ -166,18 +161,19 @@ impl<'a> Plan<'a> {
         }
         let name = self.draft.things[thing].category.replace('_', " ");
         let loaded = stand::loaded(self.draft, thing);
+        let mut taken: Vec<Taken> = Vec::new();
         for part in groups::of(&name) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
             if self.area() < part.least || on_top && loaded || hung && wall == AtWall::No {
                 continue;
             }
-            self.part(thing, part, wall, deep);
+            self.part(thing, part, wall, deep, &mut taken);
         }
     }
 
     /// How many elements of a thing that is there already need a part: none if such things are there.
-    fn part(&mut self, thing: usize, part: &Part, wall: AtWall, deep: usize) {
+    fn part(&mut self, thing: usize, part: &Part, wall: AtWall, deep: usize, taken: &mut Vec<Taken>) {
         let noun = part.noun;
         let Some(of) = self.draft.things[thing].size else { return };
         let anchors = self.draft.things[thing].count;
@@ -209,6 +205,10 @@ impl<'a> Plan<'a> {
                 Level::Above(y) => y + own[1] < height - 0.05,
                 _ => true,
             })
+            .filter(|slot| {
+                let low = own[1] < 0.05 && slot.level == Level::Floor;
+                low || !taken.iter().any(|other| Taken::by(slot, own).meets(other))
+            })
             .collect();
         let each = places.len();
         let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
@@ -217,14 +217,17 @@ impl<'a> Plan<'a> {
         if each == 0 || !rug_fits || stands && !self.has_room(own, each * anchors, false) {
             return;
         }
+        let flush = matches!(at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
         if stands {
-            self.take(own, each * anchors, false);
+            self.take(own, each * anchors, flush && wall == AtWall::Yes);
+        }
+        if stands || places.iter().any(|slot| slot.level != Level::Floor) {
+            taken.extend(places.iter().map(|slot| Taken::by(slot, own)));
         }
         let why = why(&category.replace('_', " "), noun, &at);
         let new = self.add(noun, each * anchors, own, &why);
         self.fix(thing, new, &places, height, &why);
         self.group(thing, new, &at, &why);
-        let flush = matches!(at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
         self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
     }
 

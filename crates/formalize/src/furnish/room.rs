@@ -73,7 +73,7 @@ fn add_windows(plan: &mut Plan) {
     let usual = plan.kind.size[0] * plan.kind.size[2];
     let n = (plan.kind.windows as f64 * (plan.area() / usual).sqrt()).round() as usize;
     let [w, h, d] = plan.draft.rooms[plan.room].size;
-    let most = ((w.max(d) - 0.6) / (WINDOW[0] + 2.0 * BESIDE)) as usize;
+    let most = ((w.max(d) - 0.4) / (WINDOW[0] + BESIDE + 0.2)) as usize;
     let why = format!("a {} has daylight", plan.kind.name);
     let mut made: Vec<String> = Vec::new();
     for _ in 0..n.min(most).min(6) {
@@ -88,8 +88,11 @@ fn add_windows(plan: &mut Plan) {
             look: Look::default(),
             source: Source::Inferred(why.clone()),
         });
-        if let Some(first) = made.first() {
-            plan.say(format!("prefer angle({name}.front, {first}.front) <= 5;"), "windows are in one wall");
+        if let Some(last) = made.last() {
+            let step = metres(WINDOW[0] + BESIDE + 0.2);
+            let row =
+                format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
+            plan.say(row, "windows are in one wall");
         }
         made.push(name);
     }
@@ -121,7 +124,51 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             wall = AtWall::Yes;
         }
     }
+    straighten(plan, thing);
     plan.surround(thing, wall, 0);
+}
+
+/// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
+fn straighten(plan: &mut Plan, thing: usize) {
+    const TURNING: [&str; 12] = [
+        "againstWall(",
+        "inCorner(",
+        "facing(",
+        "looksAt(",
+        "beside(",
+        "inFrontOf(",
+        "behind(",
+        "Mounted(",
+        ".front",
+        ".rot",
+        "parallel(",
+        ".right",
+    ];
+    let it = plan.draft.things[thing].clone();
+    let free = matches!(stand::group(&it.category), crate::brief::Group::Table | crate::brief::Group::Floor);
+    let name = &it.name;
+    let subject = [format!("({name},"), format!("({name}["), format!("forall a in {name}:"), format!("{name}.")];
+    let turned = plan
+        .draft
+        .statements
+        .iter()
+        .any(|s| TURNING.iter().any(|t| s.text.contains(t)) && subject.iter().any(|n| s.text.contains(n)));
+    if !free || turned || !stand::on_floor(plan.draft, &it) || stand::has_back(&it.category) {
+        return;
+    }
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let along = it.size.is_none_or(|s| s[0] >= s[2]);
+    let yaw = if (w >= d) == along { "0" } else { "90" };
+    let [own_w, _, own_d] = it.size.unwrap_or_default();
+    let island = stand::group(&it.category) == crate::brief::Group::Table && !stand::placed(plan.draft, name);
+    let text = match it.count {
+        1 if island && own_w.max(own_d) < w.min(d) - 2.0 => {
+            format!("assert {name}.rot.y = {yaw} and gap({name}, {}) >= 0.7;", plan.room_name())
+        }
+        1 => format!("assert {name}.rot.y = {yaw};"),
+        _ => format!("assert forall a in {name}: a.rot.y = {yaw};"),
+    };
+    plan.say(text, "things stand parallel to the walls");
 }
 
 /// Adds a line of the inventory.
@@ -147,7 +194,8 @@ fn inventory(plan: &mut Plan, line: &Line) {
 /// Things at walls, in corners, in the middle.
 fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let size = Plan::size(line.noun);
-    let hung = line.place == Place::Hung || matches!(stand::group(line.noun), crate::brief::Group::Wall);
+    let hung = line.place == Place::Hung
+        || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..));
     let n = (0..=n).rev().find(|n| hung || plan.has_room(size, *n, at_wall)).unwrap_or(0);
     if n == 0 {
@@ -160,7 +208,6 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let room = plan.room_name();
     let [_, height, depth] = plan.draft.rooms[plan.room].size;
     let width = plan.draft.rooms[plan.room].size[0];
-    let elements = plan.elements(thing);
     let name = plan.draft.things[thing].name.clone();
     let every = |f: &dyn Fn(&str) -> String| match n {
         1 => format!("assert {};", f(&name)),
@@ -218,7 +265,6 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {
         plan.say(every(&|x| format!("wallMounted({x}, {room})")), why);
     }
-    debug_assert_eq!(elements.len(), n);
     let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
     plan.surround(thing, wall, 0);
 }
@@ -233,8 +279,12 @@ fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     let outline = plan.draft.rooms[plan.room].outline.is_some();
     let n = if outline { 1 } else { n.min(16) };
     // Rows across the shorter side.
+    let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
+    let n = if pendant { n.max(2) } else { n };
     let rows = ((n as f64 * d / w).sqrt().round() as usize).clamp(1, n);
     let columns = n.div_ceil(rows);
+    // What hangs over a table in the middle has its place there.
+    let columns = if pendant && rows % 2 == 1 && columns % 2 == 1 { columns + 1 } else { columns };
     let n = rows * columns;
     let thing = plan.add(noun, n, size, why);
     let room = plan.room_name();

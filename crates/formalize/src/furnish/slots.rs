@@ -93,6 +93,32 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
     }
 }
 
+/// What is taken on one level around a thing: centre, half extents.
+#[derive(Clone, Copy, Debug)]
+pub struct Taken {
+    level: Level,
+    centre: [f64; 2],
+    half: [f64; 2],
+}
+
+impl Taken {
+    /// By a part at a place.
+    pub fn by(slot: &Slot, own: [f64; 3]) -> Self {
+        let (sin, cos) = slot.yaw.to_radians().sin_cos();
+        let half = [(own[0] * cos).abs() + (own[2] * sin).abs(), (own[0] * sin).abs() + (own[2] * cos).abs()];
+        Self { level: slot.level, centre: [slot.x, slot.z], half: half.map(|v| v / 2.0) }
+    }
+
+    /// Whether two are in each other's way.
+    pub fn meets(&self, other: &Self) -> bool {
+        let level = match (self.level, other.level) {
+            (Level::At(a), Level::At(b)) => (a - b).abs() < 0.02,
+            (a, b) => std::mem::discriminant(&a) == std::mem::discriminant(&b),
+        };
+        level && (0..2).all(|k| (self.centre[k] - other.centre[k]).abs() < self.half[k] + other.half[k] + 0.005)
+    }
+}
+
 /// How many seats of a width have room at a side.
 fn room_at(side: f64, seat: f64) -> usize {
     ((side - 0.06) / (seat + 0.08)).floor().max(0.0) as usize

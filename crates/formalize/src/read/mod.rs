@@ -108,6 +108,8 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     mend(&mut draft);
     if extent == Extent::Usual {
         furnish(&mut draft, &brief);
+        // What was added contradicts nothing, either.
+        mend(&mut draft);
     }
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
