@@ -276,7 +276,7 @@ impl LocalSearch<'_> {
             }
             let term = self.path_terms[at];
             let found = self.find_paths_of(term);
-            all &= found || self.demanded != Some(term) && !self.frame.terms[term].is_hard();
+            all &= found || !self.is_demanded(term) && !self.frame.terms[term].is_hard();
         }
         all
     }
