@@ -44,9 +44,14 @@ impl Draft {
         }
         // What is fixed to something that goes, goes too.
         loop {
-            let fixed = self.statements.iter().filter(|s| s.text.contains(".pos = ")).filter_map(|s| {
+            let places = |text: &str| text.contains(".pos = ") || text.contains("onFloor(");
+            let fixed = self.statements.iter().filter(|s| places(&s.text)).filter_map(|s| {
                 let names = words(&s.text);
-                let own = names.iter().find(|name| self.things.iter().any(|t| t.name == **name))?;
+                let added = |name: &str| {
+                    self.things.iter().any(|t| t.name == name && matches!(t.source, Source::Inferred(_)))
+                        || self.openings.iter().any(|o| o.name == name && matches!(o.source, Source::Inferred(_)))
+                };
+                let own = names.iter().find(|name| added(name))?;
                 (!gone.contains(*own) && names.iter().any(|name| gone.contains(*name))).then(|| (*own).to_owned())
             });
             let more: Vec<String> = fixed.collect();

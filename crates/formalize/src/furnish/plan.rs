@@ -179,7 +179,8 @@ impl<'a> Plan<'a> {
         let anchors = self.draft.things[thing].count;
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
-        if self.is_closed(noun) || self.count() > MOST {
+        // One bin serves several.
+        if self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));

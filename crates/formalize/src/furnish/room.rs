@@ -191,9 +191,22 @@ fn inventory(plan: &mut Plan, line: &Line) {
     }
 }
 
+/// The size of a thing; a table is as long as the people need who sit at it.
+fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
+    let mut size = Plan::size(noun);
+    let seats = groups::of(noun).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
+    if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        let each_side = people.saturating_sub(2).div_ceil(2) as f64;
+        let needed = each_side * (Plan::size(part.noun)[0] + 0.12) + 0.1;
+        size[0] = size[0].max(needed.min(w.max(d) - 2.0));
+    }
+    size
+}
+
 /// Things at walls, in corners, in the middle.
 fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
-    let size = Plan::size(line.noun);
+    let size = for_people(plan, line.noun, n);
     let hung = line.place == Place::Hung
         || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..));
@@ -255,7 +268,9 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             });
             let opposite = to.map_or(String::new(), |to| {
                 let to = &to.name;
-                format!(" and angle({name}.front, {to}.front) >= 175 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.15")
+                format!(
+                    " and {name}.rot.y = {to}.rot.y + 180 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3"
+                )
             });
             every(&|x| format!("{}{opposite}", back(x)))
         }
@@ -322,7 +337,7 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
     let [left, right, back, front] = plan.reach(noun, size);
     let (cell_w, cell_d) = (left + right, back + front);
     // Ways of this width between the rows and around them.
-    let (aisle, side) = (if cell_w > 1.0 { 0.75 } else { 0.45 }, 0.9);
+    let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
     let ahead = if toward { 2.2_f64.min(0.28 * d) } else { side };
     let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
     let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
