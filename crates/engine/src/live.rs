@@ -11,9 +11,8 @@ use scenelang_verify::rules::{Columns, Support, pairs_up_to, support};
 use scenelang_verify::{EvalError, Options, Scratch, Verdict, World};
 use std::collections::BTreeMap;
 
-/// The judgement of a layout whose objects can be moved. It says at any time what [`check`](scenelang_verify::check()) would say of
-/// the layout as it then is, except that it lists only the physical rules that fail, and looks for no moves that would
-/// mend a violation.
+/// The judgement of a layout whose objects can be moved. It says at any time what [`check`](scenelang_verify::check())
+/// would say of the layout as it then is, except that it lists only the physical rules that fail.
 pub struct Live<'a> {
     program: &'a Program,
     state: State,

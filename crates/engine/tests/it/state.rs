@@ -10,7 +10,7 @@ const SCENE: &str = "
 region room; object a; object b; object c; Number far;
 assert a.pos.x + far > 0 and inside(b, room);
 assert a.front.x > 0.2 or gap(b, c) > far;
-assert room.area > 10 and b.top.y < 2;
+assert room.area > 10 and b.top < 2;
 ";
 const LAYOUT: &str = "
 region room 0 0 0 | 5 2.6 4
