@@ -51,7 +51,7 @@ fn preferred(found: &Found) -> String {
     if met >= all {
         return String::new();
     }
-    format!("preferences that hold weigh {met} of {all}, the best that was found (--quality has more looked for)\n")
+    format!("preferences that hold weigh {met} of {all}; a higher --quality looks longer for more\n")
 }
 
 /// What is free, in words.

@@ -25,6 +25,7 @@ const PATIENCE: [usize; 2] = [20, 100];
 const ROUNDS: f64 = 5.0;
 /// How often another check is drawn where the first was a preference and something that must hold does not.
 const DRAWS: usize = 3;
+
 impl LocalSearch<'_> {
     /// Looks for a layout in which preferences of more weight hold than in this one, in which all holds that must. It goes
     /// on holding.

@@ -116,9 +116,9 @@ impl LocalSearch<'_> {
     fn goes_back(&mut self, first: usize) -> bool {
         let mut company = vec![first];
         loop {
-            for at in 0..company.len() {
-                let Some(home) = self.at_first[company[at]] else { continue };
-                self.go(company[at], home);
+            for &i in &company {
+                let Some(home) = self.at_first[i] else { continue };
+                self.go(i, home);
             }
             let judged = self.judge(f64::INFINITY);
             let failing: Vec<usize> =
