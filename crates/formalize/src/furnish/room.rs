@@ -93,6 +93,9 @@ fn add_windows(plan: &mut Plan) {
             let row =
                 format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
             plan.say(row, "windows are in one wall");
+        } else if n > 1 {
+            let sill = 0.9_f64.min((h - size[1]) / 2.0).max(0.0);
+            plan.say(format!("assert {name}.pos.y = {};", metres(sill)), "a window has a sill");
         }
         made.push(name);
     }
@@ -266,13 +269,14 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             let to = plan.draft.things.iter().find(|t| {
                 t.room == Some(plan.room) && t.count == 1 && t.category.replace('_', " ").ends_with(other.as_str())
             });
-            let opposite = to.map_or(String::new(), |to| {
+            let opposite = to.map(|to| {
                 let to = &to.name;
-                format!(
-                    " and {name}.rot.y = {to}.rot.y + 180 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3"
-                )
+                format!("prefer angle({name}.front, {to}.front) >= 175 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3;")
             });
-            every(&|x| format!("{}{opposite}", back(x)))
+            if let Some(opposite) = opposite {
+                plan.say(opposite, why);
+            }
+            every(&|x| back(x))
         }
         Place::Ceiling | Place::Rows(_) => return,
     };

@@ -100,7 +100,7 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
 
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
-    draft.statements.iter().any(|s| matches!(s.source, Source::Stated(_)) && words(&s.text).iter().any(|w| *w == name))
+    draft.statements.iter().any(|s| matches!(s.source, Source::Stated(_)) && words(&s.text).contains(&name))
 }
 
 #[cfg(test)]

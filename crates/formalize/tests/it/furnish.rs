@@ -22,7 +22,7 @@ fn count(draft: &Draft, noun: &str) -> usize {
 
 fn requests() -> Vec<String> {
     let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../../tests/requests/rooms.txt"].iter().collect();
-    let text = std::fs::read_to_string(path).unwrap();
+    let text = std::fs::read_to_string(path).expect("the list of requests is there");
     text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_owned).collect()
 }
 
