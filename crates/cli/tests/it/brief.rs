@@ -48,8 +48,8 @@ fn the_summary_counts_words_and_strict_demands_all_of_them() {
         assert_eq!(formalize(folder.path(), &["--untried", "--strict", request]).code, strict, "{request}");
     }
     let ended = formalize(folder.path(), &["--untried", some]);
-    assert!(ended.stderr.contains("words became part of the program; not used: "), "{ended:?}");
-    assert!(ended.stderr.contains("\"1987\": this number is in no statement"), "{ended:?}");
+    let unused = ended.stderr.split("words became part of the program; not used: ").nth(1);
+    assert!(unused.and_then(|words| words.lines().next()).is_some_and(|w| w.contains("\"1987\"")), "{}", ended.stderr);
     let ended = formalize(folder.path(), &["--untried", "--format", "json", some]);
     let said: Value = serde_json::from_str(&ended.stdout).unwrap();
     let unused = said["words"]["unused"].as_array().unwrap();

@@ -58,6 +58,7 @@ pub fn state(named: &Named) -> Stated {
 
 impl Stated {
     /// Adds a statement, once.
+    #[expect(clippy::needless_pass_by_value, reason = "callers make the text for this call")]
     pub fn push(&mut self, text: String, source: Source) {
         let statement = Statement::new(&text, source);
         let known = |s: &Statement| s.text == statement.text && s.demand == statement.demand;

@@ -150,6 +150,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Adds a statement.
+    #[expect(clippy::needless_pass_by_value, reason = "callers make the text for this call")]
     pub fn say(&mut self, text: String, why: &str) {
         self.draft.statements.push(Statement::new(&text, Source::Inferred(why.to_owned())));
     }

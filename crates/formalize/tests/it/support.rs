@@ -112,11 +112,11 @@ pub fn requests() -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests");
     let mut files: Vec<_> = ["development", "aside"]
         .iter()
-        .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap())
-        .map(|entry| entry.unwrap().path())
+        .flat_map(|folder| std::fs::read_dir(root.join(folder)).expect("the folder of requests"))
+        .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|e| e == "txt"))
         .collect();
     files.sort();
     assert!(files.len() >= 50, "{}", files.len());
-    files.iter().map(|path| std::fs::read_to_string(path).unwrap()).collect()
+    files.iter().map(|path| std::fs::read_to_string(path).expect("a request")).collect()
 }
