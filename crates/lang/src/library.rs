@@ -55,14 +55,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// The usual size (width, height, depth in metres) of a category: the whole text, else its last word that the table
-/// has ("oak dining table" is a dining table, "blue chair" a chair).
+/// The usual size (width, height, depth in metres) of a category: that of the furniture it names, else that of the noun.
 pub fn usual_size(category: &str) -> Option<[f64; 3]> {
+    furniture_size(category).or_else(|| crate::nouns::noun(&words(category).join("_")).map(|noun| noun.size))
+}
+
+/// The usual size of furniture: the whole text, else its last word that the table has ("oak dining table" is a dining
+/// table, "blue chair" a chair).
+pub fn furniture_size(category: &str) -> Option<[f64; 3]> {
     let words = words(category);
     (0..words.len())
         .find_map(|skip| lookup(&words[skip..].join("_")))
         .or_else(|| words.iter().rev().find_map(|w| lookup(w)))
-        .or_else(|| crate::nouns::noun(&words.join("_")).map(|noun| noun.size))
 }
 
 /// Whether the table of usual sizes has a word as it stands.

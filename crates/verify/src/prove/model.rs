@@ -11,7 +11,7 @@ use crate::rules::Scope;
 use crate::tolerances::Options;
 use crate::world::World;
 use rustc_hash::FxHashMap;
-use scenelang_lang::library::usual_size;
+use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
     Arg, Comparison, Formula, Node, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
 };
@@ -255,7 +255,7 @@ fn scope(program: &Program, options: &Options) -> Scope {
 /// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
 fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
     let object = &program.objects[object.0 as usize];
-    options.geometry == Geometry::Box || object.category.is_empty() && usual_size(&object.name).is_none()
+    options.geometry == Geometry::Box || object.category.is_empty() && furniture_size(&object.name).is_none()
 }
 
 /// Boxes of known size in a rectangular region of known size.
