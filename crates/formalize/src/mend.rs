@@ -92,5 +92,5 @@ fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
     let stated = Stated::new(draft, program);
     let given_up = find(&|constraint| stated.rank(draft, constraint));
     let wishes = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
-    draft.wish(wishes, "cannot hold together with the rest, so it is a wish")
+    draft.wish(wishes, "cannot hold together with the rest, so it is only a preference")
 }

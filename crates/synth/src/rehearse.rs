@@ -27,7 +27,7 @@ const GROWTH: f64 = 1.15;
 /// How often some of what was added is left out, before all of it is.
 const PATIENT: usize = 6;
 /// Why a statement became a wish.
-const REASON: &str = "no layout was found in which it holds with the rest, so it is a wish";
+const REASON: &str = "no layout was found in which it holds with the rest, so it is only a preference";
 
 /// How a trial ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
