@@ -1,12 +1,12 @@
-//! For how many people a room is: "for eight people", "seating ten guests".
+//! For how many people a room is: "for eight people", "seating ten guests", "for six".
 
 use super::number;
-use super::token::Token;
+use super::token::{Kind, Token};
 use crate::brief::Room;
 
 /// How many people, and where that is said.
 fn people(tokens: &[Token]) -> Option<(usize, usize)> {
-    const WHO: [&str; 10] = [
+    const WHO: [&str; 18] = [
         "people",
         "persons",
         "guests",
@@ -17,12 +17,23 @@ fn people(tokens: &[Token]) -> Option<(usize, usize)> {
         "employees",
         "visitors",
         "diners",
+        "pupils",
+        "students",
+        "children",
+        "kids",
+        "adults",
+        "workers",
+        "patients",
+        "readers",
     ];
     const MOST: f64 = 40.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
         let (n, words) = number::count(&tokens[i + 1..])?;
-        let who = tokens.get(i + 1 + words)?;
-        (n > 1.0 && n <= MOST && WHO.iter().any(|w| who.is(w))).then_some((n as usize, tokens[i].at.start))
+        // "For six" without a noun speaks of people, too.
+        let who = tokens.get(i + 1 + words);
+        let ends = |who: &Token| matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!'));
+        let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
+        (n > 1.0 && n <= MOST && speaks_of_people).then_some((n as usize, tokens[i].at.start))
     })
 }
 

@@ -96,6 +96,18 @@ fn what_goes_with_a_thing_is_added() {
 }
 
 #[test]
+fn there_is_a_place_for_each_of_so_many_people() {
+    for (request, noun, n) in [
+        ("An open-plan office for eight.", "desk", 8),
+        ("A dining room with a round table for six.", "chair", 6),
+        ("A meeting room for ten people.", "chair", 10),
+        ("A classroom for sixteen students.", "chair", 16),
+    ] {
+        assert!(count(&draft(request), noun).abs_diff(n) <= 1, "{request}: {}", count(&draft(request), noun));
+    }
+}
+
+#[test]
 fn literally_nothing_is_added() {
     for request in requests() {
         let draft = read(&request, &Options { literal: true }).draft;
