@@ -22,7 +22,10 @@ pub fn compose(brief: &Brief) -> Draft {
     sizes::fit_walls(brief, &mut sizes, &room_sizes);
     for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| !item.opening() && item.part.is_none()) {
         let Some([w, h, d]) = room_sizes.get(item.room).copied() else { continue };
-        let most = [w.max(d) - 0.1, h - 0.02, w.max(d) - 0.1];
+        // Its longer side lies along the longer side of the room.
+        let (long, short) = (w.max(d) - 0.1, w.min(d) - 0.1);
+        let (across, deep) = if sizes[i][0] < sizes[i][2] { (short, long) } else { (long, short) };
+        let most = [across, h - 0.02, deep];
         if (0..3).any(|k| sizes[i][k] > most[k]) {
             (0..3).for_each(|k| sizes[i][k] = sizes[i][k].min(most[k].max(0.05)));
             if item.size.iter().any(Option::is_some) {

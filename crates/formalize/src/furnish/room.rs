@@ -163,6 +163,11 @@ fn straighten(plan: &mut Plan, thing: usize) {
     let along = it.size.is_none_or(|s| s[0] >= s[2]);
     let yaw = if (w >= d) == along { "0" } else { "90" };
     let [own_w, _, own_d] = it.size.unwrap_or_default();
+    let (across, deep) = if yaw == "0" { (own_w, own_d) } else { (own_d, own_w) };
+    // What cannot stand so is left to turn.
+    if across > w || deep > d {
+        return;
+    }
     let island = stand::group(&it.category) == crate::brief::Group::Table && !stand::placed(plan.draft, name);
     let text = match it.count {
         1 if island && own_w.max(own_d) < w.min(d) - 2.0 => {
