@@ -94,7 +94,7 @@ def judge_all(args, bench):
             name = f"{run['problem']}.s{run['seed']}"
             with open(os.path.join(args.out, "layouts", f"{name}.layout.json"), encoding="utf-8") as file:
                 verdict = judge.judge(facts_of(args, family, run["problem"]), json.load(file))
-            out[name] = {k: verdict[k] for k in ("valid", "broken", "wrong", "wishes")}
+            out[name] = {k: verdict[k] for k in ("valid", "broken", "wrong", "preferences")}
     return out
 
 
@@ -164,7 +164,7 @@ def families(bench, verdicts):
         runs = record["runs"]
         accepted = [verdicts[f"{r['problem']}.s{r['seed']}"] for r in runs if r["answer"] == "solved"]
         answered = found["solved"] + found["refuted"]
-        held, of = (sum(v["wishes"][k] for v in accepted) for k in ("held", "of"))
+        held, of = (sum(v["preferences"][k] for v in accepted) for k in ("held", "of"))
         counted = found["constraints"]
         times = [seconds(found["seconds"][k]) for k in ("median", "p90", "p99", "max")]
         judged = percent(sum(v["valid"] for v in accepted), len(runs)) if accepted else "—"

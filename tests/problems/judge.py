@@ -106,7 +106,7 @@ def judge(facts, layout):
     boxes, wrong = boxes_of(facts, layout)
     wrong += regions_wrong(facts, layout)
     place = kinds.Place(facts, boxes)
-    margins, broken, wishes = {}, [], [0, 0]
+    margins, broken, preferences = {}, [], [0, 0]
     for constraint in facts["constraints"]:
         slack = ANGLE if constraint["kind"] in kinds.DEGREES else LENGTH
         try:
@@ -116,8 +116,8 @@ def judge(facts, layout):
         held = found >= -slack
         margins[constraint["id"]] = round(found, 5) if math.isfinite(found) else None
         if constraint.get("weight"):
-            wishes[0] += constraint["weight"] if held else 0
-            wishes[1] += constraint["weight"]
+            preferences[0] += constraint["weight"] if held else 0
+            preferences[1] += constraint["weight"]
         elif not held:
             broken.append(constraint["id"])
     complete = len(boxes) == len(facts["objects"])
@@ -130,7 +130,7 @@ def judge(facts, layout):
         "satisfied": len(hard) - len(broken),
         "broken": broken,
         "wrong": wrong,
-        "wishes": {"held": wishes[0], "of": wishes[1]},
+        "preferences": {"held": preferences[0], "of": preferences[1]},
         "margins": margins,
     }
 

@@ -87,7 +87,7 @@ const NOUNS: Record<SummaryKey, readonly [string, string]> = {
   pins: ["pin", "pins"],
 };
 
-/** What the report says in a line. Preferences may fail without making it red: they are wishes. */
+/** What the report says in a line. Preferences may fail without making it red. */
 export function headline(report: Report): Headline {
   const { assertions } = report.summary;
   const phrase = (key: SummaryKey) => {

@@ -66,7 +66,7 @@ const HEADLINES = [
   ["one of one", report({ total: 1, satisfied: 1 }, [["assert", true]]), "1 of 1 assertion holds", "holds"],
   ["an assertion fails", report({ total: 2, satisfied: 1 }, [["assert", false]], false), "1 of 2 assertions hold", "fails"],
   ["a physical rule fails", report({ total: 2, satisfied: 2 }, [["collision", false]], false), "2 of 2 assertions hold", "fails"],
-  ["only a wish fails", report({ total: 2, satisfied: 2 }, [["prefer", false]]), "2 of 2 assertions hold", "holds"],
+  ["only a preference fails", report({ total: 2, satisfied: 2 }, [["prefer", false]]), "2 of 2 assertions hold", "holds"],
   ["one could not be judged", report({ total: 2, satisfied: 1 }, [["assert", null]], false), "1 of 2 assertions hold", "unknown"],
   ["none stated", report({ total: 0, satisfied: 0 }, []), "No assertions", "holds"],
 ];

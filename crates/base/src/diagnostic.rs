@@ -51,7 +51,7 @@ pub struct Edit<P = Span> {
     pub text: String,
 }
 
-/// A set of edits that mends what the diagnostic says.
+/// A set of edits that repairs what the diagnostic says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix<P = Span> {
     /// In the imperative: "write `:=`".
@@ -77,7 +77,7 @@ pub struct Diagnostic<P = Span> {
     pub related: Vec<Label<P>>,
     /// What it means, or what to do next.
     pub notes: Vec<String>,
-    /// Ways to mend it.
+    /// Ways to repair it.
     pub fixes: Vec<Fix<P>>,
 }
 

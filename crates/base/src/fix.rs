@@ -28,7 +28,7 @@ where
     for (number, fix) in fixes.into_iter().enumerate() {
         let before = taken.clone();
         let fits = fix.into_iter().all(|edit| is_place(text, edit.place) && insert(&mut taken, edit));
-        // A fix without edits mends nothing.
+        // A fix without edits repairs nothing.
         if fits && taken.len() > before.len() {
             out.made.push(number);
         } else {

@@ -74,7 +74,7 @@ pub struct Check {
     /// List physical rules that hold, too
     #[arg(long)]
     pub all: bool,
-    /// How many violations are explained in full, with the smallest move that mends them
+    /// How many violations are explained in full, with the smallest move that repairs them
     #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
     pub explain: scenelang_verify::Explain,
     /// With each contradiction in a program, say step by step why it is one
@@ -216,7 +216,7 @@ pub struct Repair {
     /// The layout
     #[arg(value_name = "FILE.layout.json")]
     pub layout: PathBuf,
-    /// Mend only this: a line of the program, or an id as in the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
+    /// Repair only this: a line of the program, or an id as in the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
     #[arg(long, value_name = "LINE | ID")]
     pub constraint: Option<String>,
     /// Say what could be done and write nothing
@@ -228,7 +228,7 @@ pub struct Repair {
     /// How the alternatives are written
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
-    /// Where the mended layout goes [default: in place of the old one]
+    /// Where the repaired layout goes [default: in place of the old one]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Replace files that scenelang did not write, or that were edited since

@@ -3,7 +3,7 @@
 use crate::out;
 use scenelang_base::door::Door;
 use scenelang_engine::program_of;
-use scenelang_lang::mend::mend;
+use scenelang_lang::fixes::fix_all;
 use scenelang_verify::report::model::Fixed;
 use std::path::Path;
 
@@ -15,11 +15,11 @@ use std::path::Path;
 pub fn run(path: &Path, compile: scenelang_lang::Options, door: &Door, tell: bool) -> std::io::Result<Vec<Fixed>> {
     // A layout without a program is an error that the check reports.
     let Some((name, program)) = program_of(&path.display().to_string(), path, door) else { return Ok(Vec::new()) };
-    let mended = mend(&name, &program, compile, door);
+    let outcome = fix_all(&name, &program, compile, door);
     // What a layout or an import names may be anything.
     let is_ours = |file: &Path| file == path || file.extension().is_some_and(|e| e.eq_ignore_ascii_case("scene"));
     let mut fixed = Vec::new();
-    let ours: Vec<_> = mended.files.iter().filter(|file| is_ours(&file.path)).collect();
+    let ours: Vec<_> = outcome.files.iter().filter(|file| is_ours(&file.path)).collect();
     ours.iter().try_for_each(|file| door.permits(&file.path))?;
     let set: Vec<_> = ours.iter().map(|file| (file.path.clone(), file.text.as_bytes())).collect();
     scenelang_base::fs::write_set(&set)?;
@@ -33,15 +33,15 @@ pub fn run(path: &Path, compile: scenelang_lang::Options, door: &Door, tell: boo
         }));
     }
     if tell {
-        for file in mended.files.iter().filter(|file| is_ours(&file.path)) {
+        for file in outcome.files.iter().filter(|file| is_ours(&file.path)) {
             let (made, all) = (file.made.len(), file.made.len() + file.left);
             let plural = if all == 1 { "" } else { "s" };
             out::show(&format!("fixed {made} of {all} finding{plural} in {}\n", file.name));
         }
-        if mended.refused > 0 {
-            println!("{} not fixed, since what they change overlaps", mended.refused);
+        if outcome.refused > 0 {
+            println!("{} not fixed, since what they change overlaps", outcome.refused);
         }
-        for name in &mended.foreign {
+        for name in &outcome.foreign {
             out::show(&format!("{name} is outside the program's folder and stays as it is\n"));
         }
     }

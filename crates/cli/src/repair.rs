@@ -16,7 +16,7 @@ use scenelang_solve::repair::{
     Alternative, Damaged, How, Moved, RepairOptions, Text, Unjudged, Which, edited, repair as look,
 };
 use scenelang_verify::check::Subject;
-use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
+use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
 use scenelang_verify::{Checked, Explain};
 use serde_json::{Value, json};
@@ -244,7 +244,7 @@ impl Told<'_> {
                 How::Moves => "move",
                 How::Numbers => "number",
                 How::Drop => "drop",
-                How::Wish => "wish",
+                How::Prefer => "prefer",
             },
             "cost": rounded(a.cost),
             "text": self.words(a),
@@ -287,16 +287,16 @@ impl Told<'_> {
         let mut parts = Vec::new();
         let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
         if !steps.is_empty() {
-            parts.push(move_in_words(self.program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
+            parts.push(move_in_words(self.program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
         }
         if !a.also.is_empty() {
             parts.push(format!("change `{}`", a.also.join("`, `")));
         }
         parts.extend(a.edits.iter().enumerate().map(|(i, edit)| self.edit(a, i, edit)));
         parts.extend(
-            a.drops
-                .iter()
-                .map(|i| format!("give up the wish {} `{}`", self.statement(*i), self.program.constraints[*i].text)),
+            a.drops.iter().map(|i| {
+                format!("give up the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)
+            }),
         );
         parts.join("; ")
     }
@@ -306,7 +306,7 @@ impl Told<'_> {
         let old = self.checked.sources.text(edit.place);
         let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
         match (a.how, a.least.get(i)) {
-            (How::Wish, _) => format!("make it a preference: {change}"),
+            (How::Prefer, _) => format!("make it a preference: {change}"),
             (_, Some(least)) => format!("change a number: {change} (by {} at least)", short(*least)),
             _ => change,
         }

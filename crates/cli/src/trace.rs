@@ -174,7 +174,7 @@ fn words(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Holds => "holds",
         Verdict::Fails => "FAILS",
-        Verdict::Unmet => "a wish that is not met",
+        Verdict::Unmet => "a preference that is not met",
         Verdict::Unknown => "cannot be judged",
         Verdict::NotJudged => "not judged",
         Verdict::Declared => "declared",
@@ -187,7 +187,7 @@ fn summary(trace: &Trace) -> String {
     let counts = [
         (s.holds, ["holds", "hold"]),
         (s.fails, ["fails", "fail"]),
-        (s.unmet, ["is a wish that is not met", "are wishes that are not met"]),
+        (s.unmet, ["is a preference that is not met", "are preferences that are not met"]),
         (s.unknown, ["cannot be judged", "cannot be judged"]),
         (s.not_judged, ["is not judged", "are not judged"]),
         (s.declared, ["is declared", "are declared"]),

@@ -1,24 +1,24 @@
-//! A layout judged, and for the first rows that fail a move that mends them. It has been judged before it is offered.
+//! A layout judged, and for the first rows that fail a move that repairs them. It has been judged before it is offered.
 //!
 //! A check without violations comes here with nothing to do. Of many violations only the first few are explained in
 //! full, and each within a budget that counts work, so that the same input gives the same words on any machine.
 //!
 //! Not here: solving. A move changes one or a few objects and leaves everything else where it is; where none is found,
-//! the layout may still be mended in another way.
+//! the layout may still be repaired in another way.
 
-use crate::moves::Mender;
+use crate::moves::MoveFinder;
 use scenelang_base::codes;
 use scenelang_lang::program::Program;
 use scenelang_layout::{Layout, Places};
 use scenelang_verify::check::{Judged, judged};
-use scenelang_verify::explain::{Mend, Place, RowRef};
+use scenelang_verify::explain::{Place, RowRef, SmallestMove};
 use scenelang_verify::report::model::Kind;
 use scenelang_verify::{Explain, Options, Verdict, World};
 
 /// What judging dear rows may cost in all, in small comparisons, where not all must be explained however long that takes.
 const PURSE: usize = 240_000;
 
-/// What [`scenelang_verify::check`] says, with the moves that mend what fails, as far as the options ask for them.
+/// What [`scenelang_verify::check`] says, with the moves that repair what fails, as far as the options ask for them.
 pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
     check_at(program, layout, None, options)
 }
@@ -48,36 +48,36 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_man
     if rows.peek().is_none() {
         return;
     }
-    let mut mender = Mender::new(program, world, failing, purse);
+    let mut finder = MoveFinder::new(program, world, failing, purse);
     for row in rows {
         let explanation = row.explanation.get_or_insert_default();
         let objects = row.objects.iter();
-        explanation.objects = objects.filter_map(|id| Place::of(program, mender.layout(), *id)).collect();
-        if mender.is_spent() {
+        explanation.objects = objects.filter_map(|id| Place::of(program, finder.layout(), *id)).collect();
+        if finder.is_spent() {
             continue;
         }
-        let found = mender.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
+        let found = finder.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
         explanation.searched = found.searched;
         explanation.opposing = found.opposing;
-        explanation.mend = found.mend;
+        explanation.repair = found.repair;
         explanation.pinned = found.pinned;
     }
 }
 
 /// The smallest move after which `rows` of a verdict hold: what [`check`] offers for one of them. It may break something;
-/// then [`Mend::breaks`] says so.
+/// then [`SmallestMove::breaks`] says so.
 pub fn smallest_move(
     program: &Program,
     layout: &Layout,
     options: &Options,
     verdict: &Verdict,
     rows: &[RowRef],
-) -> Option<Mend> {
+) -> Option<SmallestMove> {
     if too_dense(verdict) {
         return None;
     }
     let world = World::new(program, layout, options);
-    Mender::new(program, world, failing(verdict), usize::MAX).mend(rows)
+    MoveFinder::new(program, world, failing(verdict), usize::MAX).repair(rows)
 }
 
 /// Whether so much is in one place that not all of it was judged.

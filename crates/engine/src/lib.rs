@@ -1,11 +1,11 @@
-//! Layouts that change: one state with a journal, what a move alters, what it costs to judge that, and which move mends
+//! Layouts that change: one state with a journal, what a move alters, what it costs to judge that, and which move repairs
 //! what fails.
 //!
 //! - [`State`]: poses, one way to write them, and back again.
 //! - [`Mirror`]: the same layout in other numbers, brought up to date where it is needed.
 //! - [`Index`]: from objects, regions and variables to the formulas that a change of them can alter.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
-//! - [`check`], [`smallest_move`]: the verdict with the moves that mend what fails.
+//! - [`check`], [`smallest_move`]: the verdict with the moves that repair what fails.
 //! - [`check_file`] and its like: the same of files.
 //!
 //! Absent here: what holds in one layout (`verify`), and any search for a whole layout (`solve`).

@@ -189,7 +189,7 @@ fn values() -> Vec<(&'static str, Rule)> {
         ("parenthesized", seq([text("("), formula(), text(")")])),
         ("truth", spelt(&[Kind::True, Kind::False])),
         ("objects", text("objects")),
-        // `prefer .` begins an assignment, not a wish: hence the precedence.
+        // `prefer .` begins an assignment, not a preference: hence the precedence.
         ("_name", choice(names.map(|name| prec(None, 1, name)))),
         ("_contextual", {
             let words = TABLE.iter().flat_map(|r| r.words).filter(|w| **w != "objects");

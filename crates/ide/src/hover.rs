@@ -1,5 +1,5 @@
 //! What is said of the thing under the pointer: its type, its documentation, what it is in the layout; of a constraint, by
-//! how much it holds, what was asked for, and what would mend it.
+//! how much it holds, what was asked for, and what would repair it.
 
 use crate::diagnostics::margin;
 use crate::names::{self, Occurrence, Symbol};
@@ -251,8 +251,8 @@ fn verdict_in_words(program: &Program, row: &Row) -> String {
         let _ = write!(out, "\n\n_asked for by “{requirement}”_");
     }
     if let Some(explanation) = &row.explanation {
-        if let Some(mend) = &explanation.mend {
-            let _ = write!(out, "\n\nto mend it: {}", move_in_words(program, mend));
+        if let Some(repair) = &explanation.repair {
+            let _ = write!(out, "\n\nto repair it: {}", move_in_words(program, repair));
         }
         if !explanation.pinned.is_empty() {
             out.push_str("\n\nits objects are pinned by assignments");

@@ -103,7 +103,7 @@ mod tests {
         ] {
             assert_eq!(cache.get("m", &other), None);
         }
-        // Damage is a miss, and mended by the next answer.
+        // Damage is a miss, and repaired by the next answer.
         let file = cache.file("m", &request);
         for damage in [&b"{"[..], b"", b"\xff", b"{\"format\": \"scenelang.answer/0\"}"] {
             std::fs::write(&file, damage).unwrap();

@@ -5,7 +5,7 @@ use crate::message::{Message, Reply, Request, Role};
 use serde::de::DeserializeOwned;
 
 /// How often a model is told that its answer cannot be used, and asked again.
-const MENDS: usize = 1;
+const REPAIRS: usize = 1;
 /// How much of an answer that cannot be used is shown to the model again (bytes).
 const SHOWN: usize = 2000;
 
@@ -35,17 +35,17 @@ pub trait Model {
 /// Why there is no answer, or that it is not what was asked for.
 pub fn typed<T: DeserializeOwned>(model: &mut dyn Model, request: &Request) -> Result<T, Error> {
     let mut request = request.clone();
-    let mut mends = 0;
+    let mut repairs = 0;
     loop {
         let reply = model.ask(&request)?;
         let why = match json_of(&reply.text).and_then(read) {
             Ok(value) => return Ok(value),
             Err(why) => why,
         };
-        if mends == MENDS {
+        if repairs == REPAIRS {
             return Err(Error::Malformed(why));
         }
-        mends += 1;
+        repairs += 1;
         request.messages.push(Message::new(Role::Assistant, beginning(&reply.text, SHOWN)));
         let say = format!(
             "This answer cannot be used: {why}. Answer again, with one JSON object of the schema asked for and nothing else."

@@ -1,4 +1,4 @@
-//! Repair by a language model: it is asked about what is to be mended and nothing else, and its moves are judged one by one
+//! Repair by a language model: it is asked about what is to be repaired and nothing else, and its moves are judged one by one
 //! before any counts.
 
 use crate::dispatch::Fault;
@@ -89,7 +89,7 @@ impl Proposer for Heard<'_> {
     }
 }
 
-/// Takes up nothing but what is to be mended.
+/// Takes up nothing but what is to be repaired.
 struct Only<'a> {
     program: &'a Program,
     targets: &'a [RowRef],

@@ -2,7 +2,7 @@
 
 use crate::dispatch::{Fault, params};
 use crate::jobs::{Job, Outcome};
-use crate::mending::{self, Wanted};
+use crate::repair::{self, Wanted};
 use crate::state::State;
 use scenelang_solve::Phase;
 use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
@@ -53,12 +53,12 @@ impl State {
             }
             "scenelang.solve" => self.begin(id, uri, "Solving", token, move |job| solve(job, seed), apply),
             "scenelang.repairAll" => {
-                let all = |job: &Job| mending::mend(job, &Wanted::All);
+                let all = |job: &Job| repair::repair(job, &Wanted::All);
                 self.begin(id, uri, "Repairing", token, all, apply)
             }
             _ => {
                 let line = line.ok_or_else(|| Fault::Invalid("which line is not said".to_owned()))?;
-                let one = move |job: &Job| mending::mend(job, &Wanted::Line(line));
+                let one = move |job: &Job| repair::repair(job, &Wanted::Line(line));
                 self.begin(id, uri, "Repairing", token, one, apply)
             }
         }

@@ -314,11 +314,11 @@ impl State {
 fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete {
-        return Err(Fault::Failed("the program has errors; mend these first".to_owned()));
+        return Err(Fault::Failed("the program has errors; repair these first".to_owned()));
     }
     let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, files, .. } = context;
     if settings.is_broken() {
-        return Err(Fault::Failed("scenelang.toml has errors; mend these first".to_owned()));
+        return Err(Fault::Failed("scenelang.toml has errors; repair these first".to_owned()));
     }
     let files = files.of(&path);
     let llm = settings.settings.llm.clone();

@@ -1,7 +1,7 @@
 //! The language server: the protocol around `crates/ide`.
 //!
 //! One thread owns all state and takes messages in the order in which they came ([`serve`], `state`); questions are answered
-//! by a pool of threads from snapshots, and asked again when the text changes meanwhile; long work (solving, mending) has
+//! by a pool of threads from snapshots, and asked again when the text changes meanwhile; long work (solving, repairing) has
 //! threads of its own, says how far it is, and can be cancelled.
 //!
 //! Absent here: what the answers are. No protocol type leaves this crate.
@@ -19,7 +19,6 @@ mod drag;
 mod features;
 mod frames;
 mod jobs;
-mod mending;
 mod model;
 mod parent;
 mod parked;
@@ -27,6 +26,7 @@ mod pool;
 mod publish;
 mod reading;
 mod record;
+mod repair;
 mod shelf;
 mod state;
 mod text;

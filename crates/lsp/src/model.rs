@@ -1,4 +1,4 @@
-//! The language model behind solving and mending: the editor's own, asked through the client; one that the settings of the
+//! The language model behind solving and repairing: the editor's own, asked through the client; one that the settings of the
 //! workspace name; or none, unless the user of the editor has said which. Keys are the business of whoever connects: none
 //! pass through here, and nobody connects unasked.
 

@@ -15,7 +15,7 @@ pub const FEW: usize = 2;
 const SAME: f64 = 1e-6;
 
 /// A layout, and how many objects moved for it.
-pub struct Mended {
+pub struct Repaired {
     /// Where everything is.
     pub layout: Layout,
     /// How many objects moved.
@@ -24,7 +24,7 @@ pub struct Mended {
 
 /// A layout in which all that must hold does, few moves away from one in which not all does; `None`: that one is fine, or
 /// something has no place in it, or no few moves were found that leave alone what is locked.
-pub fn mended(program: &Program, layout: &Layout, placed: &Placed, options: &Options) -> Option<Mended> {
+pub fn repaired(program: &Program, layout: &Layout, placed: &Placed, options: &Options) -> Option<Repaired> {
     let objects = (0..program.objects.len() as u32).map(ObjectId);
     if *placed == Placed::None || !objects.into_iter().all(|id| placed.object(id)) {
         return None;
@@ -40,7 +40,7 @@ pub fn mended(program: &Program, layout: &Layout, placed: &Placed, options: &Opt
     let best = found.alternatives.into_iter().find(|a| a.how == How::Moves)?;
     let free = best.moves.iter().all(|m| !options.locked.contains(&m.object));
     let moved = moved(layout, &best.layout);
-    free.then_some(Mended { layout: best.layout, moved })
+    free.then_some(Repaired { layout: best.layout, moved })
 }
 
 /// How many objects are not where they were.

@@ -1,6 +1,6 @@
 //! From a program file to a judged layout: stages I to III.
 
-use crate::again::{FEW, Mended, mended, moved};
+use crate::again::{FEW, Repaired, moved, repaired};
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
@@ -211,8 +211,9 @@ pub fn solve_with(
     observer.enter(Stage::Layout);
     let before = begun.elapsed();
     // With a model the layout is the model's to change.
-    let mut mended = if adviser.is_none() { mended(program, &problem.start, &problem.placed, &options) } else { None };
-    if let Some(few) = mended.take_if(|mended| mended.moved <= FEW || request.alternatives.is_some()) {
+    let mut repaired =
+        if adviser.is_none() { repaired(program, &problem.start, &problem.placed, &options) } else { None };
+    if let Some(few) = repaired.take_if(|repaired| repaired.moved <= FEW || request.alternatives.is_some()) {
         problem.start = few.layout;
     }
     if request.stop.is_set() {
@@ -234,10 +235,11 @@ pub fn solve_with(
             None => {
                 let (mut outcome, advice) = place(&problem, &options, adviser, observer);
                 // What a search moves is not always less than what was found move by move.
-                let less =
-                    |mended: &&Mended| !outcome.converged || moved(&problem.start, &outcome.layout) > mended.moved;
-                if let Some(mended) = mended.as_ref().filter(less) {
-                    let problem = Problem { start: mended.layout.clone(), ..problem.clone() };
+                let less = |repaired: &&Repaired| {
+                    !outcome.converged || moved(&problem.start, &outcome.layout) > repaired.moved
+                };
+                if let Some(repaired) = repaired.as_ref().filter(less) {
+                    let problem = Problem { start: repaired.layout.clone(), ..problem.clone() };
                     (outcome, _) = place(&problem, &options, None, observer);
                 }
                 (vec![outcome], advice)
@@ -390,7 +392,7 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option
     outcome.layout.incomplete = request.stop.is_set();
     let mut judge = request.judge;
     if !outcome.converged {
-        // No small move mends what a whole search could not, and to look for one may take longer than that search.
+        // No small move repairs what a whole search could not, and to look for one may take longer than that search.
         judge.detail.explain = Explain::First(0);
         judge.detail.bars = request.time.is_none();
     }

@@ -76,7 +76,7 @@ pub struct Detail {
     pub sentences: bool,
     /// Whether it is said what bars a way, and how wide it is there: that takes longer than the verdict, too.
     pub bars: bool,
-    /// For how many violations a move that mends them is looked for. It is `engine` that looks.
+    /// For how many violations a move that repairs them is looked for. It is `engine` that looks.
     pub explain: Explain,
     /// Whether contradictions come with their proofs, step by step.
     pub proofs: bool,

@@ -54,7 +54,7 @@ pub struct Summary {
     pub holds: usize,
     /// A statement that must hold fails.
     pub fails: usize,
-    /// A wish is not met.
+    /// A preference is not met.
     pub unmet: usize,
     /// A statement cannot be judged.
     pub unknown: usize,
@@ -74,7 +74,7 @@ pub enum Verdict {
     Holds,
     /// A statement that must hold fails.
     Fails,
-    /// A wish is not met.
+    /// A preference is not met.
     Unmet,
     /// A statement cannot be judged.
     Unknown,

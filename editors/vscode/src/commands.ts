@@ -1,4 +1,4 @@
-// The commands of the palette. Judging, solving and mending are the server's, which knows what is in the editor but not yet on
+// The commands of the palette. Judging, solving and repairing are the server's, which knows what is in the editor but not yet on
 // disk; building and exporting files is the command line's.
 
 import { basename, dirname, join } from "node:path";

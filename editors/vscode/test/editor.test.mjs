@@ -207,7 +207,7 @@ check("what is dragged changes the layout, and can be undone there", async (e) =
   await until("the room as it was", async () => (await verdict()) === before);
 });
 
-check("the light bulb mends a constraint", async (e) => {
+check("the light bulb repairs a constraint", async (e) => {
   const line = await lineOf(e, "distance(lamp");
   await show(e, "meeting.scene", line, 10);
   await until("an action", async () => (await e.api("const e = vscode.window.activeTextEditor; return (await vscode.commands.executeCommand('vscode.executeCodeActionProvider', e.document.uri, e.selection)).map((a) => a.title)")).includes("Repair this constraint"));

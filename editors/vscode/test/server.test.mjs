@@ -149,7 +149,7 @@ check("a plant is dragged, judged on its way, and the layout follows", async () 
   await command("workbench.action.files.saveAll");
 });
 
-check("the light bulb mends it, and then all holds", async () => {
+check("the light bulb repairs it, and then all holds", async () => {
   const line = await lineOf("inCorner(p, room)");
   await show(line, 10);
   const titles = () => e.api("const e = vscode.window.activeTextEditor; return (await vscode.commands.executeCommand('vscode.executeCodeActionProvider', e.document.uri, e.selection)).map((a) => a.title)");
@@ -168,7 +168,7 @@ check("the light bulb mends it, and then all holds", async () => {
   const frame = await room();
   await until("that every assertion holds", () => frame.$eval(".headline", ({ textContent }) => ((n) => n !== null && n[1] === n[2])(/^(\d+) of (\d+) assertions hold$/.exec(textContent))), 60_000);
   await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
-  assert.match(await text(`${ROOM}.scene`), /assert forall p in plant: inCorner/, "the layout was mended, not the program");
+  assert.match(await text(`${ROOM}.scene`), /assert forall p in plant: inCorner/, "the layout was repaired, not the program");
   await shoot("repaired");
 });
 

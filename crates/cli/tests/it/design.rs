@@ -137,9 +137,9 @@ fn repair_raises_it_again() {
         let room = folder(ROOM, &layout);
         let before = figure(&report(room.path()));
         // First what is wrong with the layout, then the guideline that is listed first.
-        let _mended = scenelang(room.path(), ["repair", "room.layout.json", "--force"]);
+        let _repaired = scenelang(room.path(), ["repair", "room.layout.json", "--force"]);
         if let Some(id) = broken(&report(room.path())).first().and_then(|row| row.split_once(' ')) {
-            let _mended = scenelang(room.path(), ["repair", "room.layout.json", "--force", "--constraint", id.1]);
+            let _repaired = scenelang(room.path(), ["repair", "room.layout.json", "--force", "--constraint", id.1]);
         }
         let after = report(room.path());
         if figure(&after) <= before {

@@ -1,4 +1,4 @@
-//! `scenelang repair`: the example of the book, what is written and what is not, the exit codes, the examples mended.
+//! `scenelang repair`: the example of the book, what is written and what is not, the exit codes, the examples repaired.
 
 use crate::support::{EXAMPLES, Ended, example, fits, read_json, root, scenelang};
 use serde_json::Value;
@@ -65,16 +65,16 @@ fn nothing_is_written_but_what_was_chosen() {
     assert_eq!(repair(here, &["--dry-run"]).code, 0);
     same("room.layout.json", &layout);
     // Into another file: the old one stays, and the new one finds its program.
-    fs::create_dir(here.join("mended")).unwrap();
-    assert_eq!(repair(here, &["-o", "mended/new.json"]).code, 0);
+    fs::create_dir(here.join("repaired")).unwrap();
+    assert_eq!(repair(here, &["-o", "repaired/new.json"]).code, 0);
     same("room.layout.json", &layout);
-    let new = read_json(&here.join("mended/new.json"));
+    let new = read_json(&here.join("repaired/new.json"));
     assert_eq!((&new["note"], &new["objects"]["table"]["label"]), (&"kept".into(), &"oak".into()));
     // Its program is in another folder, which must be of the same workspace, or be named, too.
-    assert!(scenelang(here, ["check", "mended/new.json"]).stdout.contains("E0009"));
-    assert_eq!(scenelang(here, ["check", "mended/new.json", "room.scene"]).code, 0);
+    assert!(scenelang(here, ["check", "repaired/new.json"]).stdout.contains("E0009"));
+    assert_eq!(scenelang(here, ["check", "repaired/new.json", "room.scene"]).code, 0);
     fs::write(here.join("scenelang.toml"), "").unwrap();
-    assert_eq!(scenelang(here, ["check", "mended/new.json"]).code, 0);
+    assert_eq!(scenelang(here, ["check", "repaired/new.json"]).code, 0);
     // A number of the program.
     assert_eq!(repair(here, &["--apply", "2"]).code, 0);
     same("room.layout.json", &layout);
@@ -90,7 +90,7 @@ fn nothing_is_written_but_what_was_chosen() {
 }
 
 #[test]
-fn exit_codes_say_whether_it_is_mended() {
+fn exit_codes_say_whether_it_is_repaired() {
     let [scene, layout, _] = book();
     let line = scene.lines().position(|l| l.contains("gap(table")).unwrap() + 1;
     let line = line.to_string();
@@ -126,7 +126,7 @@ fn exit_codes_say_whether_it_is_mended() {
 }
 
 #[test]
-fn examples_with_an_object_displaced_are_mended() {
+fn examples_with_an_object_displaced_are_repaired() {
     for name in EXAMPLES {
         let folder = tempfile::tempdir().unwrap();
         let scene = folder.path().join("room.scene");

@@ -18,7 +18,7 @@ const COMMANDS: [(&[&str], &str); 10] = [
     (&["solve", "room.scene"], "room.layout.json"),
     (&["solve", "room.scene", "-o", "other.json"], "other.json"),
     (&["solve", "room.scene", "--alternatives", "2", "-o", "some.layout.json"], "some.2.layout.json"),
-    (&["repair", "broken.layout.json", "-o", "mended.json"], "mended.json"),
+    (&["repair", "broken.layout.json", "-o", "repaired.json"], "repaired.json"),
     (&["formalize", REQUEST, "--untried", "-o", "asked.scene"], "asked.scene"),
     (&["synth", REQUEST, "-o", "asked"], "asked/room.scene"),
     (&["synth", "room.scene", "-o", "out"], "out/room.layout.json"),

@@ -91,15 +91,15 @@ fn after_a_small_edit_only_what_must_move_moves() {
         let again = || scenelang(folder.path(), ["solve", &scene, "--layout", &layout, "-o", "after.json"]);
         assert_eq!(again().code, 0, "{name}");
         let list = moved(&before, &read_json(&at("after.json")));
-        let wishes = |file: &str| {
+        let preferences = |file: &str| {
             let report =
                 scenelang(folder.path(), ["check", file, "--format", "json", "--explain", "none"]).reports().remove(0);
             let rows = report["constraints"].as_array().unwrap().iter();
             let met = rows.filter(|row| row["kind"] == "prefer" && row["satisfied"] == true);
             met.map(|row| row["weight"].as_f64().unwrap()).sum::<f64>()
         };
-        // Nothing was edited: nothing moves, but for a wish that was not met.
-        assert!(list.is_empty() || wishes("after.json") > wishes(&layout), "{name}: {list:?}");
+        // Nothing was edited: nothing moves, but for a preference that was not met.
+        assert!(list.is_empty() || preferences("after.json") > preferences(&layout), "{name}: {list:?}");
         let text = fs::read_to_string(at(&scene)).unwrap();
         // One of three or four has to leave its place; some, such as a door between two rooms, can stand nowhere else.
         let objects: Vec<&String> = before["objects"].as_object().unwrap().keys().collect();

@@ -1,11 +1,11 @@
-//! The smallest move that mends what fails: who looks for it ([`mender`]), where moves are tried ([`stage`]), and how the
+//! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), and how the
 //! moves of one object are found ([`search`]).
 
-mod mender;
+mod finder;
 mod search;
 mod stage;
 
-pub(crate) use mender::Mender;
+pub(crate) use finder::MoveFinder;
 
 /// A row that costs more than this to judge is dear: it is tried less often.
 const DEAR: usize = 100;

@@ -26,7 +26,7 @@ pub(super) struct Consequences {
     /// Held, and fail.
     pub breaks: Vec<RowRef>,
     /// Failed, and hold.
-    pub mends: Vec<RowRef>,
+    pub repairs: Vec<RowRef>,
     /// Hold still, with less margin: which, and how much it falls; the greatest fall first.
     pub falls: Vec<(RowRef, f64)>,
 }
@@ -342,7 +342,7 @@ impl<'a> Stage<'a> {
             let (Some(before), Some(after)) = (self.before(row), self.truth(Goal::Row(row))) else { continue };
             match (before.holds, after.holds) {
                 (true, false) => out.breaks.push(row),
-                (false, true) => out.mends.push(row),
+                (false, true) => out.repairs.push(row),
                 (true, true) if before.margin - after.margin > 1e-6 && after.margin.is_finite() => {
                     out.falls.push((row, before.margin - after.margin));
                 }
@@ -351,7 +351,7 @@ impl<'a> Stage<'a> {
         }
         let order = |row: &RowRef| (row.kind == Kind::Prefer, *row);
         out.breaks.sort_by_key(order);
-        out.mends.sort_by_key(order);
+        out.repairs.sort_by_key(order);
         out.falls.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         out
     }

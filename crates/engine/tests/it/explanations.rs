@@ -40,10 +40,10 @@ fn failing(report: &Report) -> BTreeSet<String> {
 
 /// Does what the move of a row says, and compares what comes of it with what was said.
 fn hold_to_its_word(scene: &str, layout: &str, report: &Report, row: &Row) -> bool {
-    let Some(mend) = row.explanation.as_ref().and_then(|e| e.mend.as_ref()) else { return false };
+    let Some(repair) = row.explanation.as_ref().and_then(|e| e.repair.as_ref()) else { return false };
     let mut moved: Value = serde_json::from_str(layout).unwrap();
-    let first = [(&mend.object, mend.by, mend.turn)];
-    for (object, by, turn) in first.into_iter().chain(mend.also.iter().map(|s| (&s.object, s.by, s.turn))) {
+    let first = [(&repair.object, repair.by, repair.turn)];
+    for (object, by, turn) in first.into_iter().chain(repair.also.iter().map(|s| (&s.object, s.by, s.turn))) {
         let place = &mut moved["objects"][object];
         for (i, d) in by.into_iter().enumerate() {
             place["pos"][i] = (place["pos"][i].as_f64().unwrap() + d).into();
@@ -58,13 +58,13 @@ fn hold_to_its_word(scene: &str, layout: &str, report: &Report, row: &Row) -> bo
     let options = Options { detail: Detail { explain: Explain::First(0), ..Detail::default() }, ..Options::default() };
     let after = failing(&judged(scene, &moved.to_string(), &options).report);
     let before = failing(report);
-    assert!(!after.contains(&row.id), "{} does not mend {}\n{scene}\n{layout}", mend.text, row.id);
+    assert!(!after.contains(&row.id), "{} does not repair {}\n{scene}\n{layout}", repair.text, row.id);
     let said = |ids: &[String]| ids.iter().cloned().collect::<BTreeSet<_>>();
     let breaks: BTreeSet<String> = after.difference(&before).cloned().collect();
-    assert_eq!(breaks, said(&mend.breaks), "{}: breaks\n{scene}\n{layout}", mend.text);
-    let mut mends: BTreeSet<String> = before.difference(&after).cloned().collect();
-    assert!(mends.remove(&row.id));
-    assert_eq!(mends, said(&mend.mends), "{}: mends\n{scene}\n{layout}", mend.text);
+    assert_eq!(breaks, said(&repair.breaks), "{}: breaks\n{scene}\n{layout}", repair.text);
+    let mut repairs: BTreeSet<String> = before.difference(&after).cloned().collect();
+    assert!(repairs.remove(&row.id));
+    assert_eq!(repairs, said(&repair.repairs), "{}: repairs\n{scene}\n{layout}", repair.text);
     true
 }
 
@@ -150,7 +150,7 @@ fn only_the_first_are_explained_in_full() {
             judged(scene, &layout, &Options { detail: Detail { explain, ..Detail::default() }, ..Options::default() })
                 .report;
         let rows = report.constraints.iter().map(|row| row.explanation.as_ref().expect("it fails"));
-        let explained: Vec<bool> = rows.clone().map(|e| e.mend.is_some()).collect();
+        let explained: Vec<bool> = rows.clone().map(|e| e.repair.is_some()).collect();
         assert_eq!(explained, want, "{explain:?}");
         assert!(rows.into_iter().all(|e| e.measured.is_some()));
     }

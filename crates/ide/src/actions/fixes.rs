@@ -11,22 +11,22 @@ use scenelang_verify::explain::{Step, move_in_words};
 
 pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<Action>) -> Result<(), Cancelled> {
     let d = &finding.diagnostic;
-    let mends = |action: Action| Action { mends: Some(finding.clone()), ..action };
+    let repairs = |action: Action| Action { repairs: Some(finding.clone()), ..action };
     for fix in &d.fixes {
         let preferred = is_safe(fix.applicability);
         let action = Action::new(sentence(&fix.title), Kind::Fix, fix.edits.clone());
-        out.push(mends(Action { preferred, ..action }));
+        out.push(repairs(Action { preferred, ..action }));
     }
     let Some(place) = d.primary.as_ref().map(|label| label.place) else { return Ok(()) };
     if d.code == codes::E0201 {
         let said = d.fixes.iter().any(|fix| fix.title.contains("`object "));
-        out.extend(declare(snapshot, place.range, !said).into_iter().map(mends));
+        out.extend(declare(snapshot, place.range, !said).into_iter().map(repairs));
     }
     if d.code.as_str().starts_with('W') && place.file == snapshot.main() {
-        out.push(mends(silence(snapshot, d.code.as_str(), place.range)));
+        out.push(repairs(silence(snapshot, d.code.as_str(), place.range)));
     }
     if let Some(index) = finding.row {
-        out.extend(smallest_move(snapshot, index)?.map(mends));
+        out.extend(smallest_move(snapshot, index)?.map(repairs));
     }
     Ok(())
 }
@@ -59,19 +59,19 @@ fn silence(snapshot: &Snapshot, code: &str, place: TextRange) -> Action {
     Action::new(format!("Allow {code} here"), Kind::Fix, vec![edit])
 }
 
-/// The smallest move that mends a row and breaks nothing, if there is one: it was judged before.
+/// The smallest move that repairs a row and breaks nothing, if there is one: it was judged before.
 fn smallest_move(snapshot: &Snapshot, index: usize) -> Result<Option<Action>, Cancelled> {
     let (Some(judged), Some(explained)) = (snapshot.judged()?, snapshot.explained()?) else { return Ok(None) };
     let Some(row) = judged.verdict.rows.get(index) else { return Ok(None) };
     let same = explained.rows.iter().find(|r| r.kind == row.kind && r.subject == row.subject);
-    let Some(mend) = same.and_then(|r| r.explanation.as_ref()?.mend.as_ref()) else { return Ok(None) };
+    let Some(repair) = same.and_then(|r| r.explanation.as_ref()?.repair.as_ref()) else { return Ok(None) };
     // What breaks something else is a matter for a longer search.
-    if !mend.breaks.is_empty() {
+    if !repair.breaks.is_empty() {
         return Ok(None);
     }
     let program = &judged.compiled.program;
-    let Some(edits) = moves(snapshot, program, &mend.steps) else { return Ok(None) };
-    let title = sentence(&move_in_words(program, mend));
+    let Some(edits) = moves(snapshot, program, &repair.steps) else { return Ok(None) };
+    let title = sentence(&move_in_words(program, repair));
     Ok(Some(Action { preferred: true, ..Action::new(title, Kind::Fix, edits) }))
 }
 

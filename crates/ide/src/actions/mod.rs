@@ -20,7 +20,7 @@ pub use fixes::{all_safe, placing};
 /// What kind of change it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Mends what is marked.
+    /// Repairs what is marked.
     Fix,
     /// Makes something of a part.
     Extract,
@@ -39,15 +39,15 @@ pub struct Action {
     pub kind: Kind,
     /// What is replaced, in the program's files and the layout; of [`Detail::Titles`] nothing where it is much.
     pub edits: Vec<Edit>,
-    /// What is mended by it.
-    pub mends: Option<Finding>,
+    /// What is repaired by it.
+    pub repairs: Option<Finding>,
     /// Whether it is what one would do.
     pub preferred: bool,
 }
 
 impl Action {
     fn new(title: impl Into<String>, kind: Kind, edits: Vec<Edit>) -> Self {
-        Self { title: title.into(), kind, edits, mends: None, preferred: false }
+        Self { title: title.into(), kind, edits, repairs: None, preferred: false }
     }
 }
 

@@ -121,7 +121,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         if !ty.fits(wanted) {
             let message = format!("{what} takes {wanted}, and this is {ty}");
             let d = Diagnostic::new(codes::E0301, Where::Here(self.range(id)), message);
-            self.push(self.mended(d, id, wanted, ty));
+            self.push(self.repaired(d, id, wanted, ty));
         }
     }
 
@@ -560,7 +560,7 @@ impl<'n, 'a> Checker<'n, 'a> {
     }
 
     /// A complaint that `id` is of type `found` where `wanted` is expected, with what to do about it.
-    fn mended(&self, d: Diagnostic<Where>, id: ExprId, wanted: Ty, found: Ty) -> Diagnostic<Where> {
+    fn repaired(&self, d: Diagnostic<Where>, id: ExprId, wanted: Ty, found: Ty) -> Diagnostic<Where> {
         match self.other_unit(id, wanted) {
             Some(unit) => self.without_unit(d, id, unit),
             None => hint(wanted, found).map(|h| d.clone().note(h)).unwrap_or(d),
@@ -610,7 +610,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         }
         let message = format!("`{param}` of `{of}` is {wanted}, and this is {ty}");
         let d = Diagnostic::new(codes::E0301, Where::Here(self.range(arg)), message);
-        self.push(self.mended(d, arg, wanted, ty));
+        self.push(self.repaired(d, arg, wanted, ty));
     }
 
     fn unknown_function(&mut self, name: &Name) {
@@ -701,7 +701,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         if let Some(s) = fitting.iter().find(|s| accepts(s, &swapped)) {
             d = d.note(format!("the other way round it would fit: `{}({})`", s.name, s.names));
         } else if let [only] = wanted.as_slice() {
-            d = self.mended(d, args[bad], *only, types[bad]);
+            d = self.repaired(d, args[bad], *only, types[bad]);
         }
         self.push(d);
         (fitting[0], types)

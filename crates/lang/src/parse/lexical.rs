@@ -15,7 +15,7 @@ pub enum Damage {
     /// There are none.
     None,
     /// All have a plain meaning: the tree is right, if the rest is.
-    Mended,
+    Repaired,
     /// Some part has no meaning.
     Lost,
 }
@@ -65,17 +65,17 @@ pub fn check(text: &str, tokens: &[Token]) -> (Vec<Diagnostic<TextRange>>, Damag
         let slice = &text[token.range.bytes()];
         let before = at.checked_sub(1).map(|b| tokens[b]);
         let (diagnostic, worse) = match token.kind {
-            Kind::Str => (bad_escape(slice, token.range), Damage::Mended),
-            Kind::OpenStr => (Some(open_string(slice, token.range)), Damage::Mended),
-            Kind::OddQuotes => (Some(odd_quotes(slice, token.range)), Damage::Mended),
-            Kind::Number => (too_large(slice, token.range), Damage::Mended),
-            Kind::BadNumber => (Some(bad_number(slice, token.range, before)), Damage::Mended),
+            Kind::Str => (bad_escape(slice, token.range), Damage::Repaired),
+            Kind::OpenStr => (Some(open_string(slice, token.range)), Damage::Repaired),
+            Kind::OddQuotes => (Some(odd_quotes(slice, token.range)), Damage::Repaired),
+            Kind::Number => (too_large(slice, token.range), Damage::Repaired),
+            Kind::BadNumber => (Some(bad_number(slice, token.range, before)), Damage::Repaired),
             Kind::WrongOperator => {
                 let assigns = tokens.first().is_some_and(|t| t.kind == Kind::Ident);
-                let mended = intended_operator(slice).map_or(Damage::Lost, |_| Damage::Mended);
-                (Some(foreign_operator(text, token.range, assigns)), mended)
+                let repaired = intended_operator(slice).map_or(Damage::Lost, |_| Damage::Repaired);
+                (Some(foreign_operator(text, token.range, assigns)), repaired)
             }
-            Kind::OpenComment => (Some(open_comment(token.range)), Damage::Mended),
+            Kind::OpenComment => (Some(open_comment(token.range)), Damage::Repaired),
             Kind::BadAttribute if damage != Damage::Lost => (Some(bad_attribute(slice, token.range)), Damage::Lost),
             Kind::Unknown | Kind::Bom if damage != Damage::Lost => {
                 let number = before.filter(|b| b.kind == Kind::Number && b.range.end == token.range.start);

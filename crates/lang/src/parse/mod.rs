@@ -378,6 +378,6 @@ mod tests {
             assert_eq!(at as usize, text.len(), "{text}");
         }
         let classes: Vec<Class> = read_tokens("a <- 'x' + 3kg;").iter().map(|t| t.kind.class()).collect();
-        assert_eq!(classes.iter().filter(|c| **c == Class::Error).count(), 2, "mended tokens stay errors");
+        assert_eq!(classes.iter().filter(|c| **c == Class::Error).count(), 2, "repaired tokens stay errors");
     }
 }

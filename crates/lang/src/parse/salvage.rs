@@ -32,10 +32,10 @@ pub fn salvage(text: &str, tokens: &[Token], words: &Words) -> Vec<Kept> {
             }
             let slice = |at: usize| words.ranges.get(at).map_or("", |range| &text[range.bytes()]);
             let Some((_, meant)) = meant_statement(slice(head), slice(head + 1)) else { return Vec::new() };
-            let mended = words::read(text, tokens, Some(meant));
-            match whole(text, &mended) {
+            let repaired = words::read(text, tokens, Some(meant));
+            match whole(text, &repaired) {
                 Some(kept) => vec![kept],
-                None => salvage(text, tokens, &mended),
+                None => salvage(text, tokens, &repaired),
             }
         }
         _ => without_last(text, words).into_iter().collect(),

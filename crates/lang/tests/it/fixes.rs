@@ -4,7 +4,7 @@
 use crate::blocks::blocks;
 use crate::spec;
 use scenelang_base::{Diagnostic, Edit, TextRange, fix};
-use scenelang_lang::mend::mend;
+use scenelang_lang::fixes::fix_all;
 use scenelang_lang::sources::Loader;
 use scenelang_lang::{Options, compile_text};
 use std::path::{Path, PathBuf};
@@ -23,9 +23,9 @@ impl Loader for Alone<'_> {
 }
 
 /// The text after all safe fixes.
-fn mended(text: &str) -> String {
-    let mended = mend(NAME, Path::new(NAME), Options::default(), &Alone(text));
-    mended.files.into_iter().next().map_or_else(|| text.to_owned(), |file| file.text)
+fn fixed(text: &str) -> String {
+    let fixed = fix_all(NAME, Path::new(NAME), Options::default(), &Alone(text));
+    fixed.files.into_iter().next().map_or_else(|| text.to_owned(), |file| file.text)
 }
 
 fn found(text: &str) -> Vec<Diagnostic> {
@@ -47,7 +47,7 @@ fn safe_fixes_make_what_they_say() {
     assert!(blocks.len() > 10 && blocks.len().is_multiple_of(2));
     for pair in blocks.chunks(2) {
         assert_eq!((pair[0].info.as_str(), pair[1].info.as_str()), ("scene", "scene after"));
-        assert_eq!(mended(&pair[0].text), pair[1].text, "safe.md:{}", pair[0].line);
+        assert_eq!(fixed(&pair[0].text), pair[1].text, "safe.md:{}", pair[0].line);
     }
 }
 
@@ -100,10 +100,10 @@ fn fixing_makes_nothing_worse_and_once_is_enough() {
     assert!(programs.len() > 300, "{}", programs.len());
     let mut changed = 0;
     for (at, text) in &programs {
-        let after = mended(text);
+        let after = fixed(text);
         changed += usize::from(after != *text);
         assert!(syntax_errors(&after) <= syntax_errors(text), "{at}:\n{after}");
-        assert_eq!(mended(&after), after, "{at}: fixing again changes it");
+        assert_eq!(fixed(&after), after, "{at}: fixing again changes it");
     }
     assert!(changed > 10, "only {changed} are changed");
 }

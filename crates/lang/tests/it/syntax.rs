@@ -85,17 +85,17 @@ fn messages() {
     }
 }
 
-/// A fix that claims to be safe mends what it is attached to, and nothing gets worse.
+/// A fix that claims to be safe repairs what it is attached to, and nothing gets worse.
 #[test]
-fn safe_fixes_mend() {
+fn safe_fixes_repair() {
     let mut tried = 0;
     for (name, text) in fixtures() {
         let parsed = parse_file(&text);
         for d in &parsed.diagnostics {
             for fix in d.fixes.iter().filter(|f| f.applicability == Applicability::Safe) {
-                let mended = parse_file(&apply(&text, fix));
+                let repaired = parse_file(&apply(&text, fix));
                 let count = |file: &ParsedFile| file.diagnostics.iter().filter(|e| e.code == d.code).count();
-                let better = count(&mended) < count(&parsed) && errors(&mended) <= errors(&parsed);
+                let better = count(&repaired) < count(&parsed) && errors(&repaired) <= errors(&parsed);
                 assert!(better, "{name}: {} — {}", d.message, fix.title);
                 tried += 1;
             }

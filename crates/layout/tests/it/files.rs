@@ -238,7 +238,7 @@ fn every_prefix_is_an_error() {
 }
 
 #[test]
-fn fixes_mend() {
+fn fixes_repair() {
     let broken = GOOD
         .replace("[1, 0, 1]", "[1, 0 1,]")
         .replace("\"seed\": 7", "seed: 7 // lucky")
@@ -249,12 +249,12 @@ fn fixes_mend() {
     // The comment swallows a comma: one edit more than slips.
     assert_eq!(edits.len(), 7);
     edits.sort_by_key(|e| std::cmp::Reverse(e.place.range.start));
-    let mut mended = broken;
+    let mut repaired = broken;
     for e in edits {
-        mended.replace_range(e.place.range.bytes(), &e.text);
+        repaired.replace_range(e.place.range.bytes(), &e.text);
     }
-    let file = open(&mended);
-    assert!(file.diagnostics.is_empty(), "{mended}");
+    let file = open(&repaired);
+    assert!(file.diagnostics.is_empty(), "{repaired}");
     assert_eq!(file.layout.scene.as_deref(), Some("room\"scene"));
 }
 

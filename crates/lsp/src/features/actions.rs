@@ -4,8 +4,8 @@ use super::Within;
 use crate::commands::repair_command;
 use crate::convert::workspace_edit;
 use crate::dispatch::{Context, Fault, params};
-use crate::mending::{Wanted, mend};
 use crate::publish::mark;
+use crate::repair::{Wanted, repair};
 use crate::state::State;
 use scenelang_ide::actions::{self, Action, Detail, Kind};
 use scenelang_ide::diagnostics::Finding;
@@ -74,7 +74,7 @@ fn shown(context: &Context, action: &Action, range: Range) -> Value {
     } else {
         out["edit"] = context.places().workspace_edit(&action.edits, context.edit_versions());
     }
-    if let Some(finding) = &action.mends {
+    if let Some(finding) = &action.repairs {
         out["diagnostics"] = json!([marked(context, finding)]);
     }
     if action.preferred {
@@ -156,6 +156,6 @@ impl State {
             state.tell("window/logMessage", json!({ "type": 3, "message": outcome.message }));
             state.reply(id, Ok(action));
         });
-        self.begin(id, uri.as_str(), "Repairing", None, move |job| mend(job, &wanted), finish)
+        self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted), finish)
     }
 }

@@ -65,7 +65,7 @@ fn hovering() {
         ("g|ap(stand[1]", "gap(Object a, Object b) -> Number|distance between the surfaces"),
         ("forall |s in", "Object s|variable of a quantifier"),
         ("low(Object t|hing", "Object thing|parameter"),
-        ("|assert gap(stand[1]", "**fails**, margin **−0.12 m**|to mend it: move `stand[1]` by +0.12 m along x"),
+        ("|assert gap(stand[1]", "**fails**, margin **−0.12 m**|to repair it: move `stand[1]` by +0.12 m along x"),
         ("as|sert on(lamp", "holds|asked for by “a lamp stands on the left stand”"),
     ] {
         let found = client.ask_at("hover", &uri, &scene, place);

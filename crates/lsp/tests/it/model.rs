@@ -61,7 +61,7 @@ fn repaired(client: &mut Client, repair: Value, layout: &str) -> (Value, String)
     let after = edited(layout, edits_of(change, &uri));
     let note = change["changeAnnotations"]["change"].clone();
     let words = format!("{}\n{}", note["label"].as_str().unwrap(), note["description"].as_str().unwrap_or_default());
-    // It mends what it was to mend, and breaks nothing.
+    // It repairs what it was to repair, and breaks nothing.
     let scene = client.uri("room.scene");
     client.told.clear();
     client.open("room.layout.json", &after);

@@ -5,7 +5,7 @@ use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement, Vec3};
 use scenelang_solve::repair::{Alternative, Damaged, How, RepairOptions, Which, repair};
-use scenelang_verify::explain::{Mend, RowRef};
+use scenelang_verify::explain::{RowRef, SmallestMove};
 use scenelang_verify::report::model::Kind;
 use scenelang_verify::{Explain, Options};
 use std::collections::BTreeSet;
@@ -56,8 +56,8 @@ pub fn compare(program: &Program, layout: &Layout) -> Option<Compare> {
     options.detail.explain = Explain::default();
     let verdict = check(program, layout, &options);
     let fails = verdict.rows.iter().filter(|r| r.satisfied == Some(false) && r.kind != Kind::Prefer);
-    let failing: Vec<(RowRef, Option<&Mend>)> = fails
-        .map(|r| (RowRef { kind: r.kind, subject: r.subject }, r.explanation.as_ref().and_then(|e| e.mend.as_ref())))
+    let failing: Vec<(RowRef, Option<&SmallestMove>)> = fails
+        .map(|r| (RowRef { kind: r.kind, subject: r.subject }, r.explanation.as_ref().and_then(|e| e.repair.as_ref())))
         .collect();
     let judged = Judged { program, layout, broken: failing_rows(program, layout) };
     let first = failing.first()?.1;
@@ -82,7 +82,7 @@ struct Judged<'a> {
 }
 
 impl Judged<'_> {
-    fn compare(&self, offered: Option<&Mend>, which: &Which) -> Compared {
+    fn compare(&self, offered: Option<&SmallestMove>, which: &Which) -> Compared {
         let damaged = Damaged { program: self.program, layout: self.layout, text: None };
         let found = repair(&damaged, which, &RepairOptions::default()).ok();
         let found = found.and_then(|f| f.alternatives.into_iter().find(|a| a.how == How::Moves));
@@ -102,7 +102,7 @@ impl Judged<'_> {
     }
 
     /// The layout after a move that `check` offers.
-    fn after(&self, repair: &Mend) -> Layout {
+    fn after(&self, repair: &SmallestMove) -> Layout {
         let mut layout = self.layout.clone();
         for step in &repair.steps {
             let name = self.name(step.object);

@@ -1,6 +1,6 @@
 //! Measures repairing: solved scenes are damaged, by turns an object displaced and a bound tightened, and repaired.
 //!
-//! `mend_measure FOLDER [N]` takes N scenes (200) of those that `tests/problems/generate.py -o FOLDER` wrote. Beside each
+//! `repair_measure FOLDER [N]` takes N scenes (200) of those that `tests/problems/generate.py -o FOLDER` wrote. Beside each
 //! that is not repaired it says whether the solver finds a layout at all. At the end a table compares the moves that
 //! `check` offers with those of `repair`.
 
@@ -18,7 +18,7 @@ use std::time::Instant;
 
 fn main() {
     let mut args = std::env::args().skip(1);
-    let Some(folder) = args.next() else { return eprintln!("mend_measure FOLDER [N]") };
+    let Some(folder) = args.next() else { return eprintln!("repair_measure FOLDER [N]") };
     let most: usize = args.next().and_then(|n| n.parse().ok()).unwrap_or(200);
     let files = scenes(Path::new(&folder));
     let step = (files.len() / most.max(1)).max(1);

@@ -116,7 +116,7 @@ pub enum How {
     /// A preference that held is taken out of the program, and the layout changes.
     Drop,
     /// Demands become preferences.
-    Wish,
+    Prefer,
 }
 
 /// A way to repair a layout. All of it belongs together.

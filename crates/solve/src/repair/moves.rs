@@ -50,9 +50,9 @@ struct Node {
 
 /// What `check` offers for the same rows; `None`: that does not repair them all, or breaks a demand.
 pub(super) fn first(judge: &Judge<'_>) -> Option<Alternative> {
-    let mend = smallest_move(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets)?;
+    let repair = smallest_move(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets)?;
     let mut layout = judge.layout.clone();
-    for step in &mend.steps {
+    for step in &repair.steps {
         let name = &judge.program.objects[step.object.0 as usize].name;
         let (_, placement) = layout.objects.iter_mut().find(|(n, _)| n == name)?;
         placement.pos += Vec3::from(step.by);
@@ -63,7 +63,7 @@ pub(super) fn first(judge: &Judge<'_>) -> Option<Alternative> {
     let broken = judge.judge(&layout)?;
     let mut alternative = describe(judge, layout, &broken);
     for moved in &mut alternative.moves {
-        moved.with = mend.steps.iter().find(|s| s.object == moved.object).and_then(|s| s.with);
+        moved.with = repair.steps.iter().find(|s| s.object == moved.object).and_then(|s| s.with);
     }
     Some(alternative)
 }

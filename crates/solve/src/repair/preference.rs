@@ -38,7 +38,7 @@ pub(super) fn demand(judge: &Judge<'_>, text: &Text<'_>) -> Option<Alternative> 
     let other = |row| (!judge.targets.iter().any(|t| same_statement(t, &row))).then_some(row);
     judge.judge_with(&program, judge.layout, other)?;
     let cost = edits.len() as f64;
-    Some(Alternative { how: How::Wish, edits, cost, ..describe(judge, judge.layout.clone(), &[]) })
+    Some(Alternative { how: How::Prefer, edits, cost, ..describe(judge, judge.layout.clone(), &[]) })
 }
 
 fn same_statement(a: &scenelang_verify::explain::RowRef, b: &scenelang_verify::explain::RowRef) -> bool {

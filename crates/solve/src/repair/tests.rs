@@ -25,7 +25,7 @@ mod damage;
 use damage::{Damage, damaged, fails, scenes};
 
 #[test]
-fn damaged_samples_are_mended_by_few_moves() {
+fn damaged_samples_are_repaired_by_few_moves() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/problems/sample");
     let mut moved = Vec::new();
     let mut wrong = Vec::new();
@@ -80,7 +80,7 @@ fn check_and_repair_offer_the_same_moves_and_these_break_nothing() {
             let before: Vec<RowRef> = rows.iter().map(row).collect();
             for judged in rows.iter().filter(|r| r.kind != Kind::Prefer).take(ROWS) {
                 let name = format!("{}, {}: {}", scene.display(), hurt.what, judged.text);
-                let offered = judged.explanation.as_ref().and_then(|e| e.mend.as_ref());
+                let offered = judged.explanation.as_ref().and_then(|e| e.repair.as_ref());
                 // What breaks something says so, and is not what repair offers.
                 let Some(offered) = offered.filter(|m| m.breaks.is_empty()) else { continue };
                 let found = repair(&asked, &Which::Rows(vec![row(judged)]), &RepairOptions::default()).unwrap();
@@ -193,7 +193,7 @@ fn moves_numbers_and_preferences_are_offered_in_this_order() {
         [
             "Moves: table (0.00, 0.00, -0.35), lamp (0.00, 0.00, -0.35) with table",
             "Numbers: 0.3 -> 0.65 by 0.350",
-            "Wish: assert -> prefer",
+            "Prefer: assert -> prefer",
         ]
     );
 }
@@ -203,12 +203,12 @@ fn a_number_is_relaxed_where_it_is_written_and_in_its_unit() {
     let (_, words) = told(SCENE, &layout(GOOD[0], GOOD[1], [1.6, 0.0, -1.4]), &Which::All);
     assert_eq!(
         words,
-        ["Moves: plant (-0.25, 0.00, 0.00)", "Numbers: 30cm -> 55cm by 25.000", "Wish: assert -> prefer"]
+        ["Moves: plant (-0.25, 0.00, 0.00)", "Numbers: 30cm -> 55cm by 25.000", "Prefer: assert -> prefer"]
     );
 }
 
 #[test]
-fn one_row_is_mended_and_others_may_go_on_failing() {
+fn one_row_is_repaired_and_others_may_go_on_failing() {
     let hurt = layout([0.0; 3], [0.2, 0.45, 0.0], [1.6, 0.0, -1.4]);
     let (all, words) = told(SCENE, &hurt, &Which::All);
     assert_eq!((all.failing.len(), all.alternatives[0].moves.len()), (2, 3), "{words:?}");

@@ -1,6 +1,6 @@
 //! The judgement of a layout: every stated constraint, then the physical rules, then what looks odd.
 //!
-//! Its steps can be taken one by one, for who judges again only what a change can alter. Absent here: what would mend a
+//! Its steps can be taken one by one, for who judges again only what a change can alter. Absent here: what would repair a
 //! violation.
 
 mod describe;

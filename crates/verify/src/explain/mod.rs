@@ -1,5 +1,5 @@
 //! Explanations of what fails, as values and in words: both sides of what decided, where the objects are, what pulls the
-//! other way, and a move that mends it.
+//! other way, and a move that repairs it.
 //!
 //! Not here: looking for that move, which takes a layout that changes (`engine`).
 
@@ -39,32 +39,32 @@ pub struct RowRef {
     pub subject: Subject,
 }
 
-/// Why a row fails, and what would mend it.
+/// Why a row fails, and what would repair it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explanation {
     /// The values on both sides of what decided.
     pub measured: Option<Measured>,
     /// The objects of the deciding instance, where they are.
     pub objects: Vec<Place>,
-    /// What holds now and would fail, or come nearest to failing, under the smallest move that mends this row.
+    /// What holds now and would fail, or come nearest to failing, under the smallest move that repairs this row.
     pub opposing: Vec<RowRef>,
     /// The move offered.
-    pub mend: Option<Mend>,
+    pub repair: Option<SmallestMove>,
     /// Assignments that keep its objects from being moved, where all of them are kept.
     pub pinned: Vec<RowRef>,
     /// Whether a move was looked for.
     pub searched: bool,
 }
 
-/// A move that mends a row.
+/// A move that repairs a row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mend {
+pub struct SmallestMove {
     /// What is moved, in this order; usually one object.
     pub steps: Vec<Step>,
     /// What holds in the layout and fails after the move.
     pub breaks: Vec<RowRef>,
     /// What fails in the layout and holds after the move, beside the row itself.
-    pub mends: Vec<RowRef>,
+    pub repairs: Vec<RowRef>,
 }
 
 /// A move of one object from where the layout has it.

@@ -1,6 +1,6 @@
 //! Places, moves and rows in words.
 
-use super::{Mend, RowRef, Step, name};
+use super::{RowRef, SmallestMove, Step, name};
 use crate::check::Subject;
 use crate::report::model::Kind;
 use crate::world::World;
@@ -85,9 +85,9 @@ fn signed(x: f64) -> String {
 }
 
 /// A move in the imperative: "move `nightstand` by +0.07 m along x".
-pub fn move_in_words(program: &Program, mend: &Mend) -> String {
+pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
     let mut parts: Vec<(String, Vec<&str>, &Step)> = Vec::new();
-    for step in &mend.steps {
+    for step in &repair.steps {
         let text = step_in_words(step);
         // What goes along with another needs no sentence of its own.
         match parts.iter_mut().find(|(_, _, first)| step.with == Some(first.object)) {

@@ -1,6 +1,6 @@
 //! Linear reasoning: whether the rows can all be within their bounds at once. The method is the simplex of Dutertre and
 //! de Moura (bounds on rows, no objective), because it can be stopped and resumed as bounds come and go, and because a
-//! row that cannot be mended names the inequalities that contradict each other.
+//! row that cannot be repaired names the inequalities that contradict each other.
 //!
 //! It computes in floats and is believed in nothing: the factors that it finds are tried on the original rows, in
 //! intervals ([`Simplex::certificate`]), and only what passes there is a proof.
@@ -111,7 +111,7 @@ impl Simplex {
         };
         let domain: Vec<Interval> =
             if strictly { state.domain.iter().map(narrower).collect() } else { state.domain.clone() };
-        let outcome = self.mend(&domain, work, most);
+        let outcome = self.repair(&domain, work, most);
         // Rows that stayed out are what their variables make them.
         for (var, kind) in problem.kinds.iter().enumerate() {
             if let Kind::Row(parts) = kind
@@ -124,7 +124,7 @@ impl Simplex {
         outcome
     }
 
-    fn mend(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
+    fn repair(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
         // Independent ones to within their bounds, dependent ones by their rows.
         for (var, bounds) in domain.iter().enumerate() {
             if self.rows[var].is_none() {

@@ -112,7 +112,7 @@ impl Builder<'_> {
             }),
             objects: from.objects.iter().map(|place| self.whereabouts(place)).collect(),
             opposing: ids(&from.opposing),
-            mend: from.mend.as_ref().and_then(|mend| self.mend(mend)),
+            repair: from.repair.as_ref().and_then(|repair| self.repair(repair)),
             pinned: ids(&from.pinned),
         }
     }
@@ -122,9 +122,9 @@ impl Builder<'_> {
         Whereabouts { name: self.object(*object).to_owned(), pos: *pos, rot: *rot, size: *size, text: text.clone() }
     }
 
-    fn mend(&self, mend: &explain::Mend) -> Option<Move> {
+    fn repair(&self, repair: &explain::SmallestMove) -> Option<Move> {
         let name = |id: ObjectId| self.object(id).to_owned();
-        let (first, rest) = mend.steps.split_first()?;
+        let (first, rest) = repair.steps.split_first()?;
         let also = rest.iter().map(|s| Step { object: name(s.object), by: s.by, turn: s.turn });
         let ids = |rows: &[RowRef]| rows.iter().map(|row| self.id(*row)).collect();
         Some(Move {
@@ -132,9 +132,9 @@ impl Builder<'_> {
             by: first.by,
             turn: first.turn,
             also: also.collect(),
-            breaks: ids(&mend.breaks),
-            mends: ids(&mend.mends),
-            text: explain::move_in_words(self.program?, mend),
+            breaks: ids(&repair.breaks),
+            repairs: ids(&repair.repairs),
+            text: explain::move_in_words(self.program?, repair),
         })
     }
 

@@ -13,7 +13,7 @@ pub fn github(reports: &[Report]) -> String {
             annotate(&mut out, &finding.severity, &finding.code, finding.span.as_ref(), &finding.message, report);
         }
         for row in report.constraints.iter().filter(|row| row.satisfied == Some(false)) {
-            // A wish that is not met does not fail a build.
+            // A preference that is not met does not fail a build.
             let level = if row.is_violation() { "error" } else { "notice" };
             let code = row.code.as_deref().unwrap_or_default();
             annotate(&mut out, level, code, row.span.as_ref(), &main_fact(row), report);

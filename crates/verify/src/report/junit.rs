@@ -49,7 +49,7 @@ fn suite(report: &Report, out: &mut String) {
     line(out, format_args!("  </testsuite>"));
 }
 
-/// What cannot be judged, and a wish that is not met: neither passed nor failed.
+/// What cannot be judged, and a preference that is not met: neither passed nor failed.
 fn is_skipped(row: &Row) -> bool {
     row.satisfied != Some(true) && !row.is_violation()
 }

@@ -230,7 +230,7 @@ pub struct Row {
     pub explanation: Option<Explanation>,
 }
 
-/// Why a row fails, and what would mend it. Of violations beyond the first ones only what was measured.
+/// Why a row fails, and what would repair it. Of violations beyond the first ones only what was measured.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Explanation {
     /// Both sides of the comparison that decided; of a rule or a built-in predicate what was measured, and what it may
@@ -240,12 +240,12 @@ pub struct Explanation {
     /// The objects of the deciding instance.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub objects: Vec<Whereabouts>,
-    /// Rows that hold, and would fail or come nearest to it under the smallest move that mends this one: their ids.
+    /// Rows that hold, and would fail or come nearest to it under the smallest move that repairs this one: their ids.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub opposing: Vec<String>,
     /// A move after which the row holds; the one that breaks least and, of these, the smallest.
     #[serde(default, rename = "move", skip_serializing_if = "Option::is_none")]
-    pub mend: Option<Move>,
+    pub repair: Option<Move>,
     /// Where all objects of the row are pinned, the rows of these assignments.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pinned: Vec<String>,
@@ -287,7 +287,7 @@ pub struct Whereabouts {
     pub text: String,
 }
 
-/// A move that mends a row.
+/// A move that repairs a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Move {
     /// The object that is moved first, or alone.
@@ -301,8 +301,9 @@ pub struct Move {
     pub also: Vec<Step>,
     /// Ids of rows that hold now and fail after it.
     pub breaks: Vec<String>,
-    /// Ids of other rows that fail now and hold after it.
-    pub mends: Vec<String>,
+    /// Ids of other rows that fail now and hold after it. Version 0.1 called them `mends`.
+    #[serde(alias = "mends")]
+    pub repairs: Vec<String>,
     /// The same in words.
     pub text: String,
 }
@@ -351,7 +352,7 @@ pub struct Finding {
     pub related: Vec<Related>,
     /// What it means, or what to do next.
     pub notes: Vec<String>,
-    /// Ways to mend it.
+    /// Ways to repair it.
     pub fixes: Vec<Remedy>,
 }
 

@@ -62,7 +62,7 @@ fn rule(code: &str) -> Value {
 }
 
 fn violation(row: &Row, judged: &Judged, sources: &SourceMap, report: &Report) -> Value {
-    // A wish that is not met does not fail a build.
+    // A preference that is not met does not fail a build.
     let level = if row.is_violation() { "error" } else { "note" };
     let text = if row.message.is_empty() { row.text.clone() } else { format!("{}: {}", row.text, row.message) };
     let mut result = result(row.code.as_deref().unwrap_or_default(), level, &text, row.span.as_ref(), report);

@@ -1,7 +1,7 @@
 //! Explanations as people read them: what pulls the other way, and what to do, with what that would do to the rest.
 
 use crate::check::{Checked, Judged, Subject};
-use crate::explain::{Mend, RowRef, move_in_words, row_in_words};
+use crate::explain::{RowRef, SmallestMove, move_in_words, row_in_words};
 use crate::report::model::Kind;
 use scenelang_base::codes;
 use scenelang_lang::program::{ObjectId, Program};
@@ -44,10 +44,10 @@ impl<'a> Words<'a> {
         for against in &explanation.opposing {
             notes.push(format!("{} pulls the other way", name(against)));
         }
-        if let Some(mend) = &explanation.mend {
-            hints.push(format!("{}{}", move_in_words(program, mend), self.effect(mend, row, &name)));
+        if let Some(repair) = &explanation.repair {
+            hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));
         } else if explanation.searched {
-            notes.push("no move of one object, or of a few, was found that mends it".to_owned());
+            notes.push("no move of one object, or of a few, was found that repairs it".to_owned());
         }
         if !explanation.pinned.is_empty() {
             let pins: Vec<String> = explanation.pinned.iter().map(name).collect();
@@ -67,10 +67,10 @@ impl<'a> Words<'a> {
     }
 
     /// What a move does to the rest.
-    fn effect(&self, mend: &Mend, row: &Judged, name: &dyn Fn(&RowRef) -> String) -> String {
+    fn effect(&self, repair: &SmallestMove, row: &Judged, name: &dyn Fn(&RowRef) -> String) -> String {
         let rows = self.checked.verdict.rows.iter();
         let held = rows.filter(|other| other.kind == Kind::Assert && other.satisfied == Some(true)).count();
-        let broken = mend.breaks.iter().filter(|other| other.kind == Kind::Assert).count();
+        let broken = repair.breaks.iter().filter(|other| other.kind == Kind::Assert).count();
         let list = |rows: &[RowRef]| {
             const MOST: usize = 3;
             let mut names: Vec<String> = rows.iter().take(MOST).map(name).collect();
@@ -88,14 +88,14 @@ impl<'a> Words<'a> {
             let what = if row.kind == Kind::Assert { "other assertions" } else { "assertions" };
             parts.push(format!("{} of {held} {what} still hold", held - broken));
         }
-        if held == 0 && mend.breaks.is_empty() {
+        if held == 0 && repair.breaks.is_empty() {
             parts.push("nothing else breaks".to_owned());
         }
-        if !mend.breaks.is_empty() {
-            parts.push(format!("it breaks {}", list(&mend.breaks)));
+        if !repair.breaks.is_empty() {
+            parts.push(format!("it breaks {}", list(&repair.breaks)));
         }
-        if !mend.mends.is_empty() {
-            parts.push(format!("it also mends {}", list(&mend.mends)));
+        if !repair.repairs.is_empty() {
+            parts.push(format!("it also repairs {}", list(&repair.repairs)));
         }
         format!(": {}", parts.join("; "))
     }

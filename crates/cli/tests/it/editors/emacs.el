@@ -60,7 +60,7 @@
             (eglot-execute-command (eglot-current-server) (intern (plist-get command :command)) (plist-get command :arguments))))
         (save-some-buffers t)
         (wait "the repair" (lambda () (not (fails-p)))))
-      (saw 'mended (vconcat (marked)))
+      (saw 'repaired (vconcat (marked)))
       (goto-char (point-min))
       (search-forward "object b")
       (eglot-rename "couch")

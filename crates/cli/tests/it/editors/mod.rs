@@ -67,8 +67,8 @@ fn is_as_it_should_be(home: &Path, told: &str) {
     let gap = ("assert gap(stand[1], bed) >= space", ["V0101", "must be at least `space`"]);
     let bed = ("bed", ["V0102", "overlaps `stand[1]`"]);
     assert!(has("marked", 34, gap.0, gap.1) && has("marked", 12, bed.0, bed.1), "{seen:#}");
-    assert!(!has("mended", 34, gap.0, gap.1) && !has("mended", 12, bed.0, bed.1), "{seen:#}");
-    assert!(has("mended", 35, "prefer bed.pos.x > 1", ["V0106", "must be more than 1"]), "{seen:#}");
+    assert!(!has("repaired", 34, gap.0, gap.1) && !has("repaired", 12, bed.0, bed.1), "{seen:#}");
+    assert!(has("repaired", 35, "prefer bed.pos.x > 1", ["V0106", "must be more than 1"]), "{seen:#}");
     let hover = seen["hover"].as_str().unwrap();
     assert!(hover.contains("Where one sleeps") && hover.contains("1.60 × 0.55 × 2.00 m"), "{hover}");
     let menu: Vec<&str> = seen["menu"].as_array().unwrap().iter().map(|title| title.as_str().unwrap()).collect();
@@ -77,7 +77,7 @@ fn is_as_it_should_be(home: &Path, told: &str) {
         "{menu:?}"
     );
 
-    // It is mended, and nobody calls the bed a bed any more.
+    // It is repaired, and nobody calls the bed a bed any more.
     let layout = read_json(&home.join("ws/room.layout.json"));
     let objects = layout["objects"].as_object().unwrap();
     assert!(

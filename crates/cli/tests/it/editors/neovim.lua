@@ -78,7 +78,7 @@ local function main()
   end
   vim.lsp.buf.code_action()
   wait('the repair', function() return not has('V0101') end)
-  seen.mended = marked()
+  seen.repaired = marked()
 
   go('object bed')
   vim.lsp.buf.rename('couch')

@@ -27,7 +27,7 @@ pub const ROOM: &str = "object desk;\ndesk.scale <- vec3(1, 1, 1);\nassert desk.
 pub const LAYOUT: &str = r#"{ "format": "scenelang.layout/1", "scene": "room.scene",
     "objects": { "desk": { "pos": [0, 0.5, 0], "scale": [1, 1, 1] } } }"#;
 
-/// What looks as if it could be mended, and is no program.
+/// What looks as if it could be repaired, and is no program.
 const TOOL: &str = "object tool;;\nassert tool.pos.x > 1;\n";
 
 /// A row of the table.

@@ -62,10 +62,10 @@ fn numbers(row: &Row) -> Vec<f64> {
         }
     }
     why.objects.iter().for_each(|o| out.extend([o.pos, o.rot, o.size].concat()));
-    if let Some(mend) = &why.mend {
-        out.extend(mend.by);
-        out.push(mend.turn);
-        mend.also.iter().for_each(|step| out.extend(step.by.iter().chain([&step.turn])));
+    if let Some(repair) = &why.repair {
+        out.extend(repair.by);
+        out.push(repair.turn);
+        repair.also.iter().for_each(|step| out.extend(step.by.iter().chain([&step.turn])));
     }
     out
 }

@@ -1,4 +1,4 @@
-//! Repair: what a change of the layout or the program would mend, verified before it is offered, with what it moves and
+//! Repair: what a change of the layout or the program would repair, verified before it is offered, with what it moves and
 //! which margins it changes.
 
 use crate::advised::advised;
@@ -14,10 +14,10 @@ use scenelang_solve::Pose;
 use scenelang_solve::repair::{Alternative, Damaged, How, Moved, RepairOptions, Text, Which, repair as look};
 use scenelang_verify::Verdict;
 use scenelang_verify::check::{Judged, Subject};
-use scenelang_verify::explain::{Mend, RowRef, Step, move_in_words};
+use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
 use scenelang_verify::report::model::Kind;
 
-/// What is to be mended.
+/// What is to be repaired.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// Whatever must hold and does not.
@@ -35,13 +35,13 @@ const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 ///
 /// # Errors
 /// There is nothing to repair, or no way was found.
-pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
+pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
     if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
     let layout = job.layout.as_ref().filter(|l| l.read.usable);
     let layout =
-        &layout.ok_or_else(|| Fault::Failed("there is no layout to mend; solve first".to_owned()))?.read.layout;
+        &layout.ok_or_else(|| Fault::Failed("there is no layout to repair; solve first".to_owned()))?.read.layout;
     let before = job.verdict(layout, 0);
     let which = which(job, wanted, &before)?;
     let targets: Vec<RowRef> = before.rows.iter().map(row_of).filter(|row| is_target(&which, row, &before)).collect();
@@ -83,8 +83,8 @@ pub fn mend(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
         }
     }
     Err(Fault::Failed(match wanted {
-        Wanted::Program(_) => "no number or demand was found whose change would mend it".to_owned(),
-        _ => "no move was found that mends it, which proves nothing; the program may be changed instead".to_owned(),
+        Wanted::Program(_) => "no number or demand was found whose change would repair it".to_owned(),
+        _ => "no move was found that repairs it, which proves nothing; the program may be changed instead".to_owned(),
     }))
 }
 
@@ -126,19 +126,19 @@ fn is_target(which: &Which, row: &RowRef, before: &Verdict) -> bool {
         }
 }
 
-/// What a language model makes of the layout, if that mends what is to be mended and breaks nothing.
+/// What a language model makes of the layout, if that repairs what is to be repaired and breaks nothing.
 fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) -> Result<Option<Alternative>, Fault> {
     let Some(after) = advised(job, layout, targets)? else { return Ok(None) };
     let program = &job.compiled.program;
     let verdict = job.verdict(&after, 0);
     let holds =
         |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));
-    let mends = targets.iter().all(|row| holds(row, &verdict));
+    let repairs = targets.iter().all(|row| holds(row, &verdict));
     let keeps = before.rows.iter().filter(|r| r.satisfied == Some(true)).all(|r| holds(&row_of(r), &verdict));
     // A physical rule is listed only where it fails.
     let was = |r: &Judged| before.rows.iter().any(|b| row_of(b) == row_of(r));
     let breaks = verdict.rows.iter().any(|r| r.satisfied == Some(false) && !was(r));
-    if !mends || !keeps || breaks {
+    if !repairs || !keeps || breaks {
         return Ok(None);
     }
     let moves = moved(program, layout, &after);
@@ -200,7 +200,7 @@ fn words(job: &Job, chosen: &Alternative) -> String {
     let mut parts = Vec::new();
     let steps: Vec<Step> = chosen.moves.iter().map(Moved::step).collect();
     if !steps.is_empty() {
-        parts.push(move_in_words(program, &Mend { steps, breaks: Vec::new(), mends: Vec::new() }));
+        parts.push(move_in_words(program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
     }
     if !chosen.also.is_empty() {
         parts.push(format!("change `{}`", chosen.also.join("`, `")));
@@ -208,7 +208,7 @@ fn words(job: &Job, chosen: &Alternative) -> String {
     parts.extend(
         chosen.edits.iter().map(|edit| format!("write `{}` for `{}`", edit.text, job.sources.text(edit.place))),
     );
-    parts.extend(chosen.drops.iter().map(|i| format!("give up the wish `{}`", program.constraints[*i].text)));
+    parts.extend(chosen.drops.iter().map(|i| format!("give up the preference `{}`", program.constraints[*i].text)));
     parts.join("; ")
 }
 

@@ -1,10 +1,10 @@
-//! The smallest move that mends rows: of one object, with what it carries, or of one after the other. Whoever offers a
+//! The smallest move that repairs rows: of one object, with what it carries, or of one after the other. Whoever offers a
 //! move asks here, so that all offer the same one.
 //!
 //! What is offered has been judged: after it the rows hold. Of several moves the one is offered that breaks least; of
-//! these the one that mends most, since what displaced an object broke all that speaks of it; of these the smallest.
+//! these the one that repairs most, since what displaced an object broke all that speaks of it; of these the smallest.
 //!
-//! What a move would break becomes a goal in its turn, and the search begins again. So what one object can mend without
+//! What a move would break becomes a goal in its turn, and the search begins again. So what one object can repair without
 //! harm is found first; others are moved only where that is not enough.
 
 use super::search::{Freedom, Search};
@@ -12,7 +12,7 @@ use super::stage::{Consequences, Stage};
 use crate::rows::{Goal, row_of};
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_verify::World;
-use scenelang_verify::explain::{Mend, RowRef, Step};
+use scenelang_verify::explain::{RowRef, SmallestMove, Step};
 use scenelang_verify::report::model::Kind;
 
 /// What looking for a move may cost, in small comparisons.
@@ -31,7 +31,7 @@ const OPPOSING: usize = 3;
 /// What was found for a row.
 #[derive(Debug, Default)]
 pub(crate) struct Found {
-    pub mend: Option<Mend>,
+    pub repair: Option<SmallestMove>,
     pub opposing: Vec<RowRef>,
     pub pinned: Vec<RowRef>,
     /// Whether there was something to be moved.
@@ -49,15 +49,15 @@ struct Judged {
 }
 
 impl Judged {
-    /// How much that must hold is broken or left as it is; then how many wishes are broken.
+    /// How much that must hold is broken or left as it is; then how many preferences are broken.
     fn harm(&self) -> (usize, usize) {
         let (hard, soft) = self.does.harm();
         (hard + self.open, soft)
     }
 
-    /// Less harm first, then what mends more, then the smaller one.
+    /// Less harm first, then what repairs more, then the smaller one.
     fn better_than(&self, other: &Self) -> bool {
-        let hard = |j: &Self| j.does.mends.iter().filter(|row| row.kind != Kind::Prefer).count();
+        let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != Kind::Prefer).count();
         let key = |j: &Self| (j.harm(), std::cmp::Reverse(hard(j)));
         key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
     }
@@ -71,7 +71,7 @@ fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
 }
 
 /// Looks for moves in one layout.
-pub(crate) struct Mender<'a> {
+pub(crate) struct MoveFinder<'a> {
     stage: Stage<'a>,
     /// What must hold and does not.
     failing: Vec<RowRef>,
@@ -81,7 +81,7 @@ pub(crate) struct Mender<'a> {
     limit: usize,
 }
 
-impl<'a> Mender<'a> {
+impl<'a> MoveFinder<'a> {
     /// Whoever tries out what is dear has so much to spend.
     pub fn new(program: &'a Program, world: World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
         let stage = Stage::new(program, world, purse);
@@ -112,10 +112,10 @@ impl<'a> Mender<'a> {
                 _ => found.searched = true,
             }
         }
-        found.mend = self.mend(&[row]).filter(|_| !self.is_spent());
+        found.repair = self.repair(&[row]).filter(|_| !self.is_spent());
         if found.searched {
             found.opposing = self.opposing(row);
-        } else if found.mend.is_none() {
+        } else if found.repair.is_none() {
             pins.sort_unstable();
             pins.dedup();
             found.pinned = pins.into_iter().map(|i| row_of(self.stage.program, i)).collect();
@@ -125,10 +125,10 @@ impl<'a> Mender<'a> {
     }
 
     /// The smallest move after which rows hold.
-    pub fn mend(&mut self, rows: &[RowRef]) -> Option<Mend> {
+    pub fn repair(&mut self, rows: &[RowRef]) -> Option<SmallestMove> {
         let best = self.together(rows).or_else(|| self.in_turn(rows))?;
-        let mends = best.does.mends.into_iter().filter(|r| rows != [*r]).collect();
-        Some(Mend { steps: best.steps, breaks: best.does.breaks, mends })
+        let repairs = best.does.repairs.into_iter().filter(|r| rows != [*r]).collect();
+        Some(SmallestMove { steps: best.steps, breaks: best.does.breaks, repairs })
     }
 
     /// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
@@ -156,7 +156,7 @@ impl<'a> Mender<'a> {
         broken
     }
 
-    /// A move of one object that mends all that fails, if that is what rows need.
+    /// A move of one object that repairs all that fails, if that is what rows need.
     fn together(&mut self, rows: &[RowRef]) -> Option<Judged> {
         if self.failing.len() < 2 || rows.iter().any(|row| !self.failing.contains(row)) {
             return None;
@@ -184,7 +184,7 @@ impl<'a> Mender<'a> {
         for _ in 0..STEPS {
             let does = at.as_ref().map(|a| &a.does);
             let (done, left): (Vec<RowRef>, Vec<RowRef>) =
-                rows.iter().partition(|row| does.is_some_and(|d| d.mends.contains(row)));
+                rows.iter().partition(|row| does.is_some_and(|d| d.repairs.contains(row)));
             let next = left.iter().copied().chain(does.into_iter().flat_map(|d| d.breaks.iter().copied())).next();
             let Some(next) = next else { break };
             let steps = at.as_ref().map_or(Vec::new(), |a| a.steps.clone());
@@ -193,7 +193,7 @@ impl<'a> Mender<'a> {
                 found = self.parts(Goal::Row(next), next, Vec::new());
             }
             let Some(mut found) = found else { break };
-            found.open = rows.iter().filter(|row| !found.does.mends.contains(row)).count();
+            found.open = rows.iter().filter(|row| !found.does.repairs.contains(row)).count();
             let was = at.as_ref().map_or((usize::MAX, 0), Judged::harm);
             if found.harm() >= was {
                 break;
@@ -203,7 +203,7 @@ impl<'a> Mender<'a> {
         at.filter(|found| found.open == 0)
     }
 
-    /// Mends the parts of a conjunction one after the other.
+    /// Repairs the parts of a conjunction one after the other.
     fn parts(&mut self, goal: Goal, row: RowRef, mut steps: Vec<Step>) -> Option<Judged> {
         let mut last = None;
         while steps.len() < STEPS && !self.stage.has_spent(self.limit) {
@@ -226,12 +226,12 @@ impl<'a> Mender<'a> {
         last.filter(|_| holds)
     }
 
-    /// The best move of one object that mends a row, after some steps, and keeps what these have mended.
+    /// The best move of one object that repairs a row, after some steps, and keeps what these have repaired.
     fn one(&mut self, row: RowRef, done: &[RowRef], steps: &[Step]) -> Option<Judged> {
         self.stage.set(steps);
         let mut best: Option<Judged> = None;
         for object in self.deciding(&[Goal::Row(row)]) {
-            // All that fails and speaks of it, if one move mends that.
+            // All that fails and speaks of it, if one move repairs that.
             let mut group = vec![row];
             if row.kind != Kind::Prefer {
                 let others = self.failing.iter().copied();
@@ -375,7 +375,7 @@ impl<'a> Mender<'a> {
             }
             let moved: Vec<ObjectId> = all.iter().map(|s| s.object).collect();
             let does = self.stage.consequences(&moved);
-            let open = rows.iter().filter(|row| !does.mends.contains(row)).count();
+            let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();
             let judged = Judged { cost, steps: all, does, open };
             let harmless = judged.harm() == (0, 0);
             found.push(judged);
@@ -392,7 +392,7 @@ impl<'a> Mender<'a> {
 struct Attempt<'t> {
     object: ObjectId,
     goals: Vec<Goal>,
-    /// The rows that a move has to mend.
+    /// The rows that a move has to repair.
     rows: &'t [RowRef],
     /// What has been moved already.
     steps: &'t [Step],

@@ -15,7 +15,7 @@ const ROUNDS: usize = 50;
 
 /// What became of a program's files.
 #[derive(Clone, Debug, Default)]
-pub struct Mended {
+pub struct Fixed {
     /// Files that are changed, by path.
     pub files: Vec<File>,
     /// Safe fixes that could not be made, since they overlap or would make the syntax worse.
@@ -51,7 +51,7 @@ pub struct Made {
 }
 
 /// Makes the safe fixes of a program in `path`, called `name`, and of what it imports from below its folder.
-pub fn mend(name: &str, path: &Path, options: Options, loader: &dyn Loader) -> Mended {
+pub fn fix_all(name: &str, path: &Path, options: Options, loader: &dyn Loader) -> Fixed {
     let mut changed = Changed { loader, files: BTreeMap::new() };
     let folder = normal(path.parent().unwrap_or(Path::new("")));
     let mut refused = 0;
@@ -72,7 +72,7 @@ pub fn mend(name: &str, path: &Path, options: Options, loader: &dyn Loader) -> M
         compiled = next;
     }
     let findings = |of: FileId| compiled.diagnostics.iter().filter(|d| file_of(d) == Some(of)).count();
-    let mut out = Mended { refused, ..Mended::default() };
+    let mut out = Fixed { refused, ..Fixed::default() };
     for (id, source) in compiled.sources.iter() {
         if let Some(mut file) = changed.files.remove(source.path()) {
             file.left = findings(id);
@@ -184,16 +184,16 @@ mod tests {
     }
 
     #[test]
-    fn imported_files_are_mended_if_they_are_below() {
+    fn imported_files_are_repaired_if_they_are_below() {
         let files = memory(&[
             ("room/main.scene", "import \"parts/a.scene\";\nimport \"../b.scene\";\nobject x;;\n"),
             ("room/parts/a.scene", "object a;;\nobject c\n"),
             ("b.scene", "object b;;\n"),
         ]);
         let path = Path::new("room/main.scene");
-        let mended = mend("room/main.scene", path, Options::default(), &files);
+        let fixed = fix_all("room/main.scene", path, Options::default(), &files);
         let texts: Vec<(&str, &str, usize)> =
-            mended.files.iter().map(|f| (f.path.to_str().unwrap(), f.text.as_str(), f.made.len())).collect();
+            fixed.files.iter().map(|f| (f.path.to_str().unwrap(), f.text.as_str(), f.made.len())).collect();
         assert_eq!(
             texts,
             [
@@ -201,8 +201,8 @@ mod tests {
                 ("room/parts/a.scene", "object a;\nobject c;\n", 2),
             ]
         );
-        assert_eq!(mended.foreign, ["b.scene"]);
-        assert_eq!(mended.refused, 0);
+        assert_eq!(fixed.foreign, ["b.scene"]);
+        assert_eq!(fixed.refused, 0);
     }
 
     #[test]
