@@ -289,7 +289,7 @@ impl<'r, 'a> Run<'r, 'a> {
             limit = limit.earlier(PATHS_JUDGED * judging(&mut search.state, &first.local));
         }
         let threads = self.options.threads();
-        let another = || member(1).map(|other| Member { local: other.local.with_skew_first(), ..other });
+        let another = || member(1).map(|other| Member { local: other.local.of_another_kind(), ..other });
         let (Member { mut local, mut chance }, mut solved) =
             portfolio::search(first, another, budget, &limit, &given, threads);
         if solved {

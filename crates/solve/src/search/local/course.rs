@@ -57,6 +57,7 @@ impl LocalSearch<'_> {
                 let given = if self.course.turn == 0 { given } else { &[] };
                 let skew = self.next_is_skew() || given.contains(&true);
                 self.skew = skew && self.course.turn > 0;
+                self.air = if self.is_other { 0.0 } else { self.widest_path() };
                 self.begin(chance, given, &late);
                 self.skew = skew;
                 let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
@@ -110,16 +111,21 @@ impl LocalSearch<'_> {
     /// them do not drift. What does better is done more often from then on.
     fn next_is_skew(&self) -> bool {
         let Course { turn, least_of: [square, skew], .. } = &self.course;
-        let other = (turn + self.skew_first) % 2 == 1;
+        let other = (turn % 2 == 1) != self.is_other;
         match (square, skew) {
             (Some(square), Some(skew)) if square != skew => (skew < square) != (turn % 4 == 3),
             _ => other,
         }
     }
 
-    /// A search whose first turn is none in which things stand square.
-    pub fn with_skew_first(mut self) -> Self {
-        self.skew_first = 1;
+    /// The width of the widest path that is asked for.
+    pub(super) fn widest_path(&self) -> f64 {
+        self.groups.iter().map(|group| 2.0 * group.width()).fold(0.0, f64::max)
+    }
+
+    /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at first.
+    pub fn of_another_kind(mut self) -> Self {
+        self.is_other = true;
         self
     }
 

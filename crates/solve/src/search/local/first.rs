@@ -7,6 +7,14 @@ use rand_chacha::ChaCha8Rng;
 
 /// How many poses are tried for each object of a first layout.
 const FIRST: usize = 24;
+/// How many more with room for a path beside it, where that is wanted.
+const AIRY: usize = 6;
+/// What it costs that a thing touches another that it has nothing to do with, where room is left for paths.
+const CROWD: f64 = 0.3;
+/// What is so near to a wall is beside it (metres).
+const BESIDE: f64 = 0.1;
+/// How many things are looked at for a unit of work.
+const LOOKS: u64 = 8;
 
 impl LocalSearch<'_> {
     /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
@@ -87,7 +95,8 @@ impl LocalSearch<'_> {
         self.away_count = self.away.iter().filter(|a| **a).count();
         let pose = self.anywhere(i, chance);
         self.settle(i, pose);
-        let mut best = (-1e-9, None);
+        let mut around = Vec::new();
+        let mut best = (self.crowd(i, &mut around) - 1e-9, None);
         for round in 0..2 {
             if late() {
                 return;
@@ -98,25 +107,61 @@ impl LocalSearch<'_> {
                     let pose = self.anywhere(i, chance);
                     poses.push(pose);
                 }
+                if self.air > 0.0 {
+                    for _ in 0..AIRY {
+                        self.a_path_apart(i, self.air, chance, poses);
+                    }
+                }
             } else {
                 self.poses(i, chance, poses);
                 self.by_analogy(i, poses);
+                self.in_line(i, poses);
             }
             for &pose in poses.iter() {
                 self.go(i, pose);
-                if let Some(delta) = self.judge(best.0) {
-                    best = (delta - 1e-9, Some(pose));
+                let crowd = self.crowd(i, &mut around);
+                if let Some(delta) = self.judge(best.0 - crowd) {
+                    best = (delta + crowd - 1e-9, Some(pose));
                 }
                 self.undo();
             }
             if let Some(pose) = best.1.take() {
                 self.settle(i, pose);
             }
-            best.0 = -1e-9;
+            best.0 = self.crowd(i, &mut around) - 1e-9;
             if self.terms_of[i].iter().all(|&t| self.bad_at[t] == u32::MAX) && self.hits[i].is_empty() {
                 break;
             }
         }
+    }
+
+    /// How much an object narrows the paths between things, if this turn begins with room for these: what stands nearer to
+    /// another than a path is wide costs more, unless the two have to do with each other.
+    fn crowd(&mut self, i: usize, around: &mut Vec<usize>) -> f64 {
+        if self.air == 0.0 || self.doors.contains(&i) {
+            return 0.0;
+        }
+        let own = self.span[i];
+        let mut wide = own;
+        for k in [0, 2] {
+            wide.min[k] -= self.air;
+            wide.max[k] += self.air;
+        }
+        self.work += self.near.around(&wide, &self.span, around) as u64 / LOOKS;
+        let together = |j: usize| {
+            j == i || self.related[i].contains(&j) || self.frame.siblings[i].iter().any(|s| s.0 as usize == j)
+        };
+        let gap = |j: usize| {
+            let apart = |k: usize| (self.span[j].min[k] - own.max[k]).max(own.min[k] - self.span[j].max[k]).max(0.0);
+            apart(0).hypot(apart(2))
+        };
+        let near = around.iter().filter(|&&j| !self.away[j] && !together(j));
+        let things: f64 = near.map(|&j| CROWD * (1.0 - gap(j) / self.air).max(0.0)).sum();
+        // Between it and a wall there is a path or nothing.
+        let field = &self.field[i];
+        let walls = [(0, 0), (1, 2)].map(|(k, axis)| [own.min[axis] - field.min[k], field.max[k] - own.max[axis]]);
+        let narrow = walls.as_flattened().iter().filter(|gap| **gap > BESIDE && **gap < self.air);
+        things + narrow.map(|gap| CROWD * (1.0 - gap / self.air)).sum::<f64>()
     }
 
     /// Others have so much more to do with what is there.

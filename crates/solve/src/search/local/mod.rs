@@ -168,6 +168,8 @@ pub(crate) struct LocalSearch<'a> {
     onlookers: Vec<usize>,
     /// Whether paths are looked at yet.
     walking: bool,
+    /// How far apart things are put at first, for paths between them (metres).
+    air: f64,
     /// Terms that ask for paths, each with its way.
     walks: Vec<(usize, usize)>,
     /// Terms that ask for paths beside other things.
@@ -186,8 +188,8 @@ pub(crate) struct LocalSearch<'a> {
     field: Vec<Field>,
     /// Whether such yaws are drawn at all: at first things stand square.
     skew: bool,
-    /// 1: turns in which they are drawn come first, 0: the others.
-    skew_first: u32,
+    /// Whether turns in which they are drawn come first, and no room is left for paths at first.
+    is_other: bool,
     /// By object: those that its height is set by.
     bases: Vec<Vec<usize>>,
     /// By object: others that it shares terms with.
@@ -346,7 +348,7 @@ impl<'a> LocalSearch<'a> {
             turns: Vec::new(),
             field: Vec::new(),
             skew: false,
-            skew_first: 0,
+            is_other: false,
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
@@ -365,6 +367,7 @@ impl<'a> LocalSearch<'a> {
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
             walking: false,
+            air: 0.0,
             onlookers,
             path_terms,
             instance: Instance::new(world.clone()),

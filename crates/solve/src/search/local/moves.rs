@@ -19,6 +19,8 @@ const TERMS: usize = 6;
 /// How many others that an object has to do with are looked at for analogies, and how many of these are tried.
 const RELATED: usize = 6;
 const ANALOGIES: usize = 6;
+/// The same for places in line with them.
+const LINES: usize = 3;
 /// A little more than what is missing, so that rounding does not take it away (metres).
 const EASE: f64 = 1e-4;
 /// How often a place of a rotated room is drawn before one outside is taken.
@@ -281,6 +283,26 @@ impl LocalSearch<'_> {
         }
     }
 
+    /// In line with things that it has to do with, up against them, turned as they are or the other way: so rows grow.
+    pub(super) fn in_line(&self, i: usize, out: &mut Vec<Inputs>) {
+        let now = self.inputs(i);
+        for &j in self.related[i].iter().filter(|j| **j != i && !self.away[**j]).take(LINES) {
+            let (flat, other) = (self.flat(j), self.inputs(j));
+            for yaw in [other[3], other[3] + 180.0] {
+                let pose = turned(now, yaw);
+                if !self.turns[i] && !self.yaws[i].contains(&pose[3]) {
+                    continue;
+                }
+                for (axis, side) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0)] {
+                    let mut at = [0.0; 2];
+                    at[axis] = side * (flat.half[axis] + self.size[i][2 * axis] / 2.0 + EASE);
+                    let [x, z] = flat.point(at);
+                    out.push([x, now[1], z, pose[3], pose[4], pose[5]]);
+                }
+            }
+        }
+    }
+
     /// Up against what it overlaps, has to do with, or meets by chance.
     fn beside_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         for round in 0..6 {
@@ -293,7 +315,8 @@ impl LocalSearch<'_> {
                 && i != j
                 && !self.away[j]
             {
-                out.push(self.beside(i, j, chance));
+                let apart = if chance.below(3) == 0 { APART * chance.unit() } else { 0.0 };
+                out.push(self.beside(i, j, apart, chance));
             }
         }
         let stands = matches!(self.homes[i], Home::Stands(_));
@@ -302,8 +325,21 @@ impl LocalSearch<'_> {
         }
     }
 
-    /// At a side of another thing, as that is turned.
-    fn beside(&self, i: usize, j: usize, chance: &mut ChaCha8Rng) -> Inputs {
+    /// With room for a path of a width between it and a wall, and between it and another thing; into `out`.
+    pub(super) fn a_path_apart(&self, i: usize, width: f64, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
+        let Home::Stands(walls) = &self.homes[i] else { return };
+        let width = width + EASE;
+        if !walls.is_empty() {
+            out.push(self.along(i, &walls[chance.below(walls.len())], self.inputs(i), -width, chance));
+        }
+        let j = self.movable[chance.below(self.movable.len())];
+        if i != j && !self.away[j] && self.is_in_the_way(j) {
+            out.push(self.beside(i, j, width, chance));
+        }
+    }
+
+    /// At a side of another thing, as that is turned, so far from it.
+    fn beside(&self, i: usize, j: usize, apart: f64, chance: &mut ChaCha8Rng) -> Inputs {
         let other = self.flat(j);
         let now = self.inputs(i);
         let square = other.turn[0] == 0.0 || other.turn[1] == 0.0;
@@ -315,7 +351,6 @@ impl LocalSearch<'_> {
         let ways = [other.point([1.0, 0.0]), other.point([0.0, 1.0])].map(|p| [p[0] - other.at[0], p[1] - other.at[1]]);
         let own = ways.map(|way| self.reach_along(i, &pose, way));
         let side = if chance.below(2) == 0 { -1.0 } else { 1.0 };
-        let apart = if chance.below(3) == 0 { APART * chance.unit() } else { 0.0 };
         let mut at = [0.0; 2];
         at[axis] = side * (other.half[axis] + own[axis] + apart);
         let across = 1 - axis;

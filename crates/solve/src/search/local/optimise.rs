@@ -23,6 +23,8 @@ const STUBBORN: f64 = 0.5;
 /// many such rounds in a row are the end, at the usual quality.
 const PATIENCE: [usize; 2] = [20, 100];
 const ROUNDS: f64 = 5.0;
+/// The work that it may take for each object, at the usual quality.
+const WORK: f64 = 300_000.0;
 /// How often another check is drawn where the first was a preference and something that must hold does not.
 const DRAWS: usize = 3;
 
@@ -42,6 +44,7 @@ impl LocalSearch<'_> {
         let (mut best, mut found) = (self.standing(preferences), self.found());
         let patience = PATIENCE[0] * self.count() + PATIENCE[1];
         let most = (ROUNDS * quality).ceil() as usize;
+        let end = end.min(self.work + (WORK * quality * self.count() as f64) as u64);
         let (mut idle, mut rounds) = (0, 0);
         let mut poses = Vec::new();
         while self.work < end && !limit.is_over() && rounds < most && !self.bad.is_empty() {

@@ -84,6 +84,7 @@ impl LocalSearch<'_> {
             out.push(turned(now, now[3] + 90.0 * (1 + chance.below(3)) as f64));
         }
         self.at_a_wall(i, chance, out);
+        self.a_path_apart(i, self.widest_path(), chance, out);
         self.out_of_the_way(i, out);
     }
 
