@@ -2,10 +2,11 @@
 
 use crate::client::Client;
 use crate::config::Config;
-use crate::disk::{self, Files};
+use crate::disk::{self, Files, Reach};
 use crate::dispatch::{Context, Fault, Tokens};
 use crate::documents::{judge_by, layout_of, name_of};
 use crate::publish::verdict;
+use crate::reading::copied;
 use crate::state::{Event, State, guarded};
 use crate::text::Text;
 use rustc_hash::FxHasher;
@@ -13,8 +14,10 @@ use scenelang_ide::Host;
 use scenelang_lang::sources::Loader;
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tower_lsp::jsonrpc::Id;
@@ -77,16 +80,35 @@ impl State {
     }
 }
 
+/// What was read of files, by the root of who read them: programs of a workspace import the same files.
+type Read = RefCell<BTreeMap<(PathBuf, PathBuf), io::Result<Vec<u8>>>>;
+
+/// Files that are read once.
+struct Once<'a> {
+    reach: &'a Reach,
+    read: &'a Read,
+}
+
+impl Loader for Once<'_> {
+    fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let key = (self.reach.door().root().to_path_buf(), path.to_owned());
+        let mut all = self.read.borrow_mut();
+        let read = all.entry(key).or_insert_with(|| self.reach.load(path));
+        read.as_ref().map(Vec::clone).map_err(copied)
+    }
+}
+
 impl Workspace {
     /// A report for each program, and whether any says something new.
     fn reports(&self) -> (Vec<Value>, bool) {
         let mut items = Vec::new();
         let mut news = self.before.is_empty();
         let mut known = self.before.clone();
+        let read = Read::default();
         for path in self.roots.iter().flat_map(|root| disk::programs(root)) {
             let Some(uri) = disk::uri_of(&path).filter(|_| !self.open.contains_key(&path)) else { continue };
             let before = known.remove(uri.as_str());
-            if let Some((item, new)) = self.report(&path, &uri, before.as_deref()) {
+            if let Some((item, new)) = self.report(&path, &uri, before.as_deref(), &read) {
                 items.push(item);
                 news |= new;
             }
@@ -100,12 +122,13 @@ impl Workspace {
         (items, news)
     }
 
-    fn report(&self, path: &Path, uri: &Uri, before: Option<&str>) -> Option<(Value, bool)> {
-        let files = self.files.of(path);
+    fn report(&self, path: &Path, uri: &Uri, before: Option<&str>, read: &Read) -> Option<(Value, bool)> {
+        let reach = self.files.of(path);
+        let files = Once { reach: &reach, read };
         let text = String::from_utf8_lossy(&files.load(path).ok()?).into_owned();
         let mut host = Host::new(&name_of(path), path, &text, &files);
         let layout = layout_of(path, &self.config);
-        let settings = judge_by(&mut host, layout.as_deref(), files.door(), &files);
+        let settings = judge_by(&mut host, layout.as_deref(), reach.door(), &files);
         let snapshot = host.snapshot();
         let mut hasher = FxHasher::default();
         snapshot.sources().iter().for_each(|(_, file)| file.text().hash(&mut hasher));
