@@ -2,7 +2,7 @@
 
 use super::lexicon::{Class, Look, Verb, get};
 use super::measure::{Measure, measure};
-use super::noun::{Kind as NounKind, Np, noun_phrase};
+use super::noun::{Kind as NounKind, Np, bounded, noun_phrase};
 use super::token::{Kind, Token};
 use crate::brief::{Dim, Pattern, Rel};
 use crate::draft;
@@ -238,6 +238,9 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
             return (piece, 1);
         }
         _ => {}
+    }
+    if let Some((np, used)) = bounded(rest) {
+        return (Piece::Np(Box::new(np)), used);
     }
     if let Some((m, used)) = measure(rest) {
         // "a 2 m wide table": the size belongs to the phrase.

@@ -56,7 +56,21 @@ impl Reader<'_> {
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == self.room), score(item), i));
         let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
-        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(&head) } else { None })
+        let best = best.filter(|b| b.1 > 0).max().map(|b| b.2);
+        best.or_else(|| if surface { self.surface(&head) } else { None }).or_else(|| self.with_part_named(np))
+    }
+
+    /// "a vanity with an integrated sink … on the sink": what has this part.
+    fn with_part_named(&self, np: &Np) -> Option<usize> {
+        let name = np.name();
+        let part =
+            |f: &String| f.starts_with("with ") && crate::read::lexicon::singular(f).ends_with(&format!(" {name}"));
+        let has = |o: &usize| {
+            let item = &self.brief.things[*o];
+            item.room == self.room && item.look.features.iter().any(part) && !self.gone.contains(o)
+        };
+        let said = np.det == Det::Definite && !np.many && np.count.is_none();
+        (0..self.brief.things.len()).rev().filter(|_| said).find(has)
     }
 
     /// "the tabletop": what was spoken of last that has one.

@@ -297,6 +297,7 @@ impl<'a> Reader<'a> {
             self.brief.notes.push(Note { at, reason });
         }
         unsaid.extend(ruled_out);
+        unsaid.extend(self.revised(from, end));
         let mut i = from;
         while i < end {
             self.s.now = i;
@@ -369,6 +370,11 @@ impl<'a> Reader<'a> {
                 self.mark(i);
                 self.on_its(i, end, *rel);
                 i + 1
+            }
+            Piece::Verb(Verb::Have) if self.has_part(i, end) => self.with_part(i, end),
+            Piece::Verb(Verb::Carry) if self.draped(i, end) => {
+                self.mark(i + 1);
+                i + 2
             }
             Piece::Verb(verb) => {
                 self.on_verb(i, end, *verb);
@@ -469,11 +475,12 @@ impl<'a> Reader<'a> {
         let chunks = self.chunks;
         let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
         let with_back = self.np(i + 1, end).is_some_and(|n| {
-            n.kind == Kind::Thing
-                && n.count.is_none()
-                && (get().part(&n.head())
-                    || !n.known && n.det == Det::None && n.many
-                    || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
+            !self.near.is_empty() && part_of_it(n)
+                || n.kind == Kind::Thing
+                    && n.count.is_none()
+                    && (get().part(&n.head())
+                        || !n.known && n.det == Det::None && n.many
+                        || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
         });
         let with_back = with_back && !self.relates_after(i + 2, end);
         if !with_back && !self.near.is_empty() {
@@ -531,13 +538,13 @@ impl<'a> Reader<'a> {
             matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
         match self.tokens[chunks[i].at.start].text.as_str() {
             // "stands centrally", but "centrally against the wall"
-            "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+            "centrally" | "centred" | "centered" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
                 let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
                 self.at_place(&of, Rel::In, Place::Middle, &[]);
                 self.mark(i);
             }
             // "forget the carpet"
-            "forget" | "scrap" | "skip" | "omit" | "cancel" => {
+            "forget" | "scrap" | "skip" | "omit" | "cancel" | "remove" | "delete" => {
                 let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
                 if let Some(np) = np {
                     self.gone.extend(self.find(np));
@@ -643,6 +650,44 @@ impl<'a> Reader<'a> {
         (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
     }
 
+    /// "a shower featuring sliding doors", "the wardrobe has two drawers": parts of one thing, which is then the last.
+    fn has_part(&mut self, i: usize, end: usize) -> bool {
+        let part = self.np(i + 1, end).is_some_and(part_of_it) && !self.relates_after(i + 2, end);
+        // "filled with game cases" is no look of it.
+        let word = self.tokens[self.chunks[i].at.start].text.as_str();
+        let looks_so = ["has", "have", "having", "featur", "boast", "fitted", "complete"];
+        let part = part && looks_so.iter().any(|w| word.starts_with(w));
+        if !part || self.s.of_room && !self.s.subject {
+            return false;
+        }
+        let owner = match self.reduced(i) {
+            Some(last) => vec![last],
+            None if self.s.subject => self.main.clone(),
+            None => self.near.clone(),
+        };
+        let one = owner.len() == 1 && !self.brief.things[owner[0]].opening();
+        if one {
+            self.near = owner;
+        }
+        one
+    }
+
+    /// "draped in linen": a look of the last thing.
+    fn draped(&mut self, i: usize, end: usize) -> bool {
+        let dressed = matches!(self.tokens[self.chunks[i].at.start].text.as_str(), "draped" | "dressed" | "lined");
+        let cloth = match self.piece(i + 1, end) {
+            Some(Piece::Attr(_)) => true,
+            Some(Piece::Np(np)) => !np.known && np.det == Det::None && np.count.is_none() && np.kind == Kind::Thing,
+            _ => false,
+        };
+        let Some(last) = self.near.last().copied().filter(|_| dressed && cloth) else { return false };
+        let words = &self.tokens[self.chunks[i].at.start..self.chunks[i + 1].at.end];
+        let text: Vec<&str> = words.iter().map(|t| t.text.as_str()).collect();
+        self.brief.things[last].look.features.push(text.join(" "));
+        self.mark(i);
+        true
+    }
+
     /// "with armrests", "with a glass top": looks of the last thing.
     fn with_part(&mut self, i: usize, end: usize) -> usize {
         let from = i + 1;
@@ -713,6 +758,24 @@ impl Sentence {
             definite: vec![],
             shared: None,
         }
+    }
+}
+
+/// Whether a noun phrase after "with" is a part of what is spoken of: "a glass top", "an integrated sink", "four drawers".
+fn part_of_it(np: &Np) -> bool {
+    const BUILT_IN: [&str; 5] = ["built-in", "integrated", "integral", "inset", "in-built"];
+    // Of these, several are said of one thing.
+    const COUNTED: [&str; 8] = ["drawer", "leg", "wheel", "castor", "compartment", "handle", "cubby", "knob"];
+    let head = np.head();
+    match np.kind {
+        Kind::Thing if np.look.features.iter().any(|f| BUILT_IN.contains(&f.as_str())) => {
+            np.count.is_none_or(|n| n == 1)
+        }
+        Kind::Thing => get().part(&head) && (np.count.is_none() || COUNTED.contains(&head.as_str())),
+        Kind::Abstract => {
+            get().part(&head) && np.count.is_none() && np.look != crate::draft::Look::default() && np.det != Det::Own
+        }
+        _ => false,
     }
 }
 

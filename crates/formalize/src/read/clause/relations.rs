@@ -274,6 +274,16 @@ impl Reader<'_> {
                 self.mark(k);
                 Some(self.place_object(k, end, rel, place, np))
             }
+            // "on its cushioned top": on it, and a look of it.
+            Kind::Abstract if np.det == Det::Own && get().is(&np.head(), Class::Surface) => {
+                let items = self.their("it", false);
+                let last = *items.last()?;
+                let words = self.tokens[self.chunks[k].at.clone()].iter().skip(1);
+                let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
+                self.brief.things[last].look.features.push(text.join(" "));
+                self.mark(k);
+                Some((Lead::Items(items, false), k + 1))
+            }
             Kind::Abstract => None,
         }
     }

@@ -246,6 +246,22 @@ impl Reader<'_> {
                 self.relate(&of, rel, &dir);
                 self.s.expect = Expect::Nothing;
             }
+            // "one speaker stands left of the shelf and another stands right of it"
+            _ if word == "other" && np.det == Det::Indefinite && followed && self.main.len() == 1 => {
+                let model = &self.brief.things[self.main[0]];
+                if model.number != Number::Exactly(1) || model.opening() || model.part.is_some() {
+                    return;
+                }
+                let source = Source::Stated(self.bytes(i..i + 1));
+                let another = Thing { source, ..model.clone() };
+                self.brief.things.push(another);
+                let id = self.brief.things.len() - 1;
+                self.before = std::mem::replace(&mut self.main, vec![id]);
+                self.near = vec![id];
+                self.recent.push(id);
+                self.s.subject = true;
+                self.s.expect = Expect::Nothing;
+            }
             _ if word == "other" => return,
             _ if !self.s.subject && !dir.is_empty() => {
                 self.main = dir.clone();
@@ -363,6 +379,9 @@ impl Reader<'_> {
             Nth::Half => Pick::Half,
             Nth::Every(n) => Pick::Every(n),
             Nth::Some => return self.deal(i, of, count?),
+            Nth::ButFirst if all > 1 => Pick::Rest(1),
+            Nth::ButLast if all > 1 => Pick::Run(0, all - 1),
+            Nth::ButFirst | Nth::ButLast => return None,
         };
         let at = self.bytes(i..i + 1);
         if nth == Nth::Half {
@@ -460,11 +479,48 @@ impl Reader<'_> {
         if np.row {
             self.say(&[id], What::Pattern(Pattern::Row));
         }
+        if np.look.features.iter().any(|f| f == "matching") {
+            self.match_looks(id);
+        }
+        if np.look.features.iter().any(|f| f == "ceiling-mounted") && !self.brief.things[id].opening() {
+            self.say(&[id], What::Place(Rel::Hang, Place::Ceiling, vec![]));
+        }
         if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.brief.things[id].opening()
         {
             self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
         }
         Some(id)
+    }
+
+    /// "an oak desk and a matching chair": the chair has the looks of the desk, its size excepted.
+    fn match_looks(&mut self, id: usize) {
+        const SIZES: [&str; 16] = [
+            "large",
+            "small",
+            "big",
+            "tall",
+            "low",
+            "high",
+            "long",
+            "short",
+            "wide",
+            "narrow",
+            "little",
+            "tiny",
+            "huge",
+            "compact",
+            "oversized",
+            "matching",
+        ];
+        let last = self.near.last().into_iter().chain(self.recent.iter().rev()).copied();
+        let model = last.filter(|o| *o != id).find(|o| !self.brief.things[*o].opening());
+        let Some(look) = model.map(|o| self.brief.things[o].look.clone()) else { return };
+        let own = &mut self.brief.things[id].look;
+        own.color = own.color.take().or(look.color);
+        own.material = own.material.take().or(look.material);
+        let said = |f: &String| SIZES.contains(&f.as_str()) || f.contains(' ');
+        let more: Vec<String> = look.features.into_iter().filter(|f| !said(f) && !own.features.contains(f)).collect();
+        own.features.extend(more);
     }
 
     pub(super) fn say(&mut self, of: &[usize], what: What) {

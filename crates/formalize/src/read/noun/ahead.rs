@@ -163,3 +163,44 @@ pub(super) fn names_something(rest: &[Token]) -> bool {
         None => before_noun(rest),
     })
 }
+
+/// "except the last", "but for the first one": which one is left out, and the words.
+pub(super) fn but_one(rest: &[Token]) -> Option<(Nth, usize)> {
+    let text = |i: usize| rest.get(i).map_or("", |t| t.text.as_str());
+    let mut used = match (text(0), text(1)) {
+        ("except" | "but" | "excepting", "for") | ("apart" | "aside", "from") | ("other", "than") => 2,
+        ("except" | "but" | "excepting", _) => 1,
+        _ => return None,
+    };
+    used += usize::from(text(used) == "the");
+    let nth = match text(used) {
+        "first" => Nth::ButFirst,
+        "last" => Nth::ButLast,
+        _ => return None,
+    };
+    used += 1;
+    Some((nth, used + usize::from(text(used) == "one")))
+}
+
+/// Looks that are no word of the tables, before a noun: an adverb and a participle ("neatly rolled"), a part and what it
+/// is like ("glass top", "spindle back"). How many words.
+pub(super) fn worded_look(rest: &[Token]) -> Option<usize> {
+    const PARTS: [&str; 4] = ["top", "frame", "back", "base"];
+    let lexicon = get();
+    let [first, second, after @ ..] = rest else { return None };
+    if !first.word() || !second.word() || first.owner || second.owner {
+        return None;
+    }
+    let goes_on = || longest_noun(after).is_some() || look_at(after).is_some() && leads_to_noun(after);
+    if first.text.ends_with("ly") && first.text.len() > 4 {
+        let participle = second.text.ends_with("ed") && lexicon.look(&second.text).is_none();
+        return (participle && lexicon.verb(&rest[1..]).is_none() && goes_on()).then_some(2);
+    }
+    let like = matches!(lexicon.look(&first.text), Some(Look::Material))
+        || !lexicon.known(&first.text) && !lexicon.is(&first.text, Class::Stop);
+    let (noun, _) = longest_noun(after)?;
+    let of_itself = matches!(noun.as_str(), "shelf" | "drawer" | "row" | "rest" | "cushion" | "board" | "plate")
+        || matches!(lexicon.noun(&noun), Some(Group::Door | Group::Window));
+    let single = longest_noun(rest).is_none_or(|(_, n)| n < 2) && longest_noun(&rest[1..]).is_none_or(|(_, n)| n < 2);
+    (PARTS.contains(&second.text.as_str()) && like && single && !of_itself).then_some(2)
+}
