@@ -101,6 +101,11 @@ pub fn read(request: &str, options: &Options) -> Reading {
     of_brief(brief(request), options)
 }
 
+/// A request as a draft that says what it says and nothing else, whether or not that can hold together.
+pub fn as_said(request: &str) -> Draft {
+    compose(&complete(brief(request), Extent::Literal))
+}
+
 /// A brief as a draft.
 pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();

@@ -196,7 +196,7 @@ pub(super) fn worded_look(rest: &[Token]) -> Option<usize> {
         let participle = second.text.ends_with("ed") && lexicon.look(&second.text).is_none();
         return (participle && lexicon.verb(&rest[1..]).is_none() && goes_on()).then_some(2);
     }
-    let like = matches!(lexicon.look(&first.text), Some(Look::Material))
+    let like = matches!(lexicon.look(&first.text), Some(Look::Material | Look::Shade))
         || !lexicon.known(&first.text) && !lexicon.is(&first.text, Class::Stop);
     let (noun, _) = longest_noun(after)?;
     let of_itself = matches!(noun.as_str(), "shelf" | "drawer" | "row" | "rest" | "cushion" | "board" | "plate")
