@@ -419,6 +419,7 @@ impl<'a> Reader<'a> {
                 self.state(&of, What::Pattern(*pattern), soft, false);
                 i + 1
             }
+            Piece::Which if self.relative(i, end) => i + 1,
             Piece::Comma | Piece::Which => {
                 if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
                 {
@@ -648,6 +649,21 @@ impl<'a> Reader<'a> {
         let part: Vec<&str> = tokens.get(n..).unwrap_or(&[]).iter().map(|t| t.text.as_str()).collect();
         let part = part.join(" ");
         (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
+    }
+
+    /// "near a cabinet, which stands opposite the window": of the cabinet, where it was named right before.
+    fn relative(&mut self, i: usize, end: usize) -> bool {
+        let which = self.tokens[self.chunks[i].at.start].is("which");
+        let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
+        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
+        let Some(np) = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)) else { return false };
+        let last = self.recent.last().copied().filter(|o| self.brief.things[*o].words == np.words);
+        let Some(last) = last.filter(|o| !self.main.contains(o) && np.kind == Kind::Thing) else { return false };
+        self.before = std::mem::replace(&mut self.main, vec![last]);
+        self.near = vec![last];
+        self.s.expect = Expect::Nothing;
+        self.s.subject = true;
+        true
     }
 
     /// "a shower featuring sliding doors", "the wardrobe has two drawers": parts of one thing, which is then the last.

@@ -136,6 +136,18 @@ impl Reader<'_> {
                     // Not at a wall, not in a corner: kept as a note.
                     self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
                 } else {
+                    // "a table with two chairs in the corner": the table stands there.
+                    let of = match &self.s.expect {
+                        Expect::With(owner, Join::Usual)
+                            if place == Place::Corner
+                                && self.s.owned == of
+                                && of.iter().all(|o| self.brief.things[*o].group == Group::Seat)
+                                && chunks[i - 1].np().is_some() =>
+                        {
+                            owner.clone()
+                        }
+                        _ => of,
+                    };
                     self.drop_usual(&of);
                     self.at_place(&of, rel, place, &which);
                 }
@@ -173,6 +185,15 @@ impl Reader<'_> {
         {
             self.mark(k);
             return self.object(k + 2, end, rel);
+        }
+        // "books on its top shelf": in what has shelves.
+        let within = np.det == Det::Own && matches!(np.head().as_str(), "shelf" | "tier" | "compartment");
+        if within && np.kind == Kind::Thing && matches!(rel, Rel::On | Rel::In) {
+            let items = self.their("it", false);
+            if items.iter().any(|o| self.brief.things[*o].group == Group::Storage) {
+                self.mark(k);
+                return Some((Lead::Items(items, false), k + 1));
+            }
         }
         match np.kind {
             Kind::Thing => {
@@ -677,6 +698,10 @@ impl Reader<'_> {
     fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
         let Expect::With(owner, _) = &self.s.expect else { return None };
         let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
+        // "a lamp and a chair placed beside the table": of the chair.
+        if i > 0 && self.reduced(i - 1).is_some() {
+            return None;
+        }
         let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
         (listed && owner == to && self.s.owned.len() > 1).then(|| self.s.owned.clone())
     }

@@ -628,7 +628,9 @@ impl Reader<'_> {
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
-        let over = matches!(self.s.expect, Expect::With(..)) && self.new_clause(n, end);
+        // "Above the desk hangs a mirror, and a lamp stands …": the subject came after its verb, so the list is over.
+        let inverted = self.s.verb && !self.s.subject && !self.s.lead.is_empty();
+        let over = (inverted || matches!(self.s.expect, Expect::With(..))) && self.new_clause(n, end);
         (!verb_before && !over).then_some(n)
     }
 
@@ -738,6 +740,12 @@ impl Reader<'_> {
         }
     }
 
+    fn gives_light(&self, thing: usize) -> bool {
+        let item = &self.brief.things[thing];
+        let lights = ["lamp", "light", "chandelier", "lantern", "sconce", "spotlight", "candle", "fixture", "pendant"];
+        item.group == Group::Ceiling || item.words.iter().any(|w| lights.iter().any(|l| w.ends_with(l)))
+    }
+
     /// Things that come with another.
     pub(super) fn join(&mut self, owner: &[usize], things: &[usize], join: Join) {
         for t in things {
@@ -770,6 +778,8 @@ impl Reader<'_> {
                 Join::Around => Some((Rel::Around, true)),
                 // "a sideboard illuminated by a table lamp"
                 Join::Above if group == Group::Top => Some((Rel::On, false)),
+                // "lit by a lamp and a chair beside it": what gives no light is lit by nothing.
+                Join::Above if !self.gives_light(*t) => None,
                 Join::Above => Some((Rel::Above, true)),
             };
             // A relation in words replaces the usual one: it is dropped again where one follows.
