@@ -217,11 +217,7 @@ impl<'a> Scorer<'a> {
         let wrong = view.wrong(&mut misses);
         let said = |r: &&crate::Relation| self.relation(r, |s| calls(s, &r.relation));
         let weakened = Share::of(self.expect.relations.iter().filter(said), |relation| {
-            let is = !self.relation(relation, |s| s.must && calls(s, &relation.relation));
-            if is {
-                misses.push(format!("only preferred: {}", wording(relation)));
-            }
-            is
+            !self.relation(relation, |s| s.must && calls(s, &relation.relation))
         });
         Score { precision, recall, counts, texts, mentioned, named, numbers, connections, wrong, weakened, misses }
     }

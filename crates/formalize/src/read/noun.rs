@@ -8,8 +8,11 @@ use super::token::{Kind as TokenKind, Token};
 use crate::brief::{Dim, Group, Op, Place};
 use crate::draft;
 use ahead::*;
+use amount::in_inches;
+pub use amount::{add_dims, bounded};
 
 mod ahead;
+mod amount;
 
 /// How a noun phrase begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,122 +142,6 @@ impl Np {
 
 /// Colours that are things where no noun follows.
 const FRUIT: [&str; 7] = ["apple", "cherry", "plum", "peach", "lemon", "lime", "rose"];
-
-/// Words before a place that tell which one.
-const WHICH: &[&str] = &[
-    "left",
-    "right",
-    "front",
-    "back",
-    "far",
-    "near",
-    "north",
-    "south",
-    "east",
-    "west",
-    "northern",
-    "southern",
-    "eastern",
-    "western",
-    "rear",
-    "long",
-    "short",
-    "opposite",
-    "other",
-    "same",
-    "side",
-    "inner",
-    "outer",
-    "end",
-    "left-hand",
-    "right-hand",
-    "northeast",
-    "northwest",
-    "southeast",
-    "southwest",
-    "north-east",
-    "north-west",
-    "south-east",
-    "south-west",
-    "exact",
-    "very",
-    "quiet",
-    "free",
-    "entrance",
-    "window",
-    "main",
-    "bare",
-    "longer",
-    "shorter",
-    "longest",
-    "remaining",
-    "third",
-    "first",
-    "second",
-    "lower",
-    "upper",
-    "top",
-    "bottom",
-    "outside",
-    "exterior",
-    "farthest",
-    "furthest",
-    "farther",
-    "further",
-    "dark",
-    "brick",
-    "top-left",
-    "opposing",
-    "blank",
-    "empty",
-    "whole",
-    "entire",
-    "dead",
-];
-
-fn place(word: &str) -> Option<Place> {
-    Some(match word {
-        "wall" | "walls" => Place::Wall,
-        "corner" | "corners" => Place::Corner,
-        "ceiling" => Place::Ceiling,
-        "floor" | "ground" => Place::Floor,
-        "middle" | "centre" | "center" => Place::Middle,
-        "side" | "sides" | "edge" => Place::Side,
-        "end" | "ends" => Place::End,
-        "head" => Place::Head,
-        "foot" => Place::Foot,
-        "back" | "rear" => Place::Back,
-        "front" => Place::Front,
-        "row" | "rows" => Place::Row,
-        "circle" | "ring" => Place::Circle,
-        _ => return None,
-    })
-}
-
-/// "at least four chairs", "only two tables": a noun phrase with what its number is said to be.
-pub fn bounded(rest: &[Token]) -> Option<(Np, usize)> {
-    let text = |i: usize| rest.get(i).map_or("", |t| t.text.as_str());
-    let (words, op, more) = match (text(0), text(1), text(2)) {
-        ("at", "least", _) => (2, Op::Least, 0),
-        ("at", "most", _) | ("up", "to", _) => (2, Op::Most, 0),
-        ("no" | "not", "less" | "fewer", "than") => (3, Op::Least, 0),
-        ("no" | "not", "more", "than") => (3, Op::Most, 0),
-        ("more", "than", _) => (2, Op::Least, 1),
-        ("less" | "fewer", "than", _) => (2, Op::Most, -1),
-        ("exactly" | "precisely" | "only" | "just", _, _) => (1, Op::Equal, 0),
-        _ => return None,
-    };
-    let (n, _) = number::count(rest.get(words..)?)?;
-    if n.fract() != 0.0 || measure(rest).is_some() || measure(&rest[words..]).is_some() {
-        return None;
-    }
-    let (mut np, used) = noun_phrase(&rest[words..], true)?;
-    let counted = np.kind == Kind::Thing && np.det == Det::Number && np.nth.is_none();
-    let count = np.count?.checked_add_signed(more).filter(|n| counted && *n > 0)?;
-    np.count = Some(count);
-    np.bound = Some(op);
-    Some((np, used + words))
-}
 
 /// The noun phrase that begins here and how many tokens it takes. `listed`: where a thing is expected, so that a word
 /// nobody knows may be one.
@@ -831,24 +718,4 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
         return Some((np, noun_end + n));
     }
     Some((np, noun_end))
-}
-
-/// A single measure in inches, and how it is said.
-fn in_inches(m: &Measure, tokens: &[Token]) -> Option<(f64, String)> {
-    let unit = tokens.last().is_some_and(|t| matches!(t.text.as_str(), "inch" | "inches" | "\""));
-    let value = *m.values.first().filter(|_| unit && m.values.len() == 1 && m.dims.is_empty())?;
-    Some((value, format!("{}-inch", (value / 0.0254 * 10.0).round() / 10.0)))
-}
-
-/// Adds sizes given as "2 m wide" or "2 by 1 m".
-pub fn add_dims(dims: &mut Dims, values: &[f64], named: &[Dim]) {
-    match (values, named) {
-        ([one], [dim]) => dims.push((*dim, *one)),
-        ([one], []) => dims.push((Dim::Length, *one)),
-        (many, _) => {
-            for (value, dim) in many.iter().zip([Dim::Width, Dim::Depth, Dim::Height]) {
-                dims.push((dim, *value));
-            }
-        }
-    }
 }

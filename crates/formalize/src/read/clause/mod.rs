@@ -10,11 +10,13 @@ use crate::read::measure::Measure;
 use crate::read::noun::{Det, Kind, Np, Nth};
 use crate::read::rooms::Rooms;
 use crate::read::token::Token;
+use parts::part_of_it;
 use std::ops::Range;
 
 mod after;
 mod measures;
 mod mention;
+mod parts;
 mod relations;
 mod sentences;
 mod things;
@@ -392,33 +394,7 @@ impl<'a> Reader<'a> {
                 }
                 i + 1
             }
-            Piece::Pattern(pattern) => {
-                self.mark(i);
-                // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
-                if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
-                    self.s.expect = Expect::Nothing;
-                    self.near = self.main.clone();
-                }
-                if !self.s.subject && !self.s.lead.is_empty() {
-                    // "against the wall, from left to right: a fryer, a grill, …"
-                    self.s.lead_pattern = Some(*pattern);
-                    return i + 1;
-                }
-                let of = self.subject(i);
-                let one =
-                    |l: &[usize]| l.len() == 1 && self.brief.count(l[0]) == 1 && !self.brief.things[l[0]].number.many();
-                let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
-                // "a bed along the wall and a dresser next to each other"
-                let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
-                let new = |o: &&usize| self.brief.things[**o].source.at().start >= self.s.at.start;
-                let of = match self.before.last().filter(new) {
-                    Some(other) if two && one(&of) => vec![*other, of[0]],
-                    _ => of,
-                };
-                let soft = self.s.soft;
-                self.state(&of, What::Pattern(*pattern), soft, false);
-                i + 1
-            }
+            Piece::Pattern(pattern) => self.on_pattern(i, *pattern),
             Piece::Which if self.relative(i, end) => i + 1,
             Piece::Comma | Piece::Which => {
                 if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
@@ -430,23 +406,7 @@ impl<'a> Reader<'a> {
                 }
                 i + 1
             }
-            Piece::Colon => {
-                // "Nobody has to squeeze: at least 1.2 m between …"
-                self.s.nothing = false;
-                if self.s.expect == Expect::Blocked {
-                    self.s.expect = Expect::Nothing;
-                }
-                let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
-                if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
-                    let item = &mut self.brief.things[self.near[0]];
-                    if item.number.many() {
-                        item.number = Number::Exactly(n);
-                    }
-                    self.mark(i + 1);
-                    return i + 2;
-                }
-                i + 1
-            }
+            Piece::Colon => self.on_colon(i, end),
             Piece::Open | Piece::Close | Piece::And | Piece::Bullet | Piece::Line | Piece::Stop => i + 1,
             Piece::There => {
                 self.s.expect = Expect::Nothing;
@@ -471,26 +431,50 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// "with": what comes belongs to what was spoken of last, or is a part of it.
-    fn on_with(&mut self, i: usize, end: usize) -> usize {
+    /// "side by side", "in a row", "back to back".
+    fn on_pattern(&mut self, i: usize, pattern: Pattern) -> usize {
         let chunks = self.chunks;
-        let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
-        let with_back = self.np(i + 1, end).is_some_and(|n| {
-            !self.near.is_empty() && part_of_it(n)
-                || n.kind == Kind::Thing
-                    && n.count.is_none()
-                    && (get().part(&n.head())
-                        || !n.known && n.det == Det::None && n.many
-                        || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
-        });
-        let with_back = with_back && !self.relates_after(i + 2, end);
-        if !with_back && !self.near.is_empty() {
-            let owner = self.bearer(self.near.clone(), i + 1, end);
-            // "speakers in the corners, with a screen on the wall": one screen.
-            self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
-            self.s.expect = Expect::With(owner, Join::Usual);
-        } else if with_back {
-            return self.with_part(i, end);
+        self.mark(i);
+        // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
+        if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
+            self.s.expect = Expect::Nothing;
+            self.near = self.main.clone();
+        }
+        if !self.s.subject && !self.s.lead.is_empty() {
+            // "against the wall, from left to right: a fryer, a grill, …"
+            self.s.lead_pattern = Some(pattern);
+            return i + 1;
+        }
+        let of = self.subject(i);
+        let one = |l: &[usize]| l.len() == 1 && self.brief.count(l[0]) == 1 && !self.brief.things[l[0]].number.many();
+        let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
+        // "a bed along the wall and a dresser next to each other"
+        let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
+        let new = |o: &&usize| self.brief.things[**o].source.at().start >= self.s.at.start;
+        let of = match self.before.last().filter(new) {
+            Some(other) if two && one(&of) => vec![*other, of[0]],
+            _ => of,
+        };
+        let soft = self.s.soft;
+        self.state(&of, What::Pattern(pattern), soft, false);
+        i + 1
+    }
+
+    /// A colon: what was denied before it is so no more, and a number alone behind it counts what stands before it.
+    fn on_colon(&mut self, i: usize, end: usize) -> usize {
+        // "Nobody has to squeeze: at least 1.2 m between …"
+        self.s.nothing = false;
+        if self.s.expect == Expect::Blocked {
+            self.s.expect = Expect::Nothing;
+        }
+        let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
+        if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
+            let item = &mut self.brief.things[self.near[0]];
+            if item.number.many() {
+                item.number = Number::Exactly(n);
+            }
+            self.mark(i + 1);
+            return i + 2;
         }
         i + 1
     }
@@ -619,115 +603,6 @@ impl<'a> Reader<'a> {
             self.near.clone()
         }
     }
-
-    /// Whether what stands here says where the noun before it is: so that is no part of another.
-    fn relates_after(&self, k: usize, end: usize) -> bool {
-        let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
-        let k = if of { k + 2 } else { k };
-        match self.piece(k, end) {
-            // "with a shade hanging over it", but "a mobile with stars hangs from the ceiling"
-            Some(Piece::Rel(rel)) => {
-                let finite = self.tokens[self.chunks[k].at.start].text.ends_with('s');
-                !finite && !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against)
-            }
-            Some(Piece::ToIts(_)) => true,
-            // "a rail of pans hanging above it", but "a mobile with stars hangs"
-            Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
-            _ => false,
-        }
-    }
-
-    /// Looks and the name of a part, and nothing else: "glass top"; where that ends.
-    fn part_here(&self, from: usize, end: usize) -> Option<usize> {
-        let first = self.chunks.get(from).filter(|_| from < end)?.at.start;
-        let to = (from..end).find(|k| {
-            matches!(self.chunks[*k].piece, Piece::Comma | Piece::Close | Piece::Stop | Piece::Line | Piece::And)
-        });
-        let to = to.unwrap_or(end);
-        let tokens = &self.tokens[first..self.chunks.get(to.checked_sub(1)?)?.at.end];
-        let (_, n) = crate::read::chunk::looks(tokens)?;
-        let part: Vec<&str> = tokens.get(n..).unwrap_or(&[]).iter().map(|t| t.text.as_str()).collect();
-        let part = part.join(" ");
-        (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
-    }
-
-    /// "near a cabinet, which stands opposite the window": of the cabinet, where it was named right before.
-    fn relative(&mut self, i: usize, end: usize) -> bool {
-        let which = self.tokens[self.chunks[i].at.start].is("which");
-        let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
-        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
-        let Some(np) = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)) else { return false };
-        let last = self.recent.last().copied().filter(|o| self.brief.things[*o].words == np.words);
-        let Some(last) = last.filter(|o| !self.main.contains(o) && np.kind == Kind::Thing) else { return false };
-        self.before = std::mem::replace(&mut self.main, vec![last]);
-        self.near = vec![last];
-        self.s.expect = Expect::Nothing;
-        self.s.subject = true;
-        true
-    }
-
-    /// "a shower featuring sliding doors", "the wardrobe has two drawers": parts of one thing, which is then the last.
-    fn has_part(&mut self, i: usize, end: usize) -> bool {
-        let part = self.np(i + 1, end).is_some_and(part_of_it) && !self.relates_after(i + 2, end);
-        // "filled with game cases" is no look of it.
-        let word = self.tokens[self.chunks[i].at.start].text.as_str();
-        let looks_so = ["has", "have", "having", "featur", "boast", "fitted", "complete"];
-        let part = part && looks_so.iter().any(|w| word.starts_with(w));
-        if !part || self.s.of_room && !self.s.subject {
-            return false;
-        }
-        let owner = match self.reduced(i) {
-            Some(last) => vec![last],
-            None if self.s.subject => self.main.clone(),
-            None => self.near.clone(),
-        };
-        let one = owner.len() == 1 && !self.brief.things[owner[0]].opening();
-        if one {
-            self.near = owner;
-        }
-        one
-    }
-
-    /// "draped in linen": a look of the last thing.
-    fn draped(&mut self, i: usize, end: usize) -> bool {
-        let dressed = matches!(self.tokens[self.chunks[i].at.start].text.as_str(), "draped" | "dressed" | "lined");
-        let cloth = match self.piece(i + 1, end) {
-            Some(Piece::Attr(_)) => true,
-            Some(Piece::Np(np)) => !np.known && np.det == Det::None && np.count.is_none() && np.kind == Kind::Thing,
-            _ => false,
-        };
-        let Some(last) = self.near.last().copied().filter(|_| dressed && cloth) else { return false };
-        let words = &self.tokens[self.chunks[i].at.start..self.chunks[i + 1].at.end];
-        let text: Vec<&str> = words.iter().map(|t| t.text.as_str()).collect();
-        self.brief.things[last].look.features.push(text.join(" "));
-        self.mark(i);
-        true
-    }
-
-    /// "with armrests", "with a glass top": looks of the last thing.
-    fn with_part(&mut self, i: usize, end: usize) -> usize {
-        let from = i + 1;
-        let mut to = from;
-        while to < end
-            && (to == from
-                || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_))
-                || self.np(to, end).is_some_and(|n| get().part(&n.head())))
-        {
-            to += 1;
-        }
-        while to > from + 1 && self.chunks[to - 1].piece == Piece::And {
-            to -= 1;
-        }
-        // "with its back to a wall" is a relation.
-        let text: Vec<&str> =
-            (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
-        if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
-            let feature = format!("with {}", text.join(" "));
-            self.brief.things[*item].look.features.push(feature);
-            (i..to).for_each(|k| self.mark(k));
-        }
-        to
-    }
 }
 
 impl Sentence {
@@ -774,24 +649,6 @@ impl Sentence {
             definite: vec![],
             shared: None,
         }
-    }
-}
-
-/// Whether a noun phrase after "with" is a part of what is spoken of: "a glass top", "an integrated sink", "four drawers".
-fn part_of_it(np: &Np) -> bool {
-    const BUILT_IN: [&str; 5] = ["built-in", "integrated", "integral", "inset", "in-built"];
-    // Of these, several are said of one thing.
-    const COUNTED: [&str; 8] = ["drawer", "leg", "wheel", "castor", "compartment", "handle", "cubby", "knob"];
-    let head = np.head();
-    match np.kind {
-        Kind::Thing if np.look.features.iter().any(|f| BUILT_IN.contains(&f.as_str())) => {
-            np.count.is_none_or(|n| n == 1)
-        }
-        Kind::Thing => get().part(&head) && (np.count.is_none() || COUNTED.contains(&head.as_str())),
-        Kind::Abstract => {
-            get().part(&head) && np.count.is_none() && np.look != crate::draft::Look::default() && np.det != Det::Own
-        }
-        _ => false,
     }
 }
 

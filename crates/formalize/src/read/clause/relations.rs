@@ -157,16 +157,6 @@ impl Reader<'_> {
         next
     }
 
-    /// Of how many of the things in these chunks something is said.
-    fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
-        let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
-        match self.chunks.get(chunks) {
-            Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
-            Some(_) if each => Quantifier::Any,
-            _ => Quantifier::Usual,
-        }
-    }
-
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
     pub(super) fn object(&mut self, from: usize, end: usize, rel: Rel) -> Option<(Lead, usize)> {
         let chunks = self.chunks;
@@ -414,34 +404,6 @@ impl Reader<'_> {
             self.mark(i + 1);
         }
         Some(i + 2 + if each.is_some() { 2 } else { 0 })
-    }
-
-    /// "the doors", where one was named after the other: all of them.
-    fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
-        let like = |o: &usize| {
-            let item = &self.brief.things[*o];
-            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.gone.contains(o)
-        };
-        let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
-        let doors: Vec<usize> = (0..self.brief.things.len()).filter(like).collect();
-        if plain && doors.len() > 1 && !self.brief.things[id].number.many() { doors } else { vec![id] }
-    }
-
-    /// "the first row", "the back row": the one in its middle, of what stands in rows here.
-    fn row(&mut self, np: &Np) -> Option<usize> {
-        let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
-        let row = match np.nth {
-            Some(Nth::At(n)) => n,
-            Some(Nth::Last) => usize::MAX,
-            _ if which(&["front", "first"]) => 0,
-            _ if which(&["back", "last", "rear"]) => usize::MAX,
-            _ => return None,
-        };
-        let rows = |f: &&Fact| {
-            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
-        };
-        let of = self.brief.facts.iter().rev().find(rows)?.of[0];
-        Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
     }
 
     /// Whether a relation says "either side", "both sides".

@@ -492,37 +492,6 @@ impl Reader<'_> {
         Some(id)
     }
 
-    /// "an oak desk and a matching chair": the chair has the looks of the desk, its size excepted.
-    fn match_looks(&mut self, id: usize) {
-        const SIZES: [&str; 16] = [
-            "large",
-            "small",
-            "big",
-            "tall",
-            "low",
-            "high",
-            "long",
-            "short",
-            "wide",
-            "narrow",
-            "little",
-            "tiny",
-            "huge",
-            "compact",
-            "oversized",
-            "matching",
-        ];
-        let last = self.near.last().into_iter().chain(self.recent.iter().rev()).copied();
-        let model = last.filter(|o| *o != id).find(|o| !self.brief.things[*o].opening());
-        let Some(look) = model.map(|o| self.brief.things[o].look.clone()) else { return };
-        let own = &mut self.brief.things[id].look;
-        own.color = own.color.take().or(look.color);
-        own.material = own.material.take().or(look.material);
-        let said = |f: &String| SIZES.contains(&f.as_str()) || f.contains(' ');
-        let more: Vec<String> = look.features.into_iter().filter(|f| !said(f) && !own.features.contains(f)).collect();
-        own.features.extend(more);
-    }
-
     pub(super) fn say(&mut self, of: &[usize], what: What) {
         let soft = self.s.soft;
         self.state(of, what, soft, false);
@@ -738,12 +707,6 @@ impl Reader<'_> {
         if let Some((_, Lead::Items(items, _))) = lead.last() {
             self.before = items.clone();
         }
-    }
-
-    fn gives_light(&self, thing: usize) -> bool {
-        let item = &self.brief.things[thing];
-        let lights = ["lamp", "light", "chandelier", "lantern", "sconce", "spotlight", "candle", "fixture", "pendant"];
-        item.group == Group::Ceiling || item.words.iter().any(|w| lights.iter().any(|l| w.ends_with(l)))
     }
 
     /// Things that come with another.
