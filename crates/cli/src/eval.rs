@@ -105,6 +105,11 @@ fn text(requests: &Requests, worst: usize) -> String {
     row[11] = milliseconds(requests.slowest());
     table.row(row);
     let mut out = table.render();
+    let faults = requests.faults().into_iter().filter(|(_, share)| share.whole > 0);
+    let faults: Vec<String> = faults.map(|(name, share)| format!("{name} {} ({})", of(share), percent(share.value()))).collect();
+    if !faults.is_empty() {
+        let _ = writeln!(out, "\n{}", faults.join(", "));
+    }
     for case in requests.worst(worst) {
         let _ = write!(out, "\n  {}\n", case.name);
         for miss in &case.score.misses {

@@ -13,6 +13,7 @@ pub mod requests;
 mod score;
 mod told;
 mod words;
+mod wrong;
 
 pub use expect::{Connection, Expectation, Names, Number, Relation, Room, Thing};
 pub use requests::{Case, Reader, Reading, Request, Requests, read_folder};

@@ -122,6 +122,18 @@ impl Requests {
         names.into_iter().enumerate().map(|(n, name)| (name, of(n))).collect()
     }
 
+    /// The same of the shares that say what is wrong, summed over the cases.
+    pub fn faults(&self) -> [(&'static str, Share); 3] {
+        let mut out = Score::default().faults();
+        for case in &self.cases {
+            for (sum, (_, share)) in out.iter_mut().zip(case.score.faults()) {
+                sum.1.part += share.part;
+                sum.1.whole += share.whole;
+            }
+        }
+        out
+    }
+
     /// How many programs compile.
     pub fn compiled(&self) -> Share {
         Share { part: self.cases.iter().filter(|c| c.contradictions.is_some()).count(), whole: self.cases.len() }
@@ -172,6 +184,7 @@ impl Requests {
             "compiled": pair(self.compiled()),
             "contradiction_free": pair(self.free()),
             "clauses": pair(self.clauses()),
+            "faults": self.faults().into_iter().map(|(n, s)| (n.to_owned(), pair(s))).collect::<Map<String, Value>>(),
             "milliseconds": self.slowest().map(milliseconds),
             "cases": self.cases.iter().map(case).collect::<Vec<_>>(),
         })

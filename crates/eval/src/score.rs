@@ -14,6 +14,9 @@
 //! | relations, mentioned | the relations | have an `assert` or `prefer` that mentions subject and object |
 //! | relations, named | the relations | have one that also calls the predicate of that name, or denies it where that is asked |
 //! | numbers | the measures | have a constraint, assignments of places and sizes included, that mentions one of the things and has a constant within 1 % of the value |
+//! | connections | the ways between two rooms of the ground truth | have a door or window that connects these two |
+//! | wrong | the statements that say to come from the request | contradict the ground truth (`wrong.rs`) |
+//! | weakened | the relations that are named | are named by no `assert` |
 //!
 //! What a program that does not compile says is nothing: every share of it is 0.
 
@@ -21,6 +24,7 @@ use crate::expect::{Expectation, Thing};
 use crate::pairing::pair;
 use crate::told::{Named, Statement, Told};
 use crate::words::{Called, carried};
+use crate::wrong::Truth;
 use scenelang_lang::program::Program;
 use scenelang_lang::{Options, compile_text};
 use serde_json::{Value, json};
@@ -37,7 +41,7 @@ pub struct Share {
 
 impl Share {
     /// How many of the items do.
-    fn of<T>(items: impl IntoIterator<Item = T>, mut does: impl FnMut(T) -> bool) -> Self {
+    pub(crate) fn of<T>(items: impl IntoIterator<Item = T>, mut does: impl FnMut(T) -> bool) -> Self {
         let mut share = Self::default();
         for item in items {
             share.whole += 1;
@@ -68,6 +72,12 @@ pub struct Score {
     pub named: Share,
     /// Of the measures, those that a constraint has.
     pub numbers: Share,
+    /// Of the ways between two rooms, those that a door or a window is said to be.
+    pub connections: Share,
+    /// Of the statements that say to come from the request, those that contradict the ground truth.
+    pub wrong: Share,
+    /// Of the relations that are said, those that are only preferred.
+    pub weakened: Share,
     /// What was missed, or is there unasked: a line each.
     pub misses: Vec<String>,
 }
@@ -86,6 +96,11 @@ impl Score {
         ]
     }
 
+    /// The shares that `shares` leaves out, by name: ways between rooms, and two of which less is better.
+    pub fn faults(&self) -> [(&'static str, Share); 3] {
+        [("connections", self.connections), ("wrong", self.wrong), ("weakened", self.weakened)]
+    }
+
     /// The shares as `[part, whole]`, and the misses.
     pub fn json(&self) -> Value {
         let pair = |share: Share| json!([share.part, share.whole]);
@@ -94,6 +109,9 @@ impl Score {
             "texts": pair(self.texts),
             "relations": { "mentioned": pair(self.mentioned), "named": pair(self.named) },
             "numbers": pair(self.numbers),
+            "connections": pair(self.connections),
+            "wrong": pair(self.wrong),
+            "weakened": pair(self.weakened),
             "misses": self.misses,
         })
     }
@@ -194,7 +212,14 @@ impl<'a> Scorer<'a> {
             });
             missed(is, &|| format!("no number: {}", number.quote))
         });
-        Score { precision, recall, counts, texts, mentioned, named, numbers, misses }
+        let view = Truth { expect: self.expect, told: self.told, rooms: &self.rooms, things: &self.things };
+        let connections = view.connections(&mut misses);
+        let wrong = view.wrong(&mut misses);
+        let said = |r: &&crate::Relation| self.relation(r, |s| calls(s, &r.relation));
+        let weakened = Share::of(self.expect.relations.iter().filter(said), |relation| {
+            !self.relation(relation, |s| s.must && calls(s, &relation.relation))
+        });
+        Score { precision, recall, counts, texts, mentioned, named, numbers, connections, wrong, weakened, misses }
     }
 
     /// Whether a thing of the program that nothing else accounts for is called like a forbidden one. In a program that

@@ -44,12 +44,38 @@ pub struct Named {
 pub struct Statement {
     /// Whether it is an `assert` or a `prefer`.
     pub asks: bool,
+    /// Whether it must hold.
+    pub must: bool,
+    /// Whether it says that the request asks for it, and does not say that it was inferred.
+    pub stated: bool,
+    /// The predicates that it calls with two or more things or regions.
+    pub said: Vec<Said>,
     /// Things that it mentions.
     pub things: BTreeSet<usize>,
     /// Regions that it mentions.
     pub regions: BTreeSet<usize>,
     /// What was written.
     pub written: Written,
+}
+
+/// A call of a predicate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Said {
+    /// The predicate.
+    pub name: String,
+    /// Whether it is denied.
+    pub denied: bool,
+    /// Its arguments in their order; what is neither a thing nor a region is left out.
+    pub of: Vec<Argument>,
+}
+
+/// What a predicate is said of: indices into [`Told::things`] and [`Told::regions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// Objects of one name.
+    Thing(usize),
+    /// A region.
+    Region(usize),
 }
 
 /// What a statement says as written.
@@ -61,6 +87,8 @@ pub struct Written {
     pub denials: BTreeSet<String>,
     /// Its numbers, lengths in metres.
     pub constants: Vec<f64>,
+    /// The same calls with the names of their arguments; whether each is denied.
+    pub arguments: Vec<(String, bool, Vec<String>)>,
 }
 
 impl Told {
@@ -120,6 +148,11 @@ fn statements(program: &Program, main: FileId, text: &str, groups: &[usize]) -> 
         .values()
         .filter_map(|s| if let StmtKind::Predicate { name, .. } = &s.kind { Some((&*name.text, *s)) } else { None })
         .collect();
+    let named = |name: &String| -> Option<Argument> {
+        let own = |o: &Object| o.array.as_ref().map_or(&*o.name, |(array, _)| array) == name.as_str();
+        let thing = program.objects.iter().position(own).map(|at| Argument::Thing(groups[at]));
+        thing.or_else(|| program.regions.iter().position(|r| r.name == name.as_str()).map(Argument::Region))
+    };
     let mut out: Vec<Statement> = program
         .constraints
         .iter()
@@ -128,11 +161,22 @@ fn statements(program: &Program, main: FileId, text: &str, groups: &[usize]) -> 
             let definitions = constraint.definitions.iter().filter_map(|d| program.definitions.get(*d));
             for span in [constraint.span].into_iter().chain(definitions.map(|d| d.span)) {
                 if let Some(stmt) = at.get(&span.range.start).filter(|_| span.file == main) {
-                    Reader { predicates: &predicates, inside: Vec::new(), out: &mut written }.statement(stmt);
+                    let (inside, ranges) = (Vec::new(), Vec::new());
+                    Reader { predicates: &predicates, inside, ranges, out: &mut written }.statement(stmt);
                 }
             }
             let things = constraint.formula.objects().iter().map(|o| groups[o.0 as usize]).collect();
-            Statement { asks: asks(constraint), things, regions: regions(&constraint.formula), written }
+            let calls = written.arguments.iter();
+            let said = calls.map(|(name, denied, of)| {
+                let of = of.iter().filter_map(named).collect();
+                Said { name: name.clone(), denied: *denied, of }
+            });
+            let said = said.filter(|said| said.of.len() > 1).collect();
+            let must = constraint.kind == ConstraintKind::Assert;
+            let told = &constraint.requirements;
+            let stated = !told.is_empty() && !told.iter().any(|why| why.starts_with("inferred"));
+            let regions = regions(&constraint.formula);
+            Statement { asks: asks(constraint), must, stated, said, things, regions, written }
         })
         .collect();
     for pin in &program.pins {
@@ -202,6 +246,8 @@ struct Reader<'a> {
     predicates: &'a BTreeMap<&'a str, &'a Stmt>,
     /// Those it is in, so that one that calls itself comes to an end.
     inside: Vec<String>,
+    /// Range variables, and what they range over.
+    ranges: Vec<(String, String)>,
     out: &'a mut Written,
 }
 
@@ -238,7 +284,18 @@ impl Reader<'_> {
                 self.formula(stmt, *left, sense.contrary());
                 return self.formula(stmt, *right, sense);
             }
-            ExprKind::Call(name, _) => self.call(&name.text, sense),
+            ExprKind::Call(name, args) => {
+                self.call(&name.text, sense);
+                // What a predicate of the program says of its parameters is said of no thing by name.
+                if self.inside.is_empty() && sense.claimed != sense.denied {
+                    let of = args.iter().map(|arg| self.name(stmt, *arg)).collect();
+                    self.out.arguments.push((name.text.to_string(), sense.denied, of));
+                }
+            }
+            ExprKind::Quantified(_, variable, domain, _) => {
+                let over = self.name(stmt, *domain);
+                self.ranges.push((variable.text.to_string(), over));
+            }
             _ => {}
         }
         // What is compared or counted is neither claimed nor denied.
@@ -248,6 +305,18 @@ impl Reader<'_> {
             _ => sense,
         };
         kind.for_each_child(|child| self.formula(stmt, child, within));
+    }
+
+    /// The name of the array, object or region that an expression is, or is an element of; else nothing.
+    fn name(&self, stmt: &Stmt, id: ExprId) -> String {
+        match &stmt.expr(id).kind {
+            ExprKind::Name(name) => {
+                let range = self.ranges.iter().rev().find(|(variable, _)| variable == name.as_str());
+                range.map_or_else(|| name.to_string(), |(_, over)| over.clone())
+            }
+            ExprKind::Index(of, _) | ExprKind::Where(of, _) => self.name(stmt, *of),
+            _ => String::new(),
+        }
     }
 
     fn call(&mut self, name: &str, sense: Sense) {

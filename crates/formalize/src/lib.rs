@@ -31,4 +31,4 @@ pub use arrange::arrange_rooms;
 pub use brief::Brief;
 pub use draft::Draft;
 pub use formalize::{Formalized, formalize, of_draft, with_model};
-pub use read::{Options, Reading, brief as read_brief, of_brief, read};
+pub use read::{Options, Reading, as_said, brief as read_brief, of_brief, read};

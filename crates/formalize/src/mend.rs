@@ -16,23 +16,31 @@ const ROUNDS: usize = 12;
 
 /// Mends a draft until nothing contradicts; bounded.
 pub fn mend(draft: &mut Draft) {
+    if mend_quickly(draft) {
+        confirm(draft);
+    }
+}
+
+/// Mends what a quick look finds. Whether what is left compiles.
+pub fn mend_quickly(draft: &mut Draft) -> bool {
     for _ in 0..ROUNDS {
         let text = turned(write(draft), draft);
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
         match &compiled.program {
             Some(program) if !compiled.has_errors() => {
                 relax(draft, program, &|rank| prove::relax(program, &ProveOptions::default(), rank));
-                return confirm(draft);
+                return true;
             }
             _ => {
                 let errors = compiled.diagnostics.iter().filter(|d| d.severity == Severity::Error);
                 let places = errors.filter_map(|d| d.primary.as_ref()).map(|label| label.place.range.bytes().start);
                 if !leave_out(draft, &text, places) {
-                    return;
+                    return false;
                 }
             }
         }
     }
+    false
 }
 
 /// The quick pass looks less deep than `check` does. What is small is looked at as `check` would.
@@ -40,11 +48,13 @@ fn confirm(draft: &mut Draft) {
     if draft.things.iter().map(|t| t.count).sum::<usize>() > SMALL {
         return;
     }
+    // What others imply is of no interest here, and to look for it takes longer than all the rest.
+    let only = ProveOptions { redundant: false, ..ProveOptions::default() };
     for _ in 0..ROUNDS {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = &compiled.program else { return };
         let weakest = |rank: &dyn Fn(usize) -> Option<usize>| {
-            let found = prove::prove(program, &ProveOptions::default()).contradictions;
+            let found = prove::prove(program, &only).contradictions;
             let weakest = |c: &prove::Contradiction| c.statements.iter().copied().max_by_key(|s| rank(*s));
             found.iter().filter_map(weakest).collect()
         };

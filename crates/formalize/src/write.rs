@@ -8,7 +8,7 @@
 //! given a meaning. The text is as the formatter leaves it.
 
 use crate::colors;
-use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Room, Source, Thing};
+use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Room, Source, Statement, Thing};
 use crate::names::words;
 use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
@@ -225,7 +225,9 @@ impl Writer<'_> {
     /// Whether some statement of the draft says already that the whole thing is in the room.
     fn says_where(&self, thing: &Thing, room: &Room) -> bool {
         const PLACES: [&str; 6] = ["inside", "onFloor", "againstWall", "inCorner", "wallMounted", "ceilingMounted"];
-        self.draft.statements.iter().filter(|s| s.demand == Demand::Must).any(|statement| {
+        // Most statements are of other things: that is seen without a look at their form.
+        let names = |s: &&Statement| s.demand == Demand::Must && s.text.contains(thing.name.as_str());
+        self.draft.statements.iter().filter(names).any(|statement| {
             let code: String = statement.text.split_whitespace().collect::<Vec<_>>().join(" ");
             if [" or ", "not ", " implies ", "exists ", "count("].iter().any(|open| code.contains(open)) {
                 return false;

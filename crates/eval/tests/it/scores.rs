@@ -164,3 +164,61 @@ fn pairs_are_the_likeliest_ones() {
     let (score, _) = score(&expect, text);
     assert_eq!(shares(&score), [(4, 4), (4, 4), (4, 4), (1, 1), (1, 1), (0, 1), (0, 0)], "{:?}", score.misses);
 }
+
+/// Statements that say to come from the request: what is wrong with each, if anything.
+#[test]
+fn what_is_wrong() {
+    let program = |statement: &str| {
+        let things = "region study; study.scale <- vec3(4, 2.6, 3); object desk; object lamp[2]; object chair[3];
+            object window; object bin; object globe;";
+        format!("{things}\n@req(\"some words\")\n{statement};")
+    };
+    for (statement, want) in [
+        ("assert forall l in lamp: on(l, desk)", None),
+        ("assert on(desk, lamp[0])", Some("the other way round is asked for")),
+        ("assert forall l in lamp: not on(l, desk)", Some("the contrary is asked for")),
+        ("assert beside(bin, desk)", Some("the contrary is asked for")),
+        ("assert not beside(bin, desk)", None),
+        ("assert forall l in lamp: under(l, desk)", Some("the opposite is asked for")),
+        ("assert near(globe, desk, 1)", Some("of globe, which is not asked for")),
+        ("assert looksAt(window, desk)", None),
+        ("assert near(bin, lamp[0], 1)", None),
+    ] {
+        let score = scored(&program(statement));
+        let why = score.misses.iter().find(|miss| miss.starts_with("wrong: "));
+        assert_eq!((score.wrong.part, score.wrong.whole), (usize::from(want.is_some()), 1), "{statement}: {why:?}");
+        assert!(want.is_none_or(|want| why.is_some_and(|why| why.ends_with(want))), "{statement}: {why:?}");
+    }
+    let inferred = program("assert on(desk, lamp[0])").replace("some words", "inferred: it is usual");
+    assert_eq!(scored(&inferred).wrong, Share { part: 0, whole: 0 });
+}
+
+#[test]
+fn what_is_only_preferred() {
+    let text = ALL.replace("assert around(", "prefer around(");
+    let score = scored(&text);
+    assert_eq!((score.weakened.part, score.weakened.whole), (2, 4), "{:?}", score.misses);
+    assert_eq!(scored(ALL).weakened.part, 1, "the bin is only preferred there");
+}
+
+/// Two rooms and a hall; the door between the rooms is asked for, one to the hall is not.
+#[test]
+fn ways_between_rooms() {
+    let truth = r#"{ "id": "flat", "rooms": [{ "name": "kitchen" }, { "name": "bedroom" }, { "name": "hall" }],
+        "connections": [{ "kind": "door", "between": ["kitchen", "bedroom"] }],
+        "objects": [{ "name": "bed", "count": 1, "room": "bedroom" }], "relations": [], "numeric": [] }"#;
+    let expect: Expectation = serde_json::from_str(truth).unwrap();
+    let program = |statement: &str| {
+        let rooms = "region kitchen; region bedroom; region hall; object bed; object door;";
+        score(&expect, &format!("{rooms}\n@req(\"some words\")\nassert {statement};")).0
+    };
+    for (statement, connections, wrong) in [
+        ("connects(door, bedroom, kitchen)", 1, 0),
+        ("connects(door, kitchen, hall)", 0, 1),
+        ("inside(bed, bedroom)", 0, 0),
+        ("inside(bed, kitchen)", 0, 1),
+    ] {
+        let score = program(statement);
+        assert_eq!((score.connections.part, score.wrong.part), (connections, wrong), "{statement}: {:?}", score.misses);
+    }
+}

@@ -116,6 +116,7 @@ fn turns(tokens: &[Token], i: usize) -> bool {
     match text {
         "except" | "excepting" | "neither" | "nor" | "never" | "without" | "not" => true,
         "instead" | "either" => true,
+        "only" => i == 0 || !matches!(tokens[i - 1].text.as_str(), "not" | "the"),
         "rather" => next(1) == "than",
         _ => {
             let compares = text.ends_with("er") || matches!(text, "more" | "less" | "fewer");

@@ -2,11 +2,13 @@
 
 use super::lexicon::{Class, Look, Verb, get};
 use super::measure::{Measure, measure};
-use super::noun::{Kind as NounKind, Np, noun_phrase};
+use super::noun::{Kind as NounKind, Np, bounded, noun_phrase};
 use super::token::{Kind, Token};
 use crate::brief::{Dim, Pattern, Rel};
 use crate::draft;
+use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq)]
@@ -222,95 +224,27 @@ pub fn chunks(tokens: &[Token]) -> Vec<Chunk> {
 fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
     let rest = &tokens[at..];
     let first = &rest[0];
-    match first.kind {
-        Kind::Line => return (Piece::Line, 1),
-        Kind::Bullet => return (Piece::Bullet, 1),
-        Kind::Sign(c) if !(c == '\'' || c == '"') => {
-            let piece = match c {
-                '.' | '!' | '?' | ';' | '…' => Piece::Stop,
-                ',' | '—' | '-' | '/' | '|' => Piece::Comma,
-                '&' | '+' => Piece::And,
-                ':' => Piece::Colon,
-                '(' | '[' => Piece::Open,
-                ')' | ']' => Piece::Close,
-                _ => Piece::Word(false),
-            };
-            return (piece, 1);
-        }
-        _ => {}
+    if let Some(piece) = sign(first) {
+        return (piece, 1);
     }
-    if let Some((m, used)) = measure(rest) {
-        // "a 2 m wide table": the size belongs to the phrase.
-        let noun =
-            noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
-        return match noun {
-            Some((np, n)) if m.plain() => (Piece::Np(Box::new(np)), n),
-            _ => (Piece::Measure(m), used),
-        };
+    if let Some((np, used)) = bounded(rest) {
+        return (Piece::Np(Box::new(np)), used);
     }
-    if let Some((piece, used)) = fixed(rest) {
-        return (piece, used);
-    }
-    if let Some((rows, used)) = rows(rest) {
-        return (Piece::Pattern(rows), used);
+    let sized = || measured(rest).or_else(|| fixed(rest));
+    if let Some(found) = sized().or_else(|| rows(rest).map(|(rows, used)| (Piece::Pattern(rows), used))) {
+        return found;
     }
     let lexicon = get();
     if let Some(used) = lexicon.soft(rest).filter(|n| *n > 1 || !matches!(first.text.as_str(), "can" | "could")) {
         return (Piece::Soft, used);
     }
-    match first.text.as_str() {
-        "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => return (Piece::With, 1),
-        "and" | "or" | "plus" | "nor" => return (Piece::And, 1),
-        "which" | "where" | "while" | "whose" => return (Piece::Which, 1),
-        "that"
-            if tokens.get(at + 1).is_some_and(|t| {
-                lexicon.verb(std::slice::from_ref(t)).is_some() || lexicon.relation(std::slice::from_ref(t)).is_some()
-            }) =>
-        {
-            return (Piece::Which, 1);
-        }
-        "apart" if rest.get(1).is_none_or(|t| !t.is("from")) => return (Piece::Apart, 1),
-        "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance"
-            if rest.get(1).is_none_or(|t| !t.is("of") || first.text != "clear") =>
-        {
-            return (Piece::Free, 1);
-        }
-        _ => {}
+    if let Some(piece) = little(rest) {
+        return (piece, 1);
     }
-    let listed = matches!(
-        before.last().map(|c| &c.piece),
-        Some(
-            Piece::Bullet
-                | Piece::With
-                | Piece::Rel(_)
-                | Piece::Colon
-                | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
-        )
-    );
-    // "Eye test cabin: …": what a line or sentence begins with before a colon.
-    let fresh = matches!(before.last().map(|c| &c.piece), None | Some(Piece::Stop | Piece::Line));
-    let colon = rest.iter().take(5).find(|t| !t.word()).is_some_and(|t| t.is(":"));
-    let listed = listed || fresh && colon;
-    let relation = lexicon.relation(rest);
-    let verb = lexicon.verb(rest);
-    // "standing desk", "hanging plant", "set of shelves", "leaning mirror": not the verb.
-    let noun = noun_phrase(rest, listed);
-    if let Some((np, used)) = noun {
-        let (words, longest) = (used, relation.map_or(0, |r| r.1).max(verb.map_or(0, |v| v.1)));
-        let begins_as_verb = longest > 0;
-        let fresh = !matches!(before.last().map(|c| &c.piece), Some(Piece::Np(_)));
-        // "picture frames": one noun of the tables, whatever its first word may be besides.
-        let whole = words > longest && np.known && np.last == used && np.det == super::noun::Det::None;
-        if !begins_as_verb
-            || whole && listed
-            || (words > longest
-                && np.known
-                && np.det == super::noun::Det::None
-                && fresh
-                && lexicon.is_look(&first.text))
-        {
-            return (Piece::Np(Box::new(np)), used);
-        }
+    let (relation, verb) = (lexicon.relation(rest), lexicon.verb(rest));
+    let longest = relation.map_or(0, |r| r.1).max(verb.map_or(0, |v| v.1));
+    if let Some(found) = noun_here(rest, before, longest) {
+        return found;
     }
     match (relation, verb) {
         (Some((r, n)), v) if v.is_none_or(|(_, m)| n >= m) => return (Piece::Rel(r), n),
@@ -326,6 +260,101 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
     (Piece::Word(first.word() && !lexicon.is(&first.text, Class::Stop) && !lexicon.is(&first.text, Class::Abstract)), 1)
 }
 
+/// What a sign is; quotation marks are part of what they enclose.
+fn sign(first: &Token) -> Option<Piece> {
+    Some(match first.kind {
+        Kind::Line => Piece::Line,
+        Kind::Bullet => Piece::Bullet,
+        Kind::Sign('\'' | '"') | Kind::Word | Kind::Number(_) => return None,
+        Kind::Sign(c) => match c {
+            '.' | '!' | '?' | ';' | '…' => Piece::Stop,
+            ',' | '—' | '-' | '/' | '|' => Piece::Comma,
+            '&' | '+' => Piece::And,
+            ':' => Piece::Colon,
+            '(' | '[' => Piece::Open,
+            ')' | ']' => Piece::Close,
+            _ => Piece::Word(false),
+        },
+    })
+}
+
+/// A measure, or a noun phrase that begins with one: "a 2 m wide table".
+fn measured(rest: &[Token]) -> Option<(Piece, usize)> {
+    let (m, used) = measure(rest)?;
+    let noun =
+        noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
+    Some(match noun {
+        Some((np, n)) if m.plain() => (Piece::Np(Box::new(np)), n),
+        _ => (Piece::Measure(m), used),
+    })
+}
+
+/// The little words that join others.
+fn little(rest: &[Token]) -> Option<Piece> {
+    let lexicon = get();
+    let next = rest.get(1);
+    let first = rest[0].text.as_str();
+    match first {
+        "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => Some(Piece::With),
+        "and" | "or" | "plus" | "nor" => Some(Piece::And),
+        "which" | "where" | "while" | "whose" => Some(Piece::Which),
+        "that"
+            if next
+                .map(std::slice::from_ref)
+                .is_some_and(|next| lexicon.verb(next).is_some() || lexicon.relation(next).is_some()) =>
+        {
+            Some(Piece::Which)
+        }
+        "apart" if next.is_none_or(|t| !t.is("from")) => Some(Piece::Apart),
+        "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance"
+            if next.is_none_or(|t| !t.is("of") || first != "clear") =>
+        {
+            Some(Piece::Free)
+        }
+        _ => None,
+    }
+}
+
+/// The noun phrase that begins here, unless what begins here is rather a verb or a relation of so many words: not the
+/// verb in "standing desk", "hanging plant", "set of shelves", "leaning mirror".
+fn noun_here(rest: &[Token], before: &[Chunk], longest: usize) -> Option<(Piece, usize)> {
+    let last = before.last().map(|c| &c.piece);
+    let listed = matches!(
+        last,
+        Some(
+            Piece::Bullet
+                | Piece::With
+                | Piece::Rel(_)
+                | Piece::Colon
+                | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
+        )
+    );
+    // "Eye test cabin: …": what a line or sentence begins with before a colon.
+    let begins = matches!(last, None | Some(Piece::Stop | Piece::Line));
+    let colon = rest.iter().take(5).find(|t| !t.word()).is_some_and(|t| t.is(":"));
+    let listed = listed || begins && colon;
+    let (np, used) = noun_phrase(rest, listed)?;
+    // "picture frames": one noun of the tables, whatever its first word may be besides.
+    let known = used > longest && np.known && np.det == super::noun::Det::None;
+    let fresh = !matches!(last, Some(Piece::Np(_)));
+    let noun = longest == 0 || known && listed && np.last == used || known && fresh && get().is_look(&rest[0].text);
+    noun.then(|| (Piece::Np(Box::new(np)), used))
+}
+
+/// The phrases of `FIXED` that begin with a word.
+fn phrases(first: &str) -> &'static [&'static (&'static str, Piece)] {
+    type ByWord = BTreeMap<&'static str, Vec<&'static (&'static str, Piece)>>;
+    static BY_WORD: OnceLock<ByWord> = OnceLock::new();
+    let all = BY_WORD.get_or_init(|| {
+        let mut out = ByWord::new();
+        for entry in FIXED {
+            out.entry(entry.0.split(' ').next().unwrap_or("")).or_default().push(entry);
+        }
+        out
+    });
+    all.get(first).map_or(&[], Vec::as_slice)
+}
+
 /// The longest phrase of `FIXED` that begins here.
 pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
     let fits = |phrase: &str| {
@@ -333,7 +362,10 @@ pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
         let n = words.clone().count();
         (rest.len() >= n && words.zip(rest).all(|(w, t)| t.is(w))).then_some(n)
     };
-    let best = FIXED.iter().filter_map(|(phrase, piece)| fits(phrase).map(|n| (piece, n))).max_by_key(|(_, n)| *n)?;
+    let best = phrases(&rest.first()?.text)
+        .iter()
+        .filter_map(|&(phrase, piece)| fits(phrase).map(|n| (piece, n)))
+        .max_by_key(|(_, n)| *n)?;
     let next = rest.get(best.1);
     let open = matches!(best.0, Piece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
     // "underneath the table", "in front the" are relations to what follows; "on top of", "to the left of" too.

@@ -19,6 +19,7 @@ mod noun;
 mod number;
 mod people;
 mod rooms;
+mod talk;
 mod token;
 
 use crate::brief::{Brief, Room, Word};
@@ -26,7 +27,7 @@ use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
 use crate::furnish::furnish;
-use crate::mend::mend;
+use crate::mend::{mend, mend_quickly};
 use account::Account;
 use chunk::Piece;
 use std::ops::Range;
@@ -65,6 +66,7 @@ const MOST_WORDS: usize = 12_000;
 pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
+    let answers = talk::turns(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
     let mut used = vec![false; tokens.len()];
     let mut grammar = vec![false; tokens.len()];
@@ -86,6 +88,7 @@ pub fn brief(request: &str) -> Brief {
     if end < request.len() {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });
     }
+    notes.extend(answers);
     notes.extend(counts::odd(&tokens).into_iter().map(|(at, reason)| Note { at, reason }));
     brief.notes.splice(0..0, notes);
     brief.request = request.to_owned();
@@ -98,6 +101,11 @@ pub fn read(request: &str, options: &Options) -> Reading {
     of_brief(brief(request), options)
 }
 
+/// A request as a draft that says what it says and nothing else, whether or not that can hold together.
+pub fn as_said(request: &str) -> Draft {
+    compose(&complete(brief(request), Extent::Literal))
+}
+
 /// A brief as a draft.
 pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();
@@ -105,12 +113,12 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     let brief = complete(brief, extent);
     let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned());
-    mend(&mut draft);
     if extent == Extent::Usual {
+        // What was added contradicts nothing, either, so the close look comes after it.
+        mend_quickly(&mut draft);
         furnish(&mut draft, &brief);
-        // What was added contradicts nothing, either.
-        mend(&mut draft);
     }
+    mend(&mut draft);
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
     let clauses: Vec<_> = brief.clauses.into_iter().map(|clause| (clause.at, clause.understood)).collect();

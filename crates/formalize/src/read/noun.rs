@@ -2,14 +2,17 @@
 
 use super::chunk::{Dims, add_look, look_at};
 use super::lexicon::{Class, Look, get, plural, singular};
-use super::measure::measure;
+use super::measure::{Measure, measure};
 use super::number;
 use super::token::{Kind as TokenKind, Token};
-use crate::brief::{Dim, Group, Place};
+use crate::brief::{Dim, Group, Op, Place};
 use crate::draft;
 use ahead::*;
+use amount::in_inches;
+pub use amount::{add_dims, bounded};
 
 mod ahead;
+mod amount;
 
 /// How a noun phrase begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +83,8 @@ pub struct Np {
     pub nth: Option<Nth>,
     /// "a row of chairs".
     pub row: bool,
+    /// Whether the number is said to bind from one side, or exactly: "at least two chairs".
+    pub bound: Option<Op>,
 }
 
 /// Which of several a noun phrase speaks of.
@@ -95,6 +100,10 @@ pub enum Nth {
     Half,
     /// "every second desk".
     Every(usize),
+    /// "each desk except the first".
+    ButFirst,
+    /// "all desks but the last".
+    ButLast,
 }
 
 impl Np {
@@ -116,6 +125,7 @@ impl Np {
             other: false,
             nth: None,
             row: false,
+            bound: None,
         }
     }
 
@@ -132,97 +142,6 @@ impl Np {
 
 /// Colours that are things where no noun follows.
 const FRUIT: [&str; 7] = ["apple", "cherry", "plum", "peach", "lemon", "lime", "rose"];
-
-/// Words before a place that tell which one.
-const WHICH: &[&str] = &[
-    "left",
-    "right",
-    "front",
-    "back",
-    "far",
-    "near",
-    "north",
-    "south",
-    "east",
-    "west",
-    "northern",
-    "southern",
-    "eastern",
-    "western",
-    "rear",
-    "long",
-    "short",
-    "opposite",
-    "other",
-    "same",
-    "side",
-    "inner",
-    "outer",
-    "end",
-    "left-hand",
-    "right-hand",
-    "northeast",
-    "northwest",
-    "southeast",
-    "southwest",
-    "north-east",
-    "north-west",
-    "south-east",
-    "south-west",
-    "exact",
-    "very",
-    "quiet",
-    "free",
-    "entrance",
-    "window",
-    "main",
-    "bare",
-    "longer",
-    "shorter",
-    "longest",
-    "remaining",
-    "third",
-    "first",
-    "second",
-    "lower",
-    "upper",
-    "top",
-    "bottom",
-    "outside",
-    "exterior",
-    "farthest",
-    "furthest",
-    "farther",
-    "further",
-    "dark",
-    "brick",
-    "top-left",
-    "opposing",
-    "blank",
-    "empty",
-    "whole",
-    "entire",
-    "dead",
-];
-
-fn place(word: &str) -> Option<Place> {
-    Some(match word {
-        "wall" | "walls" => Place::Wall,
-        "corner" | "corners" => Place::Corner,
-        "ceiling" => Place::Ceiling,
-        "floor" | "ground" => Place::Floor,
-        "middle" | "centre" | "center" => Place::Middle,
-        "side" | "sides" | "edge" => Place::Side,
-        "end" | "ends" => Place::End,
-        "head" => Place::Head,
-        "foot" => Place::Foot,
-        "back" | "rear" => Place::Back,
-        "front" => Place::Front,
-        "row" | "rows" => Place::Row,
-        "circle" | "ring" => Place::Circle,
-        _ => return None,
-    })
-}
 
 /// The noun phrase that begins here and how many tokens it takes. `listed`: where a thing is expected, so that a word
 /// nobody knows may be one.
@@ -285,6 +204,13 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             if last_det == Det::Each {
                 last_det = Det::Definite;
             }
+        } else if let (true, Some((nth, n))) =
+            (last_det == Det::Each && np.nth.is_none(), but_one(&rest[used..]).filter(|_| text(used) == "but"))
+            && before_noun(&rest[used + n..])
+        {
+            // "all but the last desk"
+            np.nth = Some(nth);
+            used += n - 1;
         } else if w == "of"
             && used > 0
             && matches!(text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none")
@@ -386,6 +312,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
     let mut nouns: Vec<(String, bool)> = Vec::new(); // in the singular, whether as written it is a plural
     let mut noun_end = 0; // tokens up to the last noun
     let mut looks_end = used;
+    let mut inches: Option<(f64, String)> = None;
     while let Some(t) = rest.get(used) {
         let w = t.text.as_str();
         if !t.word() {
@@ -400,6 +327,7 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                 && nouns.is_empty()
                 && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain())
             {
+                inches = inches.or_else(|| in_inches(&m, &rest[used..used + n]));
                 add_dims(&mut np.dims, &m.values, &m.dims);
                 used += n;
                 looks_end = used;
@@ -424,10 +352,21 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             used += 1;
             continue;
         }
+        // "a neatly rolled towel", "a glass top table"
+        if nouns.is_empty()
+            && (begun || counted || used > start || listed)
+            && let Some(n) = worded_look(&rest[used..])
+        {
+            add_look(&mut np.look, Look::Feature, &rest[used..used + n]);
+            used += n;
+            looks_end = used;
+            continue;
+        }
         if nouns.is_empty()
             && used > owner_end.min(start)
             && let Some((m, n)) = measure(&rest[used..]).filter(|(m, _)| m.plain())
         {
+            inches = inches.or_else(|| in_inches(&m, &rest[used..used + n]));
             add_dims(&mut np.dims, &m.values, &m.dims);
             used += n;
             looks_end = used;
@@ -565,6 +504,16 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             np.words = vec![singular(w)];
             return Some((np, used + 1));
         }
+        // "the room center"
+        if let Some(n) = room_here(&rest[used..])
+            && let Some(p @ (Place::Middle | Place::Corner)) = place(text(used + n))
+            && nouns.is_empty()
+            && !before_noun(&rest[used + n + 1..])
+        {
+            np.kind = Kind::Place(p);
+            np.words = vec![singular(text(used + n))];
+            return Some((np, used + n + 1));
+        }
         // Room names of several words: "living room".
         if let Some(n) = room_here(&rest[used..]) {
             let after = longest_noun(&rest[used + n..]);
@@ -624,6 +573,9 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                 // "the conversation area"
                 let known = noun_end > 0 && nouns.len() > 1;
                 if !known {
+                    // "a glass top"
+                    let material = |n: &&(String, bool)| lexicon.look(&n.0) == Some(Look::Material);
+                    np.look.material = np.look.material.take().or(nouns.iter().find(material).map(|n| n.0.clone()));
                     np.kind = Kind::Abstract;
                     np.words = vec![singular(w)];
                     return Some((np, used + 1));
@@ -753,18 +705,17 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             }
         }
     }
-    Some((np, noun_end))
-}
-
-/// Adds sizes given as "2 m wide" or "2 by 1 m".
-pub fn add_dims(dims: &mut Dims, values: &[f64], named: &[Dim]) {
-    match (values, named) {
-        ([one], [dim]) => dims.push((*dim, *one)),
-        ([one], []) => dims.push((Dim::Length, *one)),
-        (many, _) => {
-            for (value, dim) in many.iter().zip([Dim::Width, Dim::Depth, Dim::Height]) {
-                dims.push((dim, *value));
-            }
-        }
+    let screen = np.words.last().is_some_and(|w| matches!(w.as_str(), "tv" | "television" | "monitor" | "screen"));
+    if let Some((across, said)) = inches.filter(|_| screen) {
+        // The diagonal of a picture of 16 to 9.
+        np.dims.retain(|(dim, _)| *dim != Dim::Length);
+        np.dims.extend([(Dim::Width, across * 0.872), (Dim::Height, across * 0.49)]);
+        np.look.features.push(said);
     }
+    let exception = matches!(np.det, Det::Each | Det::Definite) && np.kind == Kind::Thing && np.nth.is_none();
+    if let Some((nth, n)) = but_one(&rest[noun_end..]).filter(|_| exception) {
+        np.nth = Some(nth);
+        return Some((np, noun_end + n));
+    }
+    Some((np, noun_end))
 }

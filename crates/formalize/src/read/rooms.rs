@@ -57,6 +57,11 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
         let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
         let base = np.words[np.words.len() - n..].join(" ");
+        // "where guests feel at home"
+        let before = chunk.at.start.checked_sub(1).map_or("", |k| tokens[k].text.as_str());
+        if np.name() == "home" && np.det == Det::None && matches!(before, "at" | "from" | "feel") {
+            continue;
+        }
         let named = out.rooms.iter().position(|r| {
             let base_too = base != "room" || np.words.len() == 1;
             r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))

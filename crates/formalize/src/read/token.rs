@@ -164,13 +164,14 @@ fn word(rest: &str) -> (usize, String, bool) {
     let mut len = 0;
     let mut chars = rest.char_indices().peekable();
     while let Some((i, c)) = chars.next() {
-        let inner = matches!(c, '\'' | '’' | '-') && i > 0 && chars.peek().is_some_and(|(_, n)| n.is_alphanumeric());
+        let inner =
+            matches!(c, '\'' | '’' | '-' | '_') && i > 0 && chars.peek().is_some_and(|(_, n)| n.is_alphanumeric());
         if !(c.is_alphabetic() || inner || (c.is_numeric() && i > 0 && rest[..i].ends_with('-'))) {
             break;
         }
         len = i + c.len_utf8();
     }
-    let text = rest[..len].to_lowercase().replace('’', "'");
+    let text = rest[..len].to_lowercase().replace('’', "'").replace('_', "-");
     // What is no possessive of a thing: "it's", "let's", "there's".
     let owner = text.strip_suffix("'s").filter(|w| !["it", "let", "there", "that", "here", "what", "who"].contains(w));
     match owner {

@@ -107,6 +107,31 @@ fn looks_are_carried() {
     assert_eq!(draft.things[0].look.features, ["with armrests"]);
 }
 
+/// Looks that are said in more than a word, by a part, or by another thing.
+#[test]
+fn looks_in_several_words() {
+    for (request, thing, want) in [
+        ("A neatly rolled towel on a bench.", 0, "neatly rolled"),
+        ("A room with a steel frame desk.", 0, "steel frame"),
+        ("A desk with a glass top stands by the wall.", 0, "with a glass top"),
+        ("Three spindle back chairs.", 0, "spindle back"),
+        ("A floor to ceiling cabinet.", 0, "floor to ceiling"),
+        ("A sideboard with four drawers stands against the wall.", 0, "with four drawers"),
+        ("A bench with a cup on its padded top.", 0, "padded top"),
+        ("A bed draped in linen.", 0, "draped in linen"),
+        ("A 55-inch TV on the wall.", 0, "55-inch"),
+        ("A two_seat sofa.", 0, "two-seat"),
+        ("A round oak table and a matching stool.", 1, "oak"),
+    ] {
+        let draft = read(request, &LITERAL).draft;
+        let look = &draft.things[thing].look;
+        let all = look.features.iter().chain(&look.material).map(String::as_str).collect::<Vec<_>>().join(", ");
+        assert!(all.contains(want), "{request}: {all}");
+    }
+    let screen = read("A 55-inch TV on the wall.", &LITERAL).draft.things[0].size;
+    assert!(screen.is_none_or(|[w, h, _]| (w - 1.218).abs() < 0.01 && (h - 0.685).abs() < 0.01), "{screen:?}");
+}
+
 #[test]
 fn what_is_not_understood_is_noted() {
     let request = "A desk by the wall. Colourless green ideas dream furiously upwards.";

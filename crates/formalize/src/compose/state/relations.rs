@@ -7,6 +7,8 @@ use crate::write::number;
 
 /// How far "near" reaches, in metres.
 const NEAR: f64 = 1.0;
+/// How far away what stands in front of a door or a window is at most, in metres: there is room to open it.
+const BEFORE: f64 = 1.4;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
@@ -83,6 +85,10 @@ impl Named<'_> {
                 if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
             {
                 out.push(format!("{verb} {};", pairs(&call("below"))));
+                if gb == Group::Window {
+                    // At the wall that the window is in, not somewhere below its height.
+                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                }
                 if matches!(gb, Group::Wall | Group::Screen | Group::Ceiling) && self.counts[a] == 1 && m == 1 {
                     out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
                 }
@@ -127,6 +133,10 @@ impl Named<'_> {
             }
             Rel::InFrontOf | Rel::Behind => {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, What::Gap(..))) {
+                    // All of a room lies before a window; what stands in front of it is close.
+                    out.push(format!("{verb} {};", pairs(&far(BEFORE))));
+                }
                 if ga == Group::Seat && matches!(gb, Group::Table) {
                     // Rows of chairs before a lectern are not drawn up to it.
                     let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.brief, b);

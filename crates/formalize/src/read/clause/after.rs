@@ -144,11 +144,7 @@ impl Reader<'_> {
                     self.brief.things[id].look.features.push(text.join(" "));
                     self.mark(k);
                 }
-                Some(Piece::With)
-                    if self
-                        .np(k + 1, end)
-                        .is_some_and(|n| n.kind == Kind::Thing && n.count.is_none() && get().part(&n.head())) =>
-                {
+                Some(Piece::With) if self.np(k + 1, end).is_some_and(part_of_it) => {
                     let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
                     if back {
                         break;
@@ -156,6 +152,20 @@ impl Reader<'_> {
                     self.near = vec![id];
                     k = self.with_part(k, end);
                     continue;
+                }
+                // "a shelf on wheels"
+                Some(Piece::Rel(Rel::On))
+                    if self.np(k + 1, end).is_some_and(|n| {
+                        matches!(n.head().as_str(), "wheel" | "castor" | "caster" | "leg")
+                            && matches!(n.det, Det::None | Det::Number)
+                    }) =>
+                {
+                    let words = &self.tokens[self.chunks[k].at.start..self.chunks[k + 1].at.end];
+                    let text: Vec<&str> = words.iter().map(|t| t.text.as_str()).collect();
+                    self.brief.things[id].look.features.push(text.join(" "));
+                    self.mark(k);
+                    self.mark(k + 1);
+                    k += 1;
                 }
                 // "palms in black pots", "a picture in a gold frame"
                 Some(Piece::Rel(Rel::In))

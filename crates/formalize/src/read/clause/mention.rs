@@ -2,6 +2,16 @@
 
 use super::*;
 impl Reader<'_> {
+    /// Of how many of the things in these chunks something is said.
+    pub(super) fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
+        let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
+        match self.chunks.get(chunks) {
+            Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
+            Some(_) if each => Quantifier::Any,
+            _ => Quantifier::Usual,
+        }
+    }
+
     /// The thing that a phrase speaks of again: the last one of that name, in this room before others.
     pub(super) fn find(&self, np: &Np) -> Option<usize> {
         let lexicon = get();
@@ -56,7 +66,21 @@ impl Reader<'_> {
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == self.room), score(item), i));
         let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
-        best.filter(|b| b.1 > 0).max().map(|b| b.2).or_else(|| if surface { self.surface(&head) } else { None })
+        let best = best.filter(|b| b.1 > 0).max().map(|b| b.2);
+        best.or_else(|| if surface { self.surface(&head) } else { None }).or_else(|| self.with_part_named(np))
+    }
+
+    /// "a vanity with an integrated sink … on the sink": what has this part.
+    fn with_part_named(&self, np: &Np) -> Option<usize> {
+        let name = np.name();
+        let part =
+            |f: &String| f.starts_with("with ") && crate::read::lexicon::singular(f).ends_with(&format!(" {name}"));
+        let has = |o: &usize| {
+            let item = &self.brief.things[*o];
+            item.room == self.room && item.look.features.iter().any(part) && !self.gone.contains(o)
+        };
+        let said = np.det == Det::Definite && !np.many && np.count.is_none();
+        (0..self.brief.things.len()).rev().filter(|_| said).find(has)
     }
 
     /// "the tabletop": what was spoken of last that has one.
@@ -140,5 +164,33 @@ impl Reader<'_> {
             object: self.s.quantifier,
             ..Fact::new(of.to_vec(), what, Source::Stated(at))
         });
+    }
+
+    /// "the doors", where one was named after the other: all of them.
+    pub(super) fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
+        let like = |o: &usize| {
+            let item = &self.brief.things[*o];
+            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.gone.contains(o)
+        };
+        let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
+        let doors: Vec<usize> = (0..self.brief.things.len()).filter(like).collect();
+        if plain && doors.len() > 1 && !self.brief.things[id].number.many() { doors } else { vec![id] }
+    }
+
+    /// "the first row", "the back row": the one in its middle, of what stands in rows here.
+    pub(super) fn row(&mut self, np: &Np) -> Option<usize> {
+        let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
+        let row = match np.nth {
+            Some(Nth::At(n)) => n,
+            Some(Nth::Last) => usize::MAX,
+            _ if which(&["front", "first"]) => 0,
+            _ if which(&["back", "last", "rear"]) => usize::MAX,
+            _ => return None,
+        };
+        let rows = |f: &&Fact| {
+            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
+        };
+        let of = self.brief.facts.iter().rev().find(rows)?.of[0];
+        Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
     }
 }

@@ -10,11 +10,13 @@ use crate::read::measure::Measure;
 use crate::read::noun::{Det, Kind, Np, Nth};
 use crate::read::rooms::Rooms;
 use crate::read::token::Token;
+use parts::part_of_it;
 use std::ops::Range;
 
 mod after;
 mod measures;
 mod mention;
+mod parts;
 mod relations;
 mod sentences;
 mod things;
@@ -297,6 +299,7 @@ impl<'a> Reader<'a> {
             self.brief.notes.push(Note { at, reason });
         }
         unsaid.extend(ruled_out);
+        unsaid.extend(self.revised(from, end));
         let mut i = from;
         while i < end {
             self.s.now = i;
@@ -370,6 +373,11 @@ impl<'a> Reader<'a> {
                 self.on_its(i, end, *rel);
                 i + 1
             }
+            Piece::Verb(Verb::Have) if self.has_part(i, end) => self.with_part(i, end),
+            Piece::Verb(Verb::Carry) if self.draped(i, end) => {
+                self.mark(i + 1);
+                i + 2
+            }
             Piece::Verb(verb) => {
                 self.on_verb(i, end, *verb);
                 i + 1
@@ -386,33 +394,8 @@ impl<'a> Reader<'a> {
                 }
                 i + 1
             }
-            Piece::Pattern(pattern) => {
-                self.mark(i);
-                // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
-                if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
-                    self.s.expect = Expect::Nothing;
-                    self.near = self.main.clone();
-                }
-                if !self.s.subject && !self.s.lead.is_empty() {
-                    // "against the wall, from left to right: a fryer, a grill, …"
-                    self.s.lead_pattern = Some(*pattern);
-                    return i + 1;
-                }
-                let of = self.subject(i);
-                let one =
-                    |l: &[usize]| l.len() == 1 && self.brief.count(l[0]) == 1 && !self.brief.things[l[0]].number.many();
-                let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
-                // "a bed along the wall and a dresser next to each other"
-                let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
-                let new = |o: &&usize| self.brief.things[**o].source.at().start >= self.s.at.start;
-                let of = match self.before.last().filter(new) {
-                    Some(other) if two && one(&of) => vec![*other, of[0]],
-                    _ => of,
-                };
-                let soft = self.s.soft;
-                self.state(&of, What::Pattern(*pattern), soft, false);
-                i + 1
-            }
+            Piece::Pattern(pattern) => self.on_pattern(i, *pattern),
+            Piece::Which if self.relative(i, end) => i + 1,
             Piece::Comma | Piece::Which => {
                 if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
                 {
@@ -423,23 +406,7 @@ impl<'a> Reader<'a> {
                 }
                 i + 1
             }
-            Piece::Colon => {
-                // "Nobody has to squeeze: at least 1.2 m between …"
-                self.s.nothing = false;
-                if self.s.expect == Expect::Blocked {
-                    self.s.expect = Expect::Nothing;
-                }
-                let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
-                if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
-                    let item = &mut self.brief.things[self.near[0]];
-                    if item.number.many() {
-                        item.number = Number::Exactly(n);
-                    }
-                    self.mark(i + 1);
-                    return i + 2;
-                }
-                i + 1
-            }
+            Piece::Colon => self.on_colon(i, end),
             Piece::Open | Piece::Close | Piece::And | Piece::Bullet | Piece::Line | Piece::Stop => i + 1,
             Piece::There => {
                 self.s.expect = Expect::Nothing;
@@ -464,25 +431,50 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// "with": what comes belongs to what was spoken of last, or is a part of it.
-    fn on_with(&mut self, i: usize, end: usize) -> usize {
+    /// "side by side", "in a row", "back to back".
+    fn on_pattern(&mut self, i: usize, pattern: Pattern) -> usize {
         let chunks = self.chunks;
-        let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
-        let with_back = self.np(i + 1, end).is_some_and(|n| {
-            n.kind == Kind::Thing
-                && n.count.is_none()
-                && (get().part(&n.head())
-                    || !n.known && n.det == Det::None && n.many
-                    || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
-        });
-        let with_back = with_back && !self.relates_after(i + 2, end);
-        if !with_back && !self.near.is_empty() {
-            let owner = self.bearer(self.near.clone(), i + 1, end);
-            // "speakers in the corners, with a screen on the wall": one screen.
-            self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
-            self.s.expect = Expect::With(owner, Join::Usual);
-        } else if with_back {
-            return self.with_part(i, end);
+        self.mark(i);
+        // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
+        if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
+            self.s.expect = Expect::Nothing;
+            self.near = self.main.clone();
+        }
+        if !self.s.subject && !self.s.lead.is_empty() {
+            // "against the wall, from left to right: a fryer, a grill, …"
+            self.s.lead_pattern = Some(pattern);
+            return i + 1;
+        }
+        let of = self.subject(i);
+        let one = |l: &[usize]| l.len() == 1 && self.brief.count(l[0]) == 1 && !self.brief.things[l[0]].number.many();
+        let of = if one(&of) && self.main.len() > 1 { self.main.clone() } else { of };
+        // "a bed along the wall and a dresser next to each other"
+        let two = matches!(pattern, Pattern::SideBySide | Pattern::FaceToFace | Pattern::BackToBack);
+        let new = |o: &&usize| self.brief.things[**o].source.at().start >= self.s.at.start;
+        let of = match self.before.last().filter(new) {
+            Some(other) if two && one(&of) => vec![*other, of[0]],
+            _ => of,
+        };
+        let soft = self.s.soft;
+        self.state(&of, What::Pattern(pattern), soft, false);
+        i + 1
+    }
+
+    /// A colon: what was denied before it is so no more, and a number alone behind it counts what stands before it.
+    fn on_colon(&mut self, i: usize, end: usize) -> usize {
+        // "Nobody has to squeeze: at least 1.2 m between …"
+        self.s.nothing = false;
+        if self.s.expect == Expect::Blocked {
+            self.s.expect = Expect::Nothing;
+        }
+        let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
+        if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
+            let item = &mut self.brief.things[self.near[0]];
+            if item.number.many() {
+                item.number = Number::Exactly(n);
+            }
+            self.mark(i + 1);
+            return i + 2;
         }
         i + 1
     }
@@ -531,13 +523,13 @@ impl<'a> Reader<'a> {
             matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
         match self.tokens[chunks[i].at.start].text.as_str() {
             // "stands centrally", but "centrally against the wall"
-            "centrally" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+            "centrally" | "centred" | "centered" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
                 let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
                 self.at_place(&of, Rel::In, Place::Middle, &[]);
                 self.mark(i);
             }
             // "forget the carpet"
-            "forget" | "scrap" | "skip" | "omit" | "cancel" => {
+            "forget" | "scrap" | "skip" | "omit" | "cancel" | "remove" | "delete" => {
                 let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
                 if let Some(np) = np {
                     self.gone.extend(self.find(np));
@@ -610,62 +602,6 @@ impl<'a> Reader<'a> {
         } else {
             self.near.clone()
         }
-    }
-
-    /// Whether what stands here says where the noun before it is: so that is no part of another.
-    fn relates_after(&self, k: usize, end: usize) -> bool {
-        let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
-        let k = if of { k + 2 } else { k };
-        match self.piece(k, end) {
-            // "with a shade hanging over it", but "a mobile with stars hangs from the ceiling"
-            Some(Piece::Rel(rel)) => {
-                let finite = self.tokens[self.chunks[k].at.start].text.ends_with('s');
-                !finite && !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against)
-            }
-            Some(Piece::ToIts(_)) => true,
-            // "a rail of pans hanging above it", but "a mobile with stars hangs"
-            Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
-            _ => false,
-        }
-    }
-
-    /// Looks and the name of a part, and nothing else: "glass top"; where that ends.
-    fn part_here(&self, from: usize, end: usize) -> Option<usize> {
-        let first = self.chunks.get(from).filter(|_| from < end)?.at.start;
-        let to = (from..end).find(|k| {
-            matches!(self.chunks[*k].piece, Piece::Comma | Piece::Close | Piece::Stop | Piece::Line | Piece::And)
-        });
-        let to = to.unwrap_or(end);
-        let tokens = &self.tokens[first..self.chunks.get(to.checked_sub(1)?)?.at.end];
-        let (_, n) = crate::read::chunk::looks(tokens)?;
-        let part: Vec<&str> = tokens.get(n..).unwrap_or(&[]).iter().map(|t| t.text.as_str()).collect();
-        let part = part.join(" ");
-        (get().part(&part) || get().part(&crate::read::lexicon::singular(&part))).then_some(to)
-    }
-
-    /// "with armrests", "with a glass top": looks of the last thing.
-    fn with_part(&mut self, i: usize, end: usize) -> usize {
-        let from = i + 1;
-        let mut to = from;
-        while to < end
-            && (to == from
-                || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_))
-                || self.np(to, end).is_some_and(|n| get().part(&n.head())))
-        {
-            to += 1;
-        }
-        while to > from + 1 && self.chunks[to - 1].piece == Piece::And {
-            to -= 1;
-        }
-        // "with its back to a wall" is a relation.
-        let text: Vec<&str> =
-            (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
-        if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
-            let feature = format!("with {}", text.join(" "));
-            self.brief.things[*item].look.features.push(feature);
-            (i..to).for_each(|k| self.mark(k));
-        }
-        to
     }
 }
 

@@ -136,6 +136,18 @@ impl Reader<'_> {
                     // Not at a wall, not in a corner: kept as a note.
                     self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
                 } else {
+                    // "a table with two chairs in the corner": the table stands there.
+                    let of = match &self.s.expect {
+                        Expect::With(owner, Join::Usual)
+                            if place == Place::Corner
+                                && self.s.owned == of
+                                && of.iter().all(|o| self.brief.things[*o].group == Group::Seat)
+                                && chunks[i - 1].np().is_some() =>
+                        {
+                            owner.clone()
+                        }
+                        _ => of,
+                    };
                     self.drop_usual(&of);
                     self.at_place(&of, rel, place, &which);
                 }
@@ -143,16 +155,6 @@ impl Reader<'_> {
         }
         self.s.quantifier = Quantifier::Usual;
         next
-    }
-
-    /// Of how many of the things in these chunks something is said.
-    fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
-        let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
-        match self.chunks.get(chunks) {
-            Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
-            Some(_) if each => Quantifier::Any,
-            _ => Quantifier::Usual,
-        }
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
@@ -173,6 +175,15 @@ impl Reader<'_> {
         {
             self.mark(k);
             return self.object(k + 2, end, rel);
+        }
+        // "books on its top shelf": in what has shelves.
+        let within = np.det == Det::Own && matches!(np.head().as_str(), "shelf" | "tier" | "compartment");
+        if within && np.kind == Kind::Thing && matches!(rel, Rel::On | Rel::In) {
+            let items = self.their("it", false);
+            if items.iter().any(|o| self.brief.things[*o].group == Group::Storage) {
+                self.mark(k);
+                return Some((Lead::Items(items, false), k + 1));
+            }
         }
         match np.kind {
             Kind::Thing => {
@@ -273,6 +284,16 @@ impl Reader<'_> {
             Kind::Place(place) => {
                 self.mark(k);
                 Some(self.place_object(k, end, rel, place, np))
+            }
+            // "on its cushioned top": on it, and a look of it.
+            Kind::Abstract if np.det == Det::Own && get().is(&np.head(), Class::Surface) => {
+                let items = self.their("it", false);
+                let last = *items.last()?;
+                let words = self.tokens[self.chunks[k].at.clone()].iter().skip(1);
+                let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
+                self.brief.things[last].look.features.push(text.join(" "));
+                self.mark(k);
+                Some((Lead::Items(items, false), k + 1))
             }
             Kind::Abstract => None,
         }
@@ -383,34 +404,6 @@ impl Reader<'_> {
             self.mark(i + 1);
         }
         Some(i + 2 + if each.is_some() { 2 } else { 0 })
-    }
-
-    /// "the doors", where one was named after the other: all of them.
-    fn all_of(&self, id: usize, np: &Np) -> Vec<usize> {
-        let like = |o: &usize| {
-            let item = &self.brief.things[*o];
-            item.part.is_none() && item.room == self.room && item.group == Group::Door && !self.gone.contains(o)
-        };
-        let plain = np.many && np.det == Det::Definite && np.words.len() == 1 && np.group == Some(Group::Door);
-        let doors: Vec<usize> = (0..self.brief.things.len()).filter(like).collect();
-        if plain && doors.len() > 1 && !self.brief.things[id].number.many() { doors } else { vec![id] }
-    }
-
-    /// "the first row", "the back row": the one in its middle, of what stands in rows here.
-    fn row(&mut self, np: &Np) -> Option<usize> {
-        let which = |words: &[&str]| np.which.iter().any(|w| words.contains(&w.as_str()));
-        let row = match np.nth {
-            Some(Nth::At(n)) => n,
-            Some(Nth::Last) => usize::MAX,
-            _ if which(&["front", "first"]) => 0,
-            _ if which(&["back", "last", "rear"]) => usize::MAX,
-            _ => return None,
-        };
-        let rows = |f: &&Fact| {
-            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
-        };
-        let of = self.brief.facts.iter().rev().find(rows)?.of[0];
-        Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
     }
 
     /// Whether a relation says "either side", "both sides".
@@ -667,6 +660,10 @@ impl Reader<'_> {
     fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
         let Expect::With(owner, _) = &self.s.expect else { return None };
         let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
+        // "a lamp and a chair placed beside the table": of the chair.
+        if i > 0 && self.reduced(i - 1).is_some() {
+            return None;
+        }
         let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
         (listed && owner == to && self.s.owned.len() > 1).then(|| self.s.owned.clone())
     }

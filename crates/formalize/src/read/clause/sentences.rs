@@ -84,4 +84,19 @@ impl Reader<'_> {
         };
         matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
     }
+
+    /// "near a cabinet, which stands opposite the window": of the cabinet, where it was named right before.
+    pub(super) fn relative(&mut self, i: usize, end: usize) -> bool {
+        let which = self.tokens[self.chunks[i].at.start].is("which");
+        let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
+        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
+        let Some(np) = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)) else { return false };
+        let last = self.recent.last().copied().filter(|o| self.brief.things[*o].words == np.words);
+        let Some(last) = last.filter(|o| !self.main.contains(o) && np.kind == Kind::Thing) else { return false };
+        self.before = std::mem::replace(&mut self.main, vec![last]);
+        self.near = vec![last];
+        self.s.expect = Expect::Nothing;
+        self.s.subject = true;
+        true
+    }
 }

@@ -246,6 +246,22 @@ impl Reader<'_> {
                 self.relate(&of, rel, &dir);
                 self.s.expect = Expect::Nothing;
             }
+            // "one speaker stands left of the shelf and another stands right of it"
+            _ if word == "other" && np.det == Det::Indefinite && followed && self.main.len() == 1 => {
+                let model = &self.brief.things[self.main[0]];
+                if model.number != Number::Exactly(1) || model.opening() || model.part.is_some() {
+                    return;
+                }
+                let source = Source::Stated(self.bytes(i..i + 1));
+                let another = Thing { source, ..model.clone() };
+                self.brief.things.push(another);
+                let id = self.brief.things.len() - 1;
+                self.before = std::mem::replace(&mut self.main, vec![id]);
+                self.near = vec![id];
+                self.recent.push(id);
+                self.s.subject = true;
+                self.s.expect = Expect::Nothing;
+            }
             _ if word == "other" => return,
             _ if !self.s.subject && !dir.is_empty() => {
                 self.main = dir.clone();
@@ -363,6 +379,9 @@ impl Reader<'_> {
             Nth::Half => Pick::Half,
             Nth::Every(n) => Pick::Every(n),
             Nth::Some => return self.deal(i, of, count?),
+            Nth::ButFirst if all > 1 => Pick::Rest(1),
+            Nth::ButLast if all > 1 => Pick::Run(0, all - 1),
+            Nth::ButFirst | Nth::ButLast => return None,
         };
         let at = self.bytes(i..i + 1);
         if nth == Nth::Half {
@@ -459,6 +478,12 @@ impl Reader<'_> {
         let id = self.add(np, at);
         if np.row {
             self.say(&[id], What::Pattern(Pattern::Row));
+        }
+        if np.look.features.iter().any(|f| f == "matching") {
+            self.match_looks(id);
+        }
+        if np.look.features.iter().any(|f| f == "ceiling-mounted") && !self.brief.things[id].opening() {
+            self.say(&[id], What::Place(Rel::Hang, Place::Ceiling, vec![]));
         }
         if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.brief.things[id].opening()
         {
@@ -572,7 +597,9 @@ impl Reader<'_> {
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
-        let over = matches!(self.s.expect, Expect::With(..)) && self.new_clause(n, end);
+        // "Above the desk hangs a mirror, and a lamp stands …": the subject came after its verb, so the list is over.
+        let inverted = self.s.verb && !self.s.subject && !self.s.lead.is_empty();
+        let over = (inverted || matches!(self.s.expect, Expect::With(..))) && self.new_clause(n, end);
         (!verb_before && !over).then_some(n)
     }
 
@@ -714,6 +741,8 @@ impl Reader<'_> {
                 Join::Around => Some((Rel::Around, true)),
                 // "a sideboard illuminated by a table lamp"
                 Join::Above if group == Group::Top => Some((Rel::On, false)),
+                // "lit by a lamp and a chair beside it": what gives no light is lit by nothing.
+                Join::Above if !self.gives_light(*t) => None,
                 Join::Above => Some((Rel::Above, true)),
             };
             // A relation in words replaces the usual one: it is dropped again where one follows.

@@ -88,6 +88,18 @@ impl Reader<'_> {
                     let start = (from..before).rev().find(stop).unwrap_or(from);
                     out.push(start..to);
                 }
+                // "all but one of the desks", "no chair but the first"
+                ("but", _) if self.quantified((from..i).rev().find(stop).unwrap_or(from), i) => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
+                // "not all chairs", "not every desk": of some it does not hold, and nobody says of which.
+                ("not", "all" | "every" | "each" | "both" | "everything") => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
+                ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
+                _ if self.uncounted(i, to) => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
                 ("rather", "than") | ("instead", "of") => out.push(i..to),
                 // "no television; instead there is a piano": the piano is said as it is.
                 ("instead", _) if i == from => {}
@@ -106,6 +118,53 @@ impl Reader<'_> {
             }
         }
         out
+    }
+
+    /// Whether these chunks speak of all or of none of something.
+    fn quantified(&self, from: usize, to: usize) -> bool {
+        self.chunks[from..to].iter().flat_map(|c| c.at.clone()).any(|t| {
+            let word = self.tokens[t].text.as_str();
+            matches!(word, "all" | "every" | "each" | "any" | "no" | "none" | "everything" | "everyone" | "nothing")
+        })
+    }
+
+    /// Whether what stands here speaks of some of the things there are in a way that needs counting: "at least two chairs
+    /// face the door", where there are four; "each desk except the last", where nobody says how many there are.
+    fn uncounted(&self, i: usize, end: usize) -> bool {
+        let Some(np) = self.np(i, end) else { return false };
+        let known = self.find(np).map(|f| &self.brief.things[f]).filter(|item| item.number.many());
+        let said = |item: &Thing| item.number.said().is_some() || item.number.follows();
+        match np.nth {
+            Some(Nth::ButFirst | Nth::ButLast) => !known.is_some_and(said),
+            _ => np.bound.is_some() && known.is_some_and(said) && i + 1 < end,
+        }
+    }
+
+    /// "Actually, make that three chairs": so many of what there is, or what it looks like. What is read with it.
+    pub(super) fn revised(&mut self, from: usize, end: usize) -> Option<Range<usize>> {
+        let first = |k: usize| self.chunks.get(k).map_or("", |c| self.tokens[c.at.start].text.as_str());
+        let i = (from..end.min(from + 4)).find(|k| matches!(first(*k), "make" | "makes"))?;
+        let at = self.chunks[i].at.end;
+        if !self.tokens.get(at).is_some_and(|t| matches!(t.text.as_str(), "that" | "it" | "them" | "those" | "this")) {
+            return None;
+        }
+        let k = (i + 1..end.min(i + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == Kind::Thing))?;
+        let np = self.np(k, end)?;
+        let thing = self.find(np).filter(|o| self.brief.things[*o].part.is_none())?;
+        match np.count {
+            Some(n) if n > 0 && !self.brief.things[thing].number.follows() => {
+                self.brief.things[thing].number = Number::Exactly(n.min(MOST_COUNT));
+            }
+            None if np.det == Det::Indefinite && np.look != crate::draft::Look::default() => {}
+            _ => return None,
+        }
+        self.more_of(thing, np);
+        let to = self.after_noun(k + 1, end, thing);
+        (from..to).for_each(|c| self.mark(c));
+        self.main = vec![thing];
+        self.near = vec![thing];
+        self.s.subject = true;
+        Some(from..to)
     }
 
     /// "there is neither a telephone nor a television": both are ruled out. What is read with it.

@@ -2,6 +2,97 @@
 
 use super::*;
 
+/// Words before a place that tell which one.
+pub(super) const WHICH: &[&str] = &[
+    "left",
+    "right",
+    "front",
+    "back",
+    "far",
+    "near",
+    "north",
+    "south",
+    "east",
+    "west",
+    "northern",
+    "southern",
+    "eastern",
+    "western",
+    "rear",
+    "long",
+    "short",
+    "opposite",
+    "other",
+    "same",
+    "side",
+    "inner",
+    "outer",
+    "end",
+    "left-hand",
+    "right-hand",
+    "northeast",
+    "northwest",
+    "southeast",
+    "southwest",
+    "north-east",
+    "north-west",
+    "south-east",
+    "south-west",
+    "exact",
+    "very",
+    "quiet",
+    "free",
+    "entrance",
+    "window",
+    "main",
+    "bare",
+    "longer",
+    "shorter",
+    "longest",
+    "remaining",
+    "third",
+    "first",
+    "second",
+    "lower",
+    "upper",
+    "top",
+    "bottom",
+    "outside",
+    "exterior",
+    "farthest",
+    "furthest",
+    "farther",
+    "further",
+    "dark",
+    "brick",
+    "top-left",
+    "opposing",
+    "blank",
+    "empty",
+    "whole",
+    "entire",
+    "dead",
+];
+
+pub(super) fn place(word: &str) -> Option<Place> {
+    Some(match word {
+        "wall" | "walls" => Place::Wall,
+        "corner" | "corners" => Place::Corner,
+        "ceiling" => Place::Ceiling,
+        "floor" | "ground" => Place::Floor,
+        "middle" | "centre" | "center" => Place::Middle,
+        "side" | "sides" | "edge" => Place::Side,
+        "end" | "ends" => Place::End,
+        "head" => Place::Head,
+        "foot" => Place::Foot,
+        "back" | "rear" => Place::Back,
+        "front" => Place::Front,
+        "row" | "rows" => Place::Row,
+        "circle" | "ring" => Place::Circle,
+        _ => return None,
+    })
+}
+
 /// The longest noun of the tables that begins here: in the singular, and its tokens.
 pub(super) fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
     let lexicon = get();
@@ -162,4 +253,45 @@ pub(super) fn names_something(rest: &[Token]) -> bool {
         Some(place) => place == Place::Row,
         None => before_noun(rest),
     })
+}
+
+/// "except the last", "but for the first one": which one is left out, and the words.
+pub(super) fn but_one(rest: &[Token]) -> Option<(Nth, usize)> {
+    let text = |i: usize| rest.get(i).map_or("", |t| t.text.as_str());
+    let mut used = match (text(0), text(1)) {
+        ("except" | "but" | "excepting", "for") | ("apart" | "aside", "from") | ("other", "than") => 2,
+        ("except" | "but" | "excepting", _) => 1,
+        _ => return None,
+    };
+    used += usize::from(text(used) == "the");
+    let nth = match text(used) {
+        "first" => Nth::ButFirst,
+        "last" => Nth::ButLast,
+        _ => return None,
+    };
+    used += 1;
+    Some((nth, used + usize::from(text(used) == "one")))
+}
+
+/// Looks that are no word of the tables, before a noun: an adverb and a participle ("neatly rolled"), a part and what it
+/// is like ("glass top", "spindle back"). How many words.
+pub(super) fn worded_look(rest: &[Token]) -> Option<usize> {
+    const PARTS: [&str; 4] = ["top", "frame", "back", "base"];
+    let lexicon = get();
+    let [first, second, after @ ..] = rest else { return None };
+    if !first.word() || !second.word() || first.owner || second.owner {
+        return None;
+    }
+    let goes_on = || longest_noun(after).is_some() || look_at(after).is_some() && leads_to_noun(after);
+    if first.text.ends_with("ly") && first.text.len() > 4 {
+        let participle = second.text.ends_with("ed") && lexicon.look(&second.text).is_none();
+        return (participle && lexicon.verb(&rest[1..]).is_none() && goes_on()).then_some(2);
+    }
+    let like = matches!(lexicon.look(&first.text), Some(Look::Material | Look::Shade))
+        || !lexicon.known(&first.text) && !lexicon.is(&first.text, Class::Stop);
+    let (noun, _) = longest_noun(after)?;
+    let of_itself = matches!(noun.as_str(), "shelf" | "drawer" | "row" | "rest" | "cushion" | "board" | "plate")
+        || matches!(lexicon.noun(&noun), Some(Group::Door | Group::Window));
+    let single = longest_noun(rest).is_none_or(|(_, n)| n < 2) && longest_noun(&rest[1..]).is_none_or(|(_, n)| n < 2);
+    (PARTS.contains(&second.text.as_str()) && like && single && !of_itself).then_some(2)
 }
