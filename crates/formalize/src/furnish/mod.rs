@@ -3,13 +3,18 @@
 //! What is added to a thing is fixed to it by equations, so that the search moves it as one piece with the thing; only what
 //! stands by itself is placed by the search. Nothing is added that is asked for, ruled out, or could be counted as either.
 
+mod build;
+mod choose;
 mod drop;
+mod floor;
 mod groups;
 mod kinds;
 mod number;
+mod openings;
 mod place;
 mod plan;
 mod room;
+mod seek;
 mod slots;
 mod stand;
 mod taste;

@@ -1,5 +1,7 @@
 //! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
 
+use super::build::Building;
+use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::Kind;
 use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
@@ -26,17 +28,21 @@ pub struct Plan<'a> {
     /// Its kind.
     pub kind: &'static Kind,
     /// Names that are given.
-    names: Names,
+    pub names: Names,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
     /// For how many people, where that is said.
     pub people: Option<usize>,
     /// Square metres of the floor that are taken.
-    floor: f64,
+    pub floor: f64,
     /// Metres of the walls that are taken.
-    walls: f64,
+    pub walls: f64,
     /// So many textiles and the like have a colour.
-    turn: usize,
+    pub turn: usize,
+    /// What is taken where; `None` for floors that are no rectangles.
+    pub ground: Option<Floor>,
+    /// The group that is being put together.
+    pub building: Option<Building>,
 }
 
 /// Whether a thing stands at a wall, and whether that must hold.
@@ -76,7 +82,7 @@ impl<'a> Plan<'a> {
         }
         let openings = draft.openings.iter().filter(|o| o.rooms.contains(&room));
         walls += openings.map(|o| o.size[0] + 0.2).sum::<f64>();
-        Self { draft, room, kind, names, closed, people, floor, walls, turn: 0 }
+        Self { draft, room, kind, names, closed, people, floor, walls, turn: 0, ground: None, building: None }
     }
 
     /// Square metres.
@@ -181,7 +187,8 @@ impl<'a> Plan<'a> {
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
         // One bin serves several.
-        if self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
+        let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
+        if left_out || self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));
@@ -228,6 +235,9 @@ impl<'a> Plan<'a> {
         }
         let why = why(&category.replace('_', " "), noun, &at);
         let new = self.add(noun, each * anchors, own, &why);
+        if let Some(group) = &mut self.building {
+            group.add(thing, new, &places, (noun, own, &at), height);
+        }
         self.fix(thing, new, &places, height, &why);
         self.group(thing, new, &at, &why);
         self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);

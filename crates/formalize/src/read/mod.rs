@@ -110,6 +110,7 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
         furnish(&mut draft, &brief);
         // What was added contradicts nothing, either.
         mend(&mut draft);
+        draft.guided = true;
     }
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
