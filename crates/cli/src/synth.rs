@@ -18,6 +18,8 @@ use std::time::{Duration, Instant};
 
 /// What the summary as JSON calls itself.
 const SYNTHESIS: &str = "scenelang.synthesis/1";
+/// The part of the work for preferences that is done where the furniture has its places already.
+const PLANNED: u8 = 20;
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
@@ -59,7 +61,8 @@ pub fn run(args: &Synth) -> u8 {
         free: 0,
         threads: args.search.threads(),
         effort: args.search.effort,
-        quality: args.search.quality,
+        // What was planned is good already: little work shows what more there is.
+        quality: if planned.is_some() { args.search.quality.div_ceil(PLANNED) } else { args.search.quality },
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,

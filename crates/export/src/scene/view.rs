@@ -127,7 +127,9 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     let value = |o: &Object| {
         let front = if FRONTLESS.contains(&o.family.as_str()) { 0.0 } else { o.axes.column(2).dot(&way) };
         let nearness = (o.place.pos - middle).dot(&way) / spread;
-        face(o) * (front - 0.7 * nearness)
+        // What is tall and turns its back hides the most.
+        let tall = if o.place.scale.y > 1.2 { 2.0 } else { 1.0 };
+        tall * face(o) * (front - 0.7 * nearness)
     };
     scene.objects.iter().map(value).sum::<f64>() / scene.objects.iter().map(face).sum::<f64>().max(1e-9)
 }

@@ -104,7 +104,7 @@ impl Building {
     fn least(&self, plan: &Plan<'_>, root: usize) -> Option<&'static str> {
         let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;
         let category = plan.draft.things[last.thing].category.replace('_', " ");
-        super::groups::nouns().find(|noun| *noun == category)
+        super::groups::nouns().find(|noun| *noun == category && !self.skip.contains(noun))
     }
 }
 
@@ -137,9 +137,10 @@ impl Plan<'_> {
         let (mut n, mut skip) = (root.n, Vec::new());
         for _ in 0..ATTEMPTS {
             let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
-            let names = self.names.clone();
+            let (names, claimed) = (self.names.clone(), self.claimed.len());
             let thing = add(self, n * root.frames.len());
             if let Some(poses) = self.try_group(thing, n, root, &skip) {
+                self.miss(&skip);
                 return Some((thing, poses));
             }
             let least = self.building.take().and_then(|group| group.least(self, thing));
@@ -147,6 +148,7 @@ impl Plan<'_> {
             self.draft.statements.truncate(before.1);
             (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
             self.names = names;
+            self.claimed.truncate(claimed);
             match least {
                 Some(part) => skip.push(part),
                 None if n > 1 => n -= 1,
@@ -161,8 +163,9 @@ impl Plan<'_> {
         let mut skip = Vec::new();
         for _ in 0..ATTEMPTS {
             let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
-            let names = self.names.clone();
+            let (names, claimed) = (self.names.clone(), self.claimed.len());
             if self.try_group(thing, root.n, root, &skip).is_some() {
+                self.miss(&skip);
                 return true;
             }
             let least = self.building.take().and_then(|group| group.least(self, thing));
@@ -170,12 +173,19 @@ impl Plan<'_> {
             self.draft.statements.truncate(before.1);
             (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
             self.names = names;
+            self.claimed.truncate(claimed);
             match least {
                 Some(part) => skip.push(part),
                 None => return false,
             }
         }
         false
+    }
+
+    /// Notes that a thing that matters has no seats.
+    fn miss(&mut self, skip: &[&'static str]) {
+        let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
+        self.lacking |= self.matters && seats;
     }
 
     fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {

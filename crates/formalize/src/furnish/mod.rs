@@ -43,6 +43,36 @@ pub fn measure(brief: &mut Brief) {
     }
 }
 
+/// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
+pub fn refine(brief: &mut Brief) {
+    for at in 0..brief.things.len() {
+        let thing = &brief.things[at];
+        if thing.part.is_some() || thing.opening() || thing.size.iter().any(Option::is_some) || thing.words.len() != 1 {
+            continue;
+        }
+        let known = |words: &str| scenelang_lang::nouns::noun(words).is_some();
+        let said = thing.look.features.iter().map(|feature| format!("{feature} {}", thing.words[0]));
+        let said = said.enumerate().find(|(_, name)| known(name));
+        let meant = || {
+            let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
+            let (_, noun) = kind.means.iter().find(|(plain, _)| *plain == thing.words[0])?;
+            known(noun).then(|| (*noun).to_owned())
+        };
+        let thing = match said {
+            Some((feature, name)) => {
+                brief.things[at].look.features.remove(feature);
+                Some(name)
+            }
+            None => meant(),
+        }
+        .map(|name| (at, name));
+        if let Some((at, name)) = thing {
+            brief.things[at].words = name.split(' ').map(str::to_owned).collect();
+            brief.things[at].last = brief.things[at].words.len();
+        }
+    }
+}
+
 /// Adds to each room of a draft what such rooms have.
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
     let mut closed: Vec<String> = draft.things.iter().map(|thing| thing.category.replace('_', " ")).collect();

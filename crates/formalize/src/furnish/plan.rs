@@ -41,6 +41,12 @@ pub struct Plan<'a> {
     pub turn: usize,
     /// What is taken where; `None` for floors that are no rectangles.
     pub ground: Option<Floor>,
+    /// Things that are asked for and have their place with another: stools at an island.
+    pub claimed: Vec<usize>,
+    /// Whether what is furnished now matters, and whether something that does found no room.
+    pub matters: bool,
+    /// See `matters`.
+    pub lacking: bool,
     /// The group that is being put together.
     pub building: Option<Building>,
 }
@@ -82,7 +88,22 @@ impl<'a> Plan<'a> {
         }
         let openings = draft.openings.iter().filter(|o| o.rooms.contains(&room));
         walls += openings.map(|o| o.size[0] + 0.2).sum::<f64>();
-        Self { draft, room, kind, names, closed, people, floor, walls, turn: 0, ground: None, building: None }
+        Self {
+            draft,
+            room,
+            kind,
+            names,
+            closed,
+            people,
+            floor,
+            walls,
+            turn: 0,
+            ground: None,
+            claimed: Vec::new(),
+            matters: true,
+            lacking: false,
+            building: None,
+        }
     }
 
     /// Square metres.
@@ -105,7 +126,9 @@ impl<'a> Plan<'a> {
     pub fn has_room(&self, size: [f64; 3], n: usize, at_wall: bool) -> bool {
         let [w, _, d] = self.draft.rooms[self.room].size;
         let n = n as f64;
-        let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= self.kind.fill * w * d;
+        // Where places are known, they keep ways free; the floor may be fuller.
+        let more = if self.ground.is_some() { 1.2 } else { 1.0 };
+        let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= more * self.kind.fill * w * d;
         // Corners cannot be used from both sides.
         let walls = !at_wall || self.walls + n * (size[0] + 0.1) <= 0.75 * (2.0 * (w + d) - 2.4);
         floor && walls && size[0].min(size[2]) < w.min(d) - 0.9
@@ -186,6 +209,9 @@ impl<'a> Plan<'a> {
         let anchors = self.draft.things[thing].count;
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
+        if self.claim(thing, part) {
+            return;
+        }
         // One bin serves several.
         let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
         if left_out || self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
@@ -241,6 +267,45 @@ impl<'a> Plan<'a> {
         self.fix(thing, new, &places, height, &why);
         self.group(thing, new, &at, &why);
         self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// Seats that are asked for, and of which nothing else is said, stand where such seats go with a thing.
+    fn claim(&mut self, thing: usize, part: &Part) -> bool {
+        let seats = matches!(part.at, Where::Row(..) | Where::Around(..) | Where::LongSides(..) | Where::Front(..));
+        if !seats || self.draft.things[thing].count > 1 || stand::group(part.noun) != Group::Seat {
+            return false;
+        }
+        let free = |i: &usize| {
+            let it = &self.draft.things[*i];
+            it.room == Some(self.room)
+                && matches!(it.source, Source::Stated(_))
+                && stand::counts_as(part.noun, &it.category.replace('_', " "))
+                && *i != thing
+                && !self.claimed.contains(i)
+                && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
+                && !stand::placed(self.draft, &it.name)
+        };
+        let Some(asked) = (0..self.draft.things.len()).find(free) else { return false };
+        let it = self.draft.things[asked].clone();
+        let (Some(of), Some(own)) = (self.draft.things[thing].size, it.size) else { return false };
+        let at = match part.at {
+            Where::Row(_, gap) => Where::Row(it.count, gap),
+            Where::Around(_, gap) => Where::Around(it.count, gap),
+            Where::LongSides(_, gap) => Where::LongSides(it.count, gap),
+            ref at => at.clone(),
+        };
+        let places = slots(&at, &Sizes { of, own }, &[]);
+        if places.len() != it.count {
+            return false;
+        }
+        let height = self.draft.rooms[self.room].size[1];
+        let why = why(&self.draft.things[thing].category.replace('_', " "), part.noun, &at);
+        if let Some(group) = &mut self.building {
+            group.add(thing, asked, &places, (part.noun, own, &at), height);
+        }
+        self.claimed.push(asked);
+        self.fix(thing, asked, &places, height, &why);
+        true
     }
 
     /// Says where the elements of a part are, given those of what it goes with.

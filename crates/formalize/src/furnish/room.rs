@@ -20,10 +20,32 @@ const WINDOW: [f64; 3] = [1.4, 1.3, 0.12];
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
 
+/// So many lines of an inventory matter: a room without them is not what it is called.
+const MATTER: usize = 4;
+/// How often a room grows whose size nobody gave and in which something that matters finds no room, and by how much.
+const GROWN: usize = 5;
+const GROWTH: f64 = 1.07;
+
 /// Furnishes a room of a draft.
 pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
+    let may_grow = draft.rooms.len() == 1 && !draft.rooms[at].sized && draft.rooms[at].outline.is_none();
+    let mut before = draft.clone();
+    for grown in 0..=GROWN {
+        let lacking = furnish_once(draft, brief, at, closed);
+        if !lacking || !may_grow || grown == GROWN {
+            return;
+        }
+        for k in [0, 2] {
+            before.rooms[at].size[k] = (before.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
+        }
+        *draft = before.clone();
+    }
+}
+
+/// Furnishes a room of its size. Whether something that matters found no room.
+fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) -> bool {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
-    let Some(kind) = kind else { return };
+    let Some(kind) = kind else { return false };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
@@ -33,7 +55,12 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
         openings::doors(draft, at);
     }
     let own = |t: &crate::draft::Thing| t.room == Some(at) && matches!(t.source, Source::Stated(_));
-    let asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
+    let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
+    // What seats go with comes before them.
+    asked.sort_by_key(|i| {
+        let category = &draft.things[*i].category;
+        stand::group(category) == crate::brief::Group::Seat && !stand::has_back(category)
+    });
     let windows = brief.things.iter().any(|t| t.room == at && t.group == crate::brief::Group::Window)
         || closed.iter().any(|name| name.contains("window"))
         || draft.outdoor;
@@ -49,10 +76,16 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     for thing in &asked {
         stand_up(&mut plan, *thing);
     }
-    for line in &kind.lines {
+    for (i, line) in kind.lines.iter().enumerate() {
+        let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner | Place::Rows(_));
+        plan.matters = i < MATTER && stands && line.least == 0.0;
+        let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
+        plan.lacking |= plan.matters && !closed && plan.draft.things.len() == things;
     }
+    let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
+    lacking
 }
 
 /// A door from outside, where no door leads into a room of the program.
@@ -155,6 +188,9 @@ fn watched_from(plan: &Plan) -> Option<Pose> {
 
 /// What is asked for stands at a wall if such things do and nothing else is said, and gets what goes with it.
 fn stand_up(plan: &mut Plan, thing: usize) {
+    if plan.claimed.contains(&thing) {
+        return;
+    }
     let it = plan.draft.things[thing].clone();
     let room = plan.room_name();
     let mut wall = AtWall::No;
@@ -196,7 +232,9 @@ fn stand_up(plan: &mut Plan, thing: usize) {
                 }
             };
             let root = Root { n: it.count, frames: vec![Pose::default()], wall, seek: &seek };
-            plan.place_asked(thing, &root)
+            let placed = plan.place_asked(thing, &root);
+            plan.lacking |= !placed;
+            placed
         }
         None => false,
     };
@@ -293,7 +331,9 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let hung = line.place == Place::Hung
         || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..));
-    let n = (0..=n).rev().find(|n| hung || plan.has_room(size, *n, at_wall)).unwrap_or(0);
+    // Where places are known, they say better what there is room for.
+    let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
+    let n = (0..=n).rev().find(room_for).unwrap_or(0);
     if n == 0 {
         return;
     }
