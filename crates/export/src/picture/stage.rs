@@ -27,6 +27,9 @@ const HEAD: f64 = 1.7;
 /// What is taller than this and seen from behind is drawn so that one sees through it (metres).
 const TALL: f64 = 1.2;
 
+/// How solid something tall remains that is seen from behind.
+const FADED: f32 = 0.5;
+
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
@@ -140,7 +143,11 @@ impl Stage {
         let hides =
             cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if turns_its_back(object, from, to, view)));
         let hangs = cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if hangs_on(object, from, to)));
-        let share = if hangs || hides { GHOST } else { 1.0 };
+        let share = match (hangs, hides) {
+            (true, _) => GHOST,
+            (_, true) => FADED,
+            _ => 1.0,
+        };
         for group in &object.mesh {
             let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
             let shadow = share * scene.surfaces[group.surface].opacity > 0.5;

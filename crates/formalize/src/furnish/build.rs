@@ -18,6 +18,9 @@ const PULL: f64 = 0.36;
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
+/// What a group is not complete without, beside its seats.
+const USED: [&str; 3] = ["kitchen sink", "stove", "fridge"];
+
 /// A group that is being put together.
 #[derive(Clone, Debug, Default)]
 pub struct Building {
@@ -184,7 +187,7 @@ impl Plan<'_> {
 
     /// Notes that a thing that matters has no seats.
     fn miss(&mut self, skip: &[&'static str]) {
-        let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
+        let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat || USED.contains(noun));
         self.lacking |= self.matters && seats;
     }
 

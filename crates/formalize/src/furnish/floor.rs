@@ -199,13 +199,19 @@ impl Floor {
         }
         let mut other = self.clone();
         other.take(shape, at);
-        let reached = other.reached();
-        other.goals.iter().all(|goal| {
+        other.unreached() <= self.unreached()
+    }
+
+    /// How many things there is no way to.
+    fn unreached(&self) -> usize {
+        let reached = self.reached();
+        let near = |goal: &Block| {
             reached.iter().any(|[x, z]| {
                 let point = Block { low: [*x, 0.0, *z], high: [*x, 0.0, *z] };
                 goal.gap(&point) <= HALF_WAY + 0.2
             })
-        })
+        };
+        self.goals.iter().filter(|goal| !near(goal)).count()
     }
 
     /// Middles of the cells that one can stand in, coming from a door.

@@ -106,6 +106,7 @@ pub fn of(room: &str) -> Option<&'static Kind> {
 
 /// A word in the singular.
 fn one(word: &str) -> String {
+    let word = word.trim_end_matches("'s").trim_end_matches('\'');
     if plural(word) { singular(word) } else { word.to_owned() }
 }
 

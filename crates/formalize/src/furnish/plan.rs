@@ -15,7 +15,7 @@ use crate::write::number;
 use scenelang_lang::nouns;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for.
-pub const MOST: usize = 110;
+pub const MOST: usize = 140;
 /// Groups of groups of groups: so deep.
 const DEEP: usize = 3;
 
@@ -143,7 +143,7 @@ impl<'a> Plan<'a> {
     }
 
     /// How many things there are in the program.
-    fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.draft.things.iter().map(|t| t.count).sum()
     }
 

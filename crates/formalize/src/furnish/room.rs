@@ -77,8 +77,9 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
         stand_up(&mut plan, *thing);
     }
     for (i, line) in kind.lines.iter().enumerate() {
-        let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner | Place::Rows(_));
-        plan.matters = i < MATTER && stands && line.least == 0.0;
+        let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
+        let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
+        plan.matters = i < MATTER && stands && few && line.least == 0.0 && plan.count() <= MOST;
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
         plan.lacking |= plan.matters && !closed && plan.draft.things.len() == things;
@@ -136,7 +137,9 @@ fn add_windows(plan: &mut Plan) {
                 plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)
                     && o.rooms.contains(&plan.room)
             });
-            if count > fit && !(watched && wall == Wall::Back) && !behind_door {
+            // The left one, unless another has room for clearly more.
+            let more = if chosen.is_some() { 2 * count > 3 * fit } else { count > 0 };
+            if more && !(watched && wall == Wall::Back) && !behind_door {
                 (chosen, fit) = (Some((wall, first)), count);
             }
         }
@@ -192,6 +195,21 @@ fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     let it = plan.draft.things[thing].clone();
+    let noun = it.category.replace('_', " ");
+    // Where such rooms have their own of it, it stands as those do.
+    let own = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun)).map(|line| &line.place);
+    if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
+        let clear = format!("againstWall(a, {})", plan.room_name());
+        if stand::on_floor(plan.draft, &it)
+            && rows(plan, &noun, it.count, *toward, ("such things stand in rows", Some(thing)))
+        {
+            plan.draft
+                .statements
+                .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&clear) || !s.text.contains(&it.name));
+            return;
+        }
+    }
+    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
     let room = plan.room_name();
     let mut wall = AtWall::No;
     if stand::on_floor(plan.draft, &it) && it.count <= 4 && stand::has_back(&it.category) {
@@ -207,7 +225,6 @@ fn stand_up(plan: &mut Plan, thing: usize) {
         if !said {
             plan.say(all(&at_wall), "such things stand at a wall");
         }
-        let noun = it.category.replace('_', " ");
         if let Some(depth) = stand::access(&it.category).filter(|_| !choose::front_taken(&noun)) {
             let text = all(&format!("clear({one}, front, {})", metres(depth))).replacen("assert", "prefer", 1);
             plan.say(text, "one gets at it from the front");
@@ -216,8 +233,9 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             wall = AtWall::Yes;
         }
     }
-    straighten(plan, thing);
-    let noun = it.category.replace('_', " ");
+    if !at_wall_like {
+        straighten(plan, thing);
+    }
     let placed = match it.size.filter(|_| plan.ground.is_some() && stand::on_floor(plan.draft, &it)) {
         Some(size) => {
             let windows = window_walls(plan);
@@ -225,7 +243,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             let turned = plan.draft.statements.iter().any(|s| s.text.contains(&format!("{}.rot.y = 90", it.name)));
             let yaws: &[f64] = if turned { &[90.0] } else { &[0.0] };
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-                if stand::has_back(&it.category) && it.count <= 8 {
+                if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
                     choice.wall(floor, shape, before)
                 } else {
                     choice.floor(floor, shape, before, yaws)
@@ -307,7 +325,9 @@ fn inventory(plan: &mut Plan, line: &Line) {
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
         Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
-        Place::Rows(toward) => rows(plan, line.noun, n, *toward, &why),
+        Place::Rows(toward) => {
+            rows(plan, line.noun, n, *toward, (&why, None));
+        }
         _ => single(plan, line, n, &why),
     }
 }
@@ -503,22 +523,31 @@ fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
 }
 
 /// Things with their groups in rows, as many as there is room for.
-fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
+/// Of things that are asked for, all or none. Whether they stand there.
+fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str, Option<usize>)) -> bool {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     if plan.draft.rooms[plan.room].outline.is_some() || n == 0 {
-        return;
+        return false;
     }
-    let size = Plan::size(noun);
+    let wanted = n;
+    let size = asked.and_then(|thing| plan.draft.things[thing].size).unwrap_or_else(|| Plan::size(noun));
+    let flat = size[1] < 0.05;
     let [left, right, back, front] = plan.reach(noun, size);
     let (cell_w, cell_d) = (left + right, back + front);
     // Ways of this width between the rows and around them.
     let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
-    let ahead = if toward { 2.2_f64.min(0.28 * d) } else { side };
+    let between = if flat { 0.35 } else { 0.6 };
+    let ahead = match toward {
+        true if flat => 1.3,
+        true => 2.2_f64.min(0.28 * d),
+        false => side,
+    };
     let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
     let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
-    let lines = (((free_d + 0.6) / (cell_d + 0.6)) as usize).max(1);
+    let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
     if cell_w > free_w || cell_d > free_d {
-        return;
+        plan.lacking |= plan.matters;
+        return false;
     }
     let mut n = n.min(columns * lines);
     // As square as the room.
@@ -529,7 +558,7 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
         most.min(cell + least.max(0.35 * cell)).max(most.min(cell + least))
     };
     let step_x = step(free_w, cell_w, columns_used, aisle);
-    let step_z = step(free_d, cell_d, lines_used, 0.6);
+    let step_z = step(free_d, cell_d, lines_used, between);
     // The middle of the rows, the group's own middle apart.
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
     let yaw = if toward { 180.0 } else { 0.0 };
@@ -547,15 +576,16 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
         // What stands there already, and doors, leave less.
         let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
         let cell = [cell_w, size[1].max(0.9), cell_d];
-        let piece = Piece { thing: 0, at: around, size: cell, flat: size[1] < 0.05, tall: false };
+        let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
         let shape = Shape { pieces: vec![piece], free: Vec::new() };
         places.retain(|at| ground.fits(&shape, at));
     }
     n = places.len();
-    if n == 0 {
-        return;
+    plan.lacking |= plan.matters && n < wanted;
+    if n == 0 || asked.is_some() && n < wanted {
+        return false;
     }
-    let thing = plan.add(noun, n, size, why);
+    let thing = asked.unwrap_or_else(|| plan.add(noun, n, size, why));
     let room = plan.room_name();
     let name = plan.draft.things[thing].name.clone();
     let each: Vec<String> = places
@@ -574,6 +604,7 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
         plan.building = None;
         plan.surround(thing, AtWall::No, 0);
     }
+    true
 }
 
 impl Plan<'_> {
