@@ -92,9 +92,6 @@ fn planned(draft: &Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Op
         progress(now);
         ControlFlow::Continue(())
     });
-    if std::env::var_os("SCENELANG_PLANNED").is_some() {
-        eprintln!("planned: {} {:?}", outcome.converged, outcome.unsatisfied.iter().take(12).collect::<Vec<_>>());
-    }
     outcome.converged.then_some(outcome.layout)
 }
 

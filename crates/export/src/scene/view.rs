@@ -127,7 +127,7 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     let spread = scene.objects.iter().map(|o| (o.place.pos - middle).norm()).fold(1.0, f64::max);
     // What is tall and turns its back hides the most; of a bed the whole top is seen, or the headboard.
     let face = |o: &Object| match o.family.as_str() {
-        "bed" | "crib" => 2.0 * o.place.scale.x * o.place.scale.z,
+        "bed" | "crib" => 3.0 * o.place.scale.x * o.place.scale.z,
         "sofa" => 1.5 * o.place.scale.x * o.place.scale.z,
         _ if o.place.scale.y > TALL => 1.4 * o.place.scale.x * o.place.scale.y,
         _ => o.place.scale.x * o.place.scale.y,

@@ -103,6 +103,12 @@ impl Building {
         self.frames.insert(new, frames);
     }
 
+    /// Whether several elements of a thing are placed together, side by side.
+    pub fn is_run(&self, thing: usize) -> bool {
+        self.shape.pieces.first().is_some_and(|first| first.thing == thing)
+            && self.frames.get(&thing).is_some_and(|frames| frames.len() > 1)
+    }
+
     /// The part that is left out next: the last that stands somewhere.
     fn least(&self, plan: &Plan<'_>, root: usize) -> Option<&'static str> {
         let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;

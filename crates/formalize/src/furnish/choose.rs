@@ -17,6 +17,8 @@ pub struct Choice<'a> {
     pub looks_at: Option<Pose>,
     /// Whether it must look at it straight.
     pub strictly: bool,
+    /// Whether the back of the room is for those who work there.
+    pub staffed: bool,
 }
 
 /// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
@@ -49,6 +51,10 @@ impl Choice<'_> {
                 return None;
             }
             cost = aside + if opposite { 0.0 } else { 0.6 };
+        }
+        // Guests do not sit behind the counter.
+        if self.staffed && wall == Wall::Back && stand::group(self.noun) != crate::brief::Group::Storage {
+            cost += 1.0;
         }
         let lit = self.windows.contains(&wall);
         if self.is(&["bed"]) {

@@ -213,6 +213,11 @@ impl<'a> Plan<'a> {
             return;
         }
         // One bin serves several.
+        // In a run there is nothing at the sides.
+        let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));
+        if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
+            return;
+        }
         let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
         if left_out || self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
             return;
@@ -342,11 +347,13 @@ impl<'a> Plan<'a> {
             _ => {}
         }
         if own < 0.05 && places.iter().any(|slot| slot.level == Level::Floor) {
-            let text = match part.count {
-                1 => format!("allowCollide({}, objects);", part.name),
-                _ => return,
+            let names: Vec<String> = match part.count {
+                1 => vec![part.name.clone()],
+                n => (0..n).map(|i| format!("{}[{i}]", part.name)).collect(),
             };
-            self.say(text, "things may stand on it");
+            for name in names {
+                self.say(format!("allowCollide({name}, objects);"), "things may stand on it");
+            }
         }
     }
 

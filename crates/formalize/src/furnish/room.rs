@@ -30,9 +30,16 @@ const GROWTH: f64 = 1.07;
 pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let may_grow = draft.rooms.len() == 1 && !draft.rooms[at].sized && draft.rooms[at].outline.is_none();
     let mut before = draft.clone();
+    let mut first = None;
     for grown in 0..=GROWN {
         let lacking = furnish_once(draft, brief, at, closed);
-        if !lacking || !may_grow || grown == GROWN {
+        if !lacking || !may_grow {
+            return;
+        }
+        let first = first.get_or_insert_with(|| draft.clone());
+        if grown == GROWN {
+            // More floor is no help.
+            *draft = first.clone();
             return;
         }
         for k in [0, 2] {
@@ -182,6 +189,11 @@ fn window_walls(plan: &Plan) -> Vec<Wall> {
     windows.filter_map(|o| Wall::behind(&plan.place_in_room(&o.name)?)).collect()
 }
 
+/// Whether someone works behind a counter at the back of such a room.
+fn staffed(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| matches!(line.place, Place::Before(_, yaw) if yaw == 180.0))
+}
+
 /// The place of what someone sits or lies on who looks at something.
 fn watched_from(plan: &Plan) -> Option<Pose> {
     let seat = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
@@ -239,7 +251,14 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     let placed = match it.size.filter(|_| plan.ground.is_some() && stand::on_floor(plan.draft, &it)) {
         Some(size) => {
             let windows = window_walls(plan);
-            let choice = Choice { noun: &noun, size, windows: &windows, looks_at: None, strictly: false };
+            let choice = Choice {
+                noun: &noun,
+                size,
+                windows: &windows,
+                looks_at: None,
+                strictly: false,
+                staffed: staffed(plan),
+            };
             let turned = plan.draft.statements.iter().any(|s| s.text.contains(&format!("{}.rot.y = 90", it.name)));
             let yaws: &[f64] = if turned { &[90.0] } else { &[0.0] };
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
@@ -376,12 +395,23 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
     let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
     let windows = window_walls(plan);
-    let choice =
-        Choice { noun: line.noun, size, windows: &windows, looks_at: watched, strictly: opposite_pose.is_some() };
+    let choice = Choice {
+        noun: line.noun,
+        size,
+        windows: &windows,
+        looks_at: watched,
+        strictly: opposite_pose.is_some(),
+        staffed: staffed(plan),
+    };
     // Of places along a line, the nearest to the one that is meant.
     let near = |floor: &Floor, shape: &Shape, nominal: Pose| {
-        let steps = (-30..=30).map(|i| Pose { x: nominal.x + 0.15 * f64::from(i), ..nominal });
-        super::seek::best(floor, shape, steps, &|pose| Some((pose.x - nominal.x).abs()))
+        let off =
+            |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
+        let further = if matches!(line.place, Place::Before(..)) { 6 } else { 0 };
+        let steps = (0..=further).flat_map(|k| (-30..=30).map(move |i| off(i, k)));
+        super::seek::best(floor, shape, steps, &|pose| {
+            Some((pose.x - nominal.x).abs() + 2.0 * (pose.z - nominal.z).abs())
+        })
     };
     let nominal = match &line.place {
         Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
