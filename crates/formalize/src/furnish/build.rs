@@ -194,7 +194,7 @@ impl Plan<'_> {
     /// Notes that a thing that matters has no seats.
     fn miss(&mut self, skip: &[&'static str]) {
         let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat || USED.contains(noun));
-        self.lacking |= self.matters && seats;
+        self.lacking += usize::from(self.matters && seats);
     }
 
     fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {

@@ -71,7 +71,7 @@ impl Choice<'_> {
         }
         // Several of a kind stand at one wall, evenly.
         if let Some(last) = before.last() {
-            cost += if last.yaw == pose.yaw { -0.4 } else { 0.0 };
+            cost += if last.yaw == pose.yaw { -1.2 } else { 0.0 };
             let apart = (last.x - pose.x).hypot(last.z - pose.z) - self.size[0];
             cost += (apart - TOGETHER).abs().min(2.0) * 0.25;
         }

@@ -43,10 +43,10 @@ pub struct Plan<'a> {
     pub ground: Option<Floor>,
     /// Things that are asked for and have their place with another: stools at an island.
     pub claimed: Vec<usize>,
-    /// Whether what is furnished now matters, and whether something that does found no room.
+    /// Whether what is furnished now matters, and how much that does found no room.
     pub matters: bool,
     /// See `matters`.
-    pub lacking: bool,
+    pub lacking: usize,
     /// The group that is being put together.
     pub building: Option<Building>,
 }
@@ -101,7 +101,7 @@ impl<'a> Plan<'a> {
             ground: None,
             claimed: Vec::new(),
             matters: true,
-            lacking: false,
+            lacking: 0,
             building: None,
         }
     }

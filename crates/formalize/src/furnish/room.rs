@@ -30,29 +30,32 @@ const GROWTH: f64 = 1.07;
 pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let may_grow = draft.rooms.len() == 1 && !draft.rooms[at].sized && draft.rooms[at].outline.is_none();
     let mut before = draft.clone();
-    let mut first = None;
+    // The smallest of the rooms that lack the least.
+    let mut best: Option<(usize, Draft)> = None;
     for grown in 0..=GROWN {
         let lacking = furnish_once(draft, brief, at, closed);
-        if !lacking || !may_grow {
+        if lacking == 0 || !may_grow {
             return;
         }
-        let first = first.get_or_insert_with(|| draft.clone());
-        if grown == GROWN {
-            // More floor is no help.
-            *draft = first.clone();
-            return;
+        if best.as_ref().is_none_or(|(least, _)| lacking < *least) {
+            best = Some((lacking, draft.clone()));
         }
-        for k in [0, 2] {
-            before.rooms[at].size[k] = (before.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
+        if grown < GROWN {
+            for k in [0, 2] {
+                before.rooms[at].size[k] = (before.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
+            }
+            *draft = before.clone();
         }
-        *draft = before.clone();
+    }
+    if let Some((_, best)) = best {
+        *draft = best;
     }
 }
 
-/// Furnishes a room of its size. Whether something that matters found no room.
-fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) -> bool {
+/// Furnishes a room of its size. How much that matters found no room.
+fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) -> usize {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
-    let Some(kind) = kind else { return false };
+    let Some(kind) = kind else { return 0 };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
@@ -89,7 +92,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
         plan.matters = i < MATTER && stands && few && line.least == 0.0 && plan.count() <= MOST;
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
-        plan.lacking |= plan.matters && !closed && plan.draft.things.len() == things;
+        plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
     }
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
@@ -270,7 +273,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             };
             let root = Root { n: it.count, frames: vec![Pose::default()], wall, seek: &seek };
             let placed = plan.place_asked(thing, &root);
-            plan.lacking |= !placed;
+            plan.lacking += usize::from(!placed);
             placed
         }
         None => false,
@@ -576,7 +579,7 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str
     let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
     let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
     if cell_w > free_w || cell_d > free_d {
-        plan.lacking |= plan.matters;
+        plan.lacking += usize::from(plan.matters);
         return false;
     }
     let mut n = n.min(columns * lines);
@@ -611,7 +614,7 @@ fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str
         places.retain(|at| ground.fits(&shape, at));
     }
     n = places.len();
-    plan.lacking |= plan.matters && n < wanted;
+    plan.lacking += usize::from(plan.matters && n < wanted);
     if n == 0 || asked.is_some() && n < wanted {
         return false;
     }
