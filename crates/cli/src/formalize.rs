@@ -10,8 +10,9 @@ use scenelang_formalize::brief::{Word, json};
 use scenelang_formalize::draft::{Source, Statement};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
+use scenelang_layout::Layout;
 use scenelang_solve::Stop;
-use scenelang_synth::{Failure, Tried, rehearse};
+use scenelang_synth::{Failure, Tried, rehearsed};
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
@@ -68,7 +69,7 @@ pub fn run(args: &Formalize) -> u8 {
     }
     let understood =
         understand(asked, args.literal, !args.untried, time.map(|time| time.mul_f64(TRIAL)), model.as_mut());
-    let Understood { reading, program, diagnostics } = match understood {
+    let Understood { reading, program, diagnostics, .. } = match understood {
         Ok(understood) => understood,
         Err(message) => return fail(&message),
     };
@@ -140,6 +141,8 @@ pub struct Understood {
     pub program: String,
     /// What went wrong with the model, or when it was tried.
     pub diagnostics: Vec<String>,
+    /// A layout of the program, where the trial found one by placing what was added: a solver may begin with it.
+    pub layout: Option<Layout>,
 }
 
 /// Asks the model, if there is one, else the reader. `tried`: and gives up what no layout is found with.
@@ -179,7 +182,7 @@ pub fn understand(
     if objects > scenelang_solve::MOST_OBJECTS {
         diagnostics.push(format!("{objects} objects are too many to try whether there is a layout"));
     }
-    let end = if tried { try_out(&mut reading, &stop) } else { Tried::Holds };
+    let (end, layout) = if tried { try_out(&mut reading, &stop) } else { (Tried::Holds, None) };
     let holds = end == Tried::Holds;
     if end == Tried::Spent {
         diagnostics.push(
@@ -195,19 +198,19 @@ pub fn understand(
                 .to_owned(),
         );
     }
-    Ok(Understood { program: write(&reading.draft), reading, diagnostics })
+    Ok(Understood { program: write(&reading.draft), reading, diagnostics, layout })
 }
 
 /// Tries whether there is a layout, and gives up what is in the way.
-pub fn try_out(reading: &mut Reading, stop: &Stop) -> Tried {
+pub fn try_out(reading: &mut Reading, stop: &Stop) -> (Tried, Option<Layout>) {
     if reading.nothing {
-        return Tried::Holds;
+        return (Tried::Holds, None);
     }
     let progress = Progress::new("trying whether there is a layout");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
-    let end = rehearse(&mut reading.draft, stop, &mut follow);
+    let tried = rehearsed(&mut reading.draft, stop, &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
-    end
+    tried
 }
 
 /// What went wrong with the model, and what it took, for people.

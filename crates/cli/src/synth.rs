@@ -18,6 +18,8 @@ use std::time::{Duration, Instant};
 
 /// What the summary as JSON calls itself.
 const SYNTHESIS: &str = "scenelang.synthesis/1";
+/// The part of the work for preferences that is done where the furniture has its places already.
+const PLANNED: u8 = 20;
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
@@ -40,17 +42,18 @@ pub fn run(args: &Synth) -> u8 {
         Ok(model) => model,
         Err(error) => return fail(&error.to_string()),
     };
-    if let Some(request) = &request
-        && let Err(message) = write(args, &path, request, model.as_mut())
-    {
-        return fail(&message);
-    }
+    let planned = match request.as_ref().map(|request| write(args, &path, request, model.as_mut())) {
+        Some(Ok(planned)) => planned,
+        Some(Err(message)) => return fail(&message),
+        None => None,
+    };
+    let layout_name = format!("{stem}.layout.json");
     let request = Request {
         name: &path.display().to_string(),
         path: &path,
-        start: None,
+        start: planned.as_deref().map(|text| (layout_name.as_str(), text)),
         // As seen from the output folder, so that what is written does not depend on where that is.
-        layout_name: &format!("{stem}.layout.json"),
+        layout_name: &layout_name,
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
         time: time.map(|time| time.saturating_sub(begun.elapsed())),
@@ -58,7 +61,8 @@ pub fn run(args: &Synth) -> u8 {
         free: 0,
         threads: args.search.threads(),
         effort: args.search.effort,
-        quality: args.search.quality,
+        // What was planned is good already: little work shows what more there is.
+        quality: if planned.is_some() { args.search.quality.div_ceil(PLANNED) } else { args.search.quality },
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,
@@ -130,8 +134,8 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     Ok((args.output.join("room.scene"), Some(request)))
 }
 
-/// Writes the program of a request.
-fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<(), String> {
+/// Writes the program of a request. A layout to begin with, where one is known and no other is asked for by a seed.
+fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<Option<String>, String> {
     let understood = formalize::understand(
         formalize::Request::Words(request.to_owned()),
         args.literal,
@@ -144,7 +148,9 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
     if understood.reading.nothing {
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
-    replace::program(path, &understood.program)
+    replace::program(path, &understood.program)?;
+    let planned = understood.layout.filter(|_| args.seed == 0);
+    Ok(planned.map(|layout| scenelang_layout::file::to_json(&layout, None)))
 }
 
 /// Whether what is known before the work will be written may be: so that it is not done in vain.

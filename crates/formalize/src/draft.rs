@@ -19,6 +19,18 @@ pub struct Draft {
     pub statements: Vec<Statement>,
     /// The parts of the request that became no statement.
     pub notes: Vec<Note>,
+    /// Whether the program takes over the guidelines of the library.
+    pub guided: bool,
+    /// Where a search may begin: the name of an object or of an element, its x, y, z in the scene, and its turn. No part of
+    /// the program.
+    pub places: Vec<(String, [f64; 4])>,
+}
+
+impl Draft {
+    /// Where a search may begin with something.
+    pub fn place_of(&self, name: &str) -> Option<[f64; 4]> {
+        self.places.iter().find(|(other, _)| other == name).map(|(_, place)| *place)
+    }
 }
 
 /// A region of the program.

@@ -76,7 +76,7 @@ pub fn identifier(words: &str, fallback: &str) -> String {
 }
 
 /// Names given so far: each is given once.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Names {
     given: BTreeSet<String>,
 }

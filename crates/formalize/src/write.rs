@@ -66,6 +66,9 @@ struct Writer<'d> {
 impl Writer<'_> {
     fn program(&mut self) {
         self.header();
+        if self.draft.guided {
+            self.line("import \"std/guidelines.scene\";");
+        }
         for room in &self.draft.rooms {
             self.room(room);
         }

@@ -17,4 +17,4 @@ pub use corridor::{
 pub use furnish::{Furnished, asset_of, furnish};
 pub use hold::Hold;
 pub use output::{own_files, scene};
-pub use rehearse::{Tried, rehearse};
+pub use rehearse::{Tried, rehearse, rehearsed};

@@ -7,7 +7,9 @@ use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, arrange_rooms};
 use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
+use scenelang_layout::{Layout, Vec3};
 use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, What, solve};
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -42,6 +44,59 @@ pub enum Tried {
 
 /// Tries the program of a draft, and gives up what is in the way.
 pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Tried {
+    rehearsed(draft, stop, progress).0
+}
+
+/// The same with the layout, where one was found from the places that the draft has for its things. It stands up to all
+/// that must hold, and who lays out the program may begin with it.
+pub fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
+    // Preferences have no part in whether there is a layout.
+    let guided = std::mem::take(&mut draft.guided);
+    let layout = planned(draft, stop, progress);
+    let end = match layout {
+        Some(_) => Tried::Holds,
+        None => searched(draft, stop, progress),
+    };
+    draft.guided = guided;
+    (end, layout)
+}
+
+/// The layout that comes of the places that the draft has for its things, with what has none placed among them.
+fn planned(draft: &Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Option<Layout> {
+    if draft.places.is_empty() || stop.is_set() {
+        return None;
+    }
+    let judge = scenelang_verify::Options::default();
+    let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+    let program = compiled.program.as_ref().filter(|_| !compiled.has_errors())?;
+    let mut start = furnish(program, scenelang_solve::draws(program, 0), None, &judge).layout;
+    let places: BTreeMap<&str, [f64; 4]> = draft.places.iter().map(|(name, place)| (name.as_str(), *place)).collect();
+    let mut objects = Vec::new();
+    for (i, (name, placement)) in start.objects.iter_mut().enumerate() {
+        if let Some([x, y, z, yaw]) = places.get(name.as_str()) {
+            (placement.pos, placement.rot) = (Vec3::new(*x, *y, *z), Vec3::new(0.0, *yaw, 0.0));
+            objects.push(ObjectId(i as u32));
+        }
+    }
+    let [least, each] = TRIAL;
+    let options = scenelang_solve::Options {
+        budget: least + each * program.objects.len() as u64,
+        polish: 0.0,
+        diagnose: false,
+        stop: stop.clone(),
+        judge,
+        ..Default::default()
+    };
+    let problem = Problem { program, start, placed: Placed::Some { objects, regions: Vec::new() } };
+    let outcome = solve(&problem, &options, &mut |now| {
+        progress(now);
+        ControlFlow::Continue(())
+    });
+    outcome.converged.then_some(outcome.layout)
+}
+
+/// Searches for a layout from nothing.
+fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Tried {
     let judge = scenelang_verify::Options::default();
     // From where the next trial begins: less is asked of it, so little has to move.
     let mut last = None;
@@ -55,6 +110,8 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
         let options = scenelang_solve::Options {
             budget: patience * (least + each * program.objects.len() as u64),
             polish: 0.0,
+            // What was added is given up without a look at what exactly is in the way.
+            diagnose: left_out > PATIENT || !draft.has_additions(),
             stop: stop.clone(),
             judge,
             ..Default::default()

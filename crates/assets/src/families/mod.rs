@@ -14,6 +14,7 @@ mod safety;
 mod seating;
 mod storage;
 mod tables;
+mod vehicles;
 
 use crate::ask::Ask;
 use crate::model::Model;
@@ -46,6 +47,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("candle", lighting::candle),
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
+    ("car", vehicles::car),
     ("chair", seating::chair),
     ("chandelier", lighting::chandelier),
     ("chest", storage::chest),

@@ -203,3 +203,14 @@ fn the_library_needs_no_file_and_reads_none() {
     assert_eq!(ended.code, 2);
     assert!(ended.stdout.contains("cannot import `std/nothing.scene`"), "{}", ended.stdout);
 }
+
+#[test]
+fn a_room_from_a_sentence_keeps_to_the_guidelines() {
+    let folder = tempfile::tempdir().unwrap();
+    let ended = scenelang(folder.path(), ["synth", "A bedroom for two.", "-o", "room"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let program = fs::read_to_string(folder.path().join("room/room.scene")).unwrap();
+    assert!(program.contains("import \"std/guidelines.scene\";"), "{program}");
+    let report = scenelang(folder.path(), ["check", "room/room.layout.json", "--format", "json"]).reports().remove(0);
+    assert!(figure(&report) >= 0.9, "{} with {:?}", figure(&report), broken(&report));
+}

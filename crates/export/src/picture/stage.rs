@@ -21,6 +21,15 @@ const BESIDE: f64 = 0.25;
 /// How solid something that hangs on a cut wall remains.
 const GHOST: f32 = 0.22;
 
+/// What hangs no further than this from the ceiling, and above this height, is not drawn (metres).
+const UNDER: f64 = 0.05;
+const HEAD: f64 = 1.7;
+/// What is taller than this and seen from behind is drawn so that one sees through it (metres).
+const TALL: f64 = 1.2;
+
+/// How solid something tall remains that is seen from behind.
+const FADED: f32 = 0.5;
+
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
@@ -81,7 +90,9 @@ impl Stage {
             stage.shell(scene, shell, view);
         }
         for object in &scene.objects {
-            stage.object(scene, object, &cut);
+            if !overhead(scene, object) {
+                stage.object(scene, object, &cut, view);
+            }
         }
         stage
     }
@@ -128,9 +139,15 @@ impl Stage {
         }
     }
 
-    fn object(&mut self, scene: &Scene, object: &Object, cut: &[&Shell]) {
+    fn object(&mut self, scene: &Scene, object: &Object, cut: &[&Shell], view: &View) {
+        let hides =
+            cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if turns_its_back(object, from, to, view)));
         let hangs = cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if hangs_on(object, from, to)));
-        let share = if hangs { GHOST } else { 1.0 };
+        let share = match (hangs, hides) {
+            (true, _) => GHOST,
+            (_, true) => FADED,
+            _ => 1.0,
+        };
         for group in &object.mesh {
             let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
             let shadow = share * scene.surfaces[group.surface].opacity > 0.5;
@@ -161,6 +178,28 @@ impl Stage {
         });
         (self.looks.len() - 1) as u16
     }
+}
+
+/// Whether something hangs under a ceiling, which is off: it would float.
+fn overhead(scene: &Scene, object: &Object) -> bool {
+    let top = object.place.pos.y + object.place.scale.y;
+    let over = |p: &scenelang_layout::Prism| {
+        p.polygon.contains(object.place.pos.xz())
+            && (p.ceiling - top).abs() < UNDER
+            && object.place.pos.y > p.floor + HEAD
+    };
+    scene.regions.iter().any(|r| r.kind == RegionKind::Room && over(&r.prism))
+}
+
+/// Whether something tall stands at a wall that is cut away and turns its back to the eye.
+fn turns_its_back(object: &Object, from: Vec2, to: Vec2, view: &View) -> bool {
+    let middle = object.place.pos.xz();
+    let reach = object.place.scale.x.max(object.place.scale.z) / 2.0;
+    let nearest = scenelang_layout::planar::nearest_on_segment(&middle, &from, &to);
+    object.place.scale.y > TALL
+        && (nearest - middle).norm() < reach.min(0.6)
+        && object.axes.column(2).dot(&(view.eye - object.place.pos)) < 0.0
+        && outward(from, to).dot(&object.axes.column(2).xz()) < -0.7
 }
 
 /// How much of a wall is left, metres; `None`: all of it. Nothing but walls is cut.

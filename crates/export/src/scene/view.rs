@@ -28,6 +28,8 @@ const ON_WALL: f64 = 0.1;
 const WALLS: f64 = 0.8;
 /// A door says less than a screen or a picture of the same size.
 const DOOR: f64 = 0.3;
+/// What is taller hides what stands behind it, metres.
+const TALL: f64 = 1.2;
 /// How steeply the camera looks down, degrees.
 const ELEVATION: f64 = 42.0;
 
@@ -123,7 +125,13 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     let count = scene.objects.len().max(1) as f64;
     let middle = scene.objects.iter().map(|o| o.place.pos).sum::<Vec3>() / count;
     let spread = scene.objects.iter().map(|o| (o.place.pos - middle).norm()).fold(1.0, f64::max);
-    let face = |o: &Object| o.place.scale.x * o.place.scale.y;
+    // What is tall and turns its back hides the most; of a bed the whole top is seen, or the headboard.
+    let face = |o: &Object| match o.family.as_str() {
+        "bed" | "crib" => 3.0 * o.place.scale.x * o.place.scale.z,
+        "sofa" => 1.5 * o.place.scale.x * o.place.scale.z,
+        _ if o.place.scale.y > TALL => 1.4 * o.place.scale.x * o.place.scale.y,
+        _ => o.place.scale.x * o.place.scale.y,
+    };
     let value = |o: &Object| {
         let front = if FRONTLESS.contains(&o.family.as_str()) { 0.0 } else { o.axes.column(2).dot(&way) };
         let nearness = (o.place.pos - middle).dot(&way) / spread;

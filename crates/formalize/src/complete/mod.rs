@@ -20,6 +20,7 @@ pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
     defaults::counted(&mut brief);
     match extent {
         Extent::Usual => {
+            crate::furnish::refine(&mut brief);
             crate::furnish::measure(&mut brief);
             defaults::joined(&mut brief);
             defaults::seats(&mut brief);

@@ -31,6 +31,11 @@ impl Draft {
         self.take_out(gone)
     }
 
+    /// Whether there is anything that was added and may go.
+    pub fn has_additions(&self) -> bool {
+        self.things.iter().any(|t| matches!(t.source, Source::Inferred(_)) && !t.category.ends_with("light"))
+    }
+
     /// Takes out all that was added to rooms, but for doors and lights.
     pub fn leave_out_all(&mut self) -> bool {
         let added = self.things.iter().filter(|t| matches!(t.source, Source::Inferred(_)));

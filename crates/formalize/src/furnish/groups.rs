@@ -58,10 +58,19 @@ pub struct Part {
 
 /// The parts that go with a thing of this name: the longest ending of it that the table has.
 pub fn of(name: &str) -> &'static [Part] {
-    static GROUPS: OnceLock<BTreeMap<&'static str, Vec<Part>>> = OnceLock::new();
-    let groups = GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")));
+    let groups = all();
     let words: Vec<&str> = name.split([' ', '_']).collect();
     (0..words.len()).find_map(|from| groups.get(words[from..].join(" ").as_str())).map_or(&[], Vec::as_slice)
+}
+
+fn all() -> &'static BTreeMap<&'static str, Vec<Part>> {
+    static GROUPS: OnceLock<BTreeMap<&'static str, Vec<Part>>> = OnceLock::new();
+    GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")))
+}
+
+/// What goes with anything.
+pub fn nouns() -> impl Iterator<Item = &'static str> {
+    all().values().flatten().map(|part| part.noun)
 }
 
 fn parse(text: &'static str) -> BTreeMap<&'static str, Vec<Part>> {

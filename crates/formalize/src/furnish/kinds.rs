@@ -82,6 +82,8 @@ pub struct Kind {
     pub colors: Vec<&'static str>,
     /// What wooden furniture is made of.
     pub wood: &'static str,
+    /// What a plain noun means in such a room: a bed in a ward is a hospital bed.
+    pub means: Vec<(&'static str, &'static str)>,
     /// The inventory, what matters most first.
     pub lines: Vec<Line>,
 }
@@ -104,6 +106,7 @@ pub fn of(room: &str) -> Option<&'static Kind> {
 
 /// A word in the singular.
 fn one(word: &str) -> String {
+    let word = word.trim_end_matches("'s").trim_end_matches('\'');
     if plural(word) { singular(word) } else { word.to_owned() }
 }
 
@@ -143,6 +146,7 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
         "floor" => kind.floor = value.split_once(',').map_or((value, ""), |(a, b)| (a.trim(), b.trim())),
         "walls" => kind.walls = value,
         "colors" => kind.colors = list(),
+        "means" => kind.means = list().into_iter().filter_map(|pair| pair.split_once('=')).collect(),
         "wood" => kind.wood = value,
         _ => {}
     }

@@ -3,18 +3,23 @@
 //! What is added to a thing is fixed to it by equations, so that the search moves it as one piece with the thing; only what
 //! stands by itself is placed by the search. Nothing is added that is asked for, ruled out, or could be counted as either.
 
+mod build;
+mod choose;
 mod drop;
+mod floor;
 mod groups;
 mod kinds;
 mod number;
+mod openings;
 mod place;
 mod plan;
 mod room;
+mod seek;
 mod slots;
 mod stand;
 mod taste;
 
-use crate::brief::Brief;
+use crate::brief::{Brief, Number};
 use crate::draft::Draft;
 use number::{Scale, scale};
 
@@ -35,6 +40,90 @@ pub fn measure(brief: &mut Brief) {
         };
         let by = (area / (w * d)).sqrt();
         brief.rooms[at].usual = Some([w * by, h, d * by]);
+    }
+}
+
+/// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
+pub fn refine(brief: &mut Brief) {
+    persons(brief);
+    named(brief);
+    for at in 0..brief.things.len() {
+        if let Some(n) = several(brief, at) {
+            brief.things[at].number = Number::Exactly(n);
+        }
+    }
+    for at in 0..brief.things.len() {
+        let thing = &brief.things[at];
+        if thing.part.is_some() || thing.opening() || thing.size.iter().any(Option::is_some) || thing.words.len() != 1 {
+            continue;
+        }
+        let known = |words: &str| scenelang_lang::nouns::noun(words).is_some();
+        let said = thing.look.features.iter().map(|feature| format!("{feature} {}", thing.words[0]));
+        let said = said.enumerate().find(|(_, name)| known(name));
+        let meant = || {
+            let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
+            let (_, noun) = kind.means.iter().find(|(plain, _)| *plain == thing.words[0])?;
+            known(noun).then(|| (*noun).to_owned())
+        };
+        let thing = match said {
+            Some((feature, name)) => {
+                brief.things[at].look.features.remove(feature);
+                Some(name)
+            }
+            None => meant(),
+        }
+        .map(|name| (at, name));
+        if let Some((at, name)) = thing {
+            brief.things[at].words = name.split(' ').map(str::to_owned).collect();
+            brief.things[at].last = brief.things[at].words.len();
+        }
+    }
+}
+
+/// How many "racks" are, where such rooms have whole rows of them.
+fn several(brief: &Brief, at: usize) -> Option<usize> {
+    let thing = &brief.things[at];
+    let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
+    let line = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()))?;
+    let rows = matches!(line.place, kinds::Place::Rows(_)) && thing.number == Number::Plural && thing.part.is_none();
+    match line.count {
+        kinds::Count::Area(each) if rows => Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize),
+        _ => None,
+    }
+}
+
+/// Who a room is for is no thing in it: "a nursery for a newborn".
+fn persons(brief: &mut Brief) {
+    const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
+    let gone: Vec<usize> = (0..brief.things.len())
+        .filter(|at| {
+            let thing = &brief.things[*at];
+            let start = thing.source.at().start;
+            let before: Vec<&str> = brief.request.get(..start).unwrap_or("").split_whitespace().collect();
+            let article = brief.request.get(thing.source.at()).unwrap_or("").to_lowercase();
+            let said =
+                format!("{} {article}", before.iter().rev().take(2).rev().copied().collect::<Vec<_>>().join(" "));
+            let last = thing.words.last().map_or("", String::as_str);
+            let for_whom = FOR.iter().any(|f| said.to_lowercase().contains(&format!("{f} {last}")));
+            thing.part.is_none() && for_whom && scenelang_lang::nouns::noun(last).is_none()
+        })
+        .collect();
+    if !gone.is_empty() {
+        brief.remove(&gone);
+    }
+}
+
+/// A request that names no room but what a kind of room is called by: "a cosy bar".
+fn named(brief: &mut Brief) {
+    let [room] = &mut brief.rooms[..] else { return };
+    if room.name != "room" {
+        return;
+    }
+    let Some(first) = brief.things.first().filter(|thing| brief.things.len() == 1 && thing.part.is_none()) else {
+        return;
+    };
+    if kinds::of(&first.name()).is_some_and(|kind| kind.name != "room") {
+        room.name = first.name();
     }
 }
 

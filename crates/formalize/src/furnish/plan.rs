@@ -1,5 +1,7 @@
 //! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
 
+use super::build::Building;
+use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::Kind;
 use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
@@ -13,7 +15,7 @@ use crate::write::number;
 use scenelang_lang::nouns;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for.
-pub const MOST: usize = 110;
+pub const MOST: usize = 140;
 /// Groups of groups of groups: so deep.
 const DEEP: usize = 3;
 
@@ -26,17 +28,27 @@ pub struct Plan<'a> {
     /// Its kind.
     pub kind: &'static Kind,
     /// Names that are given.
-    names: Names,
+    pub names: Names,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
     /// For how many people, where that is said.
     pub people: Option<usize>,
     /// Square metres of the floor that are taken.
-    floor: f64,
+    pub floor: f64,
     /// Metres of the walls that are taken.
-    walls: f64,
+    pub walls: f64,
     /// So many textiles and the like have a colour.
-    turn: usize,
+    pub turn: usize,
+    /// What is taken where; `None` for floors that are no rectangles.
+    pub ground: Option<Floor>,
+    /// Things that are asked for and have their place with another: stools at an island.
+    pub claimed: Vec<usize>,
+    /// Whether what is furnished now matters, and how much that does found no room.
+    pub matters: bool,
+    /// See `matters`.
+    pub lacking: usize,
+    /// The group that is being put together.
+    pub building: Option<Building>,
 }
 
 /// Whether a thing stands at a wall, and whether that must hold.
@@ -76,7 +88,22 @@ impl<'a> Plan<'a> {
         }
         let openings = draft.openings.iter().filter(|o| o.rooms.contains(&room));
         walls += openings.map(|o| o.size[0] + 0.2).sum::<f64>();
-        Self { draft, room, kind, names, closed, people, floor, walls, turn: 0 }
+        Self {
+            draft,
+            room,
+            kind,
+            names,
+            closed,
+            people,
+            floor,
+            walls,
+            turn: 0,
+            ground: None,
+            claimed: Vec::new(),
+            matters: true,
+            lacking: 0,
+            building: None,
+        }
     }
 
     /// Square metres.
@@ -99,7 +126,9 @@ impl<'a> Plan<'a> {
     pub fn has_room(&self, size: [f64; 3], n: usize, at_wall: bool) -> bool {
         let [w, _, d] = self.draft.rooms[self.room].size;
         let n = n as f64;
-        let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= self.kind.fill * w * d;
+        // Where places are known, they keep ways free; the floor may be fuller.
+        let more = if self.ground.is_some() { 1.2 } else { 1.0 };
+        let floor = self.floor + n * (size[0] + 0.1) * (size[2] + 0.3) <= more * self.kind.fill * w * d;
         // Corners cannot be used from both sides.
         let walls = !at_wall || self.walls + n * (size[0] + 0.1) <= 0.75 * (2.0 * (w + d) - 2.4);
         floor && walls && size[0].min(size[2]) < w.min(d) - 0.9
@@ -114,7 +143,7 @@ impl<'a> Plan<'a> {
     }
 
     /// How many things there are in the program.
-    fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.draft.things.iter().map(|t| t.count).sum()
     }
 
@@ -180,8 +209,17 @@ impl<'a> Plan<'a> {
         let anchors = self.draft.things[thing].count;
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
+        if self.claim(thing, part) {
+            return;
+        }
         // One bin serves several.
-        if self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
+        // In a run there is nothing at the sides.
+        let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));
+        if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
+            return;
+        }
+        let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
+        if left_out || self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));
@@ -228,9 +266,51 @@ impl<'a> Plan<'a> {
         }
         let why = why(&category.replace('_', " "), noun, &at);
         let new = self.add(noun, each * anchors, own, &why);
+        if let Some(group) = &mut self.building {
+            group.add(thing, new, &places, (noun, own, &at), height);
+        }
         self.fix(thing, new, &places, height, &why);
         self.group(thing, new, &at, &why);
         self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// Seats that are asked for, and of which nothing else is said, stand where such seats go with a thing.
+    fn claim(&mut self, thing: usize, part: &Part) -> bool {
+        let seats = matches!(part.at, Where::Row(..) | Where::Around(..) | Where::LongSides(..) | Where::Front(..));
+        if !seats || self.draft.things[thing].count > 1 || stand::group(part.noun) != Group::Seat {
+            return false;
+        }
+        let free = |i: &usize| {
+            let it = &self.draft.things[*i];
+            it.room == Some(self.room)
+                && matches!(it.source, Source::Stated(_))
+                && stand::counts_as(part.noun, &it.category.replace('_', " "))
+                && *i != thing
+                && !self.claimed.contains(i)
+                && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
+                && !stand::placed(self.draft, &it.name)
+        };
+        let Some(asked) = (0..self.draft.things.len()).find(free) else { return false };
+        let it = self.draft.things[asked].clone();
+        let (Some(of), Some(own)) = (self.draft.things[thing].size, it.size) else { return false };
+        let at = match part.at {
+            Where::Row(_, gap) => Where::Row(it.count, gap),
+            Where::Around(_, gap) => Where::Around(it.count, gap),
+            Where::LongSides(_, gap) => Where::LongSides(it.count, gap),
+            ref at => at.clone(),
+        };
+        let places = slots(&at, &Sizes { of, own }, &[]);
+        if places.len() != it.count {
+            return false;
+        }
+        let height = self.draft.rooms[self.room].size[1];
+        let why = why(&self.draft.things[thing].category.replace('_', " "), part.noun, &at);
+        if let Some(group) = &mut self.building {
+            group.add(thing, asked, &places, (part.noun, own, &at), height);
+        }
+        self.claimed.push(asked);
+        self.fix(thing, asked, &places, height, &why);
+        true
     }
 
     /// Says where the elements of a part are, given those of what it goes with.
@@ -267,11 +347,13 @@ impl<'a> Plan<'a> {
             _ => {}
         }
         if own < 0.05 && places.iter().any(|slot| slot.level == Level::Floor) {
-            let text = match part.count {
-                1 => format!("allowCollide({}, objects);", part.name),
-                _ => return,
+            let names: Vec<String> = match part.count {
+                1 => vec![part.name.clone()],
+                n => (0..n).map(|i| format!("{}[{i}]", part.name)).collect(),
             };
-            self.say(text, "things may stand on it");
+            for name in names {
+                self.say(format!("allowCollide({name}, objects);"), "things may stand on it");
+            }
         }
     }
 

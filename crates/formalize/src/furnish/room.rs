@@ -1,8 +1,13 @@
 //! One room, from the way in to the light: openings, floor and walls, what is asked for with what goes with it, then the
 //! inventory of its kind as far as there is room.
 
+use super::build::Root;
+use super::choose::{self, Choice};
+use super::floor::{Floor, Piece, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
+use super::openings;
 use super::plan::{AtWall, MOST, Plan, metres};
+use super::seek::Wall;
 use super::{groups, place, stand, taste};
 use crate::brief::Brief;
 use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Source, Statement};
@@ -15,16 +20,57 @@ const WINDOW: [f64; 3] = [1.4, 1.3, 0.12];
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
 
+/// So many lines of an inventory matter: a room without them is not what it is called.
+const MATTER: usize = 4;
+/// How often a room grows whose size nobody gave and in which something that matters finds no room, and by how much.
+const GROWN: usize = 5;
+const GROWTH: f64 = 1.07;
+
 /// Furnishes a room of a draft.
 pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
+    let may_grow = draft.rooms.len() == 1 && !draft.rooms[at].sized && draft.rooms[at].outline.is_none();
+    let mut before = draft.clone();
+    // The smallest of the rooms that lack the least.
+    let mut best: Option<(usize, Draft)> = None;
+    for grown in 0..=GROWN {
+        let lacking = furnish_once(draft, brief, at, closed);
+        if lacking == 0 || !may_grow {
+            return;
+        }
+        if best.as_ref().is_none_or(|(least, _)| lacking < *least) {
+            best = Some((lacking, draft.clone()));
+        }
+        if grown < GROWN {
+            for k in [0, 2] {
+                before.rooms[at].size[k] = (before.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
+            }
+            *draft = before.clone();
+        }
+    }
+    if let Some((_, best)) = best {
+        *draft = best;
+    }
+}
+
+/// Furnishes a room of its size. How much that matters found no room.
+fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) -> usize {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
-    let Some(kind) = kind else { return };
+    let Some(kind) = kind else { return 0 };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
     }
+    let rectangular = draft.rooms[at].outline.is_none();
+    if rectangular && !draft.outdoor {
+        openings::doors(draft, at);
+    }
     let own = |t: &crate::draft::Thing| t.room == Some(at) && matches!(t.source, Source::Stated(_));
-    let asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
+    let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
+    // What seats go with comes before them.
+    asked.sort_by_key(|i| {
+        let category = &draft.things[*i].category;
+        stand::group(category) == crate::brief::Group::Seat && !stand::has_back(category)
+    });
     let windows = brief.things.iter().any(|t| t.room == at && t.group == crate::brief::Group::Window)
         || closed.iter().any(|name| name.contains("window"))
         || draft.outdoor;
@@ -34,13 +80,23 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     if !windows {
         add_windows(&mut plan);
     }
+    if rectangular {
+        plan.ground = Some(openings::floor(plan.draft, at));
+    }
     for thing in &asked {
         stand_up(&mut plan, *thing);
     }
-    for line in &kind.lines {
+    for (i, line) in kind.lines.iter().enumerate() {
+        let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
+        let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
+        plan.matters = i < MATTER && stands && few && line.least == 0.0 && plan.count() <= MOST;
+        let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
+        plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
     }
+    let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
+    lacking
 }
 
 /// A door from outside, where no door leads into a room of the program.
@@ -73,13 +129,38 @@ fn add_windows(plan: &mut Plan) {
     let usual = plan.kind.size[0] * plan.kind.size[2];
     let n = (plan.kind.windows as f64 * (plan.area() / usual).sqrt()).round() as usize;
     let [w, h, d] = plan.draft.rooms[plan.room].size;
+    let step = metres(WINDOW[0] + BESIDE + 0.2);
     let most = ((w.max(d) - 0.4) / (WINDOW[0] + BESIDE + 0.2)) as usize;
+    let mut n = n.min(most).min(6);
+    let mut size = WINDOW;
+    size[1] = size[1].min(h - 1.1).max(0.4);
+    let sill = 0.9_f64.min(h - size[1] - 0.2).max(0.0);
+    // In the wall with the most room for them; not behind what people look at.
+    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Back(_) | Place::Before(..)));
+    let mut chosen: Option<(Wall, f64)> = None;
+    if plan.draft.rooms[plan.room].outline.is_none() {
+        let mut fit = 0;
+        for wall in [Wall::Left, Wall::Back, Wall::Right, Wall::Front] {
+            let row = WINDOW[0] + BESIDE + 0.2;
+            let (count, first) = openings::windows_in(plan.draft, plan.room, wall, n, size, row);
+            let behind_door = plan.draft.openings.iter().any(|o| {
+                plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)
+                    && o.rooms.contains(&plan.room)
+            });
+            // The left one, unless another has room for clearly more.
+            let more = if chosen.is_some() { 2 * count > 3 * fit } else { count > 0 };
+            if more && !(watched && wall == Wall::Back) && !behind_door {
+                (chosen, fit) = (Some((wall, first)), count);
+            }
+        }
+        if chosen.is_some() {
+            n = fit;
+        }
+    }
     let why = format!("a {} has daylight", plan.kind.name);
     let mut made: Vec<String> = Vec::new();
-    for _ in 0..n.min(most).min(6) {
+    for i in 0..n {
         let name = plan.name("window");
-        let mut size = WINDOW;
-        size[1] = size[1].min(h - 1.1).max(0.4);
         plan.draft.openings.push(Opening {
             name: name.clone(),
             kind: OpeningKind::Window,
@@ -88,22 +169,62 @@ fn add_windows(plan: &mut Plan) {
             look: Look::default(),
             source: Source::Inferred(why.clone()),
         });
+        if let Some((wall, first)) = chosen {
+            let along = first + (WINDOW[0] + BESIDE + 0.2) * i as f64;
+            let pose = Pose { y: sill, ..wall.place([w, h, d], along, 0.0) };
+            let pose = openings::in_scene(plan.draft, plan.room, &pose);
+            plan.draft.places.push((name.clone(), [pose.x, pose.y, pose.z, pose.yaw]));
+        }
         if let Some(last) = made.last() {
-            let step = metres(WINDOW[0] + BESIDE + 0.2);
             let row =
                 format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
             plan.say(row, "windows are in one wall");
-        } else if n > 1 {
-            let sill = 0.9_f64.min((h - size[1]) / 2.0).max(0.0);
+        } else {
             plan.say(format!("assert {name}.pos.y = {};", metres(sill)), "a window has a sill");
         }
         made.push(name);
     }
 }
 
+/// The walls of the room that have windows.
+fn window_walls(plan: &Plan) -> Vec<Wall> {
+    let windows = plan.draft.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room));
+    windows.filter_map(|o| Wall::behind(&plan.place_in_room(&o.name)?)).collect()
+}
+
+/// Whether someone works behind a counter at the back of such a room.
+fn staffed(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| matches!(line.place, Place::Before(_, yaw) if yaw == 180.0))
+}
+
+/// The place of what someone sits or lies on who looks at something.
+fn watched_from(plan: &Plan) -> Option<Pose> {
+    let seat = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    let mut seat = seat.filter(|t| choose::seats(&t.category.replace('_', " ")));
+    plan.place_in_room(&seat.next()?.name)
+}
+
 /// What is asked for stands at a wall if such things do and nothing else is said, and gets what goes with it.
 fn stand_up(plan: &mut Plan, thing: usize) {
+    if plan.claimed.contains(&thing) {
+        return;
+    }
     let it = plan.draft.things[thing].clone();
+    let noun = it.category.replace('_', " ");
+    // Where such rooms have their own of it, it stands as those do.
+    let own = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun)).map(|line| &line.place);
+    if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
+        let clear = format!("againstWall(a, {})", plan.room_name());
+        if stand::on_floor(plan.draft, &it)
+            && rows(plan, &noun, it.count, *toward, ("such things stand in rows", Some(thing)))
+        {
+            plan.draft
+                .statements
+                .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&clear) || !s.text.contains(&it.name));
+            return;
+        }
+    }
+    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
     let room = plan.room_name();
     let mut wall = AtWall::No;
     if stand::on_floor(plan.draft, &it) && it.count <= 4 && stand::has_back(&it.category) {
@@ -119,7 +240,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
         if !said {
             plan.say(all(&at_wall), "such things stand at a wall");
         }
-        if let Some(depth) = stand::access(&it.category) {
+        if let Some(depth) = stand::access(&it.category).filter(|_| !choose::front_taken(&noun)) {
             let text = all(&format!("clear({one}, front, {})", metres(depth))).replacen("assert", "prefer", 1);
             plan.say(text, "one gets at it from the front");
         }
@@ -127,8 +248,40 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             wall = AtWall::Yes;
         }
     }
-    straighten(plan, thing);
-    plan.surround(thing, wall, 0);
+    if !at_wall_like {
+        straighten(plan, thing);
+    }
+    let placed = match it.size.filter(|_| plan.ground.is_some() && stand::on_floor(plan.draft, &it)) {
+        Some(size) => {
+            let windows = window_walls(plan);
+            let choice = Choice {
+                noun: &noun,
+                size,
+                windows: &windows,
+                looks_at: None,
+                strictly: false,
+                staffed: staffed(plan),
+            };
+            let turned = plan.draft.statements.iter().any(|s| s.text.contains(&format!("{}.rot.y = 90", it.name)));
+            let yaws: &[f64] = if turned { &[90.0] } else { &[0.0] };
+            let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+                if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
+                    choice.wall(floor, shape, before)
+                } else {
+                    choice.floor(floor, shape, before, yaws)
+                }
+            };
+            let root = Root { n: it.count, frames: vec![Pose::default()], wall, seek: &seek };
+            let placed = plan.place_asked(thing, &root);
+            plan.lacking += usize::from(!placed);
+            placed
+        }
+        None => false,
+    };
+    if !placed {
+        plan.building = None;
+        plan.surround(thing, wall, 0);
+    }
 }
 
 /// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
@@ -194,7 +347,9 @@ fn inventory(plan: &mut Plan, line: &Line) {
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
         Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
-        Place::Rows(toward) => rows(plan, line.noun, n, *toward, &why),
+        Place::Rows(toward) => {
+            rows(plan, line.noun, n, *toward, (&why, None));
+        }
         _ => single(plan, line, n, &why),
     }
 }
@@ -218,31 +373,106 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let hung = line.place == Place::Hung
         || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..));
-    let n = (0..=n).rev().find(|n| hung || plan.has_room(size, *n, at_wall)).unwrap_or(0);
+    // Where places are known, they say better what there is room for.
+    let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
+    let n = (0..=n).rev().find(room_for).unwrap_or(0);
     if n == 0 {
         return;
     }
-    if !hung {
-        plan.take(size, n, at_wall);
+    let [width, height, depth] = plan.draft.rooms[plan.room].size;
+    let y = if hung { (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3)) } else { 0.0 };
+    let along = size[0] >= size[2];
+    let middle_yaw = if (width >= depth) == along { 0.0 } else { 90.0 };
+    let rectangular = plan.draft.rooms[plan.room].outline.is_none();
+    let opposite = match &line.place {
+        Place::Opposite(other) => plan
+            .draft
+            .things
+            .iter()
+            .find(|t| {
+                t.room == Some(plan.room) && t.count == 1 && t.category.replace('_', " ").ends_with(other.as_str())
+            })
+            .map(|t| t.name.clone()),
+        _ => None,
+    };
+    let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
+    let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
+    let windows = window_walls(plan);
+    let choice = Choice {
+        noun: line.noun,
+        size,
+        windows: &windows,
+        looks_at: watched,
+        strictly: opposite_pose.is_some(),
+        staffed: staffed(plan),
+    };
+    // Of places along a line, the nearest to the one that is meant.
+    let near = |floor: &Floor, shape: &Shape, nominal: Pose| {
+        let off =
+            |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
+        let further = if matches!(line.place, Place::Before(..)) { 6 } else { 0 };
+        let steps = (0..=further).flat_map(|k| (-30..=30).map(move |i| off(i, k)));
+        super::seek::best(floor, shape, steps, &|pose| {
+            Some((pose.x - nominal.x).abs() + 2.0 * (pose.z - nominal.z).abs())
+        })
+    };
+    let nominal = match &line.place {
+        Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
+        Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
+        Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
+        _ => Pose { yaw: middle_yaw, ..Pose::default() },
+    };
+    let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
+        _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
+        Place::Wall | Place::Run | Place::Hung => choice.wall(floor, shape, before),
+        Place::Opposite(_) => choice.wall(floor, shape, before).or_else(|| {
+            let anywhere = Choice { strictly: false, ..choice };
+            anywhere.wall(floor, shape, before)
+        }),
+        Place::Corner => choice.corner(floor, shape, before),
+        Place::Floor => choice.floor(floor, shape, before, &[0.0]),
+        Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
+        _ => near(floor, shape, nominal),
+    };
+    let run = line.place == Place::Run && n > 1;
+    let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + 0.01), ..Pose::default() }).collect();
+    let frames: Vec<Pose> = if run { together(n) } else { vec![Pose::default()] };
+    let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
+    let mut add = |plan: &mut Plan, n: usize| {
+        if !hung {
+            plan.take(size, n, at_wall);
+        }
+        plan.add(line.noun, n, size, why)
+    };
+    // A run that is too long is made shorter.
+    let mut found = None;
+    let shortest = if run { 1 } else { n };
+    for less in (shortest..=n).rev() {
+        let frames = if run { frames[..less].to_vec() } else { frames.clone() };
+        let root = Root { n: if run { 1 } else { n }, frames, wall, seek: &seek };
+        found = plan.place_group(&root, &mut add);
+        if found.is_some() {
+            break;
+        }
     }
-    let thing = plan.add(line.noun, n, size, why);
+    let Some((thing, poses)) = found else { return };
+    let (name, n) = (plan.draft.things[thing].name.clone(), plan.draft.things[thing].count);
     let room = plan.room_name();
-    let [_, height, depth] = plan.draft.rooms[plan.room].size;
-    let width = plan.draft.rooms[plan.room].size[0];
-    let name = plan.draft.things[thing].name.clone();
     let every = |f: &dyn Fn(&str) -> String| match n {
         1 => format!("assert {};", f(&name)),
         _ => format!("assert forall a in {name}: {};", f("a")),
     };
-    let access = stand::access(line.noun).map(metres);
+    let access = stand::access(line.noun).filter(|_| !choose::front_taken(line.noun)).map(metres);
     let used = |x: &str| access.as_ref().map_or(String::new(), |a| format!(" and clear({x}, front, {a})"));
-    let fixed = |x: f64, z: f64, y: f64, yaw: f64| place::absolute(&name, &room, [x, y, z], yaw);
+    let at = poses.first().copied().unwrap_or(nominal);
+    let fixed = |at: &Pose| place::absolute(&name, &room, [at.x, at.y, at.z], at.yaw);
     // Against the wall to a millimetre, so that what is on the wall above it touches the wall, too.
     let back = |x: &str| format!("onFloor({x}, {room}) and backToWall({x}, {room}, 0.01)");
-    let up = |h: f64| if hung { (EYES - size[1] / 2.0).clamp(0.3, (h - size[1] - 0.1).max(0.3)) } else { 0.0 };
     let text = match &line.place {
-        Place::Hung => every(&|x| format!("wallMounted({x}, {room}) and {x}.bottom = {}", metres(up(height)))),
-        Place::Wall => every(&|x| format!("{}{}", back(x), used(x))),
+        _ if hung && matches!(line.place, Place::Hung | Place::Wall) => {
+            every(&|x| format!("wallMounted({x}, {room}) and {x}.bottom = {}", metres(y)))
+        }
+        Place::Wall | Place::Hung => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run => {
             let step = metres(size[0] + 0.01);
@@ -253,33 +483,24 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             )
         }
         Place::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
-        Place::Middle if n == 1 && plan.draft.rooms[plan.room].outline.is_none() => {
-            let along = size[0] >= size[2];
-            let yaw = if (width >= depth) == along { 0.0 } else { 90.0 };
-            format!("assert {};", fixed(0.0, 0.0, 0.0, yaw))
-        }
+        Place::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
         Place::Middle | Place::Floor => {
             every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = 0"))
         }
-        Place::Back(share) => {
-            let x = share * (width - size[0]) / 2.0;
-            format!("assert {};", fixed(x, (depth - size[2]) / 2.0, up(height), 180.0))
-        }
-        Place::Front(share) => {
-            let x = share * (width - size[0]) / 2.0;
-            format!("assert {};", fixed(x, (size[2] - depth) / 2.0, up(height), 0.0))
-        }
-        Place::Before(gap, yaw) => format!("assert {};", fixed(0.0, (depth - size[2]) / 2.0 - gap, 0.0, *yaw)),
-        Place::Opposite(other) => {
-            let to = plan.draft.things.iter().find(|t| {
-                t.room == Some(plan.room) && t.count == 1 && t.category.replace('_', " ").ends_with(other.as_str())
-            });
-            let opposite = to.map(|to| {
-                let to = &to.name;
-                format!("prefer angle({name}.front, {to}.front) >= 175 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3;")
-            });
-            if let Some(opposite) = opposite {
-                plan.say(opposite, why);
+        Place::Back(_) | Place::Front(_) | Place::Before(..) if n == 1 => format!("assert {};", fixed(&at)),
+        Place::Back(_) | Place::Front(_) | Place::Before(..) => every(&|x| back(x)),
+        Place::Opposite(_) => {
+            let straight = match (opposite_pose, poses.first()) {
+                (Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0,
+                _ => true,
+            };
+            if let Some(to) = opposite.filter(|_| straight) {
+                plan.say(
+                    format!(
+                        "prefer angle({name}.front, {to}.front) >= 175 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3;"
+                    ),
+                    why,
+                );
             }
             every(&|x| back(x))
         }
@@ -289,8 +510,6 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {
         plan.say(every(&|x| format!("wallMounted({x}, {room})")), why);
     }
-    let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
-    plan.surround(thing, wall, 0);
 }
 
 /// Lights spread evenly under the ceiling.
@@ -337,53 +556,88 @@ fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
 }
 
 /// Things with their groups in rows, as many as there is room for.
-fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, why: &str) {
+/// Of things that are asked for, all or none. Whether they stand there.
+fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str, Option<usize>)) -> bool {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     if plan.draft.rooms[plan.room].outline.is_some() || n == 0 {
-        return;
+        return false;
     }
-    let size = Plan::size(noun);
+    let wanted = n;
+    let size = asked.and_then(|thing| plan.draft.things[thing].size).unwrap_or_else(|| Plan::size(noun));
+    let flat = size[1] < 0.05;
     let [left, right, back, front] = plan.reach(noun, size);
     let (cell_w, cell_d) = (left + right, back + front);
     // Ways of this width between the rows and around them.
     let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
-    let ahead = if toward { 2.2_f64.min(0.28 * d) } else { side };
+    let between = if flat { 0.35 } else { 0.6 };
+    let ahead = match toward {
+        true if flat => 1.3,
+        true => 2.2_f64.min(0.28 * d),
+        false => side,
+    };
     let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
     let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
-    let lines = (((free_d + 0.6) / (cell_d + 0.6)) as usize).max(1);
+    let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
     if cell_w > free_w || cell_d > free_d {
-        return;
+        plan.lacking += usize::from(plan.matters);
+        return false;
     }
-    let n = n.min(columns * lines);
+    let mut n = n.min(columns * lines);
     // As square as the room.
     let lines_used = n.div_ceil(columns).max(((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines));
     let columns_used = n.div_ceil(lines_used);
-    let thing = plan.add(noun, n, size, why);
-    let room = plan.room_name();
-    let name = plan.draft.things[thing].name.clone();
     let step = |free: f64, cell: f64, count: usize, least: f64| {
         let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
         most.min(cell + least.max(0.35 * cell)).max(most.min(cell + least))
     };
     let step_x = step(free_w, cell_w, columns_used, aisle);
-    let step_z = step(free_d, cell_d, lines_used, 0.6);
+    let step_z = step(free_d, cell_d, lines_used, between);
     // The middle of the rows, the group's own middle apart.
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
     let yaw = if toward { 180.0 } else { 0.0 };
     let off = if toward { (front - back) / 2.0 } else { 0.0 };
-    let each: Vec<String> = (0..n)
+    let mut places: Vec<Pose> = (0..n)
         .map(|i| {
             let (column, line) = (i % columns_used, i / columns_used);
             let in_line = columns_used.min(n - line * columns_used);
             let x = (column as f64 - (in_line as f64 - 1.0) / 2.0) * step_x;
             let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
+            Pose { x, y: 0.0, z, yaw }
+        })
+        .collect();
+    if let Some(ground) = &plan.ground {
+        // What stands there already, and doors, leave less.
+        let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
+        let cell = [cell_w, size[1].max(0.9), cell_d];
+        let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
+        let shape = Shape { pieces: vec![piece], free: Vec::new() };
+        places.retain(|at| ground.fits(&shape, at));
+    }
+    n = places.len();
+    plan.lacking += usize::from(plan.matters && n < wanted);
+    if n == 0 || asked.is_some() && n < wanted {
+        return false;
+    }
+    let thing = asked.unwrap_or_else(|| plan.add(noun, n, size, why));
+    let room = plan.room_name();
+    let name = plan.draft.things[thing].name.clone();
+    let each: Vec<String> = places
+        .iter()
+        .enumerate()
+        .map(|(i, at)| {
             let element = if n > 1 { format!("{name}[{i}]") } else { name.clone() };
-            place::absolute(&element, &room, [x, 0.0, z], yaw)
+            place::absolute(&element, &room, [at.x, at.y, at.z], at.yaw)
         })
         .collect();
     plan.say(format!("assert {};", each.join(" and ")), why);
     plan.take([cell_w, size[1], cell_d], n, false);
-    plan.surround(thing, AtWall::No, 0);
+    let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
+    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, seek: &seek };
+    if plan.ground.is_none() || !plan.place_asked(thing, &root) {
+        plan.building = None;
+        plan.surround(thing, AtWall::No, 0);
+    }
+    true
 }
 
 impl Plan<'_> {

@@ -58,7 +58,7 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],
         Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],
         Where::Row(n, gap) => {
-            let most = ((width - 0.1) / (w + 0.25)).floor().max(1.0) as usize;
+            let most = ((width + 0.05) / (w.max(0.4) + 0.18)).floor().max(1.0) as usize;
             let n = if n == 0 { most } else { n.min(most) };
             let step = width / n as f64;
             let z = depth / 2.0 + gap + d / 2.0;

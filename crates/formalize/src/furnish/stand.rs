@@ -8,7 +8,7 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 31] = [
+const KIN: [&[&str]; 33] = [
     &["tv", "television", "screen", "monitor", "display"],
     &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
     &["nightstand", "bedside table", "night table", "bedside cabinet"],
@@ -29,6 +29,8 @@ const KIN: [&[&str]; 31] = [
     &["washing machine", "washer"],
     &["computer", "laptop", "pc"],
     &["bathtub", "tub", "bath"],
+    &["bed", "single bed", "double bed", "twin bed", "bunk bed", "loft bed", "queen bed", "king bed"],
+    &["dining table", "round table", "kitchen table", "oval table", "square table", "long table"],
     &["mug", "cup", "glass"],
     &["speaker", "loudspeaker"],
     &["stool", "barstool", "bar stool"],

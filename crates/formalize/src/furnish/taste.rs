@@ -61,6 +61,18 @@ const WOODEN: [&str; 29] = [
     "crib",
 ];
 
+/// What is not made of wood though others of its kind are.
+const NOT_WOODEN: [&str; 8] = [
+    "office chair",
+    "desk chair",
+    "lab bench",
+    "bar stool",
+    "exam table",
+    "massage table",
+    "operating table",
+    "barber chair",
+];
+
 /// The look of something of a kind of room; `turn` goes through the colours.
 pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
     let last = noun.rsplit(' ').next().unwrap_or(noun);
@@ -68,7 +80,7 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
     let colored = COLORED.iter().any(|c| *c == noun || *c == last);
     if colored && !kind.colors.is_empty() {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
-    } else if WOODEN.contains(&last) && !["office chair", "desk chair", "lab bench", "bar stool"].contains(&noun) {
+    } else if WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun) {
         look.material = Some(kind.wood.to_owned());
     }
     look

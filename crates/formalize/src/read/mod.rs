@@ -117,6 +117,7 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
         // What was added contradicts nothing, either, so the close look comes after it.
         mend_quickly(&mut draft);
         furnish(&mut draft, &brief);
+        draft.guided = true;
     }
     mend(&mut draft);
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));

@@ -26,11 +26,16 @@ fn people(tokens: &[Token]) -> Option<(usize, usize)> {
         "patients",
         "readers",
     ];
+    const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
     const MOST: f64 = 40.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
+        // "For a family of five", "for a class of twenty".
+        let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
+        let of = group.filter(|k| GROUPS.iter().any(|group| tokens[k - 1].is(group)));
+        let i = of.unwrap_or(i);
         let (n, words) = number::count(&tokens[i + 1..])?;
         // "For six" without a noun speaks of people, too.
-        let who = tokens.get(i + 1 + words);
+        let who = tokens.get(i + 1 + words).filter(|_| of.is_none());
         let ends = |who: &Token| matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!'));
         let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
         (n > 1.0 && n <= MOST && speaks_of_people).then_some((n as usize, tokens[i].at.start))

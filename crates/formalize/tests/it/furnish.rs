@@ -135,3 +135,50 @@ fn the_nouns_of_the_requests_are_known() {
     let share = 1.0 - unknown.len() as f64 / names.len() as f64;
     assert!(share >= 0.95, "{:.1} % of {}; unknown: {unknown:?}", 100.0 * share, names.len());
 }
+
+/// Request, noun, how many of it there are at least, how wide one is at most.
+#[test]
+fn plain_words_mean_what_they_do_in_their_room() {
+    for (request, noun, n, width) in [
+        ("A hotel room with twin beds.", "twin bed", 2, 1.1),
+        ("A hospital ward with four beds.", "hospital bed", 4, 1.1),
+        ("A café with six tables.", "cafe table", 6, 0.9),
+        ("A dentist's waiting room.", "waiting chair", 6, 0.7),
+        ("A dentist's waiting room.", "reception desk", 1, 2.5),
+        ("A living room for a family of five with a piano.", "sofa", 1, 2.6),
+        ("A living room for a family of five with a piano.", "armchair", 2, 1.0),
+        ("A warehouse with racks.", "rack", 6, 3.0),
+        ("A kitchen with an island and three stools.", "kitchen counter", 1, 3.0),
+        ("A small bar.", "bar stool", 3, 0.5),
+    ] {
+        let draft = draft(request);
+        assert!(count(&draft, noun) >= n, "{request}: {noun} {}", count(&draft, noun));
+        let of = draft.things.iter().find(|t| t.category.replace('_', " ").ends_with(noun));
+        assert!(of.and_then(|t| t.size).is_some_and(|size| size[0] <= width), "{request}: {of:?}");
+    }
+}
+
+#[test]
+fn who_a_room_is_for_is_no_thing_in_it() {
+    for request in ["A private office for a lawyer.", "A nursery for a newborn."] {
+        let draft = draft(request);
+        assert!(draft.things.iter().all(|t| t.category != "lawyer" && t.category != "newborn"), "{request}");
+    }
+}
+
+#[test]
+fn what_stands_at_walls_has_a_place_to_begin_with() {
+    for request in ["A bedroom.", "A kitchen with an island and three stools.", "A hotel room with twin beds."] {
+        let draft = draft(request);
+        assert!(draft.guided, "{request}");
+        let standing = ["bed", "wardrobe", "kitchen_counter", "kitchen_island", "stool", "desk"];
+        for thing in draft.things.iter().filter(|t| standing.iter().any(|s| t.category.ends_with(s))) {
+            for i in 0..thing.count {
+                let name = if thing.count > 1 { format!("{}[{i}]", thing.name) } else { thing.name.clone() };
+                assert!(draft.place_of(&name).is_some(), "{request}: {name}");
+            }
+        }
+    }
+    let literal = read("A bedroom with a bed.", &Options { literal: true }).draft;
+    assert!(!literal.guided && literal.places.is_empty() && !write(&literal).contains("import"));
+}

@@ -1,0 +1,69 @@
+//! What people drive: a car with its cabin, windows, wheels and lights. The front is at +z.
+
+use crate::ask::Ask;
+use crate::block::{Block, block};
+use crate::looks::{Finish, Stuff, shade, stuff};
+use crate::model::Model;
+use scenelang_layout::Vec3;
+
+/// A wheel with its axle across.
+fn wheel(m: &mut Model, b: Block) {
+    let tyre = stuff::RUBBER.surface();
+    let rim = stuff::STEEL.surface();
+    m.solid(b);
+    for (inset, surface) in [(0.0, &tyre), (0.35, &rim)] {
+        let size = b.size();
+        // The rim stands out a little on both sides.
+        let out = if inset > 0.0 { 0.02 * size.x } else { 0.06 * size.x };
+        let part = b.inset(out, inset * 0.5 * size.y, inset * 0.5 * size.z);
+        m.mesh.stretch(part, |mesh| {
+            mesh.place(Vec3::zeros(), [0.0, 0.0, 90.0], |mesh| {
+                mesh.drum(block(-1.0..1.0, 0.0..1.0, -1.0..1.0), surface);
+            });
+        });
+    }
+}
+
+/// A car; a van, where it says so.
+pub(super) fn car(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let paint = a.main(Stuff(Finish::Paint, 0x5b7f9c));
+    let glass = Stuff(Finish::Screen, 0x2b3844).surface();
+    let dark = stuff::DARK_PLASTIC.surface();
+    let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let r = (0.22 * a.h).min(0.09 * a.d);
+    let sill = 0.55 * r;
+    let belt = 0.56 * a.h;
+    let van = a.says(&["van", "truck", "lorry", "ambulance", "bus"]);
+    // The body over the wheels, and the cabin, which is narrower towards the roof.
+    m.rounded(block(-x..x, sill..belt, -z..z), 0.3 * r, &paint);
+    let (back, front) = if van { (-0.98 * z, 0.72 * z) } else { (-0.82 * z, 0.5 * z) };
+    let (roof_back, roof_front) = if van { (-0.97 * z, 0.5 * z) } else { (-0.55 * z, 0.1 * z) };
+    let foot = block(-0.92 * x..0.92 * x, belt..belt + 0.001, back..front);
+    let glazed = 0.94 * a.h;
+    let head = block(-0.76 * x..0.76 * x, glazed - 0.001..glazed, roof_back..roof_front);
+    m.taper(foot, head, &glass);
+    m.rounded(block(-0.76 * x..0.76 * x, glazed..a.h, roof_back..roof_front), 0.02, &paint);
+    // Pillars between the windows.
+    for at in [-0.62 * z, -0.2 * z] {
+        let post = block(-0.86 * x..0.86 * x, belt..glazed, at - 0.02 * z..at + 0.02 * z);
+        m.mesh.crisp(post, &paint);
+    }
+    for at in [-0.62 * z, 0.62 * z] {
+        for side in block(x - 0.2 * a.w..x, 0.0..2.0 * r, at - r..at + r).both_sides() {
+            wheel(&mut m, side);
+        }
+    }
+    let lamp = Stuff(Finish::Glow, 0xfff4d6).surface();
+    let tail = stuff::RED.surface();
+    for (at, surface) in [(z - 0.015 * a.d..z, &lamp), (-z..-z + 0.015 * a.d, &tail)] {
+        let corner = block(0.55 * x..0.9 * x, 0.36 * a.h..0.44 * a.h, at);
+        for light in corner.both_sides() {
+            m.mesh.crisp(light, surface);
+        }
+    }
+    for bumper in [block(-0.96 * x..0.96 * x, sill..0.3 * a.h, z - 0.03 * a.d..z - 0.001 * a.d)] {
+        m.mesh.crisp(bumper, &shade(&dark, 1.2));
+    }
+    m
+}

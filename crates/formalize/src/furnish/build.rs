@@ -1,0 +1,240 @@
+//! A group is put together and placed as one piece. What does not fit with it is left out, the last part first.
+
+use super::floor::{Floor, Piece, Pose, Shape};
+use super::groups::Where;
+use super::openings::in_scene;
+use super::plan::{AtWall, Plan};
+use super::slots::{Level, Slot};
+use super::stand;
+use scenelang_lang::nouns;
+use std::collections::BTreeMap;
+
+/// How often a group is put together anew with less.
+const ATTEMPTS: usize = 9;
+/// What is higher stands before no window (metres).
+const TALL: f64 = 1.1;
+/// Behind a chair this much is free to pull it out.
+const PULL: f64 = 0.36;
+/// Beside a bed for two this much is free.
+const BESIDE_BED: f64 = 0.52;
+
+/// What a group is not complete without, beside its seats.
+const USED: [&str; 3] = ["kitchen sink", "stove", "fridge"];
+
+/// A group that is being put together.
+#[derive(Clone, Debug, Default)]
+pub struct Building {
+    /// What it takes.
+    pub shape: Shape,
+    /// Parts that are left out.
+    pub skip: Vec<&'static str>,
+    /// Where the elements of each thing are, for one element of the first.
+    frames: BTreeMap<usize, Vec<Pose>>,
+}
+
+impl Building {
+    /// With its first thing, whose elements that are placed together are there.
+    fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, skip: &[&'static str]) -> Self {
+        let mut out = Self { skip: skip.to_vec(), ..Self::default() };
+        for frame in &frames {
+            out.piece(thing, noun, size, frame);
+        }
+        out.frames.insert(thing, frames);
+        out
+    }
+
+    fn piece(&mut self, thing: usize, noun: &str, size: [f64; 3], at: &Pose) {
+        let [w, h, d] = size;
+        let flat = h < 0.05;
+        let tall = h > TALL && w * d > 0.12 && stand::has_back(noun);
+        self.shape.pieces.push(Piece { thing, at: *at, size, flat, tall });
+        let mut keep = |x: f64, z: f64, size: [f64; 3]| {
+            let place = Pose { x, z, y: 0.05, yaw: 0.0 };
+            self.shape.free.push((at.then(&place), size));
+        };
+        if at.y > 0.3 {
+            return;
+        }
+        if let Some(depth) = stand::access(noun) {
+            keep(0.0, d / 2.0 + depth / 2.0, [w, 1.7, depth]);
+        }
+        let bed = nouns::ending(noun).is_some() && noun.ends_with("bed") && d > 1.8;
+        if bed && w >= 1.2 {
+            for side in [-1.0, 1.0] {
+                keep(side * (w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);
+            }
+        } else if bed {
+            keep((w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);
+        }
+    }
+
+    /// Adds a part that goes with each element of a thing of the group.
+    pub fn add(
+        &mut self,
+        of: usize,
+        new: usize,
+        places: &[Slot],
+        (noun, size, at): (&str, [f64; 3], &Where),
+        ceiling: f64,
+    ) {
+        let Some(anchors) = self.frames.get(&of).cloned() else { return };
+        let mut frames = Vec::new();
+        for anchor in &anchors {
+            for slot in places {
+                let y = match slot.level {
+                    Level::Floor => 0.0,
+                    Level::Above(y) => y,
+                    Level::Ceiling => ceiling - size[1],
+                    // What lies on something is in nobody's way.
+                    Level::Top | Level::At(_) => return,
+                };
+                frames.push(anchor.then(&Pose { x: slot.x, y, z: slot.z, yaw: slot.yaw }));
+            }
+        }
+        for frame in &frames {
+            self.piece(new, noun, size, frame);
+            let seat = matches!(at, Where::Around(..) | Where::LongSides(..))
+                || matches!(at, Where::Front(..)) && noun.ends_with("chair");
+            if seat {
+                let behind = Pose { z: -(size[2] + PULL) / 2.0, y: 0.05, ..Pose::default() };
+                self.shape.free.push((frame.then(&behind), [size[0], 1.0, PULL]));
+            }
+        }
+        self.frames.insert(new, frames);
+    }
+
+    /// Whether several elements of a thing are placed together, side by side.
+    pub fn is_run(&self, thing: usize) -> bool {
+        self.shape.pieces.first().is_some_and(|first| first.thing == thing)
+            && self.frames.get(&thing).is_some_and(|frames| frames.len() > 1)
+    }
+
+    /// The part that is left out next: the last that stands somewhere.
+    fn least(&self, plan: &Plan<'_>, root: usize) -> Option<&'static str> {
+        let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;
+        let category = plan.draft.things[last.thing].category.replace('_', " ");
+        super::groups::nouns().find(|noun| *noun == category && !self.skip.contains(noun))
+    }
+}
+
+/// What a group begins with.
+pub struct Root<'r> {
+    /// How many are placed one by one.
+    pub n: usize,
+    /// Elements that are placed together, as seen from the first of them.
+    pub frames: Vec<Pose>,
+    /// What is known of its place at walls.
+    pub wall: AtWall,
+    /// Finds a place, given those of the elements before it.
+    #[expect(clippy::type_complexity, reason = "it is written once")]
+    pub seek: &'r dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>,
+}
+
+impl Plan<'_> {
+    /// Adds a thing with what goes with it where there is room for all of it, or for less of it. `add` adds the thing, so
+    /// many of it. Its index, and the places of its elements in the room.
+    pub fn place_group(
+        &mut self,
+        root: &Root<'_>,
+        add: &mut dyn FnMut(&mut Self, usize) -> usize,
+    ) -> Option<(usize, Vec<Pose>)> {
+        if self.ground.is_none() {
+            let thing = add(self, root.n * root.frames.len());
+            self.surround(thing, root.wall, 0);
+            return Some((thing, Vec::new()));
+        }
+        let (mut n, mut skip) = (root.n, Vec::new());
+        for _ in 0..ATTEMPTS {
+            let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
+            let (names, claimed) = (self.names.clone(), self.claimed.len());
+            let thing = add(self, n * root.frames.len());
+            if let Some(poses) = self.try_group(thing, n, root, &skip) {
+                self.miss(&skip);
+                return Some((thing, poses));
+            }
+            let least = self.building.take().and_then(|group| group.least(self, thing));
+            self.draft.things.truncate(before.0);
+            self.draft.statements.truncate(before.1);
+            (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
+            self.names = names;
+            self.claimed.truncate(claimed);
+            match least {
+                Some(part) => skip.push(part),
+                None if n > 1 => n -= 1,
+                None => return None,
+            }
+        }
+        None
+    }
+
+    /// A thing that is there already gets a place with what goes with it. Whether one was found; else nothing is added.
+    pub fn place_asked(&mut self, thing: usize, root: &Root<'_>) -> bool {
+        let mut skip = Vec::new();
+        for _ in 0..ATTEMPTS {
+            let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
+            let (names, claimed) = (self.names.clone(), self.claimed.len());
+            if self.try_group(thing, root.n, root, &skip).is_some() {
+                self.miss(&skip);
+                return true;
+            }
+            let least = self.building.take().and_then(|group| group.least(self, thing));
+            self.draft.things.truncate(before.0);
+            self.draft.statements.truncate(before.1);
+            (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
+            self.names = names;
+            self.claimed.truncate(claimed);
+            match least {
+                Some(part) => skip.push(part),
+                None => return false,
+            }
+        }
+        false
+    }
+
+    /// Notes that a thing that matters has no seats.
+    fn miss(&mut self, skip: &[&'static str]) {
+        let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat || USED.contains(noun));
+        self.lacking += usize::from(self.matters && seats);
+    }
+
+    fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {
+        let it = &self.draft.things[thing];
+        let (noun, size) = (it.category.replace('_', " "), it.size?);
+        self.building = Some(Building::new(thing, &noun, size, root.frames.clone(), skip));
+        self.surround(thing, root.wall, 0);
+        let group = self.building.clone()?;
+        let mut ground = self.ground.clone()?;
+        let mut poses = Vec::new();
+        for _ in 0..n {
+            let pose = (root.seek)(&ground, &group.shape, &poses)?;
+            ground.take(&group.shape, &pose);
+            poses.push(pose);
+        }
+        self.building = None;
+        self.ground = Some(ground);
+        self.note_places(&group, &poses);
+        Some(poses)
+    }
+
+    /// Takes the place of a group that is fixed to the room, and notes where its members are.
+    fn note_places(&mut self, group: &Building, poses: &[Pose]) {
+        for (thing, frames) in &group.frames {
+            let (name, count) = (self.draft.things[*thing].name.clone(), self.draft.things[*thing].count);
+            for (i, pose) in poses.iter().enumerate() {
+                for (k, frame) in frames.iter().enumerate() {
+                    let place = in_scene(self.draft, self.room, &pose.then(frame));
+                    let element = if count > 1 { format!("{name}[{}]", i * frames.len() + k) } else { name.clone() };
+                    let place = [place.x, place.y, place.z, place.yaw].map(|v| (v * 1e4).round() / 1e4);
+                    self.draft.places.push((element, place));
+                }
+            }
+        }
+    }
+
+    /// Where an element of a thing has its place in the room.
+    pub fn place_in_room(&self, name: &str) -> Option<Pose> {
+        let [x, y, z, yaw] = self.draft.place_of(name).or_else(|| self.draft.place_of(&format!("{name}[0]")))?;
+        let [at_x, at_z] = self.draft.rooms[self.room].at;
+        Some(Pose { x: x - at_x, y, z: z - at_z, yaw })
+    }
+}

@@ -1,0 +1,155 @@
+//! Which of the places that are free is the better one: beds with the head at a closed wall, sofas across from where there is
+//! room for a screen, cupboards side by side in corners, little near the door.
+
+use super::floor::{Floor, Pose, Shape};
+use super::seek::{self, Wall};
+use super::stand;
+
+/// What is known of a thing that gets a place.
+pub struct Choice<'a> {
+    /// What it is.
+    pub noun: &'a str,
+    /// Its size.
+    pub size: [f64; 3],
+    /// The walls with windows.
+    pub windows: &'a [Wall],
+    /// What it looks at, if there is such a thing: its place.
+    pub looks_at: Option<Pose>,
+    /// Whether it must look at it straight.
+    pub strictly: bool,
+    /// Whether the back of the room is for those who work there.
+    pub staffed: bool,
+}
+
+/// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
+const TOGETHER: f64 = 0.35;
+
+impl Choice<'_> {
+    fn is(&self, nouns: &[&str]) -> bool {
+        nouns.iter().any(|noun| self.noun == *noun || self.noun.ends_with(&format!(" {noun}")))
+    }
+
+    /// What a place at a wall costs; `None`: it is no good at all.
+    fn at_wall(&self, floor: &Floor, shape: &Shape, pose: &Pose, before: &[Pose]) -> Option<f64> {
+        let wall = Wall::behind(pose)?;
+        let length = wall.length(floor.size);
+        let along = match wall {
+            Wall::Back | Wall::Front => pose.x,
+            Wall::Left | Wall::Right => pose.z,
+        };
+        let mut cost = match wall {
+            Wall::Back => 0.0,
+            Wall::Left | Wall::Right => 0.25,
+            Wall::Front => 0.7,
+        };
+        if let Some(seen) = self.looks_at {
+            let forward = |p: &Pose| (p.yaw.to_radians().sin(), p.yaw.to_radians().cos());
+            let ((fx, fz), (dx, dz)) = (forward(pose), (seen.x - pose.x, seen.z - pose.z));
+            let aside = (dx * fz - dz * fx).abs();
+            let opposite = (pose.yaw - seen.yaw).rem_euclid(360.0) == 180.0;
+            if self.strictly && !(opposite && aside <= 0.28) || dx * fx + dz * fz < 0.8 {
+                return None;
+            }
+            cost = aside + if opposite { 0.0 } else { 0.6 };
+        }
+        // Guests do not sit behind the counter.
+        if self.staffed && wall == Wall::Back && stand::group(self.noun) != crate::brief::Group::Storage {
+            cost += 1.0;
+        }
+        let lit = self.windows.contains(&wall);
+        if self.is(&["bed"]) {
+            cost += along.abs() / length * 0.6 + if lit { 0.7 } else { 0.0 };
+        } else if self.is(&["sofa", "couch"]) {
+            // Across from it there is room for a screen, and no window behind that.
+            let dazzled = self.windows.contains(&wall.across());
+            cost += along.abs() / length * 0.5 + if dazzled { 0.8 } else { 0.0 };
+            let deep = if matches!(wall, Wall::Back | Wall::Front) { floor.size[2] } else { floor.size[0] };
+            cost += (3.6 - deep).max(0.0);
+        } else if self.looks_at.is_none() {
+            let to_end = length / 2.0 - along.abs() - seek::reach(shape)[0].max(seek::reach(shape)[1]);
+            cost += to_end.max(0.0).min(floor.room_around(shape, pose)).min(2.0) * 0.2;
+        }
+        // Several of a kind stand at one wall, evenly.
+        if let Some(last) = before.last() {
+            cost += if last.yaw == pose.yaw { -1.2 } else { 0.0 };
+            let apart = (last.x - pose.x).hypot(last.z - pose.z) - self.size[0];
+            cost += (apart - TOGETHER).abs().min(2.0) * 0.25;
+        }
+        Some(cost + (1.6 - floor.from_door(pose)).max(0.0) * 0.3)
+    }
+
+    /// The best place at a wall.
+    pub fn wall(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
+        let places = seek::at_walls(floor.size, shape, self.size[2]).into_iter();
+        seek::best(floor, shape, places, &|pose| self.at_wall(floor, shape, pose, before))
+    }
+
+    /// The best place on a wall, its lower edge at a height; `on`: at this wall only.
+    pub fn hung(&self, floor: &Floor, shape: &Shape, before: &[Pose], y: f64) -> Option<Pose> {
+        let places = seek::on_walls(floor.size, shape, self.size[2], y).into_iter();
+        let cost = |pose: &Pose| {
+            let wall = Wall::behind(pose)?;
+            let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
+            let mut cost = along.abs() * 0.1
+                + match wall {
+                    Wall::Back => 0.0,
+                    Wall::Left | Wall::Right => 0.1,
+                    Wall::Front => 0.8,
+                };
+            if let Some(seen) = self.looks_at {
+                let forward = (seen.yaw.to_radians().sin(), seen.yaw.to_radians().cos());
+                let (dx, dz) = (pose.x - seen.x, pose.z - seen.z);
+                let ahead = dx * forward.0 + dz * forward.1;
+                cost += (dx * forward.1 - dz * forward.0).abs() * 0.5 + if ahead > 0.8 { 0.0 } else { 3.0 };
+            }
+            cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * 0.5;
+            Some(cost)
+        };
+        seek::best(floor, shape, places, &cost)
+    }
+
+    /// The best corner.
+    pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
+        let places = seek::in_corners(floor.size, self.size).into_iter();
+        let cost = |pose: &Pose| {
+            let front = if pose.z < 0.0 { 0.5 } else { 0.0 };
+            // Who sits in a corner has the light of a window.
+            let lit = self.windows.iter().any(|wall| match wall {
+                Wall::Back => pose.z > 0.0,
+                Wall::Front => pose.z < 0.0,
+                Wall::Left => pose.x < 0.0,
+                Wall::Right => pose.x > 0.0,
+            });
+            let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
+            let door = (2.0 - floor.from_door(pose)).max(0.0) * 0.4;
+            Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door)
+        };
+        seek::best(floor, shape, places, &cost)
+    }
+
+    /// The best place on the floor: room around it, in line with others of its kind, rather in the middle.
+    pub fn floor(&self, floor: &Floor, shape: &Shape, before: &[Pose], yaws: &[f64]) -> Option<Pose> {
+        let places = seek::on_floor(floor.size, self.size, yaws).into_iter();
+        let cost = |pose: &Pose| {
+            let around = floor.room_around(shape, pose).min(0.9);
+            let middle = pose.x.abs() + pose.z.abs();
+            let lined = before.iter().any(|o| (o.x - pose.x).abs() < 0.02 || (o.z - pose.z).abs() < 0.02);
+            Some(-around + 0.06 * middle + if before.is_empty() || lined { 0.0 } else { 0.5 })
+        };
+        seek::best(floor, shape, places, &cost)
+    }
+}
+
+/// Whether something that goes with a thing stands before its front, so that its front is not free.
+pub fn front_taken(noun: &str) -> bool {
+    use super::groups::{Where, of};
+    let stands = |noun: &str| super::plan::Plan::size(noun)[1] > 0.05;
+    of(noun)
+        .iter()
+        .any(|part| matches!(part.at, Where::Front(..) | Where::Row(..) | Where::Around(..)) && stands(part.noun))
+}
+
+/// What a thing is before which something is to be seen: where one sits or lies.
+pub fn seats(noun: &str) -> bool {
+    noun.ends_with("sofa") || noun.ends_with("bed") || stand::group(noun) == crate::brief::Group::Bed
+}

@@ -1,0 +1,310 @@
+//! What is taken in a room that is being furnished: boxes of things, and the space before and beside them that is kept free.
+//!
+//! All is in the room's own frame: x to the right, z to the back, the middle of the floor at the origin. Turns are multiples
+//! of 90 degrees. Nothing here is a statement: it says where a search may begin.
+
+use std::collections::VecDeque;
+
+/// Things may be this close without being in each other's way (metres).
+const TOUCH: f64 = 0.004;
+/// Edge of a cell in which ways are looked for (metres).
+const CELL: f64 = 0.1;
+/// Half the width of a way, a cell's rounding included (metres).
+const HALF_WAY: f64 = 0.40;
+/// Nobody bumps into what is higher (metres).
+const HEAD: f64 = 1.9;
+
+/// A place and a turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// To the right.
+    pub x: f64,
+    /// Height of the base.
+    pub y: f64,
+    /// To the back.
+    pub z: f64,
+    /// Turn in degrees.
+    pub yaw: f64,
+}
+
+impl Pose {
+    /// A place that is given in the frame of this one.
+    pub fn then(&self, local: &Self) -> Self {
+        let (sin, cos) = self.yaw.to_radians().sin_cos();
+        Self {
+            x: self.x + local.x * cos + local.z * sin,
+            y: self.y + local.y,
+            z: self.z - local.x * sin + local.z * cos,
+            yaw: (self.yaw + local.yaw).rem_euclid(360.0),
+        }
+    }
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Least x, y, z.
+    pub low: [f64; 3],
+    /// Greatest x, y, z.
+    pub high: [f64; 3],
+}
+
+impl Block {
+    /// The box around a thing of a size that stands at a place.
+    pub fn of(pose: &Pose, size: [f64; 3]) -> Self {
+        let (sin, cos) = pose.yaw.to_radians().sin_cos();
+        let half = [(size[0] * cos).abs() + (size[2] * sin).abs(), (size[0] * sin).abs() + (size[2] * cos).abs()];
+        let [across, along] = half.map(|v| v / 2.0);
+        Self {
+            low: [pose.x - across, pose.y, pose.z - along],
+            high: [pose.x + across, pose.y + size[1], pose.z + along],
+        }
+    }
+
+    /// Whether they are in each other's way.
+    pub fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.low[k] < other.high[k] - TOUCH && other.low[k] < self.high[k] - TOUCH)
+    }
+
+    /// How far they are apart, seen from above.
+    pub fn gap(&self, other: &Self) -> f64 {
+        let along = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
+        along(0).hypot(along(2))
+    }
+}
+
+/// What one piece of a group takes: where it stands, seen from the group's first thing.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    /// Index of the thing in the draft, and which of its elements in this group.
+    pub thing: usize,
+    /// Its place in the group.
+    pub at: Pose,
+    /// Its size.
+    pub size: [f64; 3],
+    /// Whether things may stand on it: rugs.
+    pub flat: bool,
+    /// Whether it hides a window and is hidden from the door.
+    pub tall: bool,
+}
+
+/// A group that is to be placed as one piece.
+#[derive(Clone, Debug, Default)]
+pub struct Shape {
+    /// What it consists of.
+    pub pieces: Vec<Piece>,
+    /// Boxes that are kept free, in the frame of the group, as place and size.
+    pub free: Vec<(Pose, [f64; 3])>,
+}
+
+/// What is taken in a room.
+#[derive(Clone, Debug)]
+pub struct Floor {
+    /// Width, height, depth.
+    pub size: [f64; 3],
+    /// What is there.
+    bodies: Vec<Block>,
+    /// What is kept free.
+    free: Vec<Block>,
+    /// What is kept free of tall things only.
+    lit: Vec<Block>,
+    /// Where one comes in: just inside of doors.
+    doors: Vec<[f64; 2]>,
+    /// What one has to get to.
+    goals: Vec<Block>,
+}
+
+impl Floor {
+    /// An empty room.
+    pub fn new(size: [f64; 3]) -> Self {
+        Self { size, bodies: Vec::new(), free: Vec::new(), lit: Vec::new(), doors: Vec::new(), goals: Vec::new() }
+    }
+
+    /// The room itself, somewhat wider.
+    fn inside(&self, block: &Block) -> bool {
+        let [w, h, d] = self.size;
+        let most = [w / 2.0, h, d / 2.0];
+        let least = [-w / 2.0, 0.0, -d / 2.0];
+        (0..3).all(|k| block.low[k] >= least[k] - TOUCH && block.high[k] <= most[k] + TOUCH)
+    }
+
+    /// A door in a wall of the room, and the floor before it.
+    pub fn door(&mut self, pose: &Pose, size: [f64; 3], clear: f64) {
+        self.bodies.push(Block::of(pose, size));
+        let way = Block::of(pose, [size[0], size[1], 2.0 * clear + size[2]]);
+        self.doors.push([0, 2].map(|k| {
+            let edge = self.size[k] / 2.0 - HALF_WAY - CELL;
+            ((way.low[k] + way.high[k]) / 2.0).clamp(-edge, edge)
+        }));
+        self.free.push(way);
+    }
+
+    /// A window: nothing tall before it, and nothing taller than the sill within half a metre.
+    pub fn window(&mut self, pose: &Pose, size: [f64; 3]) {
+        self.bodies.push(Block::of(pose, [size[0], size[1], size[2] + 0.02]));
+        let above = Pose { y: pose.y + 0.1, ..*pose };
+        self.free.push(Block::of(&above, [size[0], size[1] - 0.1, 1.0]));
+        let all = Pose { y: 0.0, ..*pose };
+        self.lit.push(Block::of(&all, [size[0] + 0.24, self.size[1], size[2] + 0.24]));
+    }
+
+    /// Whether a group has room at a place.
+    pub fn fits(&self, shape: &Shape, at: &Pose) -> bool {
+        let bodies = shape.pieces.iter().map(|piece| (piece, Block::of(&at.then(&piece.at), piece.size)));
+        let stands = |(piece, block): (&Piece, Block)| {
+            self.inside(&block)
+                && (piece.flat
+                    || !self.bodies.iter().chain(&self.free).any(|other| other.meets(&block))
+                        && !(piece.tall && self.lit.iter().any(|other| other.meets(&block))))
+        };
+        bodies.into_iter().all(stands)
+            && shape.free.iter().all(|(pose, size)| {
+                let block = Block::of(&at.then(pose), *size);
+                self.inside(&block) && !self.bodies.iter().any(|other| other.meets(&block))
+            })
+    }
+
+    /// Takes it.
+    pub fn take(&mut self, shape: &Shape, at: &Pose) {
+        for piece in shape.pieces.iter().filter(|piece| !piece.flat) {
+            self.bodies.push(Block::of(&at.then(&piece.at), piece.size));
+        }
+        self.free.extend(shape.free.iter().map(|(pose, size)| Block::of(&at.then(pose), *size)));
+        if let Some(first) =
+            shape.pieces.first().filter(|first| !first.flat && first.at.y < HEAD && first.size[0] > 0.3)
+        {
+            let block = Block::of(&at.then(&first.at), first.size);
+            if block.low[1] < 0.5 {
+                self.goals.push(block);
+            }
+        }
+    }
+
+    /// How far a place is from the nearest door.
+    pub fn from_door(&self, pose: &Pose) -> f64 {
+        self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far a group at a place is from the nearest thing on the floor.
+    pub fn room_around(&self, shape: &Shape, at: &Pose) -> f64 {
+        let own: Vec<Block> = shape.pieces.iter().map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
+        let low = self.bodies.iter().filter(|body| body.low[1] < HEAD);
+        low.flat_map(|body| own.iter().map(|block| block.gap(body))).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether one still gets from the doors to everything when a group stands at a place.
+    pub fn leaves_ways(&self, shape: &Shape, at: &Pose) -> bool {
+        if self.doors.is_empty() {
+            return true;
+        }
+        let mut other = self.clone();
+        other.take(shape, at);
+        other.unreached() <= self.unreached()
+    }
+
+    /// How many things there is no way to.
+    fn unreached(&self) -> usize {
+        let reached = self.reached();
+        let near = |goal: &Block| {
+            reached.iter().any(|[x, z]| {
+                let point = Block { low: [*x, 0.0, *z], high: [*x, 0.0, *z] };
+                goal.gap(&point) <= HALF_WAY + 0.2
+            })
+        };
+        self.goals.iter().filter(|goal| !near(goal)).count()
+    }
+
+    /// Middles of the cells that one can stand in, coming from a door.
+    fn reached(&self) -> Vec<[f64; 2]> {
+        let [w, _, d] = self.size;
+        let (columns, rows) = ((w / CELL) as usize, (d / CELL) as usize);
+        let middle = |i: usize, j: usize| [(i as f64 + 0.5) * CELL - w / 2.0, (j as f64 + 0.5) * CELL - d / 2.0];
+        let mut open = vec![true; columns * rows];
+        let mut close = |low: [f64; 2], high: [f64; 2]| {
+            let cells = |v: f64, half: f64, n: usize| (((v + half) / CELL - 0.5).ceil().max(0.0) as usize).min(n);
+            for j in cells(low[1], d / 2.0, rows)..cells(high[1], d / 2.0, rows) {
+                for i in cells(low[0], w / 2.0, columns)..cells(high[0], w / 2.0, columns) {
+                    open[j * columns + i] = false;
+                }
+            }
+        };
+        let margin = HALF_WAY - 0.05;
+        for body in self.bodies.iter().filter(|body| body.low[1] < HEAD && body.high[1] > 0.08) {
+            // What is in the wall leaves the way free.
+            let depth = (0..3).step_by(2).map(|k| body.high[k] - body.low[k]).fold(f64::INFINITY, f64::min);
+            if depth < 0.15 {
+                continue;
+            }
+            close([body.low[0] - margin, body.low[2] - margin], [body.high[0] + margin, body.high[2] + margin]);
+        }
+        close([-w, -d], [-w / 2.0 + margin, d]);
+        close([w / 2.0 - margin, -d], [w, d]);
+        close([-w, -d], [w, -d / 2.0 + margin]);
+        close([-w, d / 2.0 - margin], [w, d]);
+        let mut seen = vec![false; open.len()];
+        let mut queue = VecDeque::new();
+        for [x, z] in &self.doors {
+            let at = |v: f64, half: f64, n: usize| (((v + half) / CELL) as usize).min(n.saturating_sub(1));
+            let (i, j) = (at(*x, w / 2.0, columns), at(*z, d / 2.0, rows));
+            for (i, j) in (i.saturating_sub(2)..(i + 3).min(columns))
+                .flat_map(|i| (j.saturating_sub(2)..(j + 3).min(rows)).map(move |j| (i, j)))
+            {
+                if open[j * columns + i] && !std::mem::replace(&mut seen[j * columns + i], true) {
+                    queue.push_back((i, j));
+                }
+            }
+        }
+        let mut out = Vec::new();
+        while let Some((i, j)) = queue.pop_front() {
+            out.push(middle(i, j));
+            let beside = [(i.wrapping_sub(1), j), (i + 1, j), (i, j.wrapping_sub(1)), (i, j + 1)];
+            for (i, j) in beside.into_iter().filter(|(i, j)| *i < columns && *j < rows) {
+                if open[j * columns + i] && !std::mem::replace(&mut seen[j * columns + i], true) {
+                    queue.push_back((i, j));
+                }
+            }
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cupboard() -> Shape {
+        let piece = Piece { thing: 0, at: Pose::default(), size: [1.0, 2.0, 0.6], flat: false, tall: true };
+        let before = Pose { z: 0.6, ..Pose::default() };
+        Shape { pieces: vec![piece], free: vec![(before, [1.0, 1.8, 0.6])] }
+    }
+
+    #[test]
+    fn a_turned_place_carries_what_is_before_it_along() {
+        let wall = Pose { x: -2.0, z: 0.5, yaw: 90.0, ..Pose::default() };
+        let before = wall.then(&Pose { z: 1.0, ..Pose::default() });
+        assert!((before.x + 1.0).abs() < 1e-9 && (before.z - 0.5).abs() < 1e-9, "{before:?}");
+    }
+
+    #[test]
+    fn nothing_stands_before_a_cupboard_or_a_door() {
+        let mut floor = Floor::new([4.0, 2.6, 4.0]);
+        let at = Pose { z: 1.69, yaw: 180.0, ..Pose::default() };
+        assert!(floor.fits(&cupboard(), &at));
+        floor.take(&cupboard(), &at);
+        assert!(!floor.fits(&cupboard(), &Pose { z: 0.8, ..at }));
+        floor.door(&Pose { x: 1.0, z: -2.0, ..Pose::default() }, [0.95, 2.08, 0.12], 0.95);
+        assert!(!floor.fits(&cupboard(), &Pose { x: 1.0, z: -1.69, ..Pose::default() }));
+        assert!(floor.fits(&cupboard(), &Pose { x: -1.4, z: -1.69, ..Pose::default() }));
+    }
+
+    #[test]
+    fn what_bars_the_way_to_something_is_seen() {
+        let mut floor = Floor::new([2.2, 2.6, 5.0]);
+        floor.door(&Pose { z: -2.5, ..Pose::default() }, [0.95, 2.08, 0.12], 0.95);
+        floor.take(&cupboard(), &Pose { z: 2.19, yaw: 180.0, ..Pose::default() });
+        let bar = Shape { free: Vec::new(), ..cupboard() };
+        assert!(!floor.leaves_ways(&bar, &Pose { yaw: 0.0, ..Pose::default() }));
+        let wide = Floor { size: [5.0, 2.6, 5.0], ..floor };
+        assert!(wide.leaves_ways(&bar, &Pose { yaw: 0.0, ..Pose::default() }));
+    }
+}

@@ -1,0 +1,143 @@
+//! Where doors and windows of a room may be: in walls that lead where they shall, doors near a corner, windows in one wall.
+
+use super::floor::{Floor, Pose};
+use super::seek::Wall;
+use crate::draft::{Draft, Opening, OpeningKind};
+
+/// So much wall remains beside an opening (metres).
+const JAMB: f64 = 0.12;
+/// Beside a door there is room for a light switch, or for what stands in the corner.
+const CORNER: f64 = 0.3;
+/// Half the distance of two rooms, in which a door between them is.
+const BETWEEN: f64 = 0.03;
+/// How far two rooms are apart at most that share a wall.
+const NEXT: f64 = 0.2;
+
+/// The pieces of a wall of a room behind which is another room, or none: from and to, along the wall.
+pub fn spans(draft: &Draft, room: usize, wall: Wall, beyond: Option<usize>) -> Vec<(f64, f64)> {
+    let own = &draft.rooms[room];
+    let half = wall.length(own.size) / 2.0;
+    // The axis along the wall, the one across it, and where the wall is on that.
+    let (along, across, side) = match wall {
+        Wall::Back => (0, 1, 1.0),
+        Wall::Front => (0, 1, -1.0),
+        Wall::Left => (1, 0, -1.0),
+        Wall::Right => (1, 0, 1.0),
+    };
+    let flat = |size: [f64; 3]| [size[0] / 2.0, size[2] / 2.0];
+    let edge = own.at[across] + side * flat(own.size)[across];
+    // Seen by who stands with the back at the wall.
+    let sign = if matches!(wall, Wall::Back | Wall::Left) { -1.0 } else { 1.0 };
+    let mut taken: Vec<(f64, f64)> = Vec::new();
+    for (index, other) in draft.rooms.iter().enumerate() {
+        let near = (other.at[across] - side * flat(other.size)[across] - edge) * side;
+        if index == room || near.abs() > NEXT || beyond.is_some_and(|beyond| beyond != index) {
+            continue;
+        }
+        let ends = [-1.0, 1.0].map(|end| sign * (other.at[along] + end * flat(other.size)[along] - own.at[along]));
+        let (low, high) = (ends[0].min(ends[1]).max(-half), ends[0].max(ends[1]).min(half));
+        if high > low {
+            taken.push((low, high));
+        }
+    }
+    if beyond.is_some() {
+        return taken;
+    }
+    taken.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut out, mut from) = (Vec::new(), -half);
+    for (low, high) in taken.into_iter().chain([(half, half)]) {
+        if low > from {
+            out.push((from, low));
+        }
+        from = from.max(high);
+    }
+    out
+}
+
+/// A place in the scene of something that stands in the frame of a room.
+pub fn in_scene(draft: &Draft, room: usize, pose: &Pose) -> Pose {
+    let [x, z] = draft.rooms[room].at;
+    Pose { x: pose.x + x, z: pose.z + z, ..*pose }
+}
+
+/// Finds places for the doors of a room that have none yet.
+pub fn doors(draft: &mut Draft, room: usize) {
+    for at in 0..draft.openings.len() {
+        let door = draft.openings[at].clone();
+        let own = door.rooms.first() == Some(&room) || door.rooms.len() == 2 && door.rooms.contains(&room);
+        if door.kind != OpeningKind::Door || !own || draft.place_of(&door.name).is_some() {
+            continue;
+        }
+        let beyond = door.rooms.iter().copied().find(|other| *other != room);
+        let mut best: Option<(f64, Pose)> = None;
+        for wall in [Wall::Front, Wall::Right, Wall::Left, Wall::Back] {
+            let dear = match (beyond, wall) {
+                (None, Wall::Right) => 1.0,
+                (None, Wall::Left) => 1.5,
+                (None, Wall::Back) => 2.0,
+                _ => 0.0,
+            };
+            for (low, high) in spans(draft, room, wall, beyond) {
+                let half = door.size[0] / 2.0;
+                let margin = if high - low > door.size[0] + 2.0 * CORNER { CORNER } else { JAMB };
+                let (first, last) = (low + margin + half, high - margin - half);
+                if first > last + 1e-9 {
+                    continue;
+                }
+                let steps = ((last - first) / 0.2).floor() as usize;
+                for along in (0..=steps).map(|i| last - 0.2 * i as f64).chain([first]) {
+                    let off = if beyond.is_some() { -BETWEEN } else { 0.0 };
+                    let pose = wall.place(draft.rooms[room].size, along, off);
+                    let cost = dear + (last - along).min(along - first) * 0.2;
+                    let free = !at_odds(draft, room, &pose, &door);
+                    if free && best.as_ref().is_none_or(|(least, _)| cost < *least - 1e-9) {
+                        best = Some((cost, pose));
+                    }
+                }
+            }
+        }
+        if let Some((_, pose)) = best {
+            let pose = in_scene(draft, room, &pose);
+            draft.places.push((door.name.clone(), [pose.x, pose.y, pose.z, pose.yaw]));
+        }
+    }
+}
+
+/// Whether a door would be in the way of another opening, or that of it.
+fn at_odds(draft: &Draft, room: usize, pose: &Pose, door: &Opening) -> bool {
+    let own = in_scene(draft, room, pose);
+    draft.openings.iter().any(|other| {
+        draft.place_of(&other.name).is_some_and(|[x, _, z, _]| {
+            let apart = (x - own.x).hypot(z - own.z);
+            apart < (other.size[0] + door.size[0]) / 2.0 + 0.25
+        })
+    })
+}
+
+/// How many windows a wall of a room has room for, side by side at a distance from middle to middle, and the middle of the
+/// first.
+pub fn windows_in(draft: &Draft, room: usize, wall: Wall, n: usize, size: [f64; 3], step: f64) -> (usize, f64) {
+    let longest = spans(draft, room, wall, None).into_iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+    let Some((low, high)) = longest else { return (0, 0.0) };
+    let most = ((high - low - size[0] - 0.5) / step + 1.0).floor().max(0.0) as usize;
+    let n = n.min(most);
+    if n == 0 {
+        return (0, 0.0);
+    }
+    (n, (low + high) / 2.0 - step * (n as f64 - 1.0) / 2.0)
+}
+
+/// The floor of a room with the doors and windows that have a place.
+pub fn floor(draft: &Draft, room: usize) -> Floor {
+    let own = &draft.rooms[room];
+    let mut floor = Floor::new(own.size);
+    for opening in draft.openings.iter().filter(|o| o.rooms.contains(&room)) {
+        let Some([x, y, z, yaw]) = draft.place_of(&opening.name) else { continue };
+        let pose = Pose { x: x - own.at[0], y, z: z - own.at[1], yaw };
+        match opening.kind {
+            OpeningKind::Door => floor.door(&pose, opening.size, crate::write::clear_space(opening)),
+            OpeningKind::Window => floor.window(&pose, opening.size),
+        }
+    }
+    floor
+}
