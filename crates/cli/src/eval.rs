@@ -106,7 +106,8 @@ fn text(requests: &Requests, worst: usize) -> String {
     table.row(row);
     let mut out = table.render();
     let faults = requests.faults().into_iter().filter(|(_, share)| share.whole > 0);
-    let faults: Vec<String> = faults.map(|(name, share)| format!("{name} {} ({})", of(share), percent(share.value()))).collect();
+    let faults: Vec<String> =
+        faults.map(|(name, share)| format!("{name} {} ({})", of(share), percent(share.value()))).collect();
     if !faults.is_empty() {
         let _ = writeln!(out, "\n{}", faults.join(", "));
     }

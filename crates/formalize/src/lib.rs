@@ -18,13 +18,13 @@ mod compose;
 pub mod draft;
 pub mod formalize;
 mod furnish;
-mod mend;
 pub mod model;
 pub mod names;
+pub mod prefer;
 pub mod read;
+mod reconcile;
 mod sizes;
 pub mod text;
-pub mod wish;
 pub mod write;
 
 pub use arrange::arrange_rooms;

@@ -1,8 +1,8 @@
 //! A program of stage I, tried by stage III before it is handed out: what a reader or a model wrote may be more than a
-//! room can take, or mean something that the words did not. What the search finds in the way becomes a wish.
+//! room can take, or mean something that the words did not. What the search finds in the way becomes a preference.
 
 use crate::furnish::furnish;
-use scenelang_formalize::wish::Stated;
+use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, arrange_rooms};
 use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
@@ -28,7 +28,7 @@ const TIMES: usize = 3;
 const GROWTH: f64 = 1.15;
 /// How often some of what was added is left out, before all of it is.
 const PATIENT: usize = 6;
-/// Why a statement became a wish.
+/// Why a statement became a preference.
 const REASON: &str = "no layout was found in which it holds with the rest, so it is only a preference";
 
 /// How a trial ended.
@@ -157,7 +157,7 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             continue;
         }
         let given_up = in_the_way(draft, program, &outcome);
-        if !draft.wish(given_up, REASON) {
+        if !draft.prefer(given_up, REASON) {
             return Tried::Fails;
         }
         last = Some(outcome.layout);
@@ -346,9 +346,9 @@ mod tests {
              wardrobe and 1 m clear in front of the bed.",
         );
         assert!(holds);
-        let wishes: Vec<&str> =
+        let preferences: Vec<&str> =
             draft.statements.iter().filter(|s| s.demand == Demand::Prefer).map(|s| s.text.as_str()).collect();
-        assert!(wishes.iter().any(|w| w.contains("clear(")), "{wishes:?}");
+        assert!(preferences.iter().any(|w| w.contains("clear(")), "{preferences:?}");
         assert!(draft.notes.iter().any(|note| note.reason == REASON), "{:?}", draft.notes);
     }
 

@@ -44,11 +44,6 @@ pub(super) fn car(a: &Ask) -> Model {
     let head = block(-0.76 * x..0.76 * x, glazed - 0.001..glazed, roof_back..roof_front);
     m.taper(foot, head, &glass);
     m.rounded(block(-0.76 * x..0.76 * x, glazed..a.h, roof_back..roof_front), 0.02, &paint);
-    // Pillars between the windows.
-    for at in [-0.62 * z, -0.2 * z] {
-        let post = block(-0.86 * x..0.86 * x, belt..glazed, at - 0.02 * z..at + 0.02 * z);
-        m.mesh.crisp(post, &paint);
-    }
     for at in [-0.62 * z, 0.62 * z] {
         for side in block(x - 0.2 * a.w..x, 0.0..2.0 * r, at - r..at + r).both_sides() {
             wheel(&mut m, side);

@@ -24,6 +24,9 @@ const RINGS: [f64; 6] = [0.15, 0.4, 0.8, 1.2, 1.6, 2.2];
 /// What a metre counts beside what is missing.
 const PULL: f64 = 0.05;
 
+/// What is turned by less than this from an axis is square to it (degrees).
+const ASKEW: f64 = 0.1;
+
 /// How an object may be moved.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Freedom {
@@ -99,7 +102,8 @@ impl<'s, 'a> Search<'s, 'a> {
             found.extend(self.along(line));
         }
         if self.freedom.turn && !self.dear {
-            found.extend([90.0, -90.0, 180.0].map(|turn| [0.0, 0.0, 0.0, turn]).into_iter().filter(|m| self.holds(m)));
+            let turns: Vec<Move> = self.turns().into_iter().skip(1).map(|turn| [0.0, 0.0, 0.0, turn]).collect();
+            found.extend(turns.into_iter().filter(|m| self.holds(m)));
         }
         self.in_words(found)
     }
@@ -186,8 +190,18 @@ impl<'s, 'a> Search<'s, 'a> {
                 }
             }
         }
-        let turns: &[f64] = if self.freedom.turn { &[0.0, 90.0, -90.0, 180.0] } else { &[0.0] };
+        let turns = self.turns();
         places.iter().flat_map(|[x, y, z]| turns.iter().map(move |turn| [*x, *y, *z, *turn])).collect()
+    }
+
+    /// By how much it is turned: not at all, by quarters, and where it stands askew to the axes by what makes it square.
+    fn turns(&self) -> Vec<f64> {
+        const QUARTERS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
+        let Some(home) = self.stage.home(self.from.object).filter(|_| self.freedom.turn) else { return vec![0.0] };
+        let yaw = home.rot.y + self.from.turn;
+        let square = 90.0 * (yaw / 90.0).round() - yaw;
+        let askew = QUARTERS.iter().map(|turn| turn + square).filter(|_| square.abs() > ASKEW);
+        QUARTERS.into_iter().chain(askew).collect()
     }
 
     /// How much is missing after a move, in metres.

@@ -27,7 +27,7 @@ use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
 use crate::furnish::furnish;
-use crate::mend::{mend, mend_quickly};
+use crate::reconcile::{reconcile, reconcile_quickly};
 use account::Account;
 use chunk::Piece;
 use std::ops::Range;
@@ -115,11 +115,11 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
     draft.notes.splice(0..0, brief.notes.iter().cloned());
     if extent == Extent::Usual {
         // What was added contradicts nothing, either, so the close look comes after it.
-        mend_quickly(&mut draft);
+        reconcile_quickly(&mut draft);
         furnish(&mut draft, &brief);
         draft.guided = true;
     }
-    mend(&mut draft);
+    reconcile(&mut draft);
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
     let clauses: Vec<_> = brief.clauses.into_iter().map(|clause| (clause.at, clause.understood)).collect();

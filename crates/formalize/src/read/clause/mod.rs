@@ -252,7 +252,7 @@ impl<'a> Reader<'a> {
         let at = self.bytes(from..end);
         self.s = Sentence { from: self.room, chunks: from..end, now: from, ..Sentence::new(at) };
         let words = &chunks[from..end.min(chunks.len())];
-        // What depends on a condition is no more than a wish.
+        // What depends on a condition is no more than a preference.
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
         self.s.soft = words.iter().any(|c| c.piece == Piece::Soft || conditional(c));
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));

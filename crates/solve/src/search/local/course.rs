@@ -118,9 +118,10 @@ impl LocalSearch<'_> {
         }
     }
 
-    /// The width of the widest path that is asked for.
+    /// The width of the widest path that is looked at.
     pub(super) fn widest_path(&self) -> f64 {
-        self.groups.iter().map(|group| 2.0 * group.width()).fold(0.0, f64::max)
+        let groups = (0..self.groups.len()).filter(|&group| self.looks_at(group));
+        groups.map(|group| 2.0 * self.groups[group].width()).fold(0.0, f64::max)
     }
 
     /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at first.

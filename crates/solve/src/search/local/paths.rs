@@ -179,7 +179,7 @@ impl PathGroup {
 
 impl LocalSearch<'_> {
     /// Whether paths are looked at: they must be there, or preferences count.
-    fn looks_at(&self, group: usize) -> bool {
+    pub(super) fn looks_at(&self, group: usize) -> bool {
         self.preferring || self.groups[group].preference.is_none()
     }
 

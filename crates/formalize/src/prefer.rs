@@ -1,4 +1,4 @@
-//! Statements that are given up: what must hold becomes what is wished for, and a note says why.
+//! Statements that are given up: what must hold becomes what is preferred, and a note says why.
 
 use crate::draft::{Demand, Draft, Note, Opening, OpeningKind, Source, Statement};
 use crate::write::{clear_space, number};
@@ -41,8 +41,8 @@ impl Stated {
 }
 
 impl Draft {
-    /// Turns assertions, by their indices, into wishes. Whether there were any.
-    pub fn wish(&mut self, mut statements: Vec<usize>, reason: &str) -> bool {
+    /// Turns assertions, by their indices, into preferences. Whether there were any.
+    pub fn prefer(&mut self, mut statements: Vec<usize>, reason: &str) -> bool {
         statements.sort_unstable();
         statements.dedup();
         for &i in &statements {
@@ -66,7 +66,7 @@ impl Draft {
         !statements.is_empty()
     }
 
-    /// Turns the space that a door is given to open, if nobody asked for it, into a wish. Whether there is such a door.
+    /// Turns the space that a door is given to open, if nobody asked for it, into a preference. Whether there is such a door.
     pub fn squeeze(&mut self, name: &str) -> bool {
         let is_door = |o: &&Opening| o.kind == OpeningKind::Door && o.name == name;
         let Some(door) = self.openings.iter().find(is_door) else { return false };
@@ -87,7 +87,7 @@ impl Draft {
         true
     }
 
-    /// Lets a thing stand in another room than the one it belongs to, which becomes a wish. Whether there is such a thing.
+    /// Lets a thing stand in another room than the one it belongs to, which becomes a preference. Whether there is such a thing.
     pub fn let_out(&mut self, name: &str) -> bool {
         let rooms = &self.rooms;
         let found = self.things.iter_mut().find(|thing| thing.name == name);
@@ -100,7 +100,7 @@ impl Draft {
         };
         let source = thing.source.clone();
         thing.room = None;
-        self.note(&source, "no layout was found in which it is in its room, so that is a wish");
+        self.note(&source, "no layout was found in which it is in its room, so that is a preference");
         self.statements.push(Statement { demand: Demand::Prefer, text, source, relaxed: true });
         true
     }

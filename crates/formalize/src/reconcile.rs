@@ -1,7 +1,7 @@
-//! The last pass: what cannot hold together with what was said before becomes a wish, by the prover's word.
+//! The last pass: what cannot hold together with what was said before becomes a preference, by the prover's word.
 
 use crate::draft::{Draft, Statement};
-use crate::wish::{Stated, code};
+use crate::prefer::{Stated, code};
 use crate::write::write;
 use scenelang_base::Severity;
 use scenelang_lang::program::Program;
@@ -14,15 +14,15 @@ const SMALL: usize = 40;
 /// How often what does not compile is left out.
 const ROUNDS: usize = 12;
 
-/// Mends a draft until nothing contradicts; bounded.
-pub fn mend(draft: &mut Draft) {
-    if mend_quickly(draft) {
+/// Reconciles a draft with itself: what contradicts is given up; bounded.
+pub fn reconcile(draft: &mut Draft) {
+    if reconcile_quickly(draft) {
         confirm(draft);
     }
 }
 
-/// Mends what a quick look finds. Whether what is left compiles.
-pub fn mend_quickly(draft: &mut Draft) -> bool {
+/// The same for what a quick look finds. Whether what is left compiles.
+pub fn reconcile_quickly(draft: &mut Draft) -> bool {
     for _ in 0..ROUNDS {
         let text = turned(write(draft), draft);
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
@@ -97,10 +97,10 @@ fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>)
 /// Says which constraints to give up, by how willingly each is: the higher, the sooner; `None`: never.
 type Find<'f> = &'f dyn Fn(&dyn Fn(usize) -> Option<usize>) -> Vec<usize>;
 
-/// Turns one member of each contradiction into a wish. Whether there was any.
+/// Turns one member of each contradiction into a preference. Whether there was any.
 fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
     let stated = Stated::new(draft, program);
     let given_up = find(&|constraint| stated.rank(draft, constraint));
-    let wishes = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
-    draft.wish(wishes, "cannot hold together with the rest, so it is only a preference")
+    let preferences = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
+    draft.prefer(preferences, "cannot hold together with the rest, so it is only a preference")
 }
