@@ -18,12 +18,22 @@ use std::ops::ControlFlow;
 const PART: f64 = 0.6;
 /// The part of the budget of a new solution that may go into preferences.
 const POLISH: f64 = 0.5;
+/// So many new solutions are looked for where a preference is to be repaired.
+const TRIES: u64 = 4;
 /// Rounds of the repair loop.
 const ROUNDS: usize = 120;
 
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
-    repaired(room, (options.budget as f64 * PART) as u64).or_else(|| solved(room, options)).into_iter().collect()
+    let found = repaired(room, (options.budget as f64 * PART) as u64);
+    let another = |room: &mut Room<'_, '_>| {
+        // Other random numbers may end where this layout can be taken to, and the first ones did not.
+        let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
+        let tries = if preferred { TRIES } else { 1 };
+        let mut tries = (0..tries).take_while(|_| !room.judge.limit.is_over());
+        tries.find_map(|variant| solved(room, options, variant))
+    };
+    found.or_else(|| another(room)).into_iter().collect()
 }
 
 /// The repair loop from the layout as it is.
@@ -48,7 +58,7 @@ fn repaired(room: &mut Room<'_, '_>, until: u64) -> Option<Snapshot> {
 }
 
 /// A new solution, of which only that is taken over which must be.
-fn solved(room: &mut Room<'_, '_>, options: &RepairOptions) -> Option<Snapshot> {
+fn solved(room: &mut Room<'_, '_>, options: &RepairOptions, variant: u64) -> Option<Snapshot> {
     let judge = room.judge;
     let regions = (0..judge.program.regions.len() as u32).map(RegionId).collect();
     let problem = Problem {
@@ -61,6 +71,7 @@ fn solved(room: &mut Room<'_, '_>, options: &RepairOptions) -> Option<Snapshot> 
     let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
     let solver = Options {
         seed: judge.layout.seed.unwrap_or(0),
+        variant,
         budget: left,
         judge: judge.options,
         polish: if preferred { POLISH } else { 0.0 },
