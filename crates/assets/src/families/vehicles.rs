@@ -57,8 +57,7 @@ pub(super) fn car(a: &Ask) -> Model {
             m.mesh.crisp(light, surface);
         }
     }
-    for bumper in [block(-0.96 * x..0.96 * x, sill..0.3 * a.h, z - 0.03 * a.d..z - 0.001 * a.d)] {
-        m.mesh.crisp(bumper, &shade(&dark, 1.2));
-    }
+    let bumper = block(-0.96 * x..0.96 * x, sill..0.3 * a.h, z - 0.03 * a.d..z - 0.001 * a.d);
+    m.mesh.crisp(bumper, &shade(&dark, 1.2));
     m
 }

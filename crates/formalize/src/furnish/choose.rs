@@ -75,7 +75,7 @@ impl Choice<'_> {
             let apart = (last.x - pose.x).hypot(last.z - pose.z) - self.size[0];
             cost += (apart - TOGETHER).abs().min(2.0) * 0.25;
         }
-        Some(cost + (1.6 - floor.from_door(pose)).max(0.0) * 0.3)
+        Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * 0.3)
     }
 
     /// The best place at a wall.
@@ -121,7 +121,7 @@ impl Choice<'_> {
                 Wall::Right => pose.x > 0.0,
             });
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
-            let door = (2.0 - floor.from_door(pose)).max(0.0) * 0.4;
+            let door = (2.0 - floor.away_from_door(pose)).max(0.0) * 0.4;
             Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door)
         };
         seek::best(floor, shape, places, &cost)

@@ -152,10 +152,9 @@ impl Floor {
     pub fn fits(&self, shape: &Shape, at: &Pose) -> bool {
         let bodies = shape.pieces.iter().map(|piece| (piece, Block::of(&at.then(&piece.at), piece.size)));
         let stands = |(piece, block): (&Piece, Block)| {
-            self.inside(&block)
-                && (piece.flat
-                    || !self.bodies.iter().chain(&self.free).any(|other| other.meets(&block))
-                        && !(piece.tall && self.lit.iter().any(|other| other.meets(&block))))
+            let taken = self.bodies.iter().chain(&self.free).any(|other| other.meets(&block));
+            let darkens = piece.tall && self.lit.iter().any(|other| other.meets(&block));
+            self.inside(&block) && (piece.flat || !(taken || darkens))
         };
         bodies.into_iter().all(stands)
             && shape.free.iter().all(|(pose, size)| {
@@ -181,7 +180,7 @@ impl Floor {
     }
 
     /// How far a place is from the nearest door.
-    pub fn from_door(&self, pose: &Pose) -> f64 {
+    pub fn away_from_door(&self, pose: &Pose) -> f64 {
         self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)
     }
 
