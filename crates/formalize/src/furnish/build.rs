@@ -6,6 +6,7 @@ use super::openings::in_scene;
 use super::plan::{AtWall, Plan};
 use super::slots::{Level, Slot};
 use super::stand;
+use crate::names::Names;
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
 
@@ -130,6 +131,16 @@ pub struct Root<'r> {
     pub seek: &'r dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>,
 }
 
+/// How far a plan was before a group was tried.
+struct Mark {
+    /// Of things, statements and claimed things.
+    counts: [usize; 3],
+    names: Names,
+    floor: f64,
+    walls: f64,
+    turn: usize,
+}
+
 impl Plan<'_> {
     /// Adds a thing with what goes with it where there is room for all of it, or for less of it. `add` adds the thing, so
     /// many of it. Its index, and the places of its elements in the room.
@@ -145,20 +156,13 @@ impl Plan<'_> {
         }
         let (mut n, mut skip) = (root.n, Vec::new());
         for _ in 0..ATTEMPTS {
-            let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
-            let (names, claimed) = (self.names.clone(), self.claimed.len());
+            let before = self.mark();
             let thing = add(self, n * root.frames.len());
             if let Some(poses) = self.try_group(thing, n, root, &skip) {
                 self.miss(&skip);
                 return Some((thing, poses));
             }
-            let least = self.building.take().and_then(|group| group.least(self, thing));
-            self.draft.things.truncate(before.0);
-            self.draft.statements.truncate(before.1);
-            (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
-            self.names = names;
-            self.claimed.truncate(claimed);
-            match least {
+            match self.take_back(before, thing) {
                 Some(part) => skip.push(part),
                 None if n > 1 => n -= 1,
                 None => return None,
@@ -171,24 +175,34 @@ impl Plan<'_> {
     pub fn place_asked(&mut self, thing: usize, root: &Root<'_>) -> bool {
         let mut skip = Vec::new();
         for _ in 0..ATTEMPTS {
-            let before = (self.draft.things.len(), self.draft.statements.len(), self.floor, self.walls, self.turn);
-            let (names, claimed) = (self.names.clone(), self.claimed.len());
+            let before = self.mark();
             if self.try_group(thing, root.n, root, &skip).is_some() {
                 self.miss(&skip);
                 return true;
             }
-            let least = self.building.take().and_then(|group| group.least(self, thing));
-            self.draft.things.truncate(before.0);
-            self.draft.statements.truncate(before.1);
-            (self.floor, self.walls, self.turn) = (before.2, before.3, before.4);
-            self.names = names;
-            self.claimed.truncate(claimed);
-            match least {
+            match self.take_back(before, thing) {
                 Some(part) => skip.push(part),
                 None => return false,
             }
         }
         false
+    }
+
+    fn mark(&self) -> Mark {
+        let Self { draft, names, claimed, floor, walls, turn, .. } = self;
+        let counts = [draft.things.len(), draft.statements.len(), claimed.len()];
+        Mark { counts, names: names.clone(), floor: *floor, walls: *walls, turn: *turn }
+    }
+
+    /// Takes back what was added since for a group that begins with a thing. The part to be left out next.
+    fn take_back(&mut self, before: Mark, thing: usize) -> Option<&'static str> {
+        let least = self.building.take().and_then(|group| group.least(self, thing));
+        let [things, statements, claimed] = before.counts;
+        self.draft.things.truncate(things);
+        self.draft.statements.truncate(statements);
+        self.claimed.truncate(claimed);
+        (self.names, self.floor, self.walls, self.turn) = (before.names, before.floor, before.walls, before.turn);
+        least
     }
 
     /// Notes that a thing that matters has no seats.
