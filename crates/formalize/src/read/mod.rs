@@ -76,6 +76,8 @@ pub fn brief(request: &str) -> Brief {
         let mut reader = clause::Reader::new(&tokens, &chunks, &found);
         reader.read();
         (brief, used) = (reader.brief, reader.used);
+        let fewer = rooms::fewer(&chunks, &tokens, &found);
+        brief.notes.extend(fewer.into_iter().map(|(at, reason)| Note { at, reason }));
         for chunk in chunks.iter().filter(|chunk| matches!(chunk.piece, Piece::Verb(_) | Piece::Soft | Piece::There)) {
             grammar[chunk.at.clone()].fill(true);
         }

@@ -4,6 +4,7 @@
 use super::chunk::{Chunk, Piece};
 use super::lexicon::{Verb, get};
 use super::noun::{Det, Kind};
+use super::number::small;
 use super::token::Token;
 use crate::brief::{Place, Rel, Room, Source};
 use std::collections::BTreeMap;
@@ -139,6 +140,35 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     for (i, _) in loose {
         let last = out.spoken.range(..i).next_back().map_or(0, |(_, r)| *r);
         out.spoken.insert(i, last);
+    }
+    out
+}
+
+/// Rooms of which several are asked for and fewer are laid out ("two bedrooms", "a two-bedroom flat"): where that is said, and
+/// a reason for the list.
+pub fn fewer(chunks: &[Chunk], tokens: &[Token], found: &Rooms) -> Vec<(Range<usize>, String)> {
+    let lexicon = get();
+    let kind = |name: &str| lexicon.room(name).map(|kind| &kind.name);
+    let mut out = Vec::new();
+    for chunk in chunks {
+        let Some(np) = chunk.np().filter(|np| np.kind == Kind::Room) else { continue };
+        let hyphened = tokens[chunk.at.clone()].iter().find_map(|token| {
+            let (count, noun) = token.text.split_once('-')?;
+            Some((count.parse().ok().or_else(|| small(count).map(|n| n as usize))?, noun.to_owned()))
+        });
+        let Some((wanted, noun)) = hyphened.or_else(|| Some((np.count?, np.words.last()?.clone()))) else { continue };
+        let Some(kind_wanted) = kind(&noun).filter(|_| noun != "room") else { continue };
+        let is_one = |room: &&Room| room.name.rsplit(' ').next().is_some_and(|last| kind(last) == Some(kind_wanted));
+        let laid_out = found.rooms.iter().filter(is_one).count();
+        if wanted > laid_out.max(1) {
+            let at = tokens[chunk.at.start].at.start..tokens[chunk.at.end - 1].at.end;
+            let done = match laid_out {
+                0 => "none is".to_owned(),
+                1 => "only one is".to_owned(),
+                n => format!("only {n} are"),
+            };
+            out.push((at, format!("{wanted} such rooms are asked for, but {done} laid out; name each of them")));
+        }
     }
     out
 }
