@@ -3,6 +3,7 @@
 //! Offsets are bytes (`u32`). Line and column are 1-based; a column counts code points (a tab is one, a byte order
 //! mark at the start of the file none); LF, CRLF and a lone CR end a line.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// A file in a [`SourceMap`].
@@ -151,6 +152,8 @@ impl SourceFile {
 #[derive(Clone, Debug, Default)]
 pub struct SourceMap {
     files: Vec<SourceFile>,
+    /// The first file of each path.
+    by_path: HashMap<PathBuf, FileId>,
 }
 
 impl SourceMap {
@@ -160,15 +163,17 @@ impl SourceMap {
     }
     /// Adds a file.
     pub fn add(&mut self, file: SourceFile) -> FileId {
+        let id = FileId(self.files.len() as u32);
+        self.by_path.entry(file.path.clone()).or_insert(id);
         self.files.push(file);
-        FileId(self.files.len() as u32 - 1)
+        id
     }
     /// Adds a file, or replaces the one of the same path.
     pub fn put(&mut self, file: SourceFile) -> FileId {
-        match self.files.iter().position(|f| f.path == file.path) {
-            Some(i) => {
-                self.files[i] = file;
-                FileId(i as u32)
+        match self.by_path.get(&file.path).copied() {
+            Some(id) => {
+                self.files[id.0 as usize] = file;
+                id
             }
             None => self.add(file),
         }

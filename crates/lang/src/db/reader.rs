@@ -6,6 +6,7 @@ use super::runs::{File, parsed, placed_runs};
 use crate::ast::StmtKind;
 use crate::library;
 use crate::sources::{Loader, code_of, decode, file_name, normal, plain, with_advice};
+use rustc_hash::{FxHashMap, FxHashSet};
 use salsa::Setter;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
 use std::path::{Path, PathBuf};
@@ -27,12 +28,14 @@ pub(super) struct ReadFile {
 pub(super) struct Reader<'a> {
     db: &'a mut Database,
     /// The files of the last time, whose storage is used again.
-    before: &'a [ReadFile],
+    before: FxHashMap<&'a Path, File>,
     sources: &'a mut SourceMap,
     loader: &'a dyn Loader,
     /// Files whose imports are being read, outermost first.
     open: Vec<PathBuf>,
     files: Vec<ReadFile>,
+    /// The paths of `files`.
+    met: FxHashSet<PathBuf>,
     found: Vec<Diagnostic>,
 }
 
@@ -43,7 +46,9 @@ impl<'a> Reader<'a> {
         sources: &'a mut SourceMap,
         loader: &'a dyn Loader,
     ) -> Self {
-        Self { db, before, sources, loader, open: Vec::new(), files: Vec::new(), found: Vec::new() }
+        let before = before.iter().map(|f| (f.path.as_path(), f.text)).collect();
+        let (open, files, met, found) = (Vec::new(), Vec::new(), FxHashSet::default(), Vec::new());
+        Self { db, before, sources, loader, open, files, met, found }
     }
 
     /// The main file first, then the others in the order met; and what went wrong.
@@ -55,17 +60,18 @@ impl<'a> Reader<'a> {
 
     fn read(&mut self, file: FileId, path: &Path, prefix: &str, bundled: bool) {
         let new = self.sources.get(file).text();
-        let text = match self.before.iter().find(|f| f.path == path) {
+        let text = match self.before.get(path).copied() {
             Some(known) => {
-                if known.text.text(self.db) != new {
-                    known.text.set_text(self.db).to(new.to_owned());
+                if known.text(self.db) != new {
+                    known.set_text(self.db).to(new.to_owned());
                 }
-                known.text
+                known
             }
             None => File::new(self.db, new.to_owned(), bundled),
         };
         let imports = self.imports(file, text);
         self.files.push(ReadFile { file, prefix: prefix.to_owned(), path: path.to_owned(), text, bundled });
+        self.met.insert(path.to_owned());
         self.open.push(path.to_owned());
         for (written, place) in imports {
             self.import(path, prefix, &written, place);
@@ -91,7 +97,7 @@ impl<'a> Reader<'a> {
     /// A file that comes with the language: there is no path on the disk that it could be taken for.
     fn bundled(&mut self, name: &str, text: &str) {
         let path = Path::new("<library>").join(name);
-        if self.files.iter().any(|f| f.path == path) {
+        if self.met.contains(&path) {
             return;
         }
         let file = self.sources.put(SourceFile::new(name, &path, text));
@@ -105,7 +111,8 @@ impl<'a> Reader<'a> {
         }
         let folder = from.parent().unwrap_or(Path::new(""));
         let path = normal(&folder.join(written));
-        if let Some(at) = self.open.iter().position(|p| *p == path) {
+        let met = self.met.contains(&path);
+        if let Some(at) = self.open.iter().position(|p| met && *p == path) {
             let mut names: Vec<String> = self.open[at..].iter().map(|p| file_name(p)).collect();
             names.push(file_name(&path));
             let message = format!("`{written}` imports itself: {}", names.join(" → "));
@@ -116,7 +123,7 @@ impl<'a> Reader<'a> {
             );
             return;
         }
-        if self.files.iter().any(|f| f.path == path) {
+        if met {
             return;
         }
         if Path::new(written).is_absolute() {

@@ -9,7 +9,7 @@ use crate::publish::verdict;
 use crate::reading::copied;
 use crate::state::{Event, State, guarded};
 use crate::text::Text;
-use rustc_hash::FxHasher;
+use rustc_hash::{FxHashMap, FxHasher};
 use scenelang_ide::Host;
 use scenelang_lang::sources::Loader;
 use serde::Deserialize;
@@ -81,7 +81,7 @@ impl State {
 }
 
 /// What was read of files, by the root of who read them: programs of a workspace import the same files.
-type Read = RefCell<BTreeMap<(PathBuf, PathBuf), io::Result<Vec<u8>>>>;
+type Read = RefCell<FxHashMap<(PathBuf, PathBuf), io::Result<Vec<u8>>>>;
 
 /// Files that are read once.
 struct Once<'a> {
