@@ -41,7 +41,7 @@ const SEARCHING: f64 = 0.8;
 const JUDGED: u32 = 4;
 /// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
 const PATHS_JUDGED: u32 = 14;
-/// The part of the budget that the local search has.
+/// The part of the budget that the local search has where the older search may have to go on.
 const LOCAL: f64 = 0.85;
 /// More objects than these are not placed one by one after a local search: that alone would take longer than the search.
 const MANY: usize = 150;
@@ -82,6 +82,7 @@ pub fn solve_with(
         bonus: vec![0.0; setup.frame.program.objects.len()],
         iterations: 0,
         work: 0,
+        is_over: false,
     };
     let mut attempt = 0;
     let (mut state, mut end) = loop {
@@ -95,7 +96,7 @@ pub fn solve_with(
             End::Time
         } else if run.work >= options.budget {
             End::Budget
-        } else if steps.proposers_only || setup.frame.objects().all(|id| !setup.frame.is_movable(id)) {
+        } else if run.is_over || steps.proposers_only || setup.frame.objects().all(|id| !setup.frame.is_movable(id)) {
             End::Exhausted
         } else {
             continue;
@@ -142,7 +143,9 @@ enum Locally {
     Holds,
     /// It saw nothing violated, but something is: a part is no box, or a thing stands otherwise than it knows.
     Nearly,
-    /// It could not be made to hold, or not be judged.
+    /// It could not be made to hold with all the work that was allowed.
+    Failed,
+    /// Not all of it can be judged or moved there.
     Not,
 }
 
@@ -172,6 +175,8 @@ struct Run<'r, 'a> {
     bonus: Vec<f64>,
     iterations: usize,
     work: u64,
+    /// Whether there is nothing more to try.
+    is_over: bool,
 }
 
 impl<'r, 'a> Run<'r, 'a> {
@@ -228,6 +233,10 @@ impl<'r, 'a> Run<'r, 'a> {
             search.note();
             return ControlFlow::Continue(());
         }
+        if locally == Locally::Failed {
+            self.is_over = true;
+            return ControlFlow::Continue(());
+        }
         let many = self.setup.frame.program.objects.len() > MANY;
         let spent = search.state.work as f64 >= LOCAL * self.options.budget as f64;
         if search.best.is_some() && (search.is_late() || many && spent) {
@@ -282,7 +291,8 @@ impl<'r, 'a> Run<'r, 'a> {
             Some(Member { local, chance: self.chance(which << 48) })
         };
         let Some(mut first) = member(0) else { return Locally::Not };
-        let budget = (self.options.budget as f64 * LOCAL) as u64;
+        let is_all = self.setup.frame.is_all_local();
+        let budget = if is_all { self.options.budget } else { (self.options.budget as f64 * LOCAL) as u64 };
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
             first.local.search(&mut first.chance, 0, &limit, &given);
@@ -327,6 +337,9 @@ impl<'r, 'a> Run<'r, 'a> {
         search.note();
         if solved {
             return Locally::Nearly;
+        }
+        if is_all {
+            return Locally::Failed;
         }
         self.setup.frame.objects().for_each(|id| search.state.banish(id));
         Locally::Not

@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use scenelang_engine::Index;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
-    Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, RegionId, VariableId,
+    Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Region, RegionId, VariableId,
 };
 use scenelang_layout::Vec3;
 use scenelang_verify::rules::{Scope, Support};
@@ -159,6 +159,13 @@ impl<'a> Frame<'a> {
     /// What keeps an object where it is.
     pub fn hold(&self, id: ObjectId) -> Hold {
         self.holds[id.0 as usize]
+    }
+    /// Whether the local search can move all that is open: upright objects, but no regions and no variables.
+    pub fn is_all_local(&self) -> bool {
+        let is_open = |(region, pins): (&Region, &Pins)| !(region.has_vertices || pins.pos && pins.scale);
+        self.program.variables.iter().all(|variable| !variable.used)
+            && !self.objects().any(|id| self.tilts[id.0 as usize] && self.is_movable(id))
+            && !std::iter::zip(&self.program.regions, &self.region_pins).any(is_open)
     }
     /// The name of an object.
     pub fn name(&self, id: ObjectId) -> &str {

@@ -24,7 +24,7 @@ const LESS: f64 = 0.9;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Course {
     /// How often all was begun anew.
-    turn: u32,
+    pub(super) turn: u32,
     /// Whether the present turn goes on, and whether it began from places that were given.
     open: bool,
     warm: bool,
@@ -57,6 +57,7 @@ impl LocalSearch<'_> {
                 let given = if self.course.turn == 0 { given } else { &[] };
                 let skew = self.next_is_skew() || given.contains(&true);
                 self.skew = skew && self.course.turn > 0;
+                self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
                 self.air = if self.is_other { 0.0 } else { self.widest_path() };
                 self.begin(chance, given, &late);
                 self.skew = skew;
@@ -124,7 +125,8 @@ impl LocalSearch<'_> {
         groups.map(|group| 2.0 * self.groups[group].width()).fold(0.0, f64::max)
     }
 
-    /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at first.
+    /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at
+    /// first; in a crowded room it plans them from the beginning instead.
     pub fn of_another_kind(mut self) -> Self {
         self.is_other = true;
         self
@@ -181,12 +183,15 @@ impl LocalSearch<'_> {
     /// surely, what has space is either soon right or never.
     fn patience(&self, least: f64) -> f64 {
         let n = self.movable.len().max(5) as f64;
-        let covered: f64 = (0..self.count())
-            .filter(|&i| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_)))
-            .map(|i| self.size[i][0] * self.size[i][2])
-            .sum();
-        let full = (covered / self.floor_area() - FULL[0]) / (FULL[1] - FULL[0]);
+        let full = (self.covered() - FULL[0]) / (FULL[1] - FULL[0]);
         (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
+    }
+
+    /// The part of the floor that things stand on.
+    pub(super) fn covered(&self) -> f64 {
+        let stands = |&i: &usize| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_));
+        let covered: f64 = (0..self.count()).filter(stands).map(|i| self.size[i][0] * self.size[i][2]).sum();
+        covered / self.floor_area()
     }
 
     /// Of all rooms, zones within them not counted again (m²).

@@ -13,6 +13,8 @@ const AIRY: usize = 6;
 const CROWD: f64 = 0.3;
 /// What is so near to a wall is beside it (metres).
 const BESIDE: f64 = 0.1;
+/// Where so much of the floor is covered, paths that come last find no room: one of the searches plans them at once.
+const CROWDED: f64 = 0.3;
 /// How many things are looked at for a unit of work.
 const LOOKS: u64 = 8;
 
@@ -62,7 +64,8 @@ impl LocalSearch<'_> {
             self.link(i, &mut links);
         }
         self.judge_all();
-        self.walking = is_warm && self.bad.is_empty() || self.path_count() == 0;
+        let early = self.is_other && self.course.turn % 4 < 2 && !is_warm && self.covered() >= CROWDED;
+        self.walking = early || is_warm && self.bad.is_empty() || self.path_count() == 0;
         if self.walking {
             self.judge_paths();
             self.plan_missing(late);

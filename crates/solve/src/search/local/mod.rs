@@ -188,6 +188,8 @@ pub(crate) struct LocalSearch<'a> {
     field: Vec<Field>,
     /// Whether such yaws are drawn at all: at first things stand square.
     skew: bool,
+    /// Whether a thing may go onto any other: only where the floor is too small for all of them.
+    stacks: bool,
     /// Whether turns in which they are drawn come first, and no room is left for paths at first.
     is_other: bool,
     /// By object: those that its height is set by.
@@ -348,6 +350,7 @@ impl<'a> LocalSearch<'a> {
             turns: Vec::new(),
             field: Vec::new(),
             skew: false,
+            stacks: false,
             is_other: false,
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),

@@ -320,8 +320,11 @@ impl LocalSearch<'_> {
             }
         }
         let stands = matches!(self.homes[i], Home::Stands(_));
-        if stands && !self.carriers[i].is_empty() {
-            self.on_others(i, chance, out);
+        if stands && self.stacks && !self.hits[i].is_empty() {
+            let j = self.hits[i][chance.below(self.hits[i].len())];
+            self.on_others(i, &[j], chance, out);
+        } else if stands && !self.carriers[i].is_empty() {
+            self.on_others(i, &self.carriers[i], chance, out);
         }
     }
 
@@ -366,12 +369,12 @@ impl LocalSearch<'_> {
         pose
     }
 
-    /// On the floor, or on what the program may ask it to go onto.
-    fn on_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
+    /// On the floor, or on one of some others.
+    fn on_others(&self, i: usize, others: &[usize], chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         let mut low = self.anywhere(i, chance);
         low[1] = self.level(i, chance);
         out.push(low);
-        for &j in self.carriers[i].iter().take(3).filter(|&&j| !self.away[j]) {
+        for &j in others.iter().take(3).filter(|&&j| !self.away[j]) {
             let Flat { at, half, .. } = self.flat(j);
             let top = self.span[j].min[1] + self.surface[j];
             for _ in 0..2 {
