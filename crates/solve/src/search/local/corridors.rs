@@ -13,6 +13,8 @@ pub(super) const NEAR: f64 = 0.05;
 /// A grid has about so many cells, none smaller than this (metres).
 const CELLS: f64 = 10_000.0;
 const CELL: f64 = 0.05;
+/// Half the width of a path is about so many cells: finer ones only cost more.
+const FINE: f64 = 5.0;
 /// How many metres of detour one takes rather than move a thing, and per metre that it reaches in.
 const DETOUR: [f64; 2] = [3.0, 15.0];
 /// The same for what cannot be moved.
@@ -34,7 +36,9 @@ impl LocalSearch<'_> {
         let group = &self.groups[index];
         let (radius, near) = (group.width(), group.radius + NEAR / 2.0);
         let none = |goals: &[usize]| Branch { goal: goals[0], is_rooted: false, bends: Vec::new() };
-        let Some(grid) = Grid::new(self) else { return group.targets.iter().map(|goals| none(goals)).collect() };
+        let Some(grid) = Grid::new(self, radius) else {
+            return group.targets.iter().map(|goals| none(goals)).collect();
+        };
         self.work += WORK * grid.count() as u64;
         let group = &self.groups[index];
         let from = self.around(&grid, group.from, near, radius);
@@ -241,10 +245,11 @@ impl Tree {
 }
 
 impl Grid {
-    fn new(local: &LocalSearch<'_>) -> Option<Self> {
+    /// For paths of half such a width.
+    fn new(local: &LocalSearch<'_>, radius: f64) -> Option<Self> {
         let field = local.rooms.iter().map(|room| room.field).reduce(Field::join)?;
         let [w, d] = [0, 1].map(|k| field.max[k] - field.min[k]);
-        let cell = (w * d / CELLS).sqrt().max(CELL);
+        let cell = (w * d / CELLS).sqrt().max(CELL).max(radius / FINE);
         let size = [w, d].map(|m| (m / cell).ceil().max(1.0) as usize);
         (w.is_finite() && d.is_finite()).then_some(Self { from: field.min, cell, size })
     }
