@@ -49,7 +49,7 @@ function check(name, run) {
   });
 }
 
-/** The same for data of its own: once is enough, not again for every page that is given. */
+/** The same for data of its own, and for what no data changes: once is enough, not again for every page that is given. */
 function checkOwn(name, run) {
   if (process.env.PREVIEW === undefined) check(name, run);
 }
@@ -157,7 +157,7 @@ check("pressing a constraint highlights its objects, and again lets go", async (
   assert.ok((await difference(marked, await shoot(page))) > 0.0005);
 });
 
-check("pressing an object lists its constraints alone; Escape lists all again", async (page) => {
+checkOwn("pressing an object lists its constraints alone; Escape lists all again", async (page) => {
   const data = await open(page);
   const area = await (await page.$("canvas")).boundingBox();
   let names = [];
@@ -174,7 +174,7 @@ check("pressing an object lists its constraints alone; Escape lists all again", 
   assert.equal((await rowsOf(page)).length, data.report.constraints.length);
 });
 
-check("the pointer over an object tells its name, size and place", async (page) => {
+checkOwn("the pointer over an object tells its name, size and place", async (page) => {
   await open(page);
   const area = await (await page.$("canvas")).boundingBox();
   let tip = null;
@@ -186,7 +186,7 @@ check("the pointer over an object tells its name, size and place", async (page) 
   assert.match(tip ?? "", /\d\.\d\d × \d+\.\d\d × \d+\.\d\d m.*at \(/);
 });
 
-check("chips, words and keys narrow the list", async (page) => {
+checkOwn("chips, words and keys narrow the list", async (page) => {
   const { report } = await open(page);
   for (const [chip, keeps] of [["violated", ({ satisfied }) => satisfied === false], ["assert", ({ kind }) => kind === "assert"], ["all", () => true]]) {
     if ((await page.$(`[data-filter="${chip}"]`)) === null) continue;
@@ -207,7 +207,7 @@ check("chips, words and keys narrow the list", async (page) => {
   assert.equal((await rowsOf(page)).length, report.constraints.length);
 });
 
-check("the plan shows the room from straight above, named; back again, and reset", async (page) => {
+checkOwn("the plan shows the room from straight above, named; back again, and reset", async (page) => {
   const { regions } = await open(page);
   const before = await shoot(page);
   const [, plan] = await page.$$(".toolbar .group:first-child button");
@@ -223,7 +223,7 @@ check("the plan shows the room from straight above, named; back again, and reset
   assert.ok((await difference(before, await shoot(page))) < 0.01, "the first view is found again");
 });
 
-check("the plan is not mirrored: x runs to the right, z up", async (page) => {
+checkOwn("the plan is not mirrored: x runs to the right, z up", async (page) => {
   const { objects } = await open(page);
   await page.keyboard.press("p");
   await settle(page);
