@@ -99,12 +99,11 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     lacking
 }
 
-/// A door from outside, where no door leads into a room of the program.
+/// A door from outside, where none leads into a room of the program. Of several rooms the one that leads to the others has it.
 fn way_in(draft: &mut Draft, at: usize) {
-    let leads = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.contains(&at);
     let outside = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.len() == 1;
-    let any_outside = draft.openings.iter().any(outside);
-    if draft.openings.iter().any(leads) && (at > 0 || any_outside) || at > 0 && any_outside && draft.rooms.len() > 1 {
+    let kinds: Vec<&str> = draft.rooms.iter().map(|room| room.kind.as_str()).collect();
+    if draft.openings.iter().any(outside) || crate::storey::hub(&kinds) != at {
         return;
     }
     let mut names = crate::names::Names::default();
