@@ -167,8 +167,9 @@ pub fn fold(brief: &mut Brief) {
 /// four on.
 fn hall(brief: &mut Brief, least: usize) {
     let owned = |room: usize| {
-        let mut with = brief.things.iter().filter(|t| t.beyond == Some(room) || t.room == room && t.beyond.is_some());
-        matches!((with.next(), with.next()), (Some(_), None))
+        let mut with = brief.things.iter().filter(|t| t.beyond.is_some() && (t.beyond == Some(room) || t.room == room));
+        let from = with.next().filter(|door| door.beyond == Some(room)).map(|door| door.room);
+        from.is_some_and(|from| !storey::is_passage(&brief.rooms[from].name)) && with.next().is_none()
     };
     let own =
         (0..brief.rooms.len()).filter(|room| owned(*room) && !storey::is_passage(&brief.rooms[*room].name)).count();

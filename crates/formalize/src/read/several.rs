@@ -51,9 +51,14 @@ const PARTS: [&str; 8] = ["area", "nook", "corner", "space", "alcove", "zone", "
 /// Words for a room that only one other leads to.
 const OWN: [&str; 7] = ["own", "en-suite", "ensuite", "en", "private", "attached", "adjoining"];
 
-/// Whether a name ends in a word for a home.
+/// Words before a word for a home that make no other thing of it; a test cabin is none.
+const WHOSE: [&str; 9] =
+    ["family", "holiday", "vacation", "city", "town", "student", "country", "detached", "terraced"];
+
+/// Whether a name is that of a home.
 pub fn is_home(name: &str) -> bool {
-    name.rsplit(' ').next().is_some_and(|last| HOMES.contains(&last))
+    let (whose, last) = name.rsplit_once(' ').map_or((None, name), |(whose, last)| (Some(whose), last));
+    HOMES.contains(&last) && whose.is_none_or(|whose| whose.split(' ').all(|word| WHOSE.contains(&word)))
 }
 
 fn room(chunk: &Chunk) -> Option<&Np> {
@@ -95,7 +100,7 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
     let Some(np) = room(&chunks[head]) else { return };
     let lexicon = get();
     let building = lexicon.room(&np.name()).is_some_and(|kind| kind.name == "apartment" || kind.name == "office");
-    if is_home(&np.name()) && np.det != Det::Definite && out.container.is_none() && head <= 2 {
+    if is_home(&np.name()) && matches!(np.det, Det::Indefinite | Det::Own) && out.container.is_none() && head <= 2 {
         out.container = Some(head);
     }
     let has = |c: &Chunk| matches!(c.piece, Piece::With | Piece::Verb(Verb::Have) | Piece::Colon);
