@@ -20,7 +20,7 @@ pub fn listed(checked: &Checked) -> String {
         return String::new();
     }
     let options = Options { tolerances: checked.report.tolerances, eta: checked.report.eta, ..Options::default() };
-    let world = World::new(program, layout, &options);
+    let world: World<f64> = World::new(program, layout, &options);
     let near = pairs_up_to(&world, 0.0, GAPS);
     let mut deep: Vec<((ObjectId, ObjectId), f64)> = Vec::new();
     for (a, b) in near.pairs {

@@ -176,7 +176,7 @@ impl Stage {
         };
         let [a, b, c, e] = [corner(-w, -d), corner(w, -d), corner(w, d), corner(-w, d)];
         let normals = [[0.0, 1.0, 0.0]; 3];
-        self.triangles.extend([[a, b, c], [a, c, e]].map(|points| Triangle { points, normals, look, shadow: false }));
+        self.triangles.extend([[a, c, b], [a, e, c]].map(|points| Triangle { points, normals, look, shadow: false }));
     }
 
     fn group(&mut self, group: &Group, look: u16, shadow: bool, place: impl Fn(Vec3) -> Vec3) {

@@ -88,6 +88,8 @@ pub struct Kind {
     pub means: Vec<(&'static str, &'static str)>,
     /// The inventory, what matters most first.
     pub lines: Vec<Line>,
+    /// In a home without a dining room, what one eats at.
+    pub eat: Option<Line>,
 }
 
 /// All kinds, in the order of the table.
@@ -143,6 +145,7 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
                 (kind.people, kind.each) = (people, each);
             }
         }
+        "eat" => kind.eat = entry(value),
         "home" => kind.home = numbers().try_into().ok(),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
         "windows" => kind.windows = value.parse().unwrap_or(0),

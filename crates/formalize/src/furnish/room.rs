@@ -82,7 +82,11 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     for thing in &asked {
         stand_up(&mut plan, *thing);
     }
-    for (i, line) in kind.lines.iter().enumerate() {
+    let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
+    let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
+    let (first, rest) = kind.lines.split_at(kind.lines.len().min(2));
+    let eat = kind.eat.iter().filter(|_| home);
+    for (i, line) in first.iter().chain(eat).chain(rest).enumerate() {
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
         let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
         plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_full();
