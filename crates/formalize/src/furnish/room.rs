@@ -86,7 +86,10 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
     let (first, rest) = kind.lines.split_at(kind.lines.len().min(2));
     let eat = kind.eat.iter().filter(|_| home);
-    for (i, line) in first.iter().chain(eat).chain(rest).enumerate() {
+    for (i, line) in first.iter().chain(rest).enumerate() {
+        if i == first.len() {
+            eat.clone().for_each(|line| eat_at(&mut plan, line));
+        }
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
         let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
         plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_full();
@@ -97,6 +100,18 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
     lacking
+}
+
+/// Adds what one eats at, if there is room for its seats, too.
+fn eat_at(plan: &mut Plan, line: &Line) {
+    let draft = plan.draft.clone();
+    let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
+    inventory(plan, line);
+    let new = &plan.draft.things[draft.things.len()..];
+    if !new.iter().any(|thing| stand::group(&thing.category) == crate::brief::Group::Seat) {
+        *plan.draft = draft;
+        (plan.ground, plan.floor, plan.walls, plan.turn) = before;
+    }
 }
 
 /// Whether someone works behind a counter at the back of such a room.

@@ -18,9 +18,10 @@ use rows::Cell;
 
 /// More rooms than these are placed one by one.
 const MOST: usize = 14;
-/// The doors that are added (metres).
+/// A kitchen of a home has a wall so long (metres): a stove, a sink, a counter and a fridge stand at it.
+const RUN: f64 = 4.0;
+/// The doors that are added (metres), and why.
 const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
-/// Why they are.
 const WHY: &str = "one has to get from room to room";
 
 /// Places the rooms of a draft, and adds the doors between them that are missing.
@@ -165,6 +166,8 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
         let wet = is(room, &["kitchen", "bathroom", "public toilets", "laundry room"]);
         let widest = draft.things.iter().filter(|thing| thing.room == Some(room));
         let widest = widest.filter_map(|thing| thing.size).map(|size| size[0].max(size[2])).fold(0.0, f64::max);
+        let kitchen = is(room, &["kitchen"]);
+        let long = if kitchen && home { RUN } else { side };
         let mut with = links.iter().filter(|(a, b)| *a == room || *b == room);
         let own = match (with.next(), with.next()) {
             (Some((a, b)), None) if wet || is(room, &["walk-in closet"]) => Some(if *a == room { *b } else { *a }),
@@ -172,12 +175,12 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
         };
         out.push(Cell {
             area,
-            sides: [side, side.max(widest + 0.3)],
+            sides: [side, long.max(widest + 0.3)],
             fixed: given.then_some([w, d]),
             private: !is_passage(&asked.name) && room != hub,
             wet,
             hall: is(room, &["hallway"]),
-            kitchen: is(room, &["kitchen"]),
+            kitchen,
             shared: is(room, &["living room", "dining room"]),
             own: own.filter(|own| *own != hub && !is_passage(&brief.rooms[*own].name)),
         });
