@@ -18,6 +18,9 @@ const KERB: f64 = 0.08;
 const PARAPET: f64 = 0.9;
 /// What is this far beyond a wall (metres) is in the next room, if there is one.
 const BESIDE: f64 = 0.25;
+/// How solid something that hangs on a wall which is cut away remains.
+const GHOST: f32 = 0.3;
+
 /// What hangs no further than this from the ceiling, and above this height, is not drawn (metres).
 const UNDER: f64 = 0.05;
 const HEAD: f64 = 1.7;
@@ -137,19 +140,24 @@ impl Stage {
     }
 
     fn object(&mut self, scene: &Scene, object: &Object, cut: &[Cut], short: &[&Object]) {
-        let hung = cut.iter().filter(|wall| hangs_on(object, wall.from, wall.to)).map(|wall| match &*object.family {
+        let opening = matches!(&*object.family, "door" | "window");
+        let is_short = short.iter().any(|other| std::ptr::eq(*other, object));
+        let on = || cut.iter().filter(|wall| hangs_on(object, wall.from, wall.to));
+        // What hangs on a wall that is cut away is there all the same.
+        let ghost = !opening && !is_short && on().any(Cut::is_near);
+        let hung = on().filter(|wall| opening || !wall.is_near()).map(|wall| match &*object.family {
             "door" => wall.floor + DOOR,
             _ => wall.floor + wall.left,
         });
-        let is_short = short.iter().any(|other| std::ptr::eq(*other, object));
         let tall = is_short.then_some(object.place.pos.y + TALL);
         let top = hung.chain(tall).fold(f64::INFINITY, f64::min);
         if object.place.pos.y >= top {
             return;
         }
         for group in &object.mesh {
-            let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, 1.0);
-            let shadow = scene.surfaces[group.surface].opacity > 0.5;
+            let share = if ghost { GHOST } else { 1.0 };
+            let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
+            let shadow = share * scene.surfaces[group.surface].opacity > 0.5;
             let first = self.triangles.len();
             self.group(group, look, shadow, |p| object.at(p));
             if top.is_finite() {

@@ -62,7 +62,7 @@ pub fn ways(cells: &[Cell], rects: &[Rect], hub: usize, links: &[(usize, usize)]
 /// How bad a plan is.
 pub fn cost(cells: &[Cell], rects: &[Rect], hub: usize, links: &[(usize, usize)]) -> f64 {
     let ways = ways(cells, rects, hub, links);
-    let mut out = 200.0 * ways.unreached as f64 + 80.0 * ways.unmet as f64 + 8.0 * ways.roundabout as f64;
+    let mut out = 200.0 * ways.unreached as f64 + 80.0 * ways.unmet as f64 + 25.0 * ways.roundabout as f64;
     for (room, (cell, rect)) in cells.iter().zip(rects).enumerate() {
         if cell.fixed.is_none() {
             out += shape(cell, rect, room == hub);
@@ -89,7 +89,7 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
     7.0 * square(long / short - even)
         + narrow(cell.sides[0], short)
         + narrow(cell.sides[1], long)
-        + 250.0 * square(area / cell.area[1] - 1.0)
+        + 800.0 * square(area / cell.area[1] - 1.0)
         + 30.0 * square(1.0 - area / cell.area[0])
 }
 
