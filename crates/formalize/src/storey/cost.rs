@@ -86,7 +86,7 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
     };
     let square = |v: f64| v.max(0.0).powi(2);
     let narrow = |least: f64, is: f64| if is < least - 1e-6 { 2.0 + 40.0 * square(least - is) } else { 0.0 };
-    7.0 * square(long / short - even)
+    14.0 * square(long / short - even)
         + narrow(cell.sides[0], short)
         + narrow(cell.sides[1], long)
         + 800.0 * square(area / cell.area[1] - 1.0)
