@@ -113,7 +113,7 @@ fn pipes(cells: &[Cell], rects: &[Rect]) -> f64 {
     let wet: Vec<usize> = (0..cells.len()).filter(|room| cells[*room].wet).collect();
     let common: Vec<usize> = wet.iter().copied().filter(|room| cells[*room].own.is_none()).collect();
     let together = |rooms: &[usize], each: f64| each * (groups(rooms) - 1.0).max(0.0);
-    let mut out = together(&wet, 1.5) + together(&common, 12.0);
+    let mut out = together(&wet, 1.5) + together(&common, 40.0);
     let eat: Vec<usize> = (0..cells.len()).filter(|room| cells[*room].shared).collect();
     for kitchen in (0..cells.len()).filter(|room| cells[*room].kitchen && !eat.is_empty()) {
         out += if eat.iter().any(|room| rects[kitchen].shared(&rects[*room]) >= DOORWAY) { 0.0 } else { 4.0 };

@@ -175,7 +175,11 @@ fn column(cells: &[Cell], end: &[usize], out: &mut [Rect], (long, hub_d, depths)
     let wide = rounded((area / free).max(end.iter().map(|room| cells[*room].sides[0]).fold(0.0, f64::max)));
     let mut z = -beside[1];
     for (k, room) in end.iter().enumerate() {
-        let mut d = rounded(free * cells[*room].area[0] / area);
+        // By their areas, but none narrower than such rooms are.
+        let least = cells[*room].sides[0];
+        let others: f64 = end[k + 1..].iter().map(|other| cells[*other].sides[0] + WALL).sum();
+        let most = (hub_d + beside[0] - z - others).max(least);
+        let mut d = rounded((free * cells[*room].area[0] / area).clamp(least, most));
         if k + 1 == end.len() {
             d = rounded(hub_d + beside[0] - z);
         }

@@ -40,8 +40,8 @@ const COARSE: usize = 64;
 #[derive(Debug, Default)]
 pub(crate) struct Walks(Mutex<Known>);
 
-/// A storey, and the bits of the radius of a disc on it.
-type Wide64 = (Option<RegionId>, u64);
+/// A storey, the bits of the radius of a disc on it, and those of the corners of a footprint.
+type Beside = ((Option<RegionId>, u64), Vec<[u64; 2]>);
 
 /// A storey, and the radius of the widest disc on it.
 type Wide = (Option<RegionId>, f64);
@@ -53,7 +53,7 @@ struct Known {
     /// The ground by storey and by the widest disc on it.
     grounds: Vec<(Wide, Arc<Tried>)>,
     /// Which pieces of a floor are near a footprint: the same doors are asked for once for each thing.
-    near: FxHashMap<(Wide64, Vec<[u64; 2]>), Arc<[usize]>>,
+    near: FxHashMap<Beside, Arc<[usize]>>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
 }
