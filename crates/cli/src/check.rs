@@ -4,7 +4,7 @@ use crate::args::{Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
 use crate::targets::Target;
 use crate::watch::{Seen, Watched};
-use crate::{FAILED, GOOD, fix, interrupt, out, parallel, settings, targets, watch};
+use crate::{FAILED, GOOD, fix, interrupt, out, parallel, permissions, settings, targets, watch};
 use scenelang_analysis::Question;
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Diagnostic, SourceMap, codes};
@@ -67,7 +67,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
         worst = worst.max(exit_code(&checked.report));
         let text = match args.format {
             Format::Human if args.verbosity == Verbosity::Compact => report::compact(&checked.report, look),
-            Format::Human => report::human(&checked, look),
+            Format::Human => report::human(&checked, look) + &permissions::listed(&checked),
             Format::Json => report::json(&checked.report) + "\n",
             Format::Github => report::github(std::slice::from_ref(&checked.report)),
             Format::Sarif | Format::Junit => return kept.push(checked),

@@ -20,6 +20,7 @@ mod look;
 mod lsp;
 mod model;
 mod parallel;
+mod permissions;
 mod progress;
 mod repair;
 mod replace;

@@ -24,6 +24,7 @@ pub mod prefer;
 pub mod read;
 mod reconcile;
 mod sizes;
+mod storey;
 pub mod text;
 pub mod write;
 

@@ -1,7 +1,9 @@
 //! How large things usually are, by their names: from a table of our own, else from that of the language.
 
 use crate::brief::Group;
+use crate::furnish::kinds;
 use scenelang_lang::library::usual_size;
+use scenelang_lang::nouns;
 
 /// What nothing is known of.
 const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
@@ -9,6 +11,10 @@ const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
 /// The usual size of a thing of this name.
 pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     let name = words.join(" ");
+    // What a plain noun means in some rooms: a table of a café is no table for six.
+    if let Some(noun) = nouns::noun(&name).filter(|_| words.len() > 1 && is_meant(&name)) {
+        return noun.size;
+    }
     if let Some(size) = own_size(words) {
         return size;
     }
@@ -35,6 +41,11 @@ pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
         Group::Wall => [size[0], size[1].min(2.0), size[2].min(0.35)],
         _ => size,
     }
+}
+
+/// Whether some kind of room has a plain noun that stands for this one.
+fn is_meant(name: &str) -> bool {
+    kinds::all().iter().any(|kind| kind.means.iter().any(|(_, meant)| *meant == name))
 }
 
 /// What the language has no category for.

@@ -34,6 +34,9 @@ pub(super) fn bed(a: &Ask) -> Model {
     if a.says(&["bunk", "loft"]) && a.h > 1.0 {
         return bunk(a);
     }
+    if a.says(&["hospital", "patient"]) {
+        return hospital(a);
+    }
     let mut m = Model::default();
     let b = a.whole();
     let frame = a.main(stuff::OAK);
@@ -74,6 +77,38 @@ pub(super) fn bed(a: &Ask) -> Model {
     let mattress = body.inset(0.03 * a.w, 0.0, 0.0).y(rail..top).z(body.min.z..b.max.z - 0.015 * a.d);
     bedding(&mut m, mattress, &cover);
     pillows(&mut m, mattress, 0.12_f64.min(0.6 * (a.h - top)), &stuff::SHEET.surface());
+    m
+}
+
+/// A bed of a ward: a high steel frame on castors, panels at head and foot, a rail along each side.
+fn hospital(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let (steel, panel) = (stuff::STEEL.surface(), stuff::PLASTIC.surface());
+    let cover = a.second(stuff::CLOTH);
+    let thick = 0.04_f64.min(0.1 * a.d);
+    let (rail, top) = (0.44 * a.h, 0.62 * a.h);
+    m.surface = Some(top);
+    m.rounded(b.z(b.min.z..b.min.z + thick).y(0.35 * a.h..a.h), 0.015, &panel);
+    m.rounded(b.z(b.max.z - thick..b.max.z).y(0.35 * a.h..0.84 * a.h), 0.015, &panel);
+    let body = b.z(b.min.z + thick..b.max.z - thick);
+    m.solid(body.y(0.0..rail));
+    m.mesh.rounded(body.y(0.36 * a.h..rail), 0.015, 2, &steel);
+    let t = 0.07_f64.min(0.1 * a.w);
+    for leg in body.x(b.min.x + 0.06 * a.w..b.min.x + 0.06 * a.w + t).z(body.min.z..body.min.z + t).four_corners() {
+        m.mesh.crisp(leg.y(0.1 * a.h..0.36 * a.h), &steel);
+        m.mesh.crisp(leg.y(0.0..0.1 * a.h), &stuff::RUBBER.surface());
+    }
+    let mattress = body.inset(0.05 * a.w, 0.0, 0.01 * a.d).y(rail..top);
+    bedding(&mut m, mattress, &cover);
+    pillows(&mut m, mattress, 0.12_f64.min(0.5 * (a.h - top)), &stuff::SHEET.surface());
+    let side = b.x(b.min.x..b.min.x + 0.03 * a.w).z(b.min.z + 0.2 * a.d..b.min.z + 0.6 * a.d);
+    for rail_at in side.both_sides() {
+        m.solid(rail_at.y(rail..0.8 * a.h));
+        for low in [0.66, 0.76] {
+            m.mesh.crisp(rail_at.y(low * a.h..(low + 0.03) * a.h), &steel);
+        }
+    }
     m
 }
 

@@ -28,6 +28,7 @@ mod kills;
 mod layering;
 mod licences;
 mod model;
+mod permissions;
 mod pipes;
 mod problems;
 mod repair;

@@ -18,17 +18,16 @@ const KERB: f64 = 0.08;
 const PARAPET: f64 = 0.9;
 /// What is this far beyond a wall (metres) is in the next room, if there is one.
 const BESIDE: f64 = 0.25;
-/// How solid something that hangs on a cut wall remains.
-const GHOST: f32 = 0.22;
+/// How solid something that hangs on a wall which is cut away remains.
+const GHOST: f32 = 0.3;
 
 /// What hangs no further than this from the ceiling, and above this height, is not drawn (metres).
 const UNDER: f64 = 0.05;
 const HEAD: f64 = 1.7;
-/// What is taller than this and seen from behind is drawn so that one sees through it (metres).
+/// What is taller than this and seen from behind is cut there, as a wall is (metres).
 const TALL: f64 = 1.2;
-
-/// How solid something tall remains that is seen from behind.
-const FADED: f32 = 0.5;
+/// A door in a wall that is cut is cut so high (metres): one sees where it is.
+const DOOR: f64 = 0.9;
 
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug)]
@@ -84,14 +83,15 @@ impl Stage {
             .flat_map(|p| edges(&p.polygon))
             .map(|(a, b)| [flat(a), flat(b)])
             .collect();
-        let cut: Vec<&Shell> =
-            scene.shells.iter().filter(|s| height_left(scene, s, view).is_some_and(|h| h <= KERB)).collect();
+        let cut: Vec<Cut> = scene.shells.iter().filter_map(|shell| Cut::of(scene, shell, view)).collect();
         for shell in &scene.shells {
             stage.shell(scene, shell, view);
         }
+        let short = |object: &&Object| cut.iter().any(|wall| wall.is_near() && turns_its_back(object, wall, view));
+        let short: Vec<&Object> = scene.objects.iter().filter(short).collect();
         for object in &scene.objects {
-            if !overhead(scene, object) {
-                stage.object(scene, object, &cut, view);
+            if !overhead(scene, object) && !short.iter().any(|below| stands_on(object, below)) {
+                stage.object(scene, object, &cut, &short);
             }
         }
         stage
@@ -139,20 +139,52 @@ impl Stage {
         }
     }
 
-    fn object(&mut self, scene: &Scene, object: &Object, cut: &[&Shell], view: &View) {
-        let hides =
-            cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if turns_its_back(object, from, to, view)));
-        let hangs = cut.iter().any(|s| matches!(s.role, Role::Wall { from, to } if hangs_on(object, from, to)));
-        let share = match (hangs, hides) {
-            (true, _) => GHOST,
-            (_, true) => FADED,
-            _ => 1.0,
-        };
+    fn object(&mut self, scene: &Scene, object: &Object, cut: &[Cut], short: &[&Object]) {
+        let opening = matches!(&*object.family, "door" | "window");
+        let is_short = short.iter().any(|other| std::ptr::eq(*other, object));
+        let on = || cut.iter().filter(|wall| hangs_on(object, wall.from, wall.to));
+        // What hangs on a wall that is cut away is there all the same.
+        let ghost = !opening && !is_short && on().any(Cut::is_near);
+        let hung = on().filter(|wall| opening || !wall.is_near()).map(|wall| match &*object.family {
+            "door" => wall.floor + DOOR,
+            _ => wall.floor + wall.left,
+        });
+        let tall = is_short.then_some(object.place.pos.y + TALL);
+        let top = hung.chain(tall).fold(f64::INFINITY, f64::min);
+        if object.place.pos.y >= top {
+            return;
+        }
         for group in &object.mesh {
+            let share = if ghost { GHOST } else { 1.0 };
             let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
             let shadow = share * scene.surfaces[group.surface].opacity > 0.5;
+            let first = self.triangles.len();
             self.group(group, look, shadow, |p| object.at(p));
+            if top.is_finite() {
+                let whole = self.triangles.split_off(first);
+                self.triangles.extend(whole.iter().flat_map(|t| below(t, top as f32)));
+            }
         }
+        if is_short {
+            self.section(scene, object, top);
+        }
+    }
+
+    /// The cut through something tall, in its own colour and darker.
+    fn section(&mut self, scene: &Scene, object: &Object, top: f64) {
+        let Some(first) = object.mesh.first() else { return };
+        let surface = &scene.surfaces[first.surface];
+        let dark = Surface { color: surface.color.map(|c| 0.6 * c), emissive: None, ..surface.clone() };
+        let look = self.look(&dark, Pattern::Plain, 1.0);
+        let (w, d) = (object.place.scale.x / 2.0 - 0.005, object.place.scale.z / 2.0 - 0.005);
+        let corner = |x: f64, z: f64| {
+            let mut p = object.at(Vec3::new(x, 0.0, z));
+            p.y = top;
+            [p.x as f32, p.y as f32, p.z as f32]
+        };
+        let [a, b, c, e] = [corner(-w, -d), corner(w, -d), corner(w, d), corner(-w, d)];
+        let normals = [[0.0, 1.0, 0.0]; 3];
+        self.triangles.extend([[a, c, b], [a, e, c]].map(|points| Triangle { points, normals, look, shadow: false }));
     }
 
     fn group(&mut self, group: &Group, look: u16, shadow: bool, place: impl Fn(Vec3) -> Vec3) {
@@ -191,15 +223,67 @@ fn overhead(scene: &Scene, object: &Object) -> bool {
     scene.regions.iter().any(|r| r.kind == RegionKind::Room && over(&r.prism))
 }
 
+/// A wall of which not all is left.
+struct Cut {
+    from: Vec2,
+    to: Vec2,
+    /// Where it stands, and how much of it is left (metres).
+    floor: f64,
+    left: f64,
+}
+
+impl Cut {
+    fn of(scene: &Scene, shell: &Shell, view: &View) -> Option<Self> {
+        let Role::Wall { from, to } = shell.role else { return None };
+        Some(Self { from, to, floor: bottom(shell), left: height_left(scene, shell, view)? })
+    }
+
+    /// Whether it is between the rooms and the eye.
+    fn is_near(&self) -> bool {
+        self.left <= KERB
+    }
+}
+
 /// Whether something tall stands at a wall that is cut away and turns its back to the eye.
-fn turns_its_back(object: &Object, from: Vec2, to: Vec2, view: &View) -> bool {
+fn turns_its_back(object: &Object, wall: &Cut, view: &View) -> bool {
     let middle = object.place.pos.xz();
     let reach = object.place.scale.x.max(object.place.scale.z) / 2.0;
-    let nearest = scenelang_layout::planar::nearest_on_segment(&middle, &from, &to);
+    let nearest = scenelang_layout::planar::nearest_on_segment(&middle, &wall.from, &wall.to);
     object.place.scale.y > TALL
         && (nearest - middle).norm() < reach.min(0.6)
         && object.axes.column(2).dot(&(view.eye - object.place.pos)) < 0.0
-        && outward(from, to).dot(&object.axes.column(2).xz()) < -0.7
+        && outward(wall.from, wall.to).dot(&object.axes.column(2).xz()) < -0.7
+}
+
+/// Whether something is above where another is cut, on it.
+fn stands_on(object: &Object, other: &Object) -> bool {
+    let local = other.axes.transpose() * (object.place.pos - other.place.pos);
+    let half = other.place.scale / 2.0;
+    local.y >= TALL - 0.01 && local.x.abs() <= half.x && local.z.abs() <= half.z
+}
+
+/// What of a triangle is below a height: none, one or two of them.
+fn below(triangle: &Triangle, top: f32) -> Vec<Triangle> {
+    let mut corners: Vec<([f32; 3], [f32; 3])> = Vec::with_capacity(4);
+    for i in 0..3 {
+        let j = (i + 1) % 3;
+        let (p, q) = (triangle.points[i], triangle.points[j]);
+        let (n, m) = (triangle.normals[i], triangle.normals[j]);
+        if p[1] <= top {
+            corners.push((p, n));
+        }
+        if (p[1] <= top) != (q[1] <= top) {
+            let t = (top - p[1]) / (q[1] - p[1]);
+            let between = |a: [f32; 3], b: [f32; 3]| std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t);
+            corners.push((between(p, q), between(n, m)));
+        }
+    }
+    (2..corners.len())
+        .map(|k| {
+            let of = [corners[0], corners[k - 1], corners[k]];
+            Triangle { points: of.map(|c| c.0), normals: of.map(|c| c.1), ..*triangle }
+        })
+        .collect()
 }
 
 /// How much of a wall is left, metres; `None`: all of it. Nothing but walls is cut.

@@ -1,4 +1,4 @@
-//! What follows from what is said: seats for people, doors between rooms.
+//! What follows from what is said: seats for people.
 
 use crate::brief::{Brief, Fact, Group, Look, Number, Rel, Source, Thing, What};
 use crate::read::lexicon::{get, plural, singular};
@@ -25,20 +25,6 @@ pub fn seats(brief: &mut Brief) {
     let why = format!("{people} people sit there");
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));
-}
-
-/// Rooms that no door joins to the others get one.
-pub fn joined(brief: &mut Brief) {
-    for room in 1..brief.rooms.len() {
-        let linked = brief
-            .things
-            .iter()
-            .any(|i| i.group == Group::Door && i.beyond.is_some() && (i.room == room || i.beyond == Some(room)));
-        if !linked {
-            let id = push(brief, room - 1, "door", 1, "one has to get from room to room");
-            brief.things[id].beyond = Some(room);
-        }
-    }
 }
 
 fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {

@@ -2,6 +2,7 @@
 //! things stand on. All that is added says why.
 
 mod defaults;
+mod home;
 mod settle;
 
 use crate::brief::Brief;
@@ -9,9 +10,9 @@ use crate::brief::Brief;
 /// How much is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// Furniture that such rooms have, and doors.
+    /// Rooms that a home has, furniture that such rooms have, and doors.
     Usual,
-    /// Only doors between rooms, without which nobody gets from one to the other.
+    /// Nothing but what the plan needs: doors between rooms, without which nobody gets from one to the other.
     Literal,
 }
 
@@ -20,12 +21,13 @@ pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
     defaults::counted(&mut brief);
     match extent {
         Extent::Usual => {
+            let scale = home::complete(&mut brief);
             crate::furnish::refine(&mut brief);
             crate::furnish::measure(&mut brief);
-            defaults::joined(&mut brief);
+            home::scale(&mut brief, scale);
             defaults::seats(&mut brief);
         }
-        Extent::Literal => defaults::joined(&mut brief),
+        Extent::Literal => home::fold(&mut brief),
     }
     settle::settle(&mut brief);
     brief

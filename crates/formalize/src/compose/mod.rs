@@ -6,7 +6,6 @@ mod sizes;
 mod state;
 mod usual;
 
-use crate::arrange::arrange_rooms;
 use crate::brief::{Brief, Group, Look, Rel, What, too_many};
 use crate::draft::{Draft, Note, Opening, OpeningKind, Room, Source, Surface, Thing};
 use crate::names::{Names, identifier};
@@ -17,7 +16,7 @@ pub fn compose(brief: &Brief) -> Draft {
     let sizes = sizes::things(brief);
     let mut room_sizes = sizes::rooms(brief, &sizes);
     let mut draft = Draft { request: brief.request.clone(), ..Draft::default() };
-    let room_names: Vec<String> = brief.rooms.iter().map(|r| names.take(&identifier(&r.name, "room"))).collect();
+    let room_names = room_names(brief, &mut names);
     let mut sizes = sizes;
     sizes::fit_walls(brief, &mut sizes, &room_sizes);
     for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| !item.opening() && item.part.is_none()) {
@@ -51,7 +50,7 @@ pub fn compose(brief: &Brief) -> Draft {
     }
     declare(brief, &given, &counts, &sizes, &room_sizes, &mut draft);
     draft.rooms = made_rooms(brief, &room_names, &room_sizes);
-    arrange_rooms(&mut draft);
+    crate::storey::lay_out(&mut draft, brief, &mut names);
     for (size, room) in room_sizes.iter_mut().zip(&draft.rooms) {
         *size = room.size;
     }
@@ -67,6 +66,17 @@ pub fn compose(brief: &Brief) -> Draft {
         }
     }
     draft
+}
+
+/// What the rooms are called in the program; several of a name are told apart by numbers.
+fn room_names(brief: &Brief, names: &mut Names) -> Vec<String> {
+    let wanted: Vec<String> = brief.rooms.iter().map(|room| identifier(&room.name, "room")).collect();
+    let numbered = |at: usize| {
+        let nth = wanted[..=at].iter().filter(|name| **name == wanted[at]).count();
+        let several = wanted.iter().filter(|name| **name == wanted[at]).count() > 1;
+        if several { format!("{}{nth}", wanted[at]) } else { wanted[at].clone() }
+    };
+    (0..wanted.len()).map(|at| names.take(&numbered(at))).collect()
 }
 
 /// What each thing is called in the program: an array by one name, of several doors each by its own.

@@ -66,6 +66,8 @@ pub struct Kind {
     pub also: Vec<&'static str>,
     /// Usual width, height and depth in metres.
     pub size: [f64; 3],
+    /// In a home: square metres, at most so many, and the shorter side in metres. `None`: homes have no such room.
+    pub home: Option<[f64; 3]>,
     /// For so many people.
     pub people: f64,
     /// Square metres for each one more.
@@ -86,6 +88,8 @@ pub struct Kind {
     pub means: Vec<(&'static str, &'static str)>,
     /// The inventory, what matters most first.
     pub lines: Vec<Line>,
+    /// In a home without a dining room, what one eats at.
+    pub eat: Option<Line>,
 }
 
 /// All kinds, in the order of the table.
@@ -141,6 +145,8 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
                 (kind.people, kind.each) = (people, each);
             }
         }
+        "eat" => kind.eat = entry(value),
+        "home" => kind.home = numbers().try_into().ok(),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
         "windows" => kind.windows = value.parse().unwrap_or(0),
         "floor" => kind.floor = value.split_once(',').map_or((value, ""), |(a, b)| (a.trim(), b.trim())),

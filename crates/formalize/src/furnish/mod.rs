@@ -5,15 +5,17 @@
 
 mod build;
 mod choose;
+mod daylight;
 mod drop;
 mod floor;
 mod groups;
-mod kinds;
-mod number;
+pub(crate) mod kinds;
+pub(crate) mod number;
 mod openings;
 mod place;
 mod plan;
 mod room;
+mod rows;
 mod seek;
 mod slots;
 mod stand;
@@ -131,7 +133,14 @@ fn named(brief: &mut Brief) {
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
     let mut closed: Vec<String> = draft.things.iter().map(|thing| thing.category.replace('_', " ")).collect();
     closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
+    if draft.rooms.len() == 1 {
+        return room::furnish(draft, brief, 0, &closed);
+    }
     for at in 0..draft.rooms.len() {
+        // What is asked for in one room is not there for the others.
+        let own = draft.things.iter().filter(|thing| thing.room == Some(at));
+        let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
+        closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
         room::furnish(draft, brief, at, &closed);
     }
 }

@@ -8,6 +8,9 @@ use crate::draft::{Draft, Opening, OpeningKind};
 const JAMB: f64 = 0.12;
 /// Beside a door there is room for a light switch, or for what stands in the corner.
 const CORNER: f64 = 0.3;
+/// In a wall that is shorter a window is at one end, so far from the corner: something tall finds room beside it.
+const NARROW: f64 = 2.4;
+const MARGIN: f64 = 0.25;
 /// Half the distance of two rooms, in which a door between them is.
 const BETWEEN: f64 = 0.03;
 /// How far two rooms are apart at most that share a wall.
@@ -123,6 +126,9 @@ pub fn windows_in(draft: &Draft, room: usize, wall: Wall, n: usize, size: [f64; 
     let n = n.min(most);
     if n == 0 {
         return (0, 0.0);
+    }
+    if n == 1 && high - low < NARROW {
+        return (n, low + MARGIN + size[0] / 2.0);
     }
     (n, (low + high) / 2.0 - step * (n as f64 - 1.0) / 2.0)
 }

@@ -15,7 +15,9 @@ use crate::write::number;
 use scenelang_lang::nouns;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for.
-pub const MOST: usize = 140;
+const MOST: usize = 140;
+/// Of several rooms each has its share of so many, and of so many more for each room.
+const SHARED: [usize; 2] = [60, 30];
 /// Groups of groups of groups: so deep.
 const DEEP: usize = 3;
 
@@ -142,9 +144,19 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// How many things there are in the program.
+    /// How many things there are in the room.
     pub fn count(&self) -> usize {
-        self.draft.things.iter().map(|t| t.count).sum()
+        self.draft.things.iter().filter(|t| t.room == Some(self.room)).map(|t| t.count).sum()
+    }
+
+    /// Whether the room has more things than such rooms need.
+    pub fn is_full(&self) -> bool {
+        let [all, each] = SHARED;
+        let most = match self.draft.rooms.len() {
+            1 => MOST,
+            rooms => (all + each * rooms) / rooms,
+        };
+        self.count() > most
     }
 
     /// The usual size of a thing.
@@ -219,7 +231,7 @@ impl<'a> Plan<'a> {
             return;
         }
         let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
-        if left_out || self.is_closed(noun) || self.count() > MOST || noun == "bin" && anchors > 2 {
+        if left_out || self.is_closed(noun) || self.is_full() || noun == "bin" && anchors > 2 {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));

@@ -3,20 +3,16 @@
 
 use super::build::Root;
 use super::choose::{self, Choice};
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::daylight::{add_windows, keep_windows_free, way_in, window_walls};
+use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::openings;
-use super::plan::{AtWall, MOST, Plan, metres};
-use super::seek::Wall;
+use super::plan::{AtWall, Plan, metres};
+use super::rows::{ceiling, rows};
 use super::{groups, place, stand, taste};
 use crate::brief::Brief;
-use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Source, Statement};
+use crate::draft::{Demand, Draft, Source};
 
-/// So much wall is left beside a window (metres).
-const BESIDE: f64 = 0.3;
-/// A door's size, and that of a window.
-const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
-const WINDOW: [f64; 3] = [1.4, 1.3, 0.12];
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
 
@@ -86,10 +82,17 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     for thing in &asked {
         stand_up(&mut plan, *thing);
     }
-    for (i, line) in kind.lines.iter().enumerate() {
+    let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
+    let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
+    let (first, rest) = kind.lines.split_at(kind.lines.len().min(2));
+    let eat = kind.eat.iter().filter(|_| home);
+    for (i, line) in first.iter().chain(rest).enumerate() {
+        if i == first.len() {
+            eat.clone().for_each(|line| eat_at(&mut plan, line));
+        }
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
         let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
-        plan.matters = i < MATTER && stands && few && line.least == 0.0 && plan.count() <= MOST;
+        plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_full();
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
         plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
@@ -99,97 +102,16 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     lacking
 }
 
-/// A door from outside, where no door leads into a room of the program.
-fn way_in(draft: &mut Draft, at: usize) {
-    let leads = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.contains(&at);
-    let outside = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.len() == 1;
-    let any_outside = draft.openings.iter().any(outside);
-    if draft.openings.iter().any(leads) && (at > 0 || any_outside) || at > 0 && any_outside && draft.rooms.len() > 1 {
-        return;
+/// Adds what one eats at, if there is room for its seats, too.
+fn eat_at(plan: &mut Plan, line: &Line) {
+    let draft = plan.draft.clone();
+    let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
+    inventory(plan, line);
+    let new = &plan.draft.things[draft.things.len()..];
+    if !new.iter().any(|thing| stand::group(&thing.category) == crate::brief::Group::Seat) {
+        *plan.draft = draft;
+        (plan.ground, plan.floor, plan.walls, plan.turn) = before;
     }
-    let mut names = crate::names::Names::default();
-    let taken = draft.rooms.iter().map(|r| &r.name).chain(draft.openings.iter().map(|o| &o.name));
-    taken.chain(draft.things.iter().map(|t| &t.name)).for_each(|name| {
-        names.take(name);
-    });
-    let mut size = DOOR;
-    size[1] = size[1].min(draft.rooms[at].size[1] - 0.1);
-    draft.openings.push(Opening {
-        name: names.take("door"),
-        kind: OpeningKind::Door,
-        rooms: vec![at],
-        size,
-        look: Look::default(),
-        source: Source::Inferred("one has to get in".into()),
-    });
-}
-
-/// Windows side by side in a wall to the outside, as many as such rooms have.
-fn add_windows(plan: &mut Plan) {
-    let usual = plan.kind.size[0] * plan.kind.size[2];
-    let n = (plan.kind.windows as f64 * (plan.area() / usual).sqrt()).round() as usize;
-    let [w, h, d] = plan.draft.rooms[plan.room].size;
-    let step = metres(WINDOW[0] + BESIDE + 0.2);
-    let most = ((w.max(d) - 0.4) / (WINDOW[0] + BESIDE + 0.2)) as usize;
-    let mut n = n.min(most).min(6);
-    let mut size = WINDOW;
-    size[1] = size[1].min(h - 1.1).max(0.4);
-    let sill = 0.9_f64.min(h - size[1] - 0.2).max(0.0);
-    // In the wall with the most room for them; not behind what people look at.
-    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Back(_) | Place::Before(..)));
-    let mut chosen: Option<(Wall, f64)> = None;
-    if plan.draft.rooms[plan.room].outline.is_none() {
-        let mut fit = 0;
-        for wall in [Wall::Left, Wall::Back, Wall::Right, Wall::Front] {
-            let row = WINDOW[0] + BESIDE + 0.2;
-            let (count, first) = openings::windows_in(plan.draft, plan.room, wall, n, size, row);
-            let behind_door = plan.draft.openings.iter().any(|o| {
-                plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)
-                    && o.rooms.contains(&plan.room)
-            });
-            // The left one, unless another has room for clearly more.
-            let more = if chosen.is_some() { 2 * count > 3 * fit } else { count > 0 };
-            if more && !(watched && wall == Wall::Back) && !behind_door {
-                (chosen, fit) = (Some((wall, first)), count);
-            }
-        }
-        if chosen.is_some() {
-            n = fit;
-        }
-    }
-    let why = format!("a {} has daylight", plan.kind.name);
-    let mut made: Vec<String> = Vec::new();
-    for i in 0..n {
-        let name = plan.name("window");
-        plan.draft.openings.push(Opening {
-            name: name.clone(),
-            kind: OpeningKind::Window,
-            rooms: vec![plan.room],
-            size,
-            look: Look::default(),
-            source: Source::Inferred(why.clone()),
-        });
-        if let Some((wall, first)) = chosen {
-            let along = first + (WINDOW[0] + BESIDE + 0.2) * i as f64;
-            let pose = Pose { y: sill, ..wall.place([w, h, d], along, 0.0) };
-            let pose = openings::in_scene(plan.draft, plan.room, &pose);
-            plan.draft.places.push((name.clone(), [pose.x, pose.y, pose.z, pose.yaw]));
-        }
-        if let Some(last) = made.last() {
-            let row =
-                format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
-            plan.say(row, "windows are in one wall");
-        } else {
-            plan.say(format!("assert {name}.pos.y = {};", metres(sill)), "a window has a sill");
-        }
-        made.push(name);
-    }
-}
-
-/// The walls of the room that have windows.
-fn window_walls(plan: &Plan) -> Vec<Wall> {
-    let windows = plan.draft.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room));
-    windows.filter_map(|o| Wall::behind(&plan.place_in_room(&o.name)?)).collect()
 }
 
 /// Whether someone works behind a counter at the back of such a room.
@@ -334,8 +256,7 @@ fn straighten(plan: &mut Plan, thing: usize) {
 
 /// Adds a line of the inventory.
 fn inventory(plan: &mut Plan, line: &Line) {
-    let total: usize = plan.draft.things.iter().map(|t| t.count).sum();
-    if plan.area() < line.least || plan.is_closed(line.noun) || total > MOST {
+    if plan.area() < line.least || plan.is_closed(line.noun) || plan.is_full() {
         return;
     }
     let people = plan.people.map_or(plan.kind.people, |n| n as f64);
@@ -383,7 +304,6 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let y = if hung { (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3)) } else { 0.0 };
     let along = size[0] >= size[2];
     let middle_yaw = if (width >= depth) == along { 0.0 } else { 90.0 };
-    let rectangular = plan.draft.rooms[plan.room].outline.is_none();
     let opposite = match &line.place {
         Place::Opposite(other) => plan
             .draft
@@ -456,7 +376,31 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         }
     }
     let Some((thing, poses)) = found else { return };
-    let (name, n) = (plan.draft.things[thing].name.clone(), plan.draft.things[thing].count);
+    let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
+    tell(plan, &at, why);
+}
+
+/// A line of an inventory that has found its place.
+struct Stood<'a> {
+    line: &'a Line,
+    thing: usize,
+    poses: &'a [Pose],
+    /// Where it should be.
+    nominal: Pose,
+    /// Whether it is on a wall, and how high.
+    hung: bool,
+    y: f64,
+    /// What it is opposite of, and where that is.
+    opposite: Option<(String, Pose)>,
+}
+
+/// Says in the program where things of a line stand.
+fn tell(plan: &mut Plan, at: &Stood, why: &str) {
+    let Stood { line, thing, poses, nominal, hung, y, opposite } = at;
+    let (hung, y) = (*hung, *y);
+    let size = plan.draft.things[*thing].size.unwrap_or_default();
+    let rectangular = plan.draft.rooms[plan.room].outline.is_none();
+    let (name, n) = (plan.draft.things[*thing].name.clone(), plan.draft.things[*thing].count);
     let room = plan.room_name();
     let every = |f: &dyn Fn(&str) -> String| match n {
         1 => format!("assert {};", f(&name)),
@@ -464,7 +408,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     };
     let access = stand::access(line.noun).filter(|_| !choose::front_taken(line.noun)).map(metres);
     let used = |x: &str| access.as_ref().map_or(String::new(), |a| format!(" and clear({x}, front, {a})"));
-    let at = poses.first().copied().unwrap_or(nominal);
+    let at = poses.first().copied().unwrap_or(*nominal);
     let fixed = |at: &Pose| place::absolute(&name, &room, [at.x, at.y, at.z], at.yaw);
     // Against the wall to a millimetre, so that what is on the wall above it touches the wall, too.
     let back = |x: &str| format!("onFloor({x}, {room}) and backToWall({x}, {room}, 0.01)");
@@ -490,11 +434,8 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         Place::Back(_) | Place::Front(_) | Place::Before(..) if n == 1 => format!("assert {};", fixed(&at)),
         Place::Back(_) | Place::Front(_) | Place::Before(..) => every(&|x| back(x)),
         Place::Opposite(_) => {
-            let straight = match (opposite_pose, poses.first()) {
-                (Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0,
-                _ => true,
-            };
-            if let Some(to) = opposite.filter(|_| straight) {
+            let straight = |seen: &Pose| poses.first().is_none_or(|at| (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0);
+            if let Some((to, _)) = opposite.as_ref().filter(|(_, seen)| straight(seen)) {
                 plan.say(
                     format!(
                         "prefer angle({name}.front, {to}.front) >= 175 and abs(dot({name}.center - {to}.center, {to}.right)) <= 0.3;"
@@ -509,184 +450,5 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     plan.say(text, why);
     if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {
         plan.say(every(&|x| format!("wallMounted({x}, {room})")), why);
-    }
-}
-
-/// Lights spread evenly under the ceiling.
-fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
-    if plan.draft.outdoor {
-        return;
-    }
-    let [w, h, d] = plan.draft.rooms[plan.room].size;
-    let size = Plan::size(noun);
-    let outline = plan.draft.rooms[plan.room].outline.is_some();
-    let n = if outline { 1 } else { n.min(16) };
-    // Rows across the shorter side.
-    let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
-    let n = if pendant { n.max(2) } else { n };
-    let rows = ((n as f64 * d / w).sqrt().round() as usize).clamp(1, n);
-    let columns = n.div_ceil(rows);
-    // What hangs over a table in the middle has its place there.
-    let columns = if pendant && rows % 2 == 1 && columns % 2 == 1 { columns + 1 } else { columns };
-    let n = rows * columns;
-    let thing = plan.add(noun, n, size, why);
-    let room = plan.room_name();
-    let name = plan.draft.things[thing].name.clone();
-    let y = h - size[1];
-    let text = if outline {
-        format!("assert {name}.pos = vec3({room}.center.x, {room}.floor + {}, {room}.center.z);", metres(y))
-    } else if n == 1 {
-        format!("assert {};", place::absolute(&name, &room, [0.0, y, 0.0], 0.0))
-    } else {
-        let each: Vec<String> = (0..n)
-            .map(|i| {
-                let x = ((i % columns) as f64 + 0.5) / columns as f64 - 0.5;
-                let z = ((i / columns) as f64 + 0.5) / rows as f64 - 0.5;
-                place::absolute(&format!("{name}[{i}]"), &room, [x * w, y, z * d], 0.0)
-            })
-            .collect();
-        format!("assert {};", each.join(" and "))
-    };
-    plan.say(text, why);
-    let mounted = match n {
-        1 => format!("assert ceilingMounted({name}, {room});"),
-        _ => format!("assert forall a in {name}: ceilingMounted(a, {room});"),
-    };
-    plan.say(mounted, why);
-}
-
-/// Things with their groups in rows, as many as there is room for.
-/// Of things that are asked for, all or none. Whether they stand there.
-fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str, Option<usize>)) -> bool {
-    let [w, _, d] = plan.draft.rooms[plan.room].size;
-    if plan.draft.rooms[plan.room].outline.is_some() || n == 0 {
-        return false;
-    }
-    let wanted = n;
-    let size = asked.and_then(|thing| plan.draft.things[thing].size).unwrap_or_else(|| Plan::size(noun));
-    let flat = size[1] < 0.05;
-    let [left, right, back, front] = plan.reach(noun, size);
-    let (cell_w, cell_d) = (left + right, back + front);
-    // Ways of this width between the rows and around them.
-    let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
-    let between = if flat { 0.35 } else { 0.6 };
-    let ahead = match toward {
-        true if flat => 1.3,
-        true => 2.2_f64.min(0.28 * d),
-        false => side,
-    };
-    let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
-    let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
-    let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
-    if cell_w > free_w || cell_d > free_d {
-        plan.lacking += usize::from(plan.matters);
-        return false;
-    }
-    let mut n = n.min(columns * lines);
-    // As square as the room.
-    let lines_used = n.div_ceil(columns).max(((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines));
-    let columns_used = n.div_ceil(lines_used);
-    let step = |free: f64, cell: f64, count: usize, least: f64| {
-        let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
-        most.min(cell + least.max(0.35 * cell)).max(most.min(cell + least))
-    };
-    let step_x = step(free_w, cell_w, columns_used, aisle);
-    let step_z = step(free_d, cell_d, lines_used, between);
-    // The middle of the rows, the group's own middle apart.
-    let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
-    let yaw = if toward { 180.0 } else { 0.0 };
-    let off = if toward { (front - back) / 2.0 } else { 0.0 };
-    let mut places: Vec<Pose> = (0..n)
-        .map(|i| {
-            let (column, line) = (i % columns_used, i / columns_used);
-            let in_line = columns_used.min(n - line * columns_used);
-            let x = (column as f64 - (in_line as f64 - 1.0) / 2.0) * step_x;
-            let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
-            Pose { x, y: 0.0, z, yaw }
-        })
-        .collect();
-    if let Some(ground) = &plan.ground {
-        // What stands there already, and doors, leave less.
-        let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
-        let cell = [cell_w, size[1].max(0.9), cell_d];
-        let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
-        let shape = Shape { pieces: vec![piece], free: Vec::new() };
-        places.retain(|at| ground.fits(&shape, at));
-    }
-    n = places.len();
-    plan.lacking += usize::from(plan.matters && n < wanted);
-    if n == 0 || asked.is_some() && n < wanted {
-        return false;
-    }
-    let thing = asked.unwrap_or_else(|| plan.add(noun, n, size, why));
-    let room = plan.room_name();
-    let name = plan.draft.things[thing].name.clone();
-    let each: Vec<String> = places
-        .iter()
-        .enumerate()
-        .map(|(i, at)| {
-            let element = if n > 1 { format!("{name}[{i}]") } else { name.clone() };
-            place::absolute(&element, &room, [at.x, at.y, at.z], at.yaw)
-        })
-        .collect();
-    plan.say(format!("assert {};", each.join(" and ")), why);
-    plan.take([cell_w, size[1], cell_d], n, false);
-    let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
-    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, seek: &seek };
-    if plan.ground.is_none() || !plan.place_asked(thing, &root) {
-        plan.building = None;
-        plan.surround(thing, AtWall::No, 0);
-    }
-    true
-}
-
-impl Plan<'_> {
-    /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle.
-    fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
-        let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
-        for part in groups::of(noun).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least) {
-            let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
-            let sizes = super::slots::Sizes { of, own };
-            for slot in super::slots::slots(&part.at, &sizes, &[]) {
-                if slot.level != super::slots::Level::Floor || own[1] < 0.05 {
-                    continue;
-                }
-                let turned = (slot.yaw / 90.0).round() as i64 % 2 != 0;
-                let (half_w, half_d) = if turned { (own[2] / 2.0, own[0] / 2.0) } else { (own[0] / 2.0, own[2] / 2.0) };
-                out[0] = out[0].max(half_w - slot.x);
-                out[1] = out[1].max(half_w + slot.x);
-                out[2] = out[2].max(half_d - slot.z);
-                out[3] = out[3].max(half_d + slot.z);
-            }
-        }
-        out
-    }
-}
-
-/// Nothing tall stands before a window.
-fn keep_windows_free(draft: &mut Draft, at: usize) {
-    let windows: Vec<String> = draft
-        .openings
-        .iter()
-        .filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&at))
-        .map(|o| o.name.clone())
-        .collect();
-    let tall: Vec<(String, usize, bool)> = draft
-        .things
-        .iter()
-        .filter(|t| t.room == Some(at) && t.size.is_some_and(|s| s[1] > 1.1 && s[0] * s[2] > 0.12))
-        .filter(|t| stand::on_floor(draft, t) && stand::has_back(&t.category))
-        .map(|t| (t.name.clone(), t.count, stand::placed(draft, &t.name)))
-        .collect();
-    for window in &windows {
-        for (name, count, said) in &tall {
-            let verb = if *said { "prefer" } else { "assert" };
-            let text = match count {
-                1 => format!("{verb} far({name}, {window}, 0.1);"),
-                _ => format!("{verb} forall a in {name}: far(a, {window}, 0.1);"),
-            };
-            let source = Source::Inferred("nothing tall stands before a window".into());
-            draft.statements.push(Statement::new(&text, source));
-        }
     }
 }

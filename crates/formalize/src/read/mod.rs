@@ -19,6 +19,7 @@ mod noun;
 mod number;
 mod people;
 mod rooms;
+pub(crate) mod several;
 mod talk;
 mod token;
 
@@ -76,16 +77,28 @@ pub fn brief(request: &str) -> Brief {
         let mut reader = clause::Reader::new(&tokens, &chunks, &found);
         reader.read();
         (brief, used) = (reader.brief, reader.used);
-        let fewer = rooms::fewer(&chunks, &tokens, &found);
-        brief.notes.extend(fewer.into_iter().map(|(at, reason)| Note { at, reason }));
+        for said in several::connect(&mut brief, &chunks, &tokens, &found) {
+            used[said].fill(true);
+        }
         for chunk in chunks.iter().filter(|chunk| matches!(chunk.piece, Piece::Verb(_) | Piece::Soft | Piece::There)) {
             grammar[chunk.at.clone()].fill(true);
         }
         if !reader.gone.is_empty() {
             brief.remove(&reader.gone);
         }
+        people::count(&mut brief.rooms, &tokens);
+        if let Some(whole) = found.whole {
+            // "a flat with two bedrooms for a family of four": not so many in one bedroom.
+            let people = brief.rooms.iter_mut().find_map(|room| room.people.take());
+            brief.rooms[whole].people = people;
+        }
+        brief.request = request.to_owned();
+        several::expand(&mut brief, &found.several);
+        let fewer = rooms::fewer(&chunks, &tokens, &brief.rooms);
+        brief.notes.extend(fewer.into_iter().map(|(at, reason)| Note { at, reason }));
+    } else {
+        people::count(&mut brief.rooms, &tokens);
     }
-    people::count(&mut brief.rooms, &tokens);
     let Account { clauses, words, mut notes } = account::account(&tokens, &used, &grammar, &brief.notes);
     if end < request.len() {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });

@@ -3,8 +3,8 @@
 
 use super::chunk::{Chunk, Piece};
 use super::lexicon::{Verb, get};
-use super::noun::{Det, Kind};
-use super::number::small;
+use super::noun::{Det, Kind, Np};
+use super::several::{Several, hyphen, is_home, listed, one_of};
 use super::token::Token;
 use crate::brief::{Place, Rel, Room, Source};
 use std::collections::BTreeMap;
@@ -17,14 +17,27 @@ pub struct Rooms {
     pub rooms: Vec<Room>,
     /// By the index of the chunk.
     pub spoken: BTreeMap<usize, usize>,
+    /// How many of each room there are, and whose they are.
+    pub several: Vec<Several>,
+    /// The room that has the others: "a flat with two bedrooms".
+    pub whole: Option<usize>,
+}
+
+impl Rooms {
+    fn add(&mut self, room: Room, several: Several) -> usize {
+        self.rooms.push(room);
+        self.several.push(several);
+        self.rooms.len() - 1
+    }
 }
 
 /// More rooms than this are not told apart.
-const MOST: usize = 12;
+pub(super) const MOST: usize = 12;
 
 /// Finds them.
 pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
-    let out = spoken(chunks, tokens);
+    let mut out = spoken(chunks, tokens);
+    out.several.resize(out.rooms.len(), Several::default());
     // What could be a thing as well and is no room here is a thing.
     let placed: Vec<bool> = (0..chunks.len()).map(|i| placed(chunks, i)).collect();
     for (i, chunk) in chunks.iter_mut().enumerate() {
@@ -54,13 +67,73 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
     let mut loose: Vec<(usize, String)> = Vec::new();
     let mut weak: Vec<(usize, String)> = Vec::new();
+    let listed = listed(chunks, tokens);
     for (i, chunk) in chunks.iter().enumerate() {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
+        if let Some((_, count, noun)) = listed.hyphened.as_ref().filter(|(at, ..)| *at == i) {
+            let whole = Room {
+                name: chunks[i + 1].np().map_or_else(String::new, Np::name),
+                source: Source::Stated(bytes(&chunks[i + 1])),
+                ..Room::default()
+            };
+            let whole = out.add(whole, Several::default());
+            out.whole = Some(whole);
+            out.spoken.extend([(i, whole), (i + 1, whole)]);
+            of_so_many(&mut out, *count, noun, bytes(chunk));
+            continue;
+        }
+        if listed.hyphened.is_some() && listed.container == Some(i) {
+            continue;
+        }
         let Some((n, kind)) = lexicon.room_ending(&np.words) else { continue };
         let base = np.words[np.words.len() - n..].join(" ");
         // "where guests feel at home"
         let before = chunk.at.start.checked_sub(1).map_or("", |k| tokens[k].text.as_str());
         if np.name() == "home" && np.det == Det::None && matches!(before, "at" | "from" | "feel") {
+            continue;
+        }
+        let source = Source::Stated(bytes(chunk));
+        let count = np.count.filter(|n| (2..=MOST).contains(n)).unwrap_or(1);
+        if listed.container == Some(i) && out.whole.is_none() {
+            let whole = out.add(Room { name: np.name(), source, ..Room::default() }, Several::default());
+            out.whole = Some(whole);
+            out.spoken.insert(i, whole);
+            continue;
+        }
+        if let Some(owner) = listed.rooms.get(&i) {
+            let own = owner.and_then(|chunk| out.spoken.get(&chunk).copied());
+            let known = out.rooms.iter().zip(&out.several).position(|(room, several)| {
+                own.is_none() && room.name == np.name() && several.own.is_none() && several.count >= count
+            });
+            let room = match known {
+                Some(room) => room,
+                None if out.rooms.len() < MOST => {
+                    let name = name_of(np);
+                    out.add(Room { name, source, ..Room::default() }, Several { count, own, ..Several::default() })
+                }
+                None => continue,
+            };
+            out.spoken.insert(i, room);
+            continue;
+        }
+        // "the second bedroom", of two.
+        let label = np.name();
+        let of = out.rooms.iter().zip(&out.several).position(|(room, several)| {
+            several.count > 1 && lexicon.room(&room.name).is_some_and(|known| known.name == kind.name)
+        });
+        if let Some(of) = of.filter(|_| one_of(np, n)) {
+            let known = out.several.iter().position(|several| several.label == label);
+            let named = out.several.iter().filter(|several| several.like == Some(of)).count();
+            let room = match known {
+                Some(room) => room,
+                // The first of them stands for all.
+                None if named + 1 < out.several[of].count && out.rooms.len() < MOST => {
+                    let room = Room { source, ..out.rooms[of].clone() };
+                    out.add(room, Several { like: Some(of), label, ..Several::default() })
+                }
+                None => of,
+            };
+            out.spoken.insert(i, room);
             continue;
         }
         let named = out.rooms.iter().position(|r| {
@@ -107,8 +180,9 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             && strong(chunks, i, out.rooms.is_empty() && !either)
             && (!either || titled(chunks, i))
         {
-            out.spoken.insert(i, out.rooms.len());
-            out.rooms.push(Room { name: np.name(), source: Source::Stated(bytes(chunk)), ..Room::default() });
+            let room = Room { name: name_of(np), source: Source::Stated(bytes(chunk)), ..Room::default() };
+            let room = out.add(room, Several { count, ..Several::default() });
+            out.spoken.insert(i, room);
         } else if !either {
             weak.push((i, np.name()));
         }
@@ -139,27 +213,51 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     // "the room", "the flat": the room last spoken of.
     for (i, _) in loose {
         let last = out.spoken.range(..i).next_back().map_or(0, |(_, r)| *r);
-        out.spoken.insert(i, last);
+        let whole = chunks[i].np().filter(|np| is_home(&np.name())).and(out.whole);
+        out.spoken.insert(i, whole.unwrap_or(last));
     }
     out
 }
 
-/// Rooms of which several are asked for and fewer are laid out ("two bedrooms", "a two-bedroom flat"): where that is said, and
-/// a reason for the list.
-pub fn fewer(chunks: &[Chunk], tokens: &[Token], found: &Rooms) -> Vec<(Range<usize>, String)> {
+/// What a room is called; "en-suite" is no name.
+fn name_of(np: &Np) -> String {
+    match np.words.split_first() {
+        Some((first, rest)) if first.starts_with("en") && first.ends_with("suite") && !rest.is_empty() => {
+            rest.join(" ")
+        }
+        _ => np.name(),
+    }
+}
+
+/// "two-bedroom": two of them. Of rooms in general ("a four-room flat") one is the living room, and the others are bedrooms.
+fn of_so_many(out: &mut Rooms, count: usize, noun: &str, at: Range<usize>) {
+    let source = Source::Stated(at);
+    let mut add = |name: &str, count: usize| {
+        let room = Room { name: name.to_owned(), source: source.clone(), ..Room::default() };
+        out.add(room, Several { count, ..Several::default() });
+    };
+    if noun == "room" {
+        add("living room", 1);
+        if count > 1 {
+            add("bedroom", count - 1);
+        }
+    } else {
+        add(noun, count);
+    }
+}
+
+/// Rooms of which several are asked for and fewer are laid out: where that is said, and a reason for the list.
+pub fn fewer(chunks: &[Chunk], tokens: &[Token], rooms: &[Room]) -> Vec<(Range<usize>, String)> {
     let lexicon = get();
     let kind = |name: &str| lexicon.room(name).map(|kind| &kind.name);
     let mut out = Vec::new();
     for chunk in chunks {
         let Some(np) = chunk.np().filter(|np| np.kind == Kind::Room) else { continue };
-        let hyphened = tokens[chunk.at.clone()].iter().find_map(|token| {
-            let (count, noun) = token.text.split_once('-')?;
-            Some((count.parse().ok().or_else(|| small(count).map(|n| n as usize))?, noun.to_owned()))
-        });
+        let hyphened = hyphen(np).filter(|(_, noun)| noun != "room");
         let Some((wanted, noun)) = hyphened.or_else(|| Some((np.count?, np.words.last()?.clone()))) else { continue };
         let Some(kind_wanted) = kind(&noun).filter(|_| noun != "room") else { continue };
         let is_one = |room: &&Room| room.name.rsplit(' ').next().is_some_and(|last| kind(last) == Some(kind_wanted));
-        let laid_out = found.rooms.iter().filter(is_one).count();
+        let laid_out = rooms.iter().filter(is_one).count();
         if wanted > laid_out.max(1) {
             let at = tokens[chunk.at.start].at.start..tokens[chunk.at.end - 1].at.end;
             let done = match laid_out {

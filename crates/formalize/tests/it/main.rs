@@ -4,6 +4,7 @@ mod account;
 mod arrange;
 mod brief;
 mod furnish;
+mod homes;
 mod meaning;
 mod model;
 mod read;

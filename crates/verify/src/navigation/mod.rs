@@ -16,6 +16,7 @@ use crate::tolerances::Options;
 use crate::world::World;
 use bottleneck::Tried;
 use free::{Floor, Ground, Obstacle};
+use rustc_hash::FxHashMap;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::planar::{depth_in_convex, nearest_on_segment};
 use scenelang_layout::{Obb, Prism, Vec2, inside_clearance};
@@ -39,6 +40,9 @@ const COARSE: usize = 64;
 #[derive(Debug, Default)]
 pub(crate) struct Walks(Mutex<Known>);
 
+/// A storey, the bits of the radius of a disc on it, and those of the corners of a footprint.
+type Beside = ((Option<RegionId>, u64), Vec<[u64; 2]>);
+
 /// A storey, and the radius of the widest disc on it.
 type Wide = (Option<RegionId>, f64);
 
@@ -48,6 +52,8 @@ struct Known {
     floors: Vec<(Walk, Arc<Floor>)>,
     /// The ground by storey and by the widest disc on it.
     grounds: Vec<(Wide, Arc<Tried>)>,
+    /// Which pieces of a floor are near a footprint: the same doors are asked for once for each thing.
+    near: FxHashMap<Beside, Arc<[usize]>>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
 }
@@ -82,6 +88,17 @@ impl Walks {
         self.lock().floors.push((walk, Arc::clone(&floor)));
         floor
     }
+    /// The pieces of a floor on which a disc is near a footprint.
+    fn near(&self, (storey, radius): Wide, floor: &Floor, footprint: &[Vec2]) -> Arc<[usize]> {
+        let corners = footprint.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect();
+        let key = ((storey, radius.to_bits()), corners);
+        if let Some(known) = self.lock().near.get(&key) {
+            return Arc::clone(known);
+        }
+        let found: Arc<[usize]> = floor.pieces_near(footprint, radius + NEAR, FINE).into();
+        self.lock().near.insert(key, Arc::clone(&found));
+        found
+    }
     fn tried<N: Number>(&self, world: &World<N>, storey: Option<RegionId>, radius: f64) -> Arc<Tried> {
         let key = (storey, radius);
         if let Some((_, tried)) = self.lock().grounds.iter().find(|(known, _)| *known == key) {
@@ -101,8 +118,12 @@ fn radius_of<N: Number>(world: &World<N>, width: f64) -> f64 {
 /// Whether a disc of the given diameter can move from one object to the other.
 pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f64) -> bool {
     let radius = radius_of(world, width);
-    let Some(floor) = shared_floor(world, a, b, radius, FINE) else { return false };
-    let near = |obb: &Obb| floor.pieces_near(&obb.footprint(), radius + NEAR, FINE);
+    let storey = storey(world, a);
+    if storey != self::storey(world, b) {
+        return false;
+    }
+    let floor = world.walks.floor(world, Walk { radius, corners: FINE, storey });
+    let near = |obb: &Obb| world.walks.near((storey, radius), &floor, &obb.footprint());
     let from = near(a);
     !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
 }

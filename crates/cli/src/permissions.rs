@@ -1,0 +1,64 @@
+//! What `check` says of each `allowCollide`: how far things are inside each other that may be, so that nobody has to trust a
+//! permission that hides more than it was meant for.
+
+use scenelang_lang::ast::Allow;
+use scenelang_lang::program::ObjectId;
+use scenelang_verify::rules::{collide, pairs_up_to};
+use scenelang_verify::{Checked, Options, World};
+use std::fmt::Write;
+
+/// What measuring the pairs may cost, in gaps of two boxes.
+const GAPS: usize = 2_000_000;
+/// More permissions than these are not listed.
+const MOST: usize = 20;
+
+/// The lines of a report on all permissions to collide; empty where the program has none.
+pub fn listed(checked: &Checked) -> String {
+    let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else { return String::new() };
+    let allowed: Vec<_> = program.allow.stated.iter().filter(|a| a.rule == Allow::Collide).collect();
+    if allowed.is_empty() {
+        return String::new();
+    }
+    let options = Options { tolerances: checked.report.tolerances, eta: checked.report.eta, ..Options::default() };
+    let world: World<f64> = World::new(program, layout, &options);
+    let near = pairs_up_to(&world, 0.0, GAPS);
+    let mut deep: Vec<((ObjectId, ObjectId), f64)> = Vec::new();
+    for (a, b) in near.pairs {
+        let Ok(truth) = collide::pair(&world, a, b) else { continue };
+        let depth = options.tolerances.contact - truth.margin;
+        if depth > options.tolerances.contact {
+            deep.push(((a, b), depth));
+        }
+    }
+    let mut out = String::from("Permissions to collide:\n");
+    for allowance in allowed.iter().take(MOST) {
+        let [one, other] = match &allowance.arguments[..] {
+            [all] => [all, all],
+            [one, other, ..] => [one, other],
+            [] => continue,
+        };
+        let lifts = |(a, b): &(ObjectId, ObjectId)| {
+            one.contains(a) && other.contains(b) || one.contains(b) && other.contains(a)
+        };
+        let hidden: Vec<_> = deep.iter().filter(|(pair, _)| lifts(pair)).collect();
+        let deepest = hidden.iter().copied().max_by(|(p, a), (q, b)| a.total_cmp(b).then(q.cmp(p)));
+        let says = match deepest {
+            None if near.complete => "hides nothing".to_owned(),
+            None => "too much is in one place to say what it hides".to_owned(),
+            Some(((a, b), depth)) => {
+                let name = |id: &ObjectId| program.objects[id.0 as usize].name.clone();
+                let more = match hidden.len() - 1 {
+                    0 => String::new(),
+                    1 => ", and 1 pair that is not as deep".to_owned(),
+                    n => format!(", and {n} pairs that are not as deep"),
+                };
+                format!("hides that {} and {} are {depth:.3} m inside each other{more}", name(a), name(b))
+            }
+        };
+        let _ = writeln!(out, "  {}: {says}", scenelang_base::plain::line(&allowance.text));
+    }
+    if allowed.len() > MOST {
+        let _ = writeln!(out, "  … and {} more", allowed.len() - MOST);
+    }
+    out
+}

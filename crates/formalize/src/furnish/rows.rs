@@ -1,0 +1,157 @@
+//! Things in rows: desks of a classroom, tables of a restaurant, racks, lights under a ceiling.
+
+use super::build::Root;
+use super::floor::{Floor, Piece, Pose, Shape};
+use super::plan::{AtWall, Plan, metres};
+use super::{groups, place};
+
+/// Lights spread evenly under the ceiling.
+pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
+    if plan.draft.outdoor {
+        return;
+    }
+    let [w, h, d] = plan.draft.rooms[plan.room].size;
+    let size = Plan::size(noun);
+    let outline = plan.draft.rooms[plan.room].outline.is_some();
+    let n = if outline { 1 } else { n.min(16) };
+    // Rows across the shorter side.
+    let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
+    let n = if pendant { n.max(2) } else { n };
+    let rows = ((n as f64 * d / w).sqrt().round() as usize).clamp(1, n);
+    let columns = n.div_ceil(rows);
+    // What hangs over a table in the middle has its place there.
+    let columns = if pendant && rows % 2 == 1 && columns % 2 == 1 { columns + 1 } else { columns };
+    let n = rows * columns;
+    let thing = plan.add(noun, n, size, why);
+    let room = plan.room_name();
+    let name = plan.draft.things[thing].name.clone();
+    let y = h - size[1];
+    let text = if outline {
+        format!("assert {name}.pos = vec3({room}.center.x, {room}.floor + {}, {room}.center.z);", metres(y))
+    } else if n == 1 {
+        format!("assert {};", place::absolute(&name, &room, [0.0, y, 0.0], 0.0))
+    } else {
+        let each: Vec<String> = (0..n)
+            .map(|i| {
+                let x = ((i % columns) as f64 + 0.5) / columns as f64 - 0.5;
+                let z = ((i / columns) as f64 + 0.5) / rows as f64 - 0.5;
+                place::absolute(&format!("{name}[{i}]"), &room, [x * w, y, z * d], 0.0)
+            })
+            .collect();
+        format!("assert {};", each.join(" and "))
+    };
+    plan.say(text, why);
+    let mounted = match n {
+        1 => format!("assert ceilingMounted({name}, {room});"),
+        _ => format!("assert forall a in {name}: ceilingMounted(a, {room});"),
+    };
+    plan.say(mounted, why);
+}
+
+/// Things with their groups in rows, as many as there is room for.
+/// Of things that are asked for, all or none. Whether they stand there.
+pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (&str, Option<usize>)) -> bool {
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    if plan.draft.rooms[plan.room].outline.is_some() || n == 0 {
+        return false;
+    }
+    let wanted = n;
+    let size = asked.and_then(|thing| plan.draft.things[thing].size).unwrap_or_else(|| Plan::size(noun));
+    let flat = size[1] < 0.05;
+    let [left, right, back, front] = plan.reach(noun, size);
+    let (cell_w, cell_d) = (left + right, back + front);
+    // Ways of this width between the rows and around them.
+    let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
+    let between = if flat { 0.35 } else { 0.6 };
+    let ahead = match toward {
+        true if flat => 1.3,
+        true => 2.2_f64.min(0.28 * d),
+        false => side,
+    };
+    let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
+    let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
+    let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
+    if cell_w > free_w || cell_d > free_d {
+        plan.lacking += usize::from(plan.matters);
+        return false;
+    }
+    let mut n = n.min(columns * lines);
+    // As square as the room.
+    let lines_used = n.div_ceil(columns).max(((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines));
+    let columns_used = n.div_ceil(lines_used);
+    let step = |free: f64, cell: f64, count: usize, least: f64| {
+        let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
+        most.min(cell + least.max(0.35 * cell)).max(most.min(cell + least))
+    };
+    let step_x = step(free_w, cell_w, columns_used, aisle);
+    let step_z = step(free_d, cell_d, lines_used, between);
+    // The middle of the rows, the group's own middle apart.
+    let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
+    let yaw = if toward { 180.0 } else { 0.0 };
+    let off = if toward { (front - back) / 2.0 } else { 0.0 };
+    let mut places: Vec<Pose> = (0..n)
+        .map(|i| {
+            let (column, line) = (i % columns_used, i / columns_used);
+            let in_line = columns_used.min(n - line * columns_used);
+            let x = (column as f64 - (in_line as f64 - 1.0) / 2.0) * step_x;
+            let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
+            Pose { x, y: 0.0, z, yaw }
+        })
+        .collect();
+    if let Some(ground) = &plan.ground {
+        // What stands there already, and doors, leave less.
+        let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
+        let cell = [cell_w, size[1].max(0.9), cell_d];
+        let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
+        let shape = Shape { pieces: vec![piece], free: Vec::new() };
+        places.retain(|at| ground.fits(&shape, at));
+    }
+    n = places.len();
+    plan.lacking += usize::from(plan.matters && n < wanted);
+    if n == 0 || asked.is_some() && n < wanted {
+        return false;
+    }
+    let thing = asked.unwrap_or_else(|| plan.add(noun, n, size, why));
+    let room = plan.room_name();
+    let name = plan.draft.things[thing].name.clone();
+    let each: Vec<String> = places
+        .iter()
+        .enumerate()
+        .map(|(i, at)| {
+            let element = if n > 1 { format!("{name}[{i}]") } else { name.clone() };
+            place::absolute(&element, &room, [at.x, at.y, at.z], at.yaw)
+        })
+        .collect();
+    plan.say(format!("assert {};", each.join(" and ")), why);
+    plan.take([cell_w, size[1], cell_d], n, false);
+    let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
+    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, seek: &seek };
+    if plan.ground.is_none() || !plan.place_asked(thing, &root) {
+        plan.building = None;
+        plan.surround(thing, AtWall::No, 0);
+    }
+    true
+}
+
+impl Plan<'_> {
+    /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle.
+    fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
+        let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
+        for part in groups::of(noun).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least) {
+            let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
+            let sizes = super::slots::Sizes { of, own };
+            for slot in super::slots::slots(&part.at, &sizes, &[]) {
+                if slot.level != super::slots::Level::Floor || own[1] < 0.05 {
+                    continue;
+                }
+                let turned = (slot.yaw / 90.0).round() as i64 % 2 != 0;
+                let (half_w, half_d) = if turned { (own[2] / 2.0, own[0] / 2.0) } else { (own[0] / 2.0, own[2] / 2.0) };
+                out[0] = out[0].max(half_w - slot.x);
+                out[1] = out[1].max(half_w + slot.x);
+                out[2] = out[2].max(half_d - slot.z);
+                out[3] = out[3].max(half_d + slot.z);
+            }
+        }
+        out
+    }
+}

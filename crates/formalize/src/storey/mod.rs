@@ -1,0 +1,207 @@
+//! The plan of a storey: several rooms in a compact outline, each reached from the one that leads to the others, pipes
+//! beside pipes, every room but a hall at an outer wall. Doors that nobody asked for are added where they are needed.
+//!
+//! A size that the request gives is never changed; the other rooms get sizes that such rooms have in a home, from
+//! `data/kinds.txt`.
+
+mod cost;
+mod rows;
+mod search;
+
+use crate::arrange::arrange_rooms;
+use crate::brief::{Brief, Look, Room as Asked};
+use crate::draft::{Draft, Opening, OpeningKind, Source};
+use crate::furnish::kinds::{self, Kind};
+use crate::names::Names;
+use cost::{bounds, ways};
+use rows::Cell;
+
+/// More rooms than these are placed one by one.
+const MOST: usize = 14;
+/// A kitchen of a home has a wall so long (metres): a stove, a sink, a counter and a fridge stand at it.
+const RUN: f64 = 4.0;
+/// The doors that are added (metres), and why.
+const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
+const WHY: &str = "one has to get from room to room";
+
+/// Places the rooms of a draft, and adds the doors between them that are missing.
+pub fn lay_out(draft: &mut Draft, brief: &Brief, names: &mut Names) {
+    if !planned(draft, brief, names) {
+        chain(draft, names);
+        arrange_rooms(draft);
+    }
+}
+
+/// The room that leads to the others: of the rooms that people pass through, a hall before a living room before others.
+pub fn hub(rooms: &[&str]) -> usize {
+    let rank = |name: &str| passage(kinds::of(name).map_or("", |kind| kind.name));
+    (0..rooms.len()).min_by_key(|room| (rank(rooms[*room]), *room)).unwrap_or(0)
+}
+
+/// How well a kind of room leads to others; more: worse.
+fn passage(kind: &str) -> usize {
+    const BEST: [&[&str]; 6] = [
+        &["hallway"],
+        &["reception", "shopping mall", "waiting room"],
+        &["living room", "apartment"],
+        &[
+            "open-plan office",
+            "office",
+            "shop",
+            "restaurant",
+            "cafe",
+            "library",
+            "warehouse",
+            "factory hall",
+            "gallery",
+        ],
+        &["dining room"],
+        &["kitchen", "break room", "conservatory"],
+    ];
+    BEST.iter().position(|kinds| kinds.contains(&kind)).unwrap_or(BEST.len())
+}
+
+/// Whether people pass through such rooms.
+pub fn is_passage(room: &str) -> bool {
+    kinds::of(room).is_some_and(|kind| passage(kind.name) < 6)
+}
+
+/// The doors between two rooms.
+fn links(draft: &Draft) -> Vec<(usize, usize)> {
+    let inner = draft.openings.iter().filter(|o| o.kind == OpeningKind::Door);
+    inner
+        .filter_map(|o| match o.rooms[..] {
+            [a, b] if a != b => Some((a, b)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Whether doors join all rooms already.
+fn joined(count: usize, links: &[(usize, usize)]) -> bool {
+    let mut with = vec![false; count];
+    with[0] = true;
+    for _ in 0..count {
+        for (a, b) in links {
+            let any = with[*a] || with[*b];
+            (with[*a], with[*b]) = (any, any);
+        }
+    }
+    with.iter().all(|with| *with)
+}
+
+fn planned(draft: &mut Draft, brief: &Brief, names: &mut Names) -> bool {
+    let count = draft.rooms.len();
+    if !(2..=MOST).contains(&count) || draft.rooms.iter().any(|room| room.outline.is_some()) {
+        return false;
+    }
+    let links = links(draft);
+    let said = |room: &Asked| room.size[0].is_some() || room.size[2].is_some() || room.area.is_some();
+    if links.iter().any(|(a, b)| *a >= count || *b >= count) || joined(count, &links) && brief.rooms.iter().any(said) {
+        return false;
+    }
+    let rooms: Vec<&str> = brief.rooms.iter().map(|room| room.name.as_str()).collect();
+    let hub = hub(&rooms);
+    let cells = cells(draft, brief, hub, &links);
+    let Some(found) = search::search(&cells, hub, &links) else { return false };
+    let ways = ways(&cells, &found.rects, hub, &links);
+    if ways.unmet + ways.unreached > 0 {
+        return false;
+    }
+    let [low, size] = bounds(&found.rects);
+    let height = draft.rooms.iter().map(|room| room.size[1]).fold(0.0, f64::max);
+    for (at, rect) in found.rects.iter().enumerate() {
+        let room = &mut draft.rooms[at];
+        room.at = [0, 1].map(|k| rounded(rect.low[k] + rect.size[k] / 2.0 - low[k] - size[k] / 2.0));
+        (room.size[0], room.size[2]) = (rect.size[0], rect.size[1]);
+        if brief.rooms[at].size[1].is_none() {
+            room.size[1] = height;
+        }
+    }
+    for (from, to) in ways.doors {
+        add_door(draft, names, from, to);
+    }
+    true
+}
+
+fn rounded(metres: f64) -> f64 {
+    (metres * 1e4).round() / 1e4
+}
+
+fn add_door(draft: &mut Draft, names: &mut Names, from: usize, to: usize) {
+    let ceiling = draft.rooms[from].size[1].min(draft.rooms[to].size[1]);
+    draft.openings.push(Opening {
+        name: names.take("door"),
+        kind: OpeningKind::Door,
+        rooms: vec![from, to],
+        size: [DOOR[0], DOOR[1].min(ceiling - 0.1), DOOR[2]],
+        look: Look::default(),
+        source: Source::Inferred(WHY.into()),
+    });
+}
+
+/// Rooms that no door joins to another get one to the room before them.
+fn chain(draft: &mut Draft, names: &mut Names) {
+    for room in 1..draft.rooms.len() {
+        if !links(draft).iter().any(|(a, b)| *a == room || *b == room) {
+            add_door(draft, names, room - 1, room);
+        }
+    }
+}
+
+/// What the plan has to know of the rooms.
+fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> Vec<Cell> {
+    let kind = |room: usize| kinds::of(&brief.rooms[room].name);
+    let home = (0..brief.rooms.len()).all(|room| kind(room).is_some_and(|kind| kind.home.is_some()));
+    let is = |room: usize, names: &[&str]| kind(room).is_some_and(|kind| names.contains(&kind.name));
+    let mut out = Vec::new();
+    for room in 0..draft.rooms.len() {
+        let [w, _, d] = draft.rooms[room].size;
+        let asked = &brief.rooms[room];
+        let given = asked.size[0].is_some() || asked.size[2].is_some() || asked.area.is_some();
+        let (area, side) = match kind(room).and_then(|kind| Some((kind, kind.home?))) {
+            Some((kind, usual)) if home => at_home(draft, asked, room, (kind, usual)),
+            _ => ([w * d, 1.25 * w * d], 0.75 * w.min(d)),
+        };
+        let wet = is(room, &["kitchen", "bathroom", "public toilets", "laundry room"]);
+        let widest = draft.things.iter().filter(|thing| thing.room == Some(room));
+        let widest = widest.filter_map(|thing| thing.size).map(|size| size[0].max(size[2])).fold(0.0, f64::max);
+        let kitchen = is(room, &["kitchen"]);
+        let long = if kitchen && home { RUN } else { side };
+        let mut with = links.iter().filter(|(a, b)| *a == room || *b == room);
+        let own = match (with.next(), with.next()) {
+            (Some((a, b)), None) if wet || is(room, &["walk-in closet"]) => Some(if *a == room { *b } else { *a }),
+            _ => None,
+        };
+        out.push(Cell {
+            area,
+            sides: [side, long.max(widest + 0.3)],
+            fixed: given.then_some([w, d]),
+            private: !is_passage(&asked.name) && room != hub,
+            wet,
+            hall: is(room, &["hallway"]),
+            kitchen,
+            shared: is(room, &["living room", "dining room"]),
+            own: own.filter(|own| *own != hub && !is_passage(&brief.rooms[*own].name)),
+        });
+    }
+    out
+}
+
+/// How large a room is in a home (square metres, and at most), and its shorter side: as its kind says, more where more is
+/// asked for.
+fn at_home(
+    draft: &Draft,
+    asked: &Asked,
+    room: usize,
+    (kind, [area, most, side]): (&Kind, [f64; 3]),
+) -> ([f64; 2], f64) {
+    let floor = |[w, _, d]: [f64; 3]| w * d;
+    let usual = asked.usual.map_or(floor(kind.size), floor);
+    let said = usual / floor(kind.size);
+    let is = floor(draft.rooms[room].size);
+    // What stands in it by request needs more than such rooms have.
+    let needed = if is > 1.1 * usual { 0.75 * is } else { 0.0 };
+    let area = (area * said).max(needed);
+    ([area, (most * said).max(area * 1.15)], side * said.clamp(0.85, 1.3).sqrt())
+}
