@@ -489,6 +489,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                     || counted
                     || used > start
                     || !np.which.is_empty()
+                    // "hangs from ceiling"
+                    || listed && matches!(w, "ceiling" | "wall" | "floor" | "corner" | "center" | "centre")
                     || matches!(w, "walls" | "corners" | "rows"))
         });
         if WHICH.contains(&w) && leads_to_place(&rest[used..]) {

@@ -106,23 +106,8 @@ impl Named<'_> {
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
             Rel::Beside | Rel::Sides if ga == Group::Drape => out.push(format!("{verb} {};", pairs(&far(0.3)))),
             Rel::Beside | Rel::Sides => {
-                let both = rel == Rel::Sides && self.counts[a] == 2 * m;
-                if both && self.array(a) && a != b {
-                    let side = |x: &str, i: usize, y: &str| {
-                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "seenLeftOf" } else { "seenRightOf" })
-                    };
-                    let text = if m == 1 {
-                        (0..2)
-                            .map(|i| side(&format!("{}[{i}]", self.name(a)), i, self.name(b)))
-                            .collect::<Vec<_>>()
-                            .join(" and ")
-                    } else {
-                        let (of, to) = (self.name(a), format!("{}[i]", self.name(b)));
-                        format!(
-                            "forall i in 0..{m}: {}",
-                            (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect::<Vec<_>>().join(" and ")
-                        )
-                    };
+                let both = if rel == Rel::Sides { self.both_sides(a, b) } else { None };
+                if let Some(text) = both {
                     out.push(format!("{verb} {text};"));
                 } else if self.counts[a] > 2 && m == 1 {
                     // Three things have no room at two sides.
@@ -231,22 +216,50 @@ impl Named<'_> {
                     && wide <= self.sizes[b][0].max(self.sizes[a][0])
                 {
                     out.push(format!("{verb} {};", pairs(&call("over"))));
+                } else if rel == Rel::Above && !matches!(gb, Group::Door | Group::Window) {
+                    // Several share the width: the middle of each is above it.
+                    out.push(format!(
+                        "{verb} {};",
+                        pairs(&|x, y| format!("abs(dot({x}.center - {y}.center, {y}.right)) <= {y}.size.x / 2"))
+                    ));
                 }
             }
             Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
         }
     }
 
+    /// Twice as many of one as of the other: one at each side.
+    pub fn both_sides(&self, a: usize, b: usize) -> Option<String> {
+        let m = self.counts[b];
+        if self.counts[a] != 2 * m || !self.array(a) || a == b {
+            return None;
+        }
+        let side = |x: &str, i: usize, y: &str| {
+            format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "seenLeftOf" } else { "seenRightOf" })
+        };
+        let of = self.name(a);
+        Some(if m == 1 {
+            let each: Vec<String> = (0..2).map(|i| side(&format!("{of}[{i}]"), i, self.name(b))).collect();
+            each.join(" and ")
+        } else {
+            let to = format!("{}[i]", self.name(b));
+            let each: Vec<String> = (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect();
+            format!("forall i in 0..{m}: {}", each.join(" and "))
+        })
+    }
+
     /// Whether a thing stands on the floor and is as high as people.
     pub fn tall(&self, item: usize) -> bool {
         let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
-        let lamp = self.brief.things[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
+        let words = &self.brief.things[item].words;
+        let stands = words.iter().any(|w| matches!(w.as_str(), "floor" | "standing" | "tripod" | "arc"));
+        let lamp = !stands && words.last().is_some_and(|w| w == "lamp" || w == "light");
         let [w, h, d] = self.sizes[item];
         !lamp
             && matches!(self.group(item), Group::Floor | Group::Storage | Group::Bed | Group::Table | Group::Seat)
             && !up
             && h >= 1.2
-            && w * d >= 0.15
+            && (stands || w * d >= 0.15)
     }
 
     /// How far "near" reaches: a metre, and as far as a group of so many extends.

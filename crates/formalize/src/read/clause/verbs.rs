@@ -44,7 +44,38 @@ impl Reader<'_> {
             }
             _ => false,
         };
-        i > 0 && joined(&self.chunks[i - 1]) && self.stands_next(i, end)
+        i > 0 && joined(&self.chunks[i - 1]) && (self.stands_next(i, end) || self.elsewhere(i, end))
+    }
+
+    /// Whether what comes after a comma in a list of what another has says of itself where it is, and that has nothing
+    /// to do with the other: "a shelf holding a book, and a lamp near the window".
+    fn elsewhere(&self, i: usize, end: usize) -> bool {
+        let Expect::With(owner, _) = &self.s.expect else { return false };
+        let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != Piece::And);
+        if comma != Some(&Piece::Comma) || self.s.each || self.s.owned.is_empty() {
+            return false;
+        }
+        let mut k = i + 1;
+        while matches!(
+            self.piece(k, end),
+            Some(Piece::Attr(_) | Piece::Word(false) | Piece::Verb(Verb::Be | Verb::Hang))
+        ) {
+            k += 1;
+        }
+        match self.piece(k, end) {
+            Some(Piece::Rel(rel)) if !matches!(rel, Rel::Of | Rel::To | Rel::From | Rel::Than) => {}
+            _ => return false,
+        }
+        let Some(np) = self.np(k + 1, end) else { return false };
+        match np.kind {
+            Kind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
+            Kind::Thing if get().part(&np.head()) || np.det == Det::Own => false,
+            Kind::Thing => match self.find(np) {
+                Some(found) => !owner.contains(&found) && !self.s.owned.contains(&found),
+                None => np.known,
+            },
+            _ => false,
+        }
     }
 
     /// Whether a noun phrase begins here that a finite verb follows.
@@ -94,6 +125,9 @@ impl Reader<'_> {
                 }
                 // "not all chairs", "not every desk": of some it does not hold, and nobody says of which.
                 ("not", "all" | "every" | "each" | "both" | "everything") => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
+                ("only", _) if self.narrows(i, end) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
@@ -251,8 +285,11 @@ impl Reader<'_> {
             Verb::Face => self.s.expect = Expect::Object(Rel::Facing),
             Verb::Light => {
                 let passive = self.tokens[self.chunks[i].at.start].is("lit") || self.chunks[i].at.len() > 1;
+                // What stands on the floor gives light from beside.
+                let high = self.main.iter().all(|o| self.brief.things[*o].group == Group::Ceiling);
+                let from = if high || self.main.is_empty() { Rel::Above } else { Rel::Near };
                 self.s.expect =
-                    if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(Rel::Above) };
+                    if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(from) };
             }
             Verb::Cover => self.s.expect = Expect::Object(Rel::On),
             Verb::Hang => {
