@@ -72,12 +72,26 @@ impl Reader<'_> {
     pub(super) fn on_its(&mut self, i: usize, end: usize, rel: Rel) {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
         let many = text.contains(&"them");
+        if matches!(rel, Rel::LeftOf | Rel::RightOf) && !text.iter().any(|w| matches!(*w, "its" | "their")) {
+            let which = if rel == Rel::LeftOf { "left" } else { "right" };
+            let of = if self.s.subject { self.subject(i) } else { vec![] };
+            if self.side_of_room(i, &of, which) {
+                return;
+            }
+        }
         // "they flank the desk on the left and right": that is said already.
-        let again = matches!(&self.s.last, Some((_, Rel::Sides | Rel::Beside, _)));
+        let again = matches!(&self.s.last, Some((_, Rel::Sides, _)));
         if again && self.sides(i) {
             return;
         }
-        let object = if rel == Rel::Between {
+        // "two bottles and a jug to their right": of the bottles.
+        let listed = match self.s.owned.as_slice() {
+            [.., many, last] if self.near == [*last] && self.brief.things[*many].number.many() => Some(*many),
+            _ => None,
+        };
+        let object = if let (Some(many), true) = (listed, text.contains(&"their")) {
+            vec![many]
+        } else if rel == Rel::Between {
             let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
             let list = match &self.s.expect {
                 // "two sofas with a table between them"
@@ -134,12 +148,7 @@ impl Reader<'_> {
         // "a lamp and a chair placed beside it": of the chair.
         let reduced = i > 0 && self.reduced(i - 1).is_some();
         let of = if reduced { of } else { self.all_owned(i, &object).unwrap_or(of) };
-        if matches!(rel, Rel::LeftOf | Rel::RightOf) && !text.iter().any(|w| matches!(*w, "its" | "their")) {
-            let which = if rel == Rel::LeftOf { "left" } else { "right" };
-            if self.side_of_room(i, &of, which) {
-                return;
-            }
-        }
+
         if let Some(m) = self.s.pending.take() {
             if rel == Rel::Between {
                 self.measured(&of, rel, &object, &m, false);

@@ -601,6 +601,9 @@ impl<'a> Reader<'a> {
         if i > 0 && self.reduced(i - 1).is_some() && (!self.s.each || matches!(self.s.expect, Expect::With(..))) {
             return self.near.clone();
         }
+        if i > 0 && self.last_listed(i - 1).is_some() {
+            return self.near.clone();
+        }
         let after_comma =
             i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
         let owned = matches!(self.s.expect, Expect::With(..));

@@ -28,6 +28,20 @@ impl Reader<'_> {
         (participle && !self.main.is_empty() && !self.main.contains(&last) && !self.main.contains(&own)).then_some(last)
     }
 
+    /// "a bed, a desk, and a lamp placed near the window": of a list with commas, a participle is said of the last.
+    pub(super) fn last_listed(&self, i: usize) -> Option<usize> {
+        if !matches!(self.chunks[i].piece, Piece::Verb(_)) {
+            return None;
+        }
+        let word = self.tokens[self.chunks[i].at.start].text.as_str();
+        let participle = word.ends_with("ing") || word.ends_with("ed") || word == "set";
+        let np = self.np(i.checked_sub(1)?, i).filter(|np| np.kind == Kind::Thing)?;
+        let before = self.chunks[self.s.chunks.start..i - 1].iter().rev().map(|c| &c.piece).find(|p| **p != Piece::And);
+        let last = self.main.last().copied().filter(|o| self.brief.things[*o].words == np.words)?;
+        let first = !self.s.listed && !self.s.of_room;
+        (participle && !first && self.main.len() > 1 && before == Some(&Piece::Comma)).then_some(last)
+    }
+
     /// Who has what comes: doors and windows have curtains and nothing else.
     pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
         let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
@@ -255,7 +269,8 @@ impl Reader<'_> {
             Verb::Be | Verb::Keep => {
                 self.s.verb = true;
                 if !self.main.is_empty() && self.s.subject && reduced.is_none() {
-                    self.near = self.main.clone();
+                    let last = self.last_listed(i);
+                    self.near = last.map_or_else(|| self.main.clone(), |last| vec![last]);
                 }
                 if verb == Verb::Keep {
                     self.s.expect = Expect::Nothing;
