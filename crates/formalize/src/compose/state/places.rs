@@ -198,12 +198,16 @@ impl Named<'_> {
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
-                    let other = self.brief.facts[..k].iter().rev().find(|f| {
-                        !f.of.contains(&a)
-                            && matches!(f.what, What::Place(_, Place::Wall, _))
-                            && self.brief.things[f.of[0]].room == self.brief.things[a].room
-                    })?;
-                    let b = self.elements(other.of[0]).first()?.clone();
+                    let here = |b: usize| b != a && self.brief.things[b].room == self.brief.things[a].room;
+                    let other = self.brief.facts[..k].iter().rev().find_map(|f| {
+                        let at_wall = matches!(f.what, What::Place(_, Place::Wall, _)) && !f.of.contains(&a);
+                        f.of.first().copied().filter(|b| at_wall && here(*b))
+                    });
+                    // Opposite to what was spoken of before, if nothing was said of a wall.
+                    let stands = |b: &usize| {
+                        here(*b) && matches!(self.group(*b), Group::Bed | Group::Seat | Group::Table | Group::Storage)
+                    };
+                    let b = self.elements(other.or_else(|| (0..a).find(stands))?).first()?.clone();
                     let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
                     return Some(self.all(a, |x| format!("dot({x}.front, {b}.front) {test}")));
                 }

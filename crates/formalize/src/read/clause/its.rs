@@ -136,6 +136,12 @@ impl Reader<'_> {
                 (before, _) => before.to_vec(),
             }
         };
+        // "it" is one thing, the last of those that were named together.
+        let one = text.contains(&"it") && !text.iter().any(|w| matches!(*w, "them" | "their"));
+        let object = match object.as_slice() {
+            [.., last] if one && rel != Rel::Between => vec![*last],
+            _ => object,
+        };
         let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
         let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
         if object.is_empty() {

@@ -87,6 +87,11 @@ impl Reader<'_> {
             self.s.expect = Expect::Nothing;
         }
         let said_of = if led || verbal { self.subject(i) } else { said_of };
+        // "a rug near the door, beneath the sofa": a door is beneath nothing.
+        let opening = |l: &[usize]| l.iter().all(|o| self.brief.things[*o].opening());
+        let moved = !self.main.is_empty() && opening(&said_of) && !opening(&self.main);
+        let said_of =
+            if moved && matches!(object, Lead::Items(..)) && self.s.subject { self.main.clone() } else { said_of };
         let of = match &object {
             // "with a lamp and a chair placed beside the table": of the chair.
             Lead::Items(items, _) if !reduced || rel == Rel::On => self.all_owned(i, items).unwrap_or(said_of),

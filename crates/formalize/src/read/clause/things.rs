@@ -503,7 +503,8 @@ impl Reader<'_> {
         }
         self.s.not |= np.det == Det::No;
         // "for bottle storage": no thing.
-        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for");
+        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for")
+            || i > 0 && np.words == ["light"] && self.tokens[chunks[i].at.start - 1].is("to");
         // Nor is light that is cast: "provides soft light".
         let purpose = purpose
             || matches!(np.words.last().map(String::as_str), Some("light" | "lighting" | "illumination" | "glow"))

@@ -66,7 +66,7 @@ impl Reader<'_> {
     fn elsewhere(&self, i: usize, end: usize) -> bool {
         let Expect::With(owner, _) = &self.s.expect else { return false };
         let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != Piece::And);
-        if comma != Some(&Piece::Comma) || self.s.each || self.s.owned.is_empty() {
+        if comma != Some(&Piece::Comma) || self.s.each {
             return false;
         }
         let mut k = i + 1;
@@ -83,10 +83,14 @@ impl Reader<'_> {
         let Some(np) = self.np(k + 1, end) else { return false };
         match np.kind {
             Kind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
-            Kind::Thing if get().part(&np.head()) || np.det == Det::Own => false,
-            Kind::Thing => match self.find(np) {
-                Some(found) => !owner.contains(&found) && !self.s.owned.contains(&found),
-                None => np.known,
+            Kind::Thing if np.det == Det::Own => false,
+            // What was named before its owner, and is not what it has.
+            Kind::Thing => match (self.find(np), owner.last()) {
+                (Some(found), Some(of)) => {
+                    let at = |o: usize| self.brief.things[o].source.at().start;
+                    !owner.contains(&found) && at(found) < at(*of)
+                }
+                _ => np.known && !get().part(&np.head()),
             },
             _ => false,
         }
