@@ -138,8 +138,9 @@ impl Reader<'_> {
         };
         // "it" is one thing, the last of those that were named together.
         let one = text.contains(&"it") && !text.iter().any(|w| matches!(*w, "them" | "their"));
+        let single = |o: &&usize| !self.brief.things[**o].number.many();
         let object = match object.as_slice() {
-            [.., last] if one && rel != Rel::Between => vec![*last],
+            [.., last] if one && rel != Rel::Between => vec![*object.iter().rfind(single).unwrap_or(last)],
             _ => object,
         };
         let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));

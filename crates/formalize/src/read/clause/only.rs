@@ -12,6 +12,17 @@ impl Reader<'_> {
         let there = i > self.s.chunks.start
             && matches!(self.chunks[i - 1].piece, Piece::With | Piece::There | Piece::Verb(Verb::Have))
             && self.np(i + 1, end).is_some();
+        // "I only need a desk with a lamp", "one door only"
+        let need = matches!(self.piece(i + 1, end), Some(Piece::Verb(Verb::Be | Verb::Have)))
+            && self.np(i + 2, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
+        let stops = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+        let from = (self.s.chunks.start..i).rev().find(stops).unwrap_or(self.s.chunks.start);
+        let to = (i + 1..end).find(stops).unwrap_or(end);
+        let relates = |c: &Chunk| {
+            matches!(c.piece, Piece::Rel(_) | Piece::ToIts(_) | Piece::Pattern(_) | Piece::With | Piece::Measure(_))
+                || matches!(c.piece, Piece::Verb(verb) if !matches!(verb, Verb::Be | Verb::Lead))
+        };
+        let there = there || need || !self.chunks[from..to].iter().any(relates);
         !counts && !there && !matches!(before, "not" | "the") && self.some_only(i, end).is_none()
     }
 
