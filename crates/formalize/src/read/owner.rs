@@ -49,7 +49,7 @@ fn phrase(tokens: &[Token], i: usize) -> Option<(usize, usize)> {
         return None;
     }
     let mut to = i + 1;
-    while word(to).is_some_and(|t| BEFORE.contains(&t.text.as_str())) && word(to + 1).is_some_and(|t| place(t)) {
+    while word(to).is_some_and(|t| BEFORE.contains(&t.text.as_str())) && word(to + 1).is_some_and(place) {
         to += 1;
     }
     word(to).filter(|t| place(t))?;
