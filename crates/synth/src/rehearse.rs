@@ -138,7 +138,9 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             return Tried::Spent;
         }
         // What was added goes before anything that was asked for.
-        if left_out < PATIENT && draft.leave_out(&at_odds(program, &outcome)) {
+        let groups = at_odds(program, &outcome);
+        let groups: Vec<Vec<String>> = groups.into_iter().map(|group| with_fixed(draft, group)).collect();
+        if left_out < PATIENT && draft.leave_out(&groups) {
             left_out += 1;
             last = None;
             continue;
@@ -154,6 +156,12 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
         }
         if squeeze(draft, program, &outcome) || let_out(draft, program, &outcome) {
             last = Some(outcome.layout);
+            continue;
+        }
+        // The rest of what was added may be in the way where no statement says so.
+        if left_out <= PATIENT && draft.leave_out_all() {
+            left_out = PATIENT + 1;
+            last = None;
             continue;
         }
         let given_up = in_the_way(draft, program, &outcome);
@@ -185,6 +193,19 @@ fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
         groups.extend(outcome.in_the_way.iter().map(|c| of(*c)));
     }
     groups
+}
+
+/// Some names, and those of what was added at a fixed place beside them: a nightstand is in the way of a corner for its bed.
+fn with_fixed(draft: &Draft, mut group: Vec<String>) -> Vec<String> {
+    let of = |name: &str, text: &str| text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == name);
+    let own = group.clone();
+    for statement in draft.statements.iter().filter(|s| s.text.contains(".pos = ")) {
+        if own.iter().any(|name| of(name, &statement.text)) {
+            let things = draft.things.iter().filter(|t| of(&t.name, &statement.text));
+            group.extend(things.map(|t| t.name.clone()));
+        }
+    }
+    group
 }
 
 /// Rooms in which something finds no place: it stands in the way of another, or not in its room.
@@ -370,6 +391,17 @@ mod tests {
         assert!(holds && untried.contains("and clear(door, front, 0.95)"), "{untried}");
         assert!(write(&draft).contains("prefer clear(door, front, 0.95)"), "{}", write(&draft));
         assert!(draft.notes.iter().all(|note| note.reason != REASON), "{:?}", draft.notes);
+    }
+
+    #[test]
+    fn what_was_added_goes_before_anything_that_was_asked_for() {
+        let request =
+            "A bedroom with a king-size bed in the corner of the room, two large armchairs, and a floor lamp.";
+        let mut draft = read(request, &Options::default()).draft;
+        assert_eq!(rehearse(&mut draft, &Stop::default(), &mut |_| ()), Tried::Holds);
+        let demanded = |s: &&scenelang_formalize::draft::Statement| s.demand == Demand::Must;
+        let corner = draft.statements.iter().filter(demanded).any(|s| s.text.contains("inCorner(bed"));
+        assert!(corner, "{}", write(&draft));
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod gaps;
 mod places;
 mod relations;
 mod rows;
+mod said;
 
 use crate::brief::{Brief, Dim, Fact, Group, Op, Place, Rel, Side, What};
 use crate::draft::{Note, Source, Statement};

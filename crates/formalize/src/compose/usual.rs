@@ -87,6 +87,16 @@ pub fn usual(named: &Named, out: &mut Stated) {
             }
             _ => {}
         }
+        for fact in brief.facts.iter().filter(|f| f.of.contains(&a) && !f.not && !f.soft) {
+            let What::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
+            let [b] = to[..] else { continue };
+            if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(a, b)) {
+                out.infer(format!("prefer {sides};"), "a pair stands at both sides");
+            } else if *rel == Rel::Opposite {
+                let near = named.pairs(a, b, &|x, y| format!("near({x}, {y}, 4)"));
+                out.infer(format!("prefer {near};"), "what is across from a thing is in sight of it");
+            }
+        }
         if above && lamp && !held && !placed && !measured && matches!(item.group, Group::Floor | Group::Top) {
             out.infer(mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
         } else if above

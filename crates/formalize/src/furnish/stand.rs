@@ -8,7 +8,7 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 33] = [
+const KIN: [&[&str]; 37] = [
     &["tv", "television", "screen", "monitor", "display"],
     &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
     &["nightstand", "bedside table", "night table", "bedside cabinet"],
@@ -25,6 +25,10 @@ const KIN: [&[&str]; 33] = [
     &["desk lamp", "table lamp", "bedside lamp"],
     &["cabinet", "cupboard", "sideboard"],
     &["chest of drawers", "dresser", "drawer", "drawer unit", "chest"],
+    &["office chair", "desk chair", "task chair", "swivel chair", "ergonomic chair", "gaming chair", "executive chair"],
+    &["lab stool", "swivel stool", "work stool"],
+    &["dining table", "kitchen table", "farmhouse table", "trestle table", "bistro table", "pedestal table"],
+    &["coffee table", "low table"],
     &["armchair", "lounge chair", "recliner", "easy chair"],
     &["washing machine", "washer"],
     &["computer", "laptop", "pc"],
@@ -122,6 +126,9 @@ mod tests {
             ("desk lamp", "desk", false),
             ("laptop", "computer", true),
             ("office chair", "chair", true),
+            ("office chair", "swivel chair", true),
+            ("office chair", "dining chair", false),
+            ("kitchen table", "farmhouse table", true),
             ("tv stand", "tv", false),
             ("plant", "plant stand", false),
         ] {

@@ -114,11 +114,15 @@ const FIXED: &[(&str, Piece)] = &[
     ("to their left", Piece::ToIts(Rel::LeftOf)),
     ("on its left side", Piece::ToIts(Rel::LeftOf)),
     ("to the left", Piece::ToIts(Rel::LeftOf)),
+    ("on the left", Piece::ToIts(Rel::LeftOf)),
+    ("on the left side", Piece::ToIts(Rel::LeftOf)),
     ("to its right", Piece::ToIts(Rel::RightOf)),
     ("on its right", Piece::ToIts(Rel::RightOf)),
     ("to their right", Piece::ToIts(Rel::RightOf)),
     ("on its right side", Piece::ToIts(Rel::RightOf)),
     ("to the right", Piece::ToIts(Rel::RightOf)),
+    ("on the right", Piece::ToIts(Rel::RightOf)),
+    ("on the right side", Piece::ToIts(Rel::RightOf)),
     ("in its front", Piece::ToIts(Rel::InFrontOf)),
     ("beside it", Piece::ToIts(Rel::Beside)),
     ("next to it", Piece::ToIts(Rel::Beside)),
@@ -199,6 +203,9 @@ const FIXED: &[(&str, Piece)] = &[
     ("one after another", Piece::Pattern(Pattern::Row)),
     ("in a neat row", Piece::Pattern(Pattern::Row)),
     ("in a long row", Piece::Pattern(Pattern::Row)),
+    ("on the left and right", Piece::ToIts(Rel::Beside)),
+    ("to the left and right", Piece::ToIts(Rel::Beside)),
+    ("on the left and the right", Piece::ToIts(Rel::Beside)),
     ("at either end", Piece::ToIts(Rel::Beside)),
     ("at both ends", Piece::ToIts(Rel::Beside)),
     ("at each end", Piece::ToIts(Rel::Beside)),
@@ -373,7 +380,11 @@ pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
         |t: &&Token| get().is(&t.text, Class::Def) || get().is(&t.text, Class::Det) || get().is(&t.text, Class::Each);
     let takes_object =
         matches!(rest[best.1 - 1].text.as_str(), "underneath" | "between" | "top") && next.filter(follows).is_some();
-    if open || takes_object {
+    // "on the left wall", "to the right half"
+    let names =
+        |t: &&Token| matches!(t.text.as_str(), "wall" | "side" | "half" | "corner" | "hand" | "end" | "edge" | "part");
+    let of_side = matches!(rest[best.1 - 1].text.as_str(), "left" | "right") && next.filter(names).is_some();
+    if open || takes_object || of_side {
         return None;
     }
     Some((best.0.clone(), best.1))

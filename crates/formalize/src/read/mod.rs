@@ -17,6 +17,7 @@ pub(crate) mod lexicon;
 mod measure;
 mod noun;
 mod number;
+mod owner;
 mod people;
 mod rooms;
 pub(crate) mod several;
@@ -68,6 +69,7 @@ pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
     let answers = talk::turns(&mut tokens);
+    owner::places(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
     let mut used = vec![false; tokens.len()];
     let mut grammar = vec![false; tokens.len()];

@@ -489,6 +489,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
                     || counted
                     || used > start
                     || !np.which.is_empty()
+                    // "hangs from ceiling"
+                    || listed && matches!(w, "ceiling" | "wall" | "floor" | "corner" | "center" | "centre")
                     || matches!(w, "walls" | "corners" | "rows"))
         });
         if WHICH.contains(&w) && leads_to_place(&rest[used..]) {
@@ -539,7 +541,8 @@ pub fn noun_phrase(rest: &[Token], listed: bool) -> Option<(Np, usize)> {
             noun_end = used;
             continue;
         }
-        if lexicon.is(w, Class::Stop) && lexicon.is(w, Class::Abstract) && !nouns.is_empty() {
+        let adverb = matches!(w, "anywhere" | "everywhere" | "somewhere" | "elsewhere");
+        if (lexicon.is(w, Class::Stop) && lexicon.is(w, Class::Abstract) || adverb) && !nouns.is_empty() {
             break;
         }
         // "a lamp shaped like …", "a board made …": after the noun a clause of its own begins.

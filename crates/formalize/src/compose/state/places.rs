@@ -69,7 +69,7 @@ impl Named<'_> {
                     say(text);
                 }
             }
-            Place::Corner if !matches!(group, Group::Ceiling | Group::Top) => {
+            Place::Corner if group != Group::Ceiling && (group != Group::Top || !self.carried_at_all(a)) => {
                 // A corner is for one: what comes when all are taken is near one at best.
                 let free = 4_usize.saturating_sub(self.corners_before(k, a));
                 let taken = self.elements(a);
@@ -116,7 +116,9 @@ impl Named<'_> {
             Place::Ceiling => say(self.all(a, |x| format!("ceilingMounted({x}, {room})"))),
             Place::Floor => say(self.all(a, |x| format!("onFloor({x}, {room})"))),
             Place::Middle if opening => {}
-            Place::Middle if self.counts[a] == 1 => say(format!("centeredIn({}, {room})", self.name(a))),
+            Place::Middle if self.counts[a] == 1 && !self.shares_middle(a) => {
+                say(format!("centeredIn({}, {room})", self.name(a)));
+            }
             Place::Middle => {
                 let size = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
                 let half = self.grid(a).map_or(0.0, |g| {
@@ -142,6 +144,22 @@ impl Named<'_> {
             }
             Place::Row | Place::Circle => {}
         }
+    }
+
+    /// Whether it is said to be on or in something.
+    fn carried_at_all(&self, a: usize) -> bool {
+        self.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In, _)))
+    }
+
+    /// Whether something else that stands on the floor is said to be in the middle of the same room.
+    fn shares_middle(&self, a: usize) -> bool {
+        let stands = |o: usize| {
+            let item = &self.brief.things[o];
+            item.room == self.brief.things[a].room && !matches!(item.group, Group::Flat | Group::Ceiling)
+        };
+        let other = |o: &usize| *o != a && stands(*o);
+        let middle = |w: &What| matches!(w, What::Place(rel, Place::Middle, _) if *rel != Rel::Near);
+        stands(a) && self.brief.facts.iter().any(|f| !f.not && middle(&f.what) && f.of.iter().any(other))
     }
 
     /// How many things are said to be in corners of the same room before.
@@ -180,12 +198,16 @@ impl Named<'_> {
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
-                    let other = self.brief.facts[..k].iter().rev().find(|f| {
-                        !f.of.contains(&a)
-                            && matches!(f.what, What::Place(_, Place::Wall, _))
-                            && self.brief.things[f.of[0]].room == self.brief.things[a].room
-                    })?;
-                    let b = self.elements(other.of[0]).first()?.clone();
+                    let here = |b: usize| b != a && self.brief.things[b].room == self.brief.things[a].room;
+                    let other = self.brief.facts[..k].iter().rev().find_map(|f| {
+                        let at_wall = matches!(f.what, What::Place(_, Place::Wall, _)) && !f.of.contains(&a);
+                        f.of.first().copied().filter(|b| at_wall && here(*b))
+                    });
+                    // Opposite to what was spoken of before, if nothing was said of a wall.
+                    let stands = |b: &usize| {
+                        here(*b) && matches!(self.group(*b), Group::Bed | Group::Seat | Group::Table | Group::Storage)
+                    };
+                    let b = self.elements(other.or_else(|| (0..a).find(stands))?).first()?.clone();
                     let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
                     return Some(self.all(a, |x| format!("dot({x}.front, {b}.front) {test}")));
                 }

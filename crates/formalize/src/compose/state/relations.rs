@@ -1,14 +1,14 @@
 //! One thing and another: on, beside, in front of, around, between.
 
+use super::said::Said;
 use super::{LISTED, Named, indexed};
 use crate::brief::{Fact, Group, Pattern, Place, Quantifier, Rel, What};
-use crate::compose::sizes;
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
-const NEAR: f64 = 1.0;
+pub(super) const NEAR: f64 = 1.0;
 /// How far away what stands in front of a door or a window is at most, in metres: there is room to open it.
-const BEFORE: f64 = 1.4;
+pub(super) const BEFORE: f64 = 1.4;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
@@ -21,11 +21,11 @@ impl Named<'_> {
         let (verb, denied) = (if fact.soft { "prefer" } else { "assert" }, fact.not);
         let (ga, gb) = (self.group(a), self.group(b));
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
-        let far = |d: f64| move |x: &str, y: &str| format!("{}({x}, {y}, {})", "near", number(d));
+        let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
         // "the bin is near every desk": of one thing it is said of all the others.
         let all = fact.object == Quantifier::Each && self.counts[a] == 1 && self.array(b);
-        let pairs = |f: &dyn Fn(&str, &str) -> String| if all { self.every(a, b, f) } else { self.pairs(a, b, f) };
-        let m = self.counts[b];
+        let said = Said { a, rel, b, verb, all };
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(&said, f);
         if denied {
             let p = predicate(rel);
             let f = |x: &str, y: &str| match p {
@@ -44,14 +44,7 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&far(d))));
             }
             Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
-            Rel::On => {
-                if matches!(gb, Group::Wall | Group::Door | Group::Window) {
-                    // On a door, on a window: as near as it can be.
-                    out.push(format!("{verb} {};", pairs(&far(0.3))));
-                } else {
-                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
-                }
-            }
+            Rel::On => self.carried_rel(&said, out),
             Rel::OnLeft | Rel::OnRight => {
                 let sign = if rel == Rel::OnLeft { ">=" } else { "<=" };
                 out.push(format!(
@@ -70,133 +63,17 @@ impl Named<'_> {
                 ));
             }
             Rel::LongSide | Rel::ShortSide => self.at_side(a, b, rel == Rel::LongSide, verb, out),
-            Rel::In => {
-                let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01)
-                    && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
-                if fits {
-                    out.push(format!("{verb} {};", pairs(&call("inside"))));
-                    out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
-                    out.push(format!("allowFloat({});", self.name(a)));
-                } else {
-                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
-                }
-            }
-            Rel::Under
-                if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
-            {
-                out.push(format!("{verb} {};", pairs(&call("below"))));
-                if gb == Group::Window {
-                    // At the wall that the window is in, not somewhere below its height.
-                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
-                }
-                if matches!(gb, Group::Wall | Group::Screen | Group::Ceiling) && self.counts[a] == 1 && m == 1 {
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
-                }
-            }
-            Rel::Under => {
-                out.push(format!("{verb} {};", pairs(&call("under"))));
-                if ga == Group::Flat && self.counts[a] == 1 && m == 1 {
-                    // A rug lies under the whole of a table, or under its middle.
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
-                }
-                out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
-            }
+            Rel::In | Rel::Under => self.carried_rel(&said, out),
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
             Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
-            Rel::Beside | Rel::Sides if ga == Group::Drape => out.push(format!("{verb} {};", pairs(&far(0.3)))),
-            Rel::Beside | Rel::Sides => {
-                let both = rel == Rel::Sides && self.counts[a] == 2 * m;
-                if both && self.array(a) && a != b {
-                    let side = |x: &str, i: usize, y: &str| {
-                        format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "seenLeftOf" } else { "seenRightOf" })
-                    };
-                    let text = if m == 1 {
-                        (0..2)
-                            .map(|i| side(&format!("{}[{i}]", self.name(a)), i, self.name(b)))
-                            .collect::<Vec<_>>()
-                            .join(" and ")
-                    } else {
-                        let (of, to) = (self.name(a), format!("{}[i]", self.name(b)));
-                        format!(
-                            "forall i in 0..{m}: {}",
-                            (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect::<Vec<_>>().join(" and ")
-                        )
-                    };
-                    out.push(format!("{verb} {text};"));
-                } else if self.counts[a] > 2 && m == 1 {
-                    // Three things have no room at two sides.
-                    out.push(format!("{verb} {};", pairs(&far(self.reach(a, b)))));
-                } else {
-                    out.push(format!("{verb} {};", pairs(&call("beside"))));
-                }
-            }
-            Rel::InFrontOf | Rel::Behind => {
-                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
-                if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, What::Gap(..))) {
-                    // All of a room lies before a window; what stands in front of it is close.
-                    out.push(format!("{verb} {};", pairs(&far(BEFORE))));
-                }
-                if ga == Group::Seat && matches!(gb, Group::Table) {
-                    // Rows of chairs before a lectern are not drawn up to it.
-                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.brief, b);
-                    let d = if away { None } else { Some(DRAWN_UP) };
-                    if let Some(d) = d {
-                        out.push(format!("{verb} {};", pairs(&far(d))));
-                    }
-                    out.push(format!("{verb} {};", pairs(&call("looksAt"))));
-                } else if rel == Rel::InFrontOf && self.one_each(a, b) {
-                    // What stands before a seat or a bed is what one looks at from there.
-                    let front = matches!(ga, Group::Table | Group::Storage | Group::Screen | Group::Seat);
-                    if front && matches!(gb, Group::Seat | Group::Bed) {
-                        out.push(format!(
-                            "prefer {};",
-                            pairs(&|x, y| format!("looksAt({y}, {x}) and looksAt({x}, {y})"))
-                        ));
-                    }
-                }
-            }
+            Rel::Beside | Rel::Sides => self.beside_rel(&said, out),
+            Rel::InFrontOf | Rel::Behind => self.in_front_rel(&said, out),
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
             Rel::Against | Rel::Along => {
                 out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
             }
-            Rel::Facing if self.grid(a).is_some() => {
-                let (of, to) = (self.name(a), self.elements(b));
-                let to = to.first().map_or("", String::as_str);
-                out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
-                out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
-            }
-            Rel::Opposite if self.array(a) && self.array(b) => {
-                out.push(format!("prefer {};", pairs(&call("facing"))));
-            }
-            Rel::Facing => {
-                out.push(format!("{verb} {};", pairs(&call("looksAt"))));
-                // A screen is seen from its front; of the rest, what faces something is mostly before its front.
-                let back = match gb {
-                    _ if !self.one_each(a, b) => None,
-                    Group::Screen => Some(verb),
-                    Group::Wall if self.screen(b) => Some(verb),
-                    Group::Seat | Group::Storage | Group::Bed | Group::Wall => Some("prefer"),
-                    _ => None,
-                };
-                if let Some(verb) = back {
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("looksAt({y}, {x})"))));
-                }
-            }
-            Rel::Opposite => {
-                let front = !self.brief.things[b].opening();
-                let f = |x: &str, y: &str| {
-                    if front {
-                        format!("looksAt({x}, {y}) and inFrontOf({x}, {y})")
-                    } else {
-                        format!("looksAt({x}, {y})")
-                    }
-                };
-                out.push(format!("{verb} {};", pairs(&f)));
-                if !(ga == Group::Seat && gb == Group::Seat) && ga != Group::Top && gb != Group::Top {
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(ACROSS)))));
-                }
-            }
+            Rel::Facing | Rel::Opposite => self.facing_rel(&said, out),
             Rel::Far => {
                 let room = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
                 let d = (room[0].min(room[2]) / 3.0).clamp(0.5, 2.0);
@@ -216,41 +93,47 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&far(0.1))));
                 out.push(format!("allowFloat({});", self.name(a)));
             }
-            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
-                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
-                if matches!(rel, Rel::LeftOf | Rel::RightOf)
-                    && ga == Group::Top
-                    && matches!(gb, Group::Top | Group::Screen)
-                {
-                    // Left and right on a desk are those of who sits there: its things look one way.
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("angle({x}.front, {y}.front) <= 5"))));
-                }
-                let wide = self.sizes[a][0] * self.counts[a].div_ceil(m.max(1)) as f64;
-                if rel == Rel::Above
-                    && !matches!(gb, Group::Door | Group::Window)
-                    && wide <= self.sizes[b][0].max(self.sizes[a][0])
-                {
-                    out.push(format!("{verb} {};", pairs(&call("over"))));
-                }
-            }
+            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => self.ordered_rel(&said, out),
             Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
         }
+    }
+
+    /// Twice as many of one as of the other: one at each side.
+    pub fn both_sides(&self, a: usize, b: usize) -> Option<String> {
+        let m = self.counts[b];
+        if self.counts[a] != 2 * m || !self.array(a) || a == b {
+            return None;
+        }
+        let side = |x: &str, i: usize, y: &str| {
+            format!("beside({x}, {y}) and {}({x}, {y})", if i == 0 { "seenLeftOf" } else { "seenRightOf" })
+        };
+        let of = self.name(a);
+        Some(if m == 1 {
+            let each: Vec<String> = (0..2).map(|i| side(&format!("{of}[{i}]"), i, self.name(b))).collect();
+            each.join(" and ")
+        } else {
+            let to = format!("{}[i]", self.name(b));
+            let each: Vec<String> = (0..2).map(|j| side(&indexed(of, 2, j), j, &to)).collect();
+            format!("forall i in 0..{m}: {}", each.join(" and "))
+        })
     }
 
     /// Whether a thing stands on the floor and is as high as people.
     pub fn tall(&self, item: usize) -> bool {
         let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
-        let lamp = self.brief.things[item].words.last().is_some_and(|w| w == "lamp" || w == "light");
+        let words = &self.brief.things[item].words;
+        let stands = words.iter().any(|w| matches!(w.as_str(), "floor" | "standing" | "tripod" | "arc"));
+        let lamp = !stands && words.last().is_some_and(|w| w == "lamp" || w == "light");
         let [w, h, d] = self.sizes[item];
         !lamp
             && matches!(self.group(item), Group::Floor | Group::Storage | Group::Bed | Group::Table | Group::Seat)
             && !up
             && h >= 1.2
-            && w * d >= 0.15
+            && (stands || w * d >= 0.15)
     }
 
     /// How far "near" reaches: a metre, and as far as a group of so many extends.
-    fn reach(&self, a: usize, b: usize) -> f64 {
+    pub(super) fn reach(&self, a: usize, b: usize) -> f64 {
         let (n, m) = (self.counts[a], self.counts[b].max(1));
         let each = if self.array(b) { n.div_ceil(m) } else { n };
         let [w, _, d] = self.sizes[a];
@@ -265,7 +148,7 @@ impl Named<'_> {
     }
 
     /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
-    fn hangs(&self, item: usize) -> bool {
+    pub(super) fn hangs(&self, item: usize) -> bool {
         self.said(item, |w| {
             matches!(w, What::Place(_, Place::Wall, _))
                 && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
@@ -317,7 +200,7 @@ impl Named<'_> {
     }
 
     /// How a thing is on another: wholly, but for furniture that a rug is too small for.
-    fn carried(&self, a: usize, b: usize) -> &'static str {
+    pub(super) fn carried(&self, a: usize, b: usize) -> &'static str {
         let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
         let fits = w.max(d) <= bw.max(bd) && w.min(d) <= bw.min(bd);
         if self.group(b) == Group::Flat && (!fits || self.counts[a] > 2) { "on" } else { "restsOn" }
@@ -330,7 +213,7 @@ impl Named<'_> {
     }
 
     /// Whether there is one of each, or as many of the one as of the other.
-    fn one_each(&self, a: usize, b: usize) -> bool {
+    pub(super) fn one_each(&self, a: usize, b: usize) -> bool {
         (self.counts[a] == 1 || self.counts[b] == 1 || self.counts[a] == self.counts[b]) && self.grid(a).is_none()
     }
 
@@ -393,7 +276,7 @@ impl Named<'_> {
 }
 
 /// The predicate of the standard library.
-fn predicate(rel: Rel) -> &'static str {
+pub(super) fn predicate(rel: Rel) -> &'static str {
     match rel {
         Rel::On => "on",
         Rel::Under => "under",

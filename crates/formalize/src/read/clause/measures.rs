@@ -386,16 +386,25 @@ impl Reader<'_> {
                 within(f.source.at()) && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
             })
         };
-        let of: Vec<usize> = (0..self.brief.things.len())
-            .filter(|i| self.small(*i, &to) && self.brief.things[*i].part.is_none() && !carried(*i) && related(*i))
-            .collect();
+        // "…, a lamp stands beside the armchair": not on the desk.
+        let elsewhere = |i: usize| {
+            self.brief.facts.iter().any(|f| {
+                let other = |o: &usize| !to.contains(o) && !self.small(*o, &to) && !carried(*o);
+                let apart = matches!(&f.what, What::Rel(_, others) if others.iter().any(other));
+                let stands = self.brief.things[i].group == Group::Floor;
+                stands && within(f.source.at()) && f.of.contains(&i) && apart
+            })
+        };
+        let own = |i: &usize| self.small(*i, &to) && self.brief.things[*i].part.is_none();
+        let of: Vec<usize> =
+            (0..self.brief.things.len()).filter(|i| own(i) && !carried(*i) && related(*i) && !elsewhere(*i)).collect();
         for item in of {
             self.relate(&[item], Rel::On, &to);
         }
     }
 
     /// Whether a thing of this sentence is small enough to stand on others.
-    fn small(&self, i: usize, to: &[usize]) -> bool {
+    pub(super) fn small(&self, i: usize, to: &[usize]) -> bool {
         let item = &self.brief.things[i];
         let [w, _, d] = crate::sizes::usual(item.group, &item.words);
         item.source.at().start >= self.s.at.start

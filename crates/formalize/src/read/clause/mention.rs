@@ -66,8 +66,27 @@ impl Reader<'_> {
             .filter(|(i, item)| item.part.is_none() && !self.gone.contains(i))
             .map(|(i, item)| (score(item) * 2 + u32::from(item.room == self.room), score(item), i));
         let surface = np.det == Det::Definite && lexicon.is(&head, Class::Surface);
-        let best = best.filter(|b| b.1 > 0).max().map(|b| b.2);
-        best.or_else(|| if surface { self.surface(&head) } else { None }).or_else(|| self.with_part_named(np))
+        // "a bar stool beside the bar": beside another thing than itself.
+        let own = |b: &(u32, u32, usize)| b.1 == 3 && self.near == [b.2];
+        let best = best.filter(|b| b.1 > 0).max_by_key(|b| (!own(b), b.0, b.1, b.2)).map(|b| b.2);
+        best.or_else(|| if surface { self.surface(&head) } else { None })
+            .or_else(|| self.with_part_named(np))
+            .or_else(|| self.collective(np))
+    }
+
+    /// "the seating", "the workspace": what was spoken of last that one sits or works at.
+    pub(super) fn collective(&self, np: &Np) -> Option<usize> {
+        let group = match np.words.last()?.as_str() {
+            "seat" | "seating" => Group::Seat,
+            "setup" | "workspace" | "workstation" => Group::Table,
+            _ => return None,
+        };
+        let is = |i: &usize| {
+            let item = &self.brief.things[*i];
+            item.group == group && item.room == self.room && item.part.is_none() && !self.gone.contains(i)
+        };
+        let said = np.det == Det::Definite && np.words.len() == 1 && !np.many;
+        (0..self.brief.things.len()).rev().filter(|_| said).find(is)
     }
 
     /// "a vanity with an integrated sink … on the sink": what has this part.

@@ -1,8 +1,8 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::brief::{
-    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Quantifier, Rel, Side,
-    Source, Thing, What,
+    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Part, Pattern, Pick, Place, Quantifier, Rel,
+    Side, Source, Thing, What,
 };
 use crate::read::chunk::{Chunk, Piece};
 use crate::read::lexicon::{Class, Verb, get};
@@ -14,8 +14,10 @@ use parts::part_of_it;
 use std::ops::Range;
 
 mod after;
+mod its;
 mod measures;
 mod mention;
+mod only;
 mod parts;
 mod relations;
 mod sentences;
@@ -300,7 +302,7 @@ impl<'a> Reader<'a> {
         }
         unsaid.extend(ruled_out);
         unsaid.extend(self.revised(from, end));
-        let mut i = from;
+        let (mut i, facts) = (from, self.brief.facts.len());
         while i < end {
             self.s.now = i;
             i = match unsaid.iter().find(|r| r.contains(&i)) {
@@ -309,6 +311,7 @@ impl<'a> Reader<'a> {
             };
         }
         self.finish();
+        self.only_these(from, end, facts);
         self.carrier = std::mem::take(&mut self.s.object);
         if self.side == side {
             self.side = None;
@@ -525,7 +528,11 @@ impl<'a> Reader<'a> {
             // "stands centrally", but "centrally against the wall"
             "centrally" | "centred" | "centered" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
                 let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
-                self.at_place(&of, Rel::In, Place::Middle, &[]);
+                match self.s.frame.clone() {
+                    // "On the desk a monitor is centred": on the desk.
+                    Some(to) => self.relate(&of, Rel::Centre, &to),
+                    None => self.at_place(&of, Rel::In, Place::Middle, &[]),
+                }
                 self.mark(i);
             }
             // "forget the carpet"
@@ -592,6 +599,9 @@ impl<'a> Reader<'a> {
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
         if i > 0 && self.reduced(i - 1).is_some() && (!self.s.each || matches!(self.s.expect, Expect::With(..))) {
+            return self.near.clone();
+        }
+        if i > 0 && self.last_listed(i - 1).is_some() {
             return self.near.clone();
         }
         let after_comma =

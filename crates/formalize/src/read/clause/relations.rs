@@ -17,11 +17,26 @@ impl Reader<'_> {
         if let Some(next) = self.clusters(i, end, rel) {
             return next;
         }
+        // "a basement turned into a casino": what it is now is no thing in it.
+        let before = chunks[i].at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
+        if matches!(before, "turned" | "transformed" | "converted" | "changed" | "remade")
+            && self.tokens[chunks[i].at.start].is("into")
+            && self.np(i + 1, end).is_some()
+        {
+            return i + 2;
+        }
         // "a lamp stands nearby", "with a mirror above": of what was spoken of before.
-        let alone = matches!(
-            self.tokens[chunks[i].at.start].text.as_str(),
-            "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
-        ) && chunks[i].at.len() == 1
+        let words = &self.tokens[chunks[i].at.clone()];
+        let adverb = words.last().is_some_and(|t| {
+            matches!(
+                t.text.as_str(),
+                "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
+            )
+        });
+        // "mounted above", "tucked underneath"
+        let participle = words.len() == 2 && words[0].text.ends_with("ed") || words.len() == 2 && words[0].is("hung");
+        let alone = adverb
+            && (words.len() == 1 || participle)
             && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
         if alone && self.s.pending.is_none() {
             self.mark(i);
@@ -29,6 +44,9 @@ impl Reader<'_> {
             return i + 1;
         }
         let negative = std::mem::take(&mut self.s.not);
+        // What it is said of is known before the object is spoken of.
+        let said_of = self.subject(i);
+        let reduced = i > 0 && self.reduced(i - 1).is_some();
         let Some((object, next)) = self.object(i + 1, end, rel) else {
             if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
                 // "between the rows"
@@ -68,9 +86,16 @@ impl Reader<'_> {
             self.near = self.main.clone();
             self.s.expect = Expect::Nothing;
         }
+        let said_of = if led || verbal { self.subject(i) } else { said_of };
+        // "a rug near the door, beneath the sofa": a door is beneath nothing.
+        let opening = |l: &[usize]| l.iter().all(|o| self.brief.things[*o].opening());
+        let moved = !self.main.is_empty() && opening(&said_of) && !opening(&self.main);
+        let said_of =
+            if moved && matches!(object, Lead::Items(..)) && self.s.subject { self.main.clone() } else { said_of };
         let of = match &object {
-            Lead::Items(items, _) => self.all_owned(i, items).unwrap_or_else(|| self.subject(i)),
-            Lead::Place(..) => self.subject(i),
+            // "with a lamp and a chair placed beside the table": of the chair.
+            Lead::Items(items, _) if !reduced || rel == Rel::On => self.all_owned(i, items).unwrap_or(said_of),
+            _ => said_of,
         };
         match object {
             Lead::Items(items, each) => {
@@ -295,7 +320,11 @@ impl Reader<'_> {
                 self.mark(k);
                 Some((Lead::Items(items, false), k + 1))
             }
-            Kind::Abstract => None,
+            Kind::Abstract => {
+                let id = self.collective(np)?;
+                self.mark(k);
+                Some((Lead::Items(vec![id], false), k + 1))
+            }
         }
     }
 
@@ -446,7 +475,11 @@ impl Reader<'_> {
 
     /// "…, and behind it a mirror hangs": a relation that its subject follows.
     pub(super) fn preposed(&self, i: usize, next: usize, end: usize) -> bool {
-        let joined = i > 0 && matches!(self.chunks[i - 1].piece, Piece::And | Piece::Comma);
+        let joins = |c: &Chunk| {
+            matches!(c.piece, Piece::And | Piece::Comma)
+                || matches!(self.tokens[c.at.start].text.as_str(), "while" | "but")
+        };
+        let joined = i > 0 && joins(&self.chunks[i - 1]);
         let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) {
             next + 1
         } else {
@@ -488,210 +521,6 @@ impl Reader<'_> {
             matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
         let known = np.det == Det::Definite || np.det == Det::None && np.count.is_none() && self.find(np).is_some();
         (alone && known).then_some(k + 1)
-    }
-
-    pub(super) fn their(&self, word: &str, each: bool) -> Vec<usize> {
-        if matches!(word, "them" | "these" | "those" | "both" | "all" | "ones" | "each") || each {
-            // Not what is being placed, if it is new: "three bean bags and a toy train next to them".
-            let owner = match &self.s.expect {
-                Expect::With(owner, _) => owner.clone(),
-                _ => vec![],
-            };
-            let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
-            if many(&owner) {
-                return owner;
-            }
-            let subject = self.near.clone();
-            for list in [&self.before, &self.main] {
-                let others: Vec<usize> = list.iter().copied().filter(|o| !subject.contains(o)).collect();
-                if many(&others) {
-                    return others;
-                }
-            }
-            if let Some(i) =
-                self.recent.iter().rev().find(|i| self.brief.things[**i].number.many() && !subject.contains(i))
-            {
-                return vec![*i];
-            }
-        }
-        if let Expect::With(owner, _) = &self.s.expect
-            && !owner.is_empty()
-        {
-            return owner.clone();
-        }
-        let subject = self.near.clone();
-        // "a desk, a chair behind it, two chairs in front of it": the desk all the time.
-        if self.s.subject && word == "it" && !self.s.it.is_empty() && self.s.it.iter().all(|o| !subject.contains(o)) {
-            return self.s.it.clone();
-        }
-        // "a long table, eight chairs around it"
-        if self.s.subject
-            && subject != self.main
-            && let Some(other) = self.main.iter().rev().find(|m| !subject.contains(m))
-        {
-            return vec![*other];
-        }
-        // "a telephone on the desk, and a chair behind it"
-        let small = |l: &[usize]| {
-            l.len() > 1
-                || l.iter().any(|i| {
-                    self.brief.things[*i].number.many()
-                        || matches!(self.brief.things[*i].group, Group::Top | Group::Soft | Group::Flat)
-                })
-        };
-        if self.s.subject
-            && !self.s.object.is_empty()
-            && small(&self.before)
-            && !small(&self.s.object)
-            && self.s.object != subject
-        {
-            return self.s.object.clone();
-        }
-        if self.s.subject && !self.before.is_empty() {
-            return self.before.clone();
-        }
-        let own: &[usize] = if self.s.subject { &self.main } else { &[] };
-        self.recent.iter().rev().find(|i| !own.contains(i)).map(|i| vec![*i]).unwrap_or_default()
-    }
-
-    /// "to its left", "on top", "between them".
-    pub(super) fn on_its(&mut self, i: usize, end: usize, rel: Rel) {
-        let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-        let many = text.contains(&"them");
-        let object = if rel == Rel::Between {
-            let pair = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
-            let list = match &self.s.expect {
-                // "two sofas with a table between them"
-                Expect::With(owner, _) if pair(owner) => owner.clone(),
-                _ if self.main.len() > 1 || !self.s.subject => self.main.clone(),
-                _ => self.before.clone(),
-            };
-            if pair(&list) {
-                list
-            } else if let (true, [one], [other, ..]) = (self.s.pending.is_some(), &self.main[..], &self.s.object[..]) {
-                // "the chest is at the foot of the bed, but leave 60 cm between them"
-                vec![*one, *other]
-            } else {
-                let own: &[usize] = if self.s.subject { &self.main } else { &[] };
-                let mut last: Vec<usize> = Vec::new();
-                for r in self.recent.iter().rev() {
-                    if !own.contains(r) && !last.contains(r) && last.len() < 2 {
-                        last.push(*r);
-                    }
-                }
-                last.reverse();
-                last
-            }
-        } else if let Some(to) = self.both_sides(i, end, rel) {
-            to
-        } else if let Some(to) = self.other_side(rel) {
-            to
-        } else if self.s.subject && self.preposed(i, i + 1, end) && !self.main.is_empty() {
-            // "a table, and on it a bowl"
-            self.main.clone()
-        } else if self.s.pending.is_some() && self.s.keep && !self.main.is_empty() {
-            self.main.clone()
-        } else if self.s.subject || matches!(self.s.expect, Expect::With(..)) {
-            self.their(if many { "them" } else { "it" }, false)
-        } else if many {
-            self.them()
-        } else {
-            match (self.before.as_slice(), self.carrier.as_slice()) {
-                ([], _) => self.recent.last().map(|r| vec![*r]).unwrap_or_default(),
-                // "on the counter are a till and a scale; under it …"
-                ([_, _, ..], [one]) => vec![*one],
-                (before, _) => before.to_vec(),
-            }
-        };
-        if object.is_empty() {
-            return;
-        }
-        if !many && rel != Rel::Between {
-            self.s.it = object.clone();
-        }
-        let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
-        let of = self.all_owned(i, &object).unwrap_or(of);
-        // "to the left as you come in": in that part of the room.
-        let next = self.tokens.get(self.chunks[i].at.end);
-        if matches!(rel, Rel::LeftOf | Rel::RightOf)
-            && next.is_some_and(|t| matches!(t.text.as_str(), "as" | "when" | "once"))
-            && !of.is_empty()
-        {
-            let which = if rel == Rel::LeftOf { "left" } else { "right" };
-            return self.at_place(&of, Rel::At, Place::Side, &[which.to_owned()]);
-        }
-        if let Some(m) = self.s.pending.take() {
-            if rel == Rel::Between {
-                self.measured(&of, rel, &object, &m, false);
-            } else if self.s.keep || self.s.nothing {
-                self.clear(&object, rel, m.values[0]);
-            } else {
-                self.measured(&of, rel, &object, &m, false);
-            }
-            return;
-        }
-        let not = std::mem::take(&mut self.s.not);
-        if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
-            self.s.lead.push((rel, Lead::Items(object, false)));
-        } else if not {
-            let soft = self.s.soft;
-            self.state(&of, What::Rel(rel, object), soft, true);
-        } else {
-            let sides = self.sides(i);
-            if sides {
-                self.double();
-            }
-            if rel == Rel::Between {
-                // "two sofas with a table between them": one table.
-                for o in &of {
-                    let item = &mut self.brief.things[*o];
-                    if matches!(item.number, Number::Each { of, number: 1 } if object.contains(&of)) {
-                        item.number = Number::Exactly(1);
-                    }
-                }
-            }
-            self.drop_usual(&of);
-            self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
-        }
-    }
-
-    /// "with two chisels and two brushes on top": what a relation to the owner, right after a list of what it has,
-    /// is said of.
-    fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
-        let Expect::With(owner, _) = &self.s.expect else { return None };
-        let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
-        // "a lamp and a chair placed beside the table": of the chair.
-        if i > 0 && self.reduced(i - 1).is_some() {
-            return None;
-        }
-        let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
-        (listed && owner == to && self.s.owned.len() > 1).then(|| self.s.owned.clone())
-    }
-
-    /// "one to the left and one to the right of the sofa": of the sofa both.
-    fn both_sides(&mut self, i: usize, end: usize, rel: Rel) -> Option<Vec<usize>> {
-        let bare = !self.chunks[i].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "its" | "their"));
-        let opposite = match rel {
-            Rel::LeftOf => Rel::RightOf,
-            Rel::RightOf => Rel::LeftOf,
-            _ => return None,
-        };
-        let k = (i + 1..end.min(i + 4)).find(|k| self.chunks[*k].piece == Piece::Rel(opposite))?;
-        let between = |c: &Chunk| c.piece == Piece::And || c.np().is_some_and(|n| n.kind == Kind::Pronoun);
-        if !bare || !self.chunks[i + 1..k].iter().all(between) || self.np(k + 1, end)?.kind != Kind::Thing {
-            return None;
-        }
-        match self.object(k + 1, end, rel)? {
-            (Lead::Items(items, _), _) => Some(items),
-            _ => None,
-        }
-    }
-
-    /// "to the right of the fireplace a bookcase, to its left a desk": of the fireplace both.
-    fn other_side(&self, rel: Rel) -> Option<Vec<usize>> {
-        let (said, to) = self.side.as_ref()?;
-        let contrast = matches!((said, rel), (Rel::LeftOf, Rel::RightOf) | (Rel::RightOf, Rel::LeftOf));
-        contrast.then(|| to.clone())
     }
 
     /// The usual relation of things to their owner gives way to the one in words.

@@ -87,7 +87,8 @@ impl Reader<'_> {
 
     /// "near a cabinet, which stands opposite the window": of the cabinet, where it was named right before.
     pub(super) fn relative(&mut self, i: usize, end: usize) -> bool {
-        let which = self.tokens[self.chunks[i].at.start].is("which");
+        let word = &self.tokens[self.chunks[i].at.start];
+        let which = word.is("which") || word.is("that");
         let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
         let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
         let Some(np) = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)) else { return false };

@@ -79,6 +79,12 @@ impl Reader<'_> {
             return i + 1;
         }
         // "the chairs occupy the corner", "cabin: rear right corner"
+        // "a rug covers the floor": nothing else is covered.
+        if place == Place::Floor && matches!(before, Some(Piece::Verb(Verb::Cover))) {
+            self.s.expect = Expect::Nothing;
+            self.mark(i);
+            return i + 1;
+        }
         let there = matches!(place, Place::Corner | Place::Middle) || place == Place::Wall && !np.which.is_empty();
         let verb = matches!(before, Some(Piece::Verb(_)));
         let of = if self.near.is_empty() || verb { self.main.clone() } else { self.near.clone() };
@@ -285,39 +291,6 @@ impl Reader<'_> {
         (word && each.is_some()).then_some(i + 2)
     }
 
-    /// The one thing that "it" stands for.
-    pub(super) fn it(&self) -> Vec<usize> {
-        let of = |list: &Vec<usize>| (!list.is_empty()).then(|| list.clone());
-        let owner = match &self.s.expect {
-            Expect::With(owner, _) if !owner.is_empty() => Some(owner.clone()),
-            _ => None,
-        };
-        let lead = self.s.lead.iter().rev().find_map(|(_, l)| match l {
-            Lead::Items(items, _) => Some(items.clone()),
-            Lead::Place(..) => None,
-        });
-        owner
-            .or_else(|| of(&self.main))
-            .or(lead)
-            .or_else(|| of(&self.before))
-            .or_else(|| self.recent.last().map(|i| vec![*i]))
-            .unwrap_or_default()
-    }
-
-    /// The things that "them" stands for.
-    pub(super) fn them(&self) -> Vec<usize> {
-        let many = |list: &[usize]| list.len() > 1 || list.first().is_some_and(|i| self.brief.things[*i].number.many());
-        for list in [&self.main, &self.before] {
-            if many(list) {
-                return list.clone();
-            }
-        }
-        if let Some(i) = self.recent.iter().rev().find(|i| self.brief.things[**i].number.many()) {
-            return vec![*i];
-        }
-        self.it()
-    }
-
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
         let found = self.find(np);
@@ -501,7 +474,9 @@ impl Reader<'_> {
     pub(super) fn on_things(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
-        if matches!(self.s.expect, Expect::With(..)) && self.new_clause(i, end) {
+        let comma = (self.s.chunks.start..i).rev().map(|k| &chunks[k].piece).find(|p| **p != Piece::And);
+        let unlike = comma == Some(&Piece::Comma) && self.unlike(self.s.owned.first(), i);
+        if matches!(self.s.expect, Expect::With(..)) && (unlike || self.new_clause(i, end)) {
             self.s.expect = Expect::Nothing;
             self.s.each = false;
             self.s.hang = false;
@@ -528,10 +503,14 @@ impl Reader<'_> {
         }
         self.s.not |= np.det == Det::No;
         // "for bottle storage": no thing.
-        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for");
+        let purpose = i > 0 && self.tokens[chunks[i].at.start - 1].is("for")
+            || i > 0 && np.words == ["light"] && self.tokens[chunks[i].at.start - 1].is("to");
         // Nor is light that is cast: "provides soft light".
-        let purpose =
-            purpose || np.words == ["light"] && i > 0 && !matches!(chunks[i - 1].piece, Piece::Rel(_) | Piece::With);
+        let purpose = purpose
+            || matches!(np.words.last().map(String::as_str), Some("light" | "lighting" | "illumination" | "glow"))
+                && np.words.len() == 1
+                && i > 0
+                && !matches!(chunks[i - 1].piece, Piece::Rel(_) | Piece::With);
         if purpose && np.det == Det::None && np.count.is_none() && !np.many {
             return i + 1;
         }
@@ -562,7 +541,10 @@ impl Reader<'_> {
             let Some(next) = self.list_next(k, end) else { break };
             // "each with a monitor, a mouse and a chair, and a printer": the printer is of no desk.
             let and = (k..next).any(|c| chunks[c].piece == Piece::And);
-            if and && joined && matches!(self.s.expect, Expect::With(..)) {
+            let comma = (k..next).any(|c| chunks[c].piece == Piece::Comma);
+            if and && joined && matches!(self.s.expect, Expect::With(..))
+                || comma && self.unlike(group[..].first(), next)
+            {
                 over = true;
                 break;
             }
@@ -597,10 +579,36 @@ impl Reader<'_> {
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
         let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
+        let verb_before = verb_before && !self.of_several(n);
         // "Above the desk hangs a mirror, and a lamp stands …": the subject came after its verb, so the list is over.
         let inverted = self.s.verb && !self.s.subject && !self.s.lead.is_empty();
         let over = (inverted || matches!(self.s.expect, Expect::With(..))) && self.new_clause(n, end);
         (!verb_before && !over).then_some(n)
+    }
+
+    /// Whether what comes after a comma is of another kind than what a thing was said to have: "surrounded by six chairs,
+    /// a sideboard, …", "holding a lamp, a bed …".
+    fn unlike(&self, first: Option<&usize>, next: usize) -> bool {
+        let Expect::With(owner, join) = &self.s.expect else { return false };
+        let (Some(first), Some(group)) = (first, self.chunks[next].np().and_then(|np| np.group)) else { return false };
+        let flat = owner.iter().any(|o| self.brief.things[*o].group == Group::Flat);
+        match join {
+            _ if self.s.each => false,
+            Join::Beside | Join::Around => group != self.brief.things[*first].group,
+            Join::On | Join::In => !flat && matches!(group, Group::Seat | Group::Bed | Group::Table),
+            // "A bedroom with a bed with two nightstands, a wardrobe and a desk": the list is of the room.
+            Join::Usual => self.s.of_room && !self.s.verb && group != self.brief.things[*first].group,
+            Join::Above => false,
+        }
+    }
+
+    /// Whether the verb after one thing in the singular is one of several: "a sofa and a table occupy the middle".
+    fn of_several(&self, n: usize) -> bool {
+        let word = self.tokens[self.chunks[n + 1].at.start].text.as_str();
+        let one = self.chunks[n].np().is_some_and(|np| !np.many && np.count.is_none_or(|c| c == 1));
+        let and = n > 0 && self.chunks[n - 1].piece == Piece::And;
+        let finite = matches!(word, "occupy" | "fill" | "flank" | "frame" | "surround" | "adorn" | "face" | "hang");
+        one && and && finite && matches!(self.s.expect, Expect::Nothing)
     }
 
     /// What a group of things is in its sentence.

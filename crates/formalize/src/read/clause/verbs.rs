@@ -28,6 +28,20 @@ impl Reader<'_> {
         (participle && !self.main.is_empty() && !self.main.contains(&last) && !self.main.contains(&own)).then_some(last)
     }
 
+    /// "a bed, a desk, and a lamp placed near the window": of a list with commas, a participle is said of the last.
+    pub(super) fn last_listed(&self, i: usize) -> Option<usize> {
+        if !matches!(self.chunks[i].piece, Piece::Verb(_)) {
+            return None;
+        }
+        let word = self.tokens[self.chunks[i].at.start].text.as_str();
+        let participle = word.ends_with("ing") || word.ends_with("ed") || word == "set";
+        let np = self.np(i.checked_sub(1)?, i).filter(|np| np.kind == Kind::Thing)?;
+        let before = self.chunks[self.s.chunks.start..i - 1].iter().rev().map(|c| &c.piece).find(|p| **p != Piece::And);
+        let last = self.main.last().copied().filter(|o| self.brief.things[*o].words == np.words)?;
+        let first = !self.s.listed && !self.s.of_room;
+        (participle && !first && self.main.len() > 1 && before == Some(&Piece::Comma)).then_some(last)
+    }
+
     /// Who has what comes: doors and windows have curtains and nothing else.
     pub(super) fn bearer(&self, near: Vec<usize>, next: usize, end: usize) -> Vec<usize> {
         let drape = self.np(next, end).is_some_and(|n| n.group == Some(Group::Drape));
@@ -44,7 +58,42 @@ impl Reader<'_> {
             }
             _ => false,
         };
-        i > 0 && joined(&self.chunks[i - 1]) && self.stands_next(i, end)
+        i > 0 && joined(&self.chunks[i - 1]) && (self.stands_next(i, end) || self.elsewhere(i, end))
+    }
+
+    /// Whether what comes after a comma in a list of what another has says of itself where it is, and that has nothing
+    /// to do with the other: "a shelf holding a book, and a lamp near the window".
+    fn elsewhere(&self, i: usize, end: usize) -> bool {
+        let Expect::With(owner, _) = &self.s.expect else { return false };
+        let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != Piece::And);
+        if comma != Some(&Piece::Comma) || self.s.each {
+            return false;
+        }
+        let mut k = i + 1;
+        while matches!(
+            self.piece(k, end),
+            Some(Piece::Attr(_) | Piece::Word(false) | Piece::Verb(Verb::Be | Verb::Hang))
+        ) {
+            k += 1;
+        }
+        match self.piece(k, end) {
+            Some(Piece::Rel(rel)) if !matches!(rel, Rel::Of | Rel::To | Rel::From | Rel::Than) => {}
+            _ => return false,
+        }
+        let Some(np) = self.np(k + 1, end) else { return false };
+        match np.kind {
+            Kind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
+            Kind::Thing if np.det == Det::Own => false,
+            // What was named before its owner, and is not what it has.
+            Kind::Thing => match (self.find(np), owner.last()) {
+                (Some(found), Some(of)) => {
+                    let at = |o: usize| self.brief.things[o].source.at().start;
+                    !owner.contains(&found) && at(found) < at(*of)
+                }
+                _ => np.known && !get().part(&np.head()),
+            },
+            _ => false,
+        }
     }
 
     /// Whether a noun phrase begins here that a finite verb follows.
@@ -94,6 +143,9 @@ impl Reader<'_> {
                 }
                 // "not all chairs", "not every desk": of some it does not hold, and nobody says of which.
                 ("not", "all" | "every" | "each" | "both" | "everything") => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
+                ("only", _) if self.narrows(i, end) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
@@ -221,7 +273,8 @@ impl Reader<'_> {
             Verb::Be | Verb::Keep => {
                 self.s.verb = true;
                 if !self.main.is_empty() && self.s.subject && reduced.is_none() {
-                    self.near = self.main.clone();
+                    let last = self.last_listed(i);
+                    self.near = last.map_or_else(|| self.main.clone(), |last| vec![last]);
                 }
                 if verb == Verb::Keep {
                     self.s.expect = Expect::Nothing;
@@ -251,8 +304,11 @@ impl Reader<'_> {
             Verb::Face => self.s.expect = Expect::Object(Rel::Facing),
             Verb::Light => {
                 let passive = self.tokens[self.chunks[i].at.start].is("lit") || self.chunks[i].at.len() > 1;
+                // What stands on the floor gives light from beside.
+                let high = self.main.iter().all(|o| self.brief.things[*o].group == Group::Ceiling);
+                let from = if high || self.main.is_empty() { Rel::Above } else { Rel::Near };
                 self.s.expect =
-                    if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(Rel::Above) };
+                    if passive { Expect::With(self.near.clone(), Join::Above) } else { Expect::Object(from) };
             }
             Verb::Cover => self.s.expect = Expect::Object(Rel::On),
             Verb::Hang => {

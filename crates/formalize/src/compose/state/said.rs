@@ -1,0 +1,223 @@
+//! How each kind of relation is said: on, under, beside, in front of, turned to, left and right of.
+
+use super::Named;
+use super::relations::{ACROSS, BEFORE, DRAWN_UP, NEAR, predicate};
+use crate::brief::{Group, Rel, What};
+use crate::compose::sizes;
+use crate::write::number;
+
+/// A relation of one thing to another that is not denied.
+#[derive(Clone, Copy)]
+pub(super) struct Said {
+    /// What it is said of.
+    pub a: usize,
+    /// What is said.
+    pub rel: Rel,
+    /// The other thing.
+    pub b: usize,
+    /// `assert` or `prefer`.
+    pub verb: &'static str,
+    /// Of one thing it is said of all the others: "the bin is near every desk".
+    pub all: bool,
+}
+
+impl Named<'_> {
+    /// A formula for each element of the one with its partner.
+    pub(super) fn matched(&self, said: &Said, f: &dyn Fn(&str, &str) -> String) -> String {
+        if said.all { self.every(said.a, said.b, f) } else { self.pairs(said.a, said.b, f) }
+    }
+
+    /// On, in, and under a thing.
+    pub(super) fn carried_rel(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, rel, b, verb, .. } = *said;
+        let (ga, gb, m) = (self.group(a), self.group(b), self.counts[b]);
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
+        match rel {
+            Rel::On => {
+                if matches!(gb, Group::Wall | Group::Door | Group::Window) {
+                    // On a door, on a window: as near as it can be.
+                    out.push(format!("{verb} {};", pairs(&far(0.3))));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
+                }
+            }
+            Rel::In => {
+                let fits = (0..3).all(|i| self.sizes[a][i] < self.sizes[b][i] - 0.01)
+                    && !matches!(gb, Group::Seat | Group::Flat | Group::Table);
+                if fits {
+                    out.push(format!("{verb} {};", pairs(&call("inside"))));
+                    out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
+                    out.push(format!("allowFloat({});", self.name(a)));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
+                }
+            }
+            Rel::Under
+                if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
+            {
+                out.push(format!("{verb} {};", pairs(&call("below"))));
+                if gb == Group::Window {
+                    // At the wall that the window is in, not somewhere below its height.
+                    out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                }
+                if matches!(gb, Group::Wall | Group::Screen | Group::Ceiling) && self.counts[a] == 1 && m == 1 {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
+                }
+            }
+            Rel::Under => {
+                out.push(format!("{verb} {};", pairs(&call("under"))));
+                if ga == Group::Flat && self.counts[a] == 1 && m == 1 {
+                    // A rug lies under the whole of a table, or under its middle.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
+                }
+                out.push(format!("allowCollide({}, {});", self.name(a), self.name(b)));
+            }
+            _ => {}
+        }
+    }
+
+    /// Beside a thing, at both sides or at one.
+    pub(super) fn beside_rel(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, rel, b, verb, .. } = *said;
+        let (ga, m) = (self.group(a), self.counts[b]);
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
+        match rel {
+            Rel::Beside | Rel::Sides if ga == Group::Drape => out.push(format!("{verb} {};", pairs(&far(0.3)))),
+            Rel::Beside | Rel::Sides => {
+                let both = if rel == Rel::Sides { self.both_sides(a, b) } else { None };
+                if let Some(text) = both {
+                    out.push(format!("{verb} {text};"));
+                } else if self.counts[a] > 2 && m == 1 {
+                    // Three things have no room at two sides.
+                    out.push(format!("{verb} {};", pairs(&far(self.reach(a, b)))));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call("beside"))));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// In front of a thing, or behind it.
+    pub(super) fn in_front_rel(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, rel, b, verb, .. } = *said;
+        let (ga, gb) = (self.group(a), self.group(b));
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
+        match rel {
+            Rel::InFrontOf | Rel::Behind => {
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, What::Gap(..))) {
+                    // All of a room lies before a window; what stands in front of it is close.
+                    out.push(format!("{verb} {};", pairs(&far(BEFORE))));
+                }
+                if ga == Group::Seat && matches!(gb, Group::Table) {
+                    // Rows of chairs before a lectern are not drawn up to it.
+                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.brief, b);
+                    let d = if away { None } else { Some(DRAWN_UP) };
+                    if let Some(d) = d {
+                        out.push(format!("{verb} {};", pairs(&far(d))));
+                    }
+                    out.push(format!("{verb} {};", pairs(&call("looksAt"))));
+                } else if rel == Rel::InFrontOf && self.one_each(a, b) {
+                    // What stands before a seat or a bed is what one looks at from there.
+                    let front = matches!(ga, Group::Table | Group::Storage | Group::Screen | Group::Seat);
+                    if front && matches!(gb, Group::Seat | Group::Bed) {
+                        out.push(format!(
+                            "prefer {};",
+                            pairs(&|x, y| format!("looksAt({y}, {x}) and looksAt({x}, {y})"))
+                        ));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Turned to a thing, or across from it.
+    pub(super) fn facing_rel(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, rel, b, verb, .. } = *said;
+        let (ga, gb) = (self.group(a), self.group(b));
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
+        match rel {
+            Rel::Facing if self.grid(a).is_some() => {
+                let (of, to) = (self.name(a), self.elements(b));
+                let to = to.first().map_or("", String::as_str);
+                out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
+                out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+            }
+            Rel::Opposite if self.array(a) && self.array(b) => {
+                out.push(format!("prefer {};", pairs(&call("facing"))));
+            }
+            Rel::Facing => {
+                out.push(format!("{verb} {};", pairs(&call("looksAt"))));
+                // A screen is seen from its front; of the rest, what faces something is mostly before its front.
+                let back = match gb {
+                    _ if !self.one_each(a, b) => None,
+                    Group::Screen => Some(verb),
+                    Group::Wall if self.screen(b) => Some(verb),
+                    Group::Seat | Group::Storage | Group::Bed | Group::Wall => Some("prefer"),
+                    _ => None,
+                };
+                if let Some(verb) = back {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("looksAt({y}, {x})"))));
+                }
+            }
+            Rel::Opposite => {
+                let front = !self.brief.things[b].opening();
+                let f = |x: &str, y: &str| {
+                    if front {
+                        format!("looksAt({x}, {y}) and inFrontOf({x}, {y})")
+                    } else {
+                        format!("looksAt({x}, {y})")
+                    }
+                };
+                out.push(format!("{verb} {};", pairs(&f)));
+                if !(ga == Group::Seat && gb == Group::Seat) && ga != Group::Top && gb != Group::Top {
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(ACROSS)))));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Left, right and above; parallel and aligned.
+    pub(super) fn ordered_rel(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, rel, b, verb, .. } = *said;
+        let (ga, gb, m) = (self.group(a), self.group(b), self.counts[b]);
+        let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
+        match rel {
+            Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => {
+                out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
+                if matches!(rel, Rel::LeftOf | Rel::RightOf)
+                    && ga == Group::Top
+                    && matches!(gb, Group::Top | Group::Screen)
+                {
+                    // Left and right on a desk are those of who sits there: its things look one way.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("angle({x}.front, {y}.front) <= 5"))));
+                }
+                let wide = self.sizes[a][0] * self.counts[a].div_ceil(m.max(1)) as f64;
+                if rel == Rel::Above
+                    && !matches!(gb, Group::Door | Group::Window)
+                    && wide <= self.sizes[b][0].max(self.sizes[a][0])
+                {
+                    out.push(format!("{verb} {};", pairs(&call("over"))));
+                } else if rel == Rel::Above && !matches!(gb, Group::Door | Group::Window) {
+                    // Several share the width: the middle of each is above it.
+                    out.push(format!(
+                        "{verb} {};",
+                        pairs(&|x, y| format!("abs(dot({x}.center - {y}.center, {y}.right)) <= {y}.size.x / 2"))
+                    ));
+                }
+            }
+            _ => {}
+        }
+    }
+}

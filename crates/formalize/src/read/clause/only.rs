@@ -1,0 +1,96 @@
+//! "Only": what is said of some things is denied of the others of their kind, or nothing is said.
+
+use super::*;
+
+impl Reader<'_> {
+    /// Whether "only" narrows what its clause says in a way that no statement has: "the chairs stand only at the long
+    /// table". Not where it counts ("only two chairs"), names one of several ("only the first desk has …"), or says
+    /// what there is ("with only a bed").
+    pub(super) fn narrows(&self, i: usize, end: usize) -> bool {
+        let before = self.chunks[i].at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
+        let counts = self.chunks[i].np().is_some();
+        let there = i > self.s.chunks.start
+            && matches!(self.chunks[i - 1].piece, Piece::With | Piece::There | Piece::Verb(Verb::Have))
+            && self.np(i + 1, end).is_some();
+        // "I only need a desk with a lamp", "one door only"
+        let need = matches!(self.piece(i + 1, end), Some(Piece::Verb(Verb::Be | Verb::Have)))
+            && self.np(i + 2, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
+        let stops = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+        let from = (self.s.chunks.start..i).rev().find(stops).unwrap_or(self.s.chunks.start);
+        let to = (i + 1..end).find(stops).unwrap_or(end);
+        let relates = |c: &Chunk| {
+            matches!(c.piece, Piece::Rel(_) | Piece::ToIts(_) | Piece::Pattern(_) | Piece::With | Piece::Measure(_))
+                || matches!(c.piece, Piece::Verb(verb) if !matches!(verb, Verb::Be | Verb::Lead))
+        };
+        let there = there || need || !self.chunks[from..to].iter().any(relates);
+        !counts && !there && !matches!(before, "not" | "the") && self.some_only(i, end).is_none()
+    }
+
+    /// "Only the first desk …": which of several, as they are called.
+    fn some_only(&self, i: usize, end: usize) -> Option<&Np> {
+        let np = self.np(i + 1, end).filter(|np| np.nth.is_some() && np.kind == Kind::Thing)?;
+        let several = |f: usize| {
+            let number = self.brief.things[f].number;
+            number.said().is_some() || number.follows()
+        };
+        let starts = i == self.s.chunks.start && self.tokens[self.chunks[i].at.start].is("only");
+        (starts && self.find(np).is_some_and(several)).then_some(np)
+    }
+
+    /// After a sentence that began with "only the first desk": what it said of this one is denied of the others. Where
+    /// that cannot be denied, nothing is said at all. `first`: the first fact of the sentence.
+    pub(super) fn only_these(&mut self, from: usize, end: usize, first: usize) {
+        if self.some_only(from, end).is_none() {
+            return;
+        }
+        let part = self.brief.things.iter().rposition(|t| t.part.is_some());
+        let said: Vec<Fact> = self.brief.facts[first.min(self.brief.facts.len())..].to_vec();
+        let denied: Option<Vec<Fact>> = part.and_then(|part| {
+            let each: Vec<Vec<Fact>> = said.iter().map(|f| self.denied_of_others(f, part)).collect::<Option<_>>()?;
+            Some(each.into_iter().flatten().collect())
+        });
+        match denied.filter(|denied| !denied.is_empty()) {
+            Some(denied) => {
+                denied.into_iter().for_each(|fact| self.brief.say(fact));
+                self.mark(from);
+            }
+            None => {
+                self.brief.facts.truncate(first);
+                let reason = "of which others this does not hold is not said, so no statement says it".to_owned();
+                self.brief.notes.push(Note { at: self.s.at.clone(), reason });
+            }
+        }
+    }
+
+    /// A fact of some things, denied of the others of their kind. `None`: it cannot be denied.
+    fn denied_of_others(&mut self, fact: &Fact, part: usize) -> Option<Vec<Fact>> {
+        let What::Rel(rel, to) = &fact.what else { return None };
+        let Part { of, pick } = self.brief.things[part].part.clone()?;
+        let all = self.brief.count(of);
+        let (from, n) = match pick {
+            Pick::Run(from, n) => (from, n),
+            Pick::Rest(from) => (from, all.saturating_sub(from)),
+            Pick::Last => (all.checked_sub(1)?, 1),
+            Pick::Half | Pick::Every(_) | Pick::Row(_) => return None,
+        };
+        let mut others = Vec::new();
+        if from > 0 {
+            others.push(Pick::Run(0, from));
+        }
+        if from + n < all {
+            others.push(Pick::Rest(from + n));
+        }
+        let at = fact.source.at();
+        let mut out = Vec::new();
+        for pick in others {
+            let other = self.brief.part(of, pick, at.clone());
+            let turned = match (fact.of.as_slice(), to.as_slice()) {
+                ([one], _) if *one == part => Fact { of: vec![other], ..fact.clone() },
+                (_, [one]) if *one == part => Fact { what: What::Rel(*rel, vec![other]), ..fact.clone() },
+                _ => return None,
+            };
+            out.push(Fact { not: !fact.not, object: Quantifier::Each, ..turned });
+        }
+        (!fact.not).then_some(out)
+    }
+}
