@@ -65,9 +65,12 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
             None => {}
         }
         worst = worst.max(exit_code(&checked.report));
+        if matches!(args.format, Format::Human | Format::Json) {
+            checked.report.permissions = permissions::measured(&checked);
+        }
         let text = match args.format {
             Format::Human if args.verbosity == Verbosity::Compact => report::compact(&checked.report, look),
-            Format::Human => report::human(&checked, look) + &permissions::listed(&checked),
+            Format::Human => report::human(&checked, look) + &permissions::listed(&checked.report.permissions),
             Format::Json => report::json(&checked.report) + "\n",
             Format::Github => report::github(std::slice::from_ref(&checked.report)),
             Format::Sarif | Format::Junit => return kept.push(checked),

@@ -2,7 +2,8 @@
 //! permission that hides more than it was meant for.
 
 use scenelang_lang::ast::Allow;
-use scenelang_lang::program::ObjectId;
+use scenelang_lang::program::{Allowance, ObjectId};
+use scenelang_verify::report::model::{Overlap, Permission};
 use scenelang_verify::rules::{collide, pairs_up_to};
 use scenelang_verify::{Checked, Options, World};
 use std::fmt::Write;
@@ -12,12 +13,12 @@ const GAPS: usize = 2_000_000;
 /// More permissions than these are not listed.
 const MOST: usize = 20;
 
-/// The lines of a report on all permissions to collide; empty where the program has none.
-pub fn listed(checked: &Checked) -> String {
-    let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else { return String::new() };
+/// The program's permissions to collide and what each hides, measured in the layout.
+pub fn measured(checked: &Checked) -> Vec<Permission> {
+    let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else { return Vec::new() };
     let allowed: Vec<_> = program.allow.stated.iter().filter(|a| a.rule == Allow::Collide).collect();
     if allowed.is_empty() {
-        return String::new();
+        return Vec::new();
     }
     let options = Options { tolerances: checked.report.tolerances, eta: checked.report.eta, ..Options::default() };
     let world: World<f64> = World::new(program, layout, &options);
@@ -30,35 +31,50 @@ pub fn listed(checked: &Checked) -> String {
             deep.push(((a, b), depth));
         }
     }
-    let mut out = String::from("Permissions to collide:\n");
-    for allowance in allowed.iter().take(MOST) {
+    let name = |id: ObjectId| program.objects[id.0 as usize].name.to_string();
+    let hidden_by = |allowance: &Allowance| {
         let [one, other] = match &allowance.arguments[..] {
             [all] => [all, all],
             [one, other, ..] => [one, other],
-            [] => continue,
+            [] => return None,
         };
         let lifts = |(a, b): &(ObjectId, ObjectId)| {
             one.contains(a) && other.contains(b) || one.contains(b) && other.contains(a)
         };
         let hidden: Vec<_> = deep.iter().filter(|(pair, _)| lifts(pair)).collect();
-        let deepest = hidden.iter().copied().max_by(|(p, a), (q, b)| a.total_cmp(b).then(q.cmp(p)));
-        let says = match deepest {
-            None if near.complete => "hides nothing".to_owned(),
+        let ((a, b), depth) = hidden.iter().copied().max_by(|(p, a), (q, b)| a.total_cmp(b).then(q.cmp(p)))?;
+        Some(Overlap { objects: [name(*a), name(*b)], depth: *depth, others: hidden.len() - 1 })
+    };
+    let permission = |allowance: &&Allowance| {
+        let text = scenelang_base::plain::line(&allowance.text).to_string();
+        Permission { text, hides: hidden_by(allowance), complete: near.complete }
+    };
+    allowed.iter().map(permission).collect()
+}
+
+/// The lines of a report on permissions; empty where there are none.
+pub fn listed(permissions: &[Permission]) -> String {
+    if permissions.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from("Permissions to collide:\n");
+    for Permission { text, hides, complete } in permissions.iter().take(MOST) {
+        let says = match hides {
+            None if *complete => "hides nothing".to_owned(),
             None => "too much is in one place to say what it hides".to_owned(),
-            Some(((a, b), depth)) => {
-                let name = |id: &ObjectId| program.objects[id.0 as usize].name.clone();
-                let more = match hidden.len() - 1 {
+            Some(Overlap { objects: [a, b], depth, others }) => {
+                let more = match others {
                     0 => String::new(),
                     1 => ", and 1 pair that is not as deep".to_owned(),
                     n => format!(", and {n} pairs that are not as deep"),
                 };
-                format!("hides that {} and {} are {depth:.3} m inside each other{more}", name(a), name(b))
+                format!("hides that {a} and {b} are {depth:.3} m inside each other{more}")
             }
         };
-        let _ = writeln!(out, "  {}: {says}", scenelang_base::plain::line(&allowance.text));
+        let _ = writeln!(out, "  {text}: {says}");
     }
-    if allowed.len() > MOST {
-        let _ = writeln!(out, "  … and {} more", allowed.len() - MOST);
+    if permissions.len() > MOST {
+        let _ = writeln!(out, "  … and {} more", permissions.len() - MOST);
     }
     out
 }

@@ -36,4 +36,10 @@ fn each_permission_says_what_it_hides() {
     ] {
         assert!(said.stdout.contains(line), "{}", said.stdout);
     }
+    let said = scenelang(folder.path(), ["check", "--format", "json", "room.layout.json"]);
+    let report: serde_json::Value = serde_json::from_str(&said.stdout).unwrap();
+    let [deep, nothing] = report["permissions"].as_array().unwrap().as_slice() else { panic!("{}", said.stdout) };
+    assert_eq!(deep["hides"]["objects"], serde_json::json!(["crate[0]", "crate[1]"]));
+    assert!((deep["hides"]["depth"].as_f64().unwrap() - 0.2).abs() < 1e-9, "{deep}");
+    assert_eq!((&deep["hides"]["others"], &nothing["hides"]), (&serde_json::json!(0), &serde_json::Value::Null));
 }

@@ -31,6 +31,7 @@ pub fn build(
         diagnostics: verdict.diagnostics.iter().map(|d| builder.finding(d)).collect(),
         fixed: Vec::new(),
         judged_with: None,
+        permissions: Vec::new(),
         tolerances: options.tolerances,
         eta: options.eta,
     };

@@ -36,10 +36,36 @@ pub struct Report {
     /// The settings file by which it was judged, where that makes a difference.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judged_with: Option<JudgedWith>,
+    /// The program's permissions to collide, each with what it hides. Only `check` measures it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub permissions: Vec<Permission>,
     /// Tolerances in force.
     pub tolerances: crate::Tolerances,
     /// Thickness of the walls of a room (metres).
     pub eta: f64,
+}
+
+/// An `allowCollide` and what it hides.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Permission {
+    /// The statement as written, blanks folded.
+    pub text: String,
+    /// The pair that is deepest inside each other; `None`: none is, or too much is in one place to say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hides: Option<Overlap>,
+    /// Whether all pairs were measured.
+    pub complete: bool,
+}
+
+/// Two objects inside each other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Overlap {
+    /// The two.
+    pub objects: [String; 2],
+    /// How deep they are inside each other (metres).
+    pub depth: f64,
+    /// How many other pairs there are that the statement permits.
+    pub others: usize,
 }
 
 /// The settings file that makes a judgement another than the usual one.
