@@ -89,6 +89,7 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
         }
         let mut width = 0.0;
         let mut area = 0.0;
+        let mut sides = [0.0_f64; 2];
         for fact in brief.facts.iter().filter(|f| !f.not) {
             let What::Rel(rel, to) = &fact.what else { continue };
             if !to.iter().any(|t| brief.whole(*t) == b) {
@@ -99,7 +100,14 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
                 match rel {
                     // A cushion is as large as its seat.
                     Rel::On if brief.things[*a].group == Group::Soft && brief.things[b].group == Group::Seat => {}
-                    Rel::On => area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08),
+                    Rel::On => {
+                        area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08);
+                        // All of it rests there, turned as it may be; a cloth hangs down.
+                        if brief.things[*a].group != Group::Soft {
+                            let own = [out[*a][0].min(out[*a][2]), out[*a][0].max(out[*a][2])];
+                            sides = [0, 1].map(|k| sides[k].max(own[k] + 0.02));
+                        }
+                    }
                     Rel::InFrontOf | Rel::Along
                         if brief.things[*a].group == Group::Seat && each > 1.0 && seats(brief, b) =>
                     {
@@ -123,6 +131,9 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
             out[b][0] *= grow * grow.sqrt();
             out[b][2] *= grow.sqrt();
         }
+        let [short, long] = if out[b][0] < out[b][2] { [0, 2] } else { [2, 0] };
+        out[b][short] = out[b][short].max(sides[0]);
+        out[b][long] = out[b][long].max(sides[1]);
         out[b][0] = out[b][0].max(width);
         if brief.things[b].look.features.iter().any(|f| f == "round") && width > 0.0 {
             out[b][2] = out[b][0];

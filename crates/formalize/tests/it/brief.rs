@@ -53,3 +53,17 @@ fn what_is_wrong_is_said_with_its_place() {
         assert!(json::read(text).is_err(), "{text}");
     }
 }
+
+/// A cooktop is deeper than a small cart: the cart grows, since all of the cooktop is to rest on it.
+#[test]
+fn what_rests_on_another_fits_there() {
+    let request = "A kitchen with a small cart. A portable induction cooktop is on the cart.";
+    let draft = read(request, &Options { literal: true }).draft;
+    let footprint = |word: &str| {
+        let thing = draft.things.iter().find(|thing| thing.category.contains(word)).unwrap();
+        let [width, _, depth] = thing.size.unwrap();
+        [width.min(depth), width.max(depth)]
+    };
+    let (cart, cooktop) = (footprint("cart"), footprint("cooktop"));
+    assert!((0..2).all(|side| cart[side] >= cooktop[side]), "{cart:?} {cooktop:?}");
+}
