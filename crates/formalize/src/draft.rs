@@ -72,6 +72,8 @@ pub struct Opening {
     pub name: String,
     /// Which of the two.
     pub kind: OpeningKind,
+    /// What kind of door or window, where it is not a plain one: "garage door".
+    pub category: Option<String>,
     /// Indices into [`Draft::rooms`]: one (to the outside) or two.
     pub rooms: Vec<usize>,
     /// Width, height, depth in metres.

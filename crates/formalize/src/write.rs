@@ -155,10 +155,11 @@ impl Writer<'_> {
     }
 
     fn opening(&mut self, opening: &Opening) {
-        let Opening { name, kind, rooms, size, look, source } = opening;
+        let Opening { name, kind, category, rooms, size, look, source } = opening;
         let rooms: Vec<&Room> = rooms.iter().filter_map(|room| self.draft.rooms.get(*room)).take(2).collect();
         self.declaration(name, 1, source);
-        self.text(name, "category", if *kind == OpeningKind::Door { "door" } else { "window" });
+        let plain = if *kind == OpeningKind::Door { "door" } else { "window" };
+        self.text(name, "category", category.as_deref().unwrap_or(plain));
         self.size(name, *size);
         self.look(name, look);
         let named = |what: &[&str]| {

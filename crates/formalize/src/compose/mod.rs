@@ -129,6 +129,7 @@ fn declare(
                 draft.openings.push(Opening {
                     name: name.clone(),
                     kind,
+                    category: None,
                     rooms: rooms.clone(),
                     size,
                     look: item.look.clone(),

@@ -3,10 +3,10 @@
 use super::floor::{Floor, Piece, Pose, Shape};
 use super::groups::Where;
 use super::openings::in_scene;
-use super::plan::{AtWall, Plan};
+use super::plan::{AtWall, Plan, for_people};
 use super::slots::{Level, Slot};
 use super::stand;
-use crate::names::Names;
+use crate::names::{Names, words};
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
 
@@ -126,6 +126,8 @@ pub struct Root<'r> {
     pub frames: Vec<Pose>,
     /// What is known of its place at walls.
     pub wall: AtWall,
+    /// What is kept free around it, in its frame.
+    pub free: Vec<(Pose, [f64; 3])>,
     /// Finds a place, given those of the elements before it.
     #[expect(clippy::type_complexity, reason = "it is written once")]
     pub seek: &'r dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>,
@@ -160,6 +162,7 @@ impl Plan<'_> {
             let thing = add(self, n * root.frames.len());
             if let Some(poses) = self.try_group(thing, n, root, &skip) {
                 self.miss(&skip);
+                self.settle();
                 return Some((thing, poses));
             }
             match self.take_back(before, thing) {
@@ -178,6 +181,7 @@ impl Plan<'_> {
             let before = self.mark();
             if self.try_group(thing, root.n, root, &skip).is_some() {
                 self.miss(&skip);
+                self.settle();
                 return true;
             }
             match self.take_back(before, thing) {
@@ -211,12 +215,22 @@ impl Plan<'_> {
         self.lacking += usize::from(self.matters && seats);
     }
 
+    /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.
+    fn settle(&mut self) {
+        let names: Vec<String> = self.claimed.iter().map(|i| self.draft.things[*i].name.clone()).collect();
+        self.draft.statements.retain(|s| {
+            let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");
+            !(turns && for_people(&s.source) && words(&s.text).iter().any(|w| names.iter().any(|n| n == w)))
+        });
+    }
+
     fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {
         let it = &self.draft.things[thing];
         let (noun, size) = (it.category.replace('_', " "), it.size?);
         self.building = Some(Building::new(thing, &noun, size, root.frames.clone(), skip));
         self.surround(thing, root.wall, 0);
-        let group = self.building.clone()?;
+        let mut group = self.building.clone()?;
+        group.shape.free.extend(root.free.iter().copied());
         let mut ground = self.ground.clone()?;
         let mut poses = Vec::new();
         for _ in 0..n {

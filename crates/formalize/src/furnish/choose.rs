@@ -19,10 +19,16 @@ pub struct Choice<'a> {
     pub strictly: bool,
     /// Whether the back of the room is for those who work there.
     pub staffed: bool,
+    /// What it hangs near: its place.
+    pub near: Option<Pose>,
 }
 
 /// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
 const TOGETHER: f64 = 0.35;
+/// From the door to the middle of a counter (metres).
+const SERVED: f64 = 2.6;
+/// Beds that lie along a wall.
+const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 
 impl Choice<'_> {
     fn is(&self, nouns: &[&str]) -> bool {
@@ -58,13 +64,17 @@ impl Choice<'_> {
         }
         let lit = self.windows.contains(&wall);
         if self.is(&["bed"]) {
-            cost += along.abs() / length * 0.6 + if lit { 0.7 } else { 0.0 };
+            // A narrow one lies along a wall, and its free side is its right one.
+            let narrow = self.size[0] < 1.15 && before.is_empty() && self.is(&ALONG);
+            let to_corner = along + length / 2.0 - self.size[0] / 2.0;
+            cost += if narrow { to_corner.min(3.0) * 1.5 } else { along.abs() / length * 0.6 };
+            cost += if lit { 0.7 } else { 0.0 };
         } else if self.is(&["sofa", "couch"]) {
             // Across from it there is room for a screen, and no window behind that.
             let dazzled = self.windows.contains(&wall.across());
             cost += along.abs() / length * 0.5 + if dazzled { 0.8 } else { 0.0 };
             let deep = if matches!(wall, Wall::Back | Wall::Front) { floor.size[2] } else { floor.size[0] };
-            cost += (3.6 - deep).max(0.0);
+            cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
         } else if self.looks_at.is_none() {
             let to_end = length / 2.0 - along.abs() - seek::reach(shape)[0].max(seek::reach(shape)[1]);
             cost += to_end.max(0.0).min(floor.room_around(shape, pose)).min(2.0) * 0.2;
@@ -89,8 +99,10 @@ impl Choice<'_> {
         let places = seek::on_walls(floor.size, shape, self.size[2], y).into_iter();
         let cost = |pose: &Pose| {
             let wall = Wall::behind(pose)?;
-            let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
-            let mut cost = along.abs() * 0.1
+            // In the middle of what is free of the wall, with some of it free at both sides.
+            let [left, right] = floor.stretch(pose, self.size);
+            let mut cost = (left - right).abs().min(2.0) * 0.15
+                + (0.7 - left.min(right)).max(0.0) * 0.6
                 + match wall {
                     Wall::Back => 0.0,
                     Wall::Left | Wall::Right => 0.1,
@@ -102,8 +114,27 @@ impl Choice<'_> {
                 let ahead = dx * forward.0 + dz * forward.1;
                 cost += (dx * forward.1 - dz * forward.0).abs() * 0.5 + if ahead > 0.8 { 0.0 } else { 3.0 };
             }
+            if let Some(near) = self.near {
+                cost += (near.x - pose.x).hypot(near.z - pose.z) * 0.8;
+            }
             cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * 0.5;
             Some(cost)
+        };
+        seek::best(floor, shape, places, &cost)
+    }
+
+    /// The best place for a counter or a desk at which visitors are served: near the door and turned to it.
+    pub fn service(&self, floor: &Floor, shape: &Shape, behind: f64) -> Option<Pose> {
+        let places = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * behind).into_iter();
+        let cost = |pose: &Pose| {
+            let away = floor.away_from_door(pose);
+            let ahead = floor.door_ahead(pose);
+            // Who comes in stands before it, not beside it or behind.
+            if ahead < 0.9 {
+                return None;
+            }
+            let lit = Wall::behind(pose).is_some_and(|wall| self.windows.contains(&wall));
+            Some((away - SERVED).abs() + if lit { 0.5 } else { 0.0 })
         };
         seek::best(floor, shape, places, &cost)
     }

@@ -10,6 +10,8 @@ use crate::draft::{Draft, Look, Opening, OpeningKind, Source, Statement};
 
 /// So much wall is left beside a window (metres).
 const BESIDE: f64 = 0.3;
+/// From one window to the next.
+pub const BETWEEN: f64 = BESIDE + 0.2;
 /// A door's size.
 const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 /// Sizes of windows: the usual one, and those of narrow rooms.
@@ -19,7 +21,7 @@ const MOST: usize = 6;
 
 /// A door from outside, where none leads into a room of the program. Of several rooms the one that leads to the others has it.
 pub fn way_in(draft: &mut Draft, at: usize) {
-    let outside = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.len() == 1;
+    let outside = |o: &Opening| o.kind == OpeningKind::Door && o.rooms.len() == 1 && o.category.is_none();
     let kinds: Vec<&str> = draft.rooms.iter().map(|room| room.kind.as_str()).collect();
     if draft.openings.iter().any(outside) || crate::storey::hub(&kinds) != at {
         return;
@@ -34,6 +36,7 @@ pub fn way_in(draft: &mut Draft, at: usize) {
     draft.openings.push(Opening {
         name: names.take("door"),
         kind: OpeningKind::Door,
+        category: None,
         rooms: vec![at],
         size,
         look: Look::default(),
@@ -104,6 +107,7 @@ pub fn add_windows(plan: &mut Plan) {
         plan.draft.openings.push(Opening {
             name: name.clone(),
             kind: OpeningKind::Window,
+            category: None,
             rooms: vec![plan.room],
             size,
             look: Look::default(),

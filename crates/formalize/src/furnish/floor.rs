@@ -13,6 +13,8 @@ const CELL: f64 = 0.1;
 const HALF_WAY: f64 = 0.40;
 /// Nobody bumps into what is higher (metres).
 const HEAD: f64 = 1.9;
+/// What lies flat and is longer is no doormat (metres).
+const MAT: f64 = 1.0;
 
 /// A place and a turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -112,12 +114,25 @@ pub struct Floor {
     doors: Vec<[f64; 2]>,
     /// What one has to get to.
     goals: Vec<Block>,
+    /// Mats and rugs that lie there.
+    flats: Vec<Block>,
+    /// Before doors: nothing lies there but a doormat.
+    swing: Vec<Block>,
 }
 
 impl Floor {
     /// An empty room.
     pub fn new(size: [f64; 3]) -> Self {
-        Self { size, bodies: Vec::new(), free: Vec::new(), lit: Vec::new(), doors: Vec::new(), goals: Vec::new() }
+        Self {
+            size,
+            bodies: Vec::new(),
+            free: Vec::new(),
+            lit: Vec::new(),
+            doors: Vec::new(),
+            goals: Vec::new(),
+            flats: Vec::new(),
+            swing: Vec::new(),
+        }
     }
 
     /// The room itself, somewhat wider.
@@ -137,6 +152,40 @@ impl Floor {
             ((way.low[k] + way.high[k]) / 2.0).clamp(-edge, edge)
         }));
         self.free.push(way);
+        self.swing.push(way);
+    }
+
+    /// A door that one does not come in by, and the floor before it.
+    pub fn side_door(&mut self, pose: &Pose, size: [f64; 3], clear: f64) {
+        self.bodies.push(Block::of(pose, size));
+        self.free.push(Block::of(pose, [size[0], size[1], 2.0 * clear + size[2]]));
+        self.swing.push(Block::of(pose, [size[0], size[1], 2.0 * clear + size[2]]));
+        self.goals.push(Block::of(pose, size));
+    }
+
+    /// What is there from now on, and hides nothing.
+    pub fn body(&mut self, pose: &Pose, size: [f64; 3]) {
+        self.bodies.push(Block::of(pose, size));
+    }
+
+    /// How much of the wall behind a place is free to the left and to the right of it, at the height of a thing of a size.
+    pub fn stretch(&self, pose: &Pose, size: [f64; 3]) -> [f64; 2] {
+        let own = Block::of(pose, size);
+        let along = if (pose.yaw / 90.0).round() as i64 % 2 == 0 { 0 } else { 2 };
+        let across = 2 - along;
+        let mut out = [self.size[along] / 2.0 + own.low[along], self.size[along] / 2.0 - own.high[along]];
+        for body in &self.bodies {
+            let near = body.low[across] < own.high[across] + 0.4 && own.low[across] - 0.4 < body.high[across];
+            if !near || body.high[1] < own.low[1] - 0.05 || body.low[1] > own.high[1] {
+                continue;
+            }
+            if body.high[along] <= own.low[along] + 0.01 {
+                out[0] = out[0].min(own.low[along] - body.high[along]);
+            } else if body.low[along] >= own.high[along] - 0.01 {
+                out[1] = out[1].min(body.low[along] - own.high[along]);
+            }
+        }
+        out
     }
 
     /// A window: nothing tall before it, and nothing taller than the sill within half a metre.
@@ -154,7 +203,9 @@ impl Floor {
         let stands = |(piece, block): (&Piece, Block)| {
             let taken = self.bodies.iter().chain(&self.free).any(|other| other.meets(&block));
             let darkens = piece.tall && self.lit.iter().any(|other| other.meets(&block));
-            self.inside(&block) && (piece.flat || !(taken || darkens))
+            let large = piece.size[0].max(piece.size[2]) > MAT;
+            let lies = piece.flat && large && self.flats.iter().chain(&self.swing).any(|other| other.meets(&block));
+            self.inside(&block) && if piece.flat { !lies } else { !(taken || darkens) }
         };
         bodies.into_iter().all(stands)
             && shape.free.iter().all(|(pose, size)| {
@@ -167,6 +218,9 @@ impl Floor {
     pub fn take(&mut self, shape: &Shape, at: &Pose) {
         for piece in shape.pieces.iter().filter(|piece| !piece.flat) {
             self.bodies.push(Block::of(&at.then(&piece.at), piece.size));
+        }
+        for piece in shape.pieces.iter().filter(|piece| piece.flat) {
+            self.flats.push(Block::of(&at.then(&piece.at), piece.size));
         }
         self.free.extend(shape.free.iter().map(|(pose, size)| Block::of(&at.then(pose), *size)));
         if let Some(first) =
@@ -182,6 +236,14 @@ impl Floor {
     /// How far a place is from the nearest door.
     pub fn away_from_door(&self, pose: &Pose) -> f64 {
         self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far the nearest door is before a place, straight ahead.
+    pub fn door_ahead(&self, pose: &Pose) -> f64 {
+        let (sin, cos) = pose.yaw.to_radians().sin_cos();
+        let near = self.doors.iter().map(|[x, z]| [x - pose.x, z - pose.z]);
+        let near = near.min_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
+        near.map_or(f64::INFINITY, |[dx, dz]| dx * sin + dz * cos)
     }
 
     /// How far a group at a place is from the nearest thing on the floor.

@@ -36,6 +36,8 @@ pub enum Place {
     Front(f64),
     /// At a distance from the wall at the back, so turned: 180 looks into the room.
     Before(f64, f64),
+    /// Near the door and turned to it, with so much room behind it for who works there.
+    Service(f64),
     /// At a wall opposite a thing, looking at it.
     Opposite(String),
     /// On a wall, at the height of the eyes.
@@ -55,6 +57,10 @@ pub struct Line {
     pub place: Place,
     /// Only in rooms of at least so many square metres.
     pub least: f64,
+    /// Of several in a run: so far apart. Of what hangs: near this.
+    pub gap: f64,
+    /// What it hangs near.
+    pub by: &'static str,
 }
 
 /// A kind of room.
@@ -90,6 +96,12 @@ pub struct Kind {
     pub lines: Vec<Line>,
     /// In a home without a dining room, what one eats at.
     pub eat: Option<Line>,
+    /// Width and height of a wide door for cars and goods, beside the ordinary one.
+    pub gate: Option<[f64; 2]>,
+    /// A second door, closed, to what such a room always has beside it: a bathroom.
+    pub inner: Option<&'static str>,
+    /// Whether its windows have curtains.
+    pub curtains: bool,
 }
 
 /// All kinds, in the order of the table.
@@ -146,6 +158,9 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
             }
         }
         "eat" => kind.eat = entry(value),
+        "gate" => kind.gate = numbers().try_into().ok(),
+        "inner" => kind.inner = Some(value),
+        "curtains" => kind.curtains = value == "yes",
         "home" => kind.home = numbers().try_into().ok(),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
         "windows" => kind.windows = value.parse().unwrap_or(0),
@@ -160,9 +175,9 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
 
 /// `2 nightstand wall >=12`, `1/8 ceiling light ceiling`, `1p4 table rows`.
 fn entry(line: &'static str) -> Option<Line> {
-    const PLACES: [&str; 13] = [
-        "wall", "run", "corner", "middle", "floor", "rows", "rowsaway", "back", "front", "before", "opposite", "hung",
-        "ceiling",
+    const PLACES: [&str; 14] = [
+        "wall", "run", "corner", "middle", "floor", "rows", "rowsaway", "back", "front", "before", "service",
+        "opposite", "hung", "ceiling",
     ];
     let words: Vec<&'static str> = line.split_whitespace().collect();
     let at = (1..words.len()).rev().find(|i| PLACES.contains(&words[*i]))?;
@@ -189,6 +204,7 @@ fn entry(line: &'static str) -> Option<Line> {
         "back" => Place::Back(number()),
         "front" => Place::Front(number()),
         "before" => Place::Before(number(), rest.get(1).and_then(|n| n.parse().ok()).unwrap_or(180.0)),
+        "service" => Place::Service(number()),
         "opposite" => {
             Place::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
         }
@@ -196,7 +212,16 @@ fn entry(line: &'static str) -> Option<Line> {
         _ => Place::Ceiling,
     };
     let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);
-    Some(Line { count, noun, place, least })
+    let gap = if place == Place::Run { number().max(0.01) } else { 0.0 };
+    let by = if place == Place::Hung { rest_of(line, rest) } else { "" };
+    Some(Line { count, noun, place, least, gap, by })
+}
+
+/// The words of a line from the first of these to the column that begins with `>=`.
+fn rest_of(line: &'static str, rest: &[&'static str]) -> &'static str {
+    let Some(first) = rest.first() else { return "" };
+    let begin = first.as_ptr() as usize - line.as_ptr() as usize;
+    line.get(begin..).and_then(|tail| tail.split(">=").next()).unwrap_or("").trim()
 }
 
 #[cfg(test)]

@@ -7,7 +7,9 @@ mod build;
 mod choose;
 mod daylight;
 mod drop;
+mod even;
 mod floor;
+mod gates;
 mod groups;
 pub(crate) mod kinds;
 pub(crate) mod number;
@@ -25,6 +27,10 @@ use crate::brief::{Brief, Number};
 use crate::draft::Draft;
 use number::{Scale, scale};
 
+/// Rooms in which a screen is looked at are so deep at most, unless they would be longer than this (metres).
+const ACROSS: f64 = 4.5;
+const LONGEST: f64 = 8.4;
+
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
 pub fn measure(brief: &mut Brief) {
@@ -41,7 +47,10 @@ pub fn measure(brief: &mut Brief) {
             Scale::Large => 1.4,
         };
         let by = (area / (w * d)).sqrt();
-        brief.rooms[at].usual = Some([w * by, h, d * by]);
+        // Who looks at a screen across the room is not too far from it.
+        let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Opposite(_)));
+        let deep = if watched { (d * by).min(ACROSS.max(area / LONGEST)) } else { d * by };
+        brief.rooms[at].usual = Some([area / deep, h, deep]);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where doors and windows of a room may be: in walls that lead where they shall, doors near a corner, windows in one wall.
 
 use super::floor::{Floor, Pose};
+use super::gates::GATE;
 use super::seek::Wall;
 use crate::draft::{Draft, Opening, OpeningKind};
 
@@ -74,7 +75,12 @@ pub fn doors(draft: &mut Draft, room: usize) {
         let beyond = door.rooms.iter().copied().find(|other| *other != room);
         let mut best: Option<(f64, Pose)> = None;
         for wall in [Wall::Front, Wall::Right, Wall::Left, Wall::Back] {
+            let gate = door.category.as_deref() == Some(GATE);
+            let inner = door.category.is_some() && !gate;
             let dear = match (beyond, wall) {
+                // To the next room, not to the street.
+                (None, Wall::Front) if inner => 0.6,
+                (None, Wall::Back) if inner => 0.5,
                 (None, Wall::Right) => 1.0,
                 (None, Wall::Left) => 1.5,
                 (None, Wall::Back) => 2.0,
@@ -91,7 +97,7 @@ pub fn doors(draft: &mut Draft, room: usize) {
                 for along in (0..=steps).map(|i| last - 0.2 * i as f64).chain([first]) {
                     let off = if beyond.is_some() { -BETWEEN } else { 0.0 };
                     let pose = wall.place(draft.rooms[room].size, along, off);
-                    let cost = dear + (last - along).min(along - first) * 0.2;
+                    let cost = dear + if gate { (along + 0.6).abs() } else { (last - along).min(along - first) } * 0.2;
                     let free = !at_odds(draft, room, &pose, &door);
                     if free && best.as_ref().is_none_or(|(least, _)| cost < *least - 1e-9) {
                         best = Some((cost, pose));
@@ -141,6 +147,9 @@ pub fn floor(draft: &Draft, room: usize) -> Floor {
         let Some([x, y, z, yaw]) = draft.place_of(&opening.name) else { continue };
         let pose = Pose { x: x - own.at[0], y, z: z - own.at[1], yaw };
         match opening.kind {
+            OpeningKind::Door if opening.category.is_some() => {
+                floor.side_door(&pose, opening.size, crate::write::clear_space(opening));
+            }
             OpeningKind::Door => floor.door(&pose, opening.size, crate::write::clear_space(opening)),
             OpeningKind::Window => floor.window(&pose, opening.size),
         }

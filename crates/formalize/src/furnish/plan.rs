@@ -221,6 +221,7 @@ impl<'a> Plan<'a> {
         let anchors = self.draft.things[thing].count;
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
+        let round = stand::round(&category, &self.draft.things[thing].look.features);
         if self.claim(thing, part) {
             return;
         }
@@ -228,6 +229,11 @@ impl<'a> Plan<'a> {
         // In a run there is nothing at the sides.
         let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));
         if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
+            return;
+        }
+        // Two rugs of one room lie on each other sooner or later.
+        let rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
+        if noun.ends_with("rug") && self.draft.things.iter().any(rug) {
             return;
         }
         let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
@@ -240,7 +246,7 @@ impl<'a> Plan<'a> {
             Where::Under(wider, deeper, _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
             Where::Around(n, _) | Where::LongSides(n, _) => {
                 if let Some(people) = self.people {
-                    *n = people.div_ceil(anchors).min(capacity(of, own));
+                    *n = people.div_ceil(anchors).min(capacity(of, own, round));
                 }
             }
             _ => {}
@@ -251,7 +257,7 @@ impl<'a> Plan<'a> {
         {
             own[1] = own[1].min(next - low - 0.045);
         }
-        let places: Vec<Slot> = slots(&at, &Sizes { of, own }, &shelf)
+        let places: Vec<Slot> = slots(&at, &Sizes { of, own, round }, &shelf)
             .into_iter()
             .filter(|slot| match slot.level {
                 Level::Above(y) => y + own[1] < height - 0.05,
@@ -295,7 +301,7 @@ impl<'a> Plan<'a> {
         let free = |i: &usize| {
             let it = &self.draft.things[*i];
             it.room == Some(self.room)
-                && matches!(it.source, Source::Stated(_))
+                && (matches!(it.source, Source::Stated(_)) || for_people(&it.source))
                 && stand::counts_as(part.noun, &it.category.replace('_', " "))
                 && *i != thing
                 && !self.claimed.contains(i)
@@ -311,7 +317,8 @@ impl<'a> Plan<'a> {
             Where::LongSides(_, gap) => Where::LongSides(it.count, gap),
             ref at => at.clone(),
         };
-        let places = slots(&at, &Sizes { of, own }, &[]);
+        let round = stand::round(&self.draft.things[thing].category, &self.draft.things[thing].look.features);
+        let places = slots(&at, &Sizes { of, own, round }, &[]);
         if places.len() != it.count {
             return false;
         }
@@ -378,7 +385,13 @@ impl<'a> Plan<'a> {
         let last = |name: &str| name.rsplit('_').next().unwrap_or(name).to_owned();
         let (anchor, kind) = (last(&of.category), last(&part.category));
         let call = match (anchor.as_str(), kind.as_str(), at) {
-            ("table", "chair", Where::Around(..)) => "diningSet",
+            // At an oval table chairs look square to its edge, not to its sides.
+            ("table", "chair", Where::Around(..))
+                if !stand::round(&of.category, &of.look.features)
+                    || of.size.is_some_and(|s| (s[0] - s[2]).abs() < 0.01) =>
+            {
+                "diningSet"
+            }
             ("desk", "chair", Where::Front(..)) => "deskSet",
             ("bed", "nightstand", _) => "bedSet",
             ("sofa", "table", Where::Front(..)) => "seatingGroup",
@@ -387,6 +400,11 @@ impl<'a> Plan<'a> {
         let text = format!("assert {call}({}, {});", of.name, part.name);
         self.say(text, why);
     }
+}
+
+/// Whether a thing is there because so many people are said to sit at another.
+pub fn for_people(source: &Source) -> bool {
+    matches!(source, Source::Inferred(why) if why.ends_with("people sit there"))
 }
 
 /// Why a part is there.

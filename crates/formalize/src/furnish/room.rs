@@ -9,12 +9,18 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
-use super::{groups, place, stand, taste};
+use super::{even, gates, groups, place, slots, stand, taste};
 use crate::brief::Brief;
 use crate::draft::{Demand, Draft, Source};
+use std::cell::RefCell;
 
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
+
+/// Before a counter so much is free (metres).
+const SERVED: f64 = 1.15;
+/// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
+const APART: [f64; 2] = [0.3, 0.12];
 
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
@@ -55,6 +61,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
+        gates::doors(draft, at, kind);
     }
     let rectangular = draft.rooms[at].outline.is_none();
     if rectangular && !draft.outdoor {
@@ -78,7 +85,11 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     }
     if rectangular {
         plan.ground = Some(openings::floor(plan.draft, at));
+        if !windows {
+            gates::curtains(&mut plan);
+        }
     }
+    rounded(&mut plan, brief);
     for thing in &asked {
         stand_up(&mut plan, *thing);
     }
@@ -100,6 +111,28 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
     lacking
+}
+
+/// Round tables that are asked for are circles, as large as those need who sit at them.
+fn rounded(plan: &mut Plan, brief: &Brief) {
+    for at in 0..plan.draft.things.len() {
+        let thing = &plan.draft.things[at];
+        let oval = thing.category.contains("oval") || thing.look.features.iter().any(|f| f == "oval");
+        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
+        if thing.room != Some(plan.room) || oval || sized || !stand::round(&thing.category, &thing.look.features) {
+            continue;
+        }
+        let seats = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+        let seats = seats.filter(|t| stand::group(&t.category) == crate::brief::Group::Seat);
+        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0);
+        let usual = Plan::size(&thing.category.replace('_', " "));
+        let fits = plan.draft.rooms[plan.room].size;
+        let most = fits[0].min(fits[2]) - 1.6;
+        let across = slots::diameter(n.min(12), Plan::size("chair")[0]).max(usual[0].min(usual[2])).min(most.max(0.6));
+        if let Some(size) = plan.draft.things[at].size.as_mut().filter(|s| s[1] > 0.55) {
+            (size[0], size[2]) = (across, across);
+        }
+    }
 }
 
 /// Adds what one eats at, if there is room for its seats, too.
@@ -173,6 +206,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     if !at_wall_like {
         straighten(plan, thing);
     }
+    let row = RefCell::new(Vec::new());
     let placed = match it.size.filter(|_| plan.ground.is_some() && stand::on_floor(plan.draft, &it)) {
         Some(size) => {
             let windows = window_walls(plan);
@@ -183,17 +217,24 @@ fn stand_up(plan: &mut Plan, thing: usize) {
                 looks_at: None,
                 strictly: false,
                 staffed: staffed(plan),
+                near: None,
             };
             let turned = plan.draft.statements.iter().any(|s| s.text.contains(&format!("{}.rot.y = 90", it.name)));
-            let yaws: &[f64] = if turned { &[90.0] } else { &[0.0] };
+            let yaws: &[f64] = match turned {
+                true => &[90.0],
+                false if it.category.ends_with("island") => &[180.0],
+                false => &[0.0],
+            };
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-                if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
+                if let Some(pose) = in_row(&choice, floor, shape, before, it.count, &row) {
+                    Some(pose)
+                } else if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
                     choice.wall(floor, shape, before)
                 } else {
                     choice.floor(floor, shape, before, yaws)
                 }
             };
-            let root = Root { n: it.count, frames: vec![Pose::default()], wall, seek: &seek };
+            let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: Vec::new(), seek: &seek };
             let placed = plan.place_asked(thing, &root);
             plan.lacking += usize::from(!placed);
             placed
@@ -204,6 +245,24 @@ fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// The next place of several beds that stand side by side; `row` keeps those that are not taken yet.
+fn in_row(
+    choice: &Choice,
+    floor: &Floor,
+    shape: &Shape,
+    before: &[Pose],
+    n: usize,
+    row: &RefCell<Vec<Pose>>,
+) -> Option<Pose> {
+    if n < 2 || !choice.noun.ends_with("bed") {
+        return None;
+    }
+    if before.is_empty() {
+        row.replace(even::places(floor, shape, n, choice.size[2], choice.windows).unwrap_or_default());
+    }
+    row.borrow().get(before.len()).copied()
 }
 
 /// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
@@ -236,9 +295,15 @@ fn straighten(plan: &mut Plan, thing: usize) {
     }
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let along = it.size.is_none_or(|s| s[0] >= s[2]);
-    let yaw = if (w >= d) == along { "0" } else { "90" };
+    let yaw = match (w >= d) == along {
+        _ if it.category.ends_with("car") && gate(plan).is_some() => "0",
+        // Who sits at an island has the kitchen before the eyes.
+        true if it.category.ends_with("island") => "180",
+        true => "0",
+        false => "90",
+    };
     let [own_w, _, own_d] = it.size.unwrap_or_default();
-    let (across, deep) = if yaw == "0" { (own_w, own_d) } else { (own_d, own_w) };
+    let (across, deep) = if yaw != "90" { (own_w, own_d) } else { (own_d, own_w) };
     // What cannot stand so is left to turn.
     if across > w || deep > d {
         return;
@@ -252,6 +317,33 @@ fn straighten(plan: &mut Plan, thing: usize) {
         _ => format!("assert forall a in {name}: a.rot.y = {yaw};"),
     };
     plan.say(text, "things stand parallel to the walls");
+}
+
+/// Where the wide door of the room is, if it has one.
+fn gate(plan: &Plan) -> Option<Pose> {
+    let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
+    plan.place_in_room(&door.name)
+}
+
+/// What is kept free around a thing of the inventory, in its frame: behind a counter for who works there, before it for who
+/// is served, beside it for the way there; beside what hangs.
+fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
+    let [w, h, d] = size;
+    let at = |x: f64, y: f64, z: f64| Pose { x, y, z, yaw: 0.0 };
+    if hung {
+        return vec![(at(0.0, -1.4 * beside, 0.0), [w + 2.0 * beside, h + 1.4 * beside, d])];
+    }
+    let behind = match line.place {
+        Place::Service(gap) => gap - 0.02,
+        Place::Before(gap, yaw) if yaw == 180.0 => gap - 0.5,
+        _ => return Vec::new(),
+    };
+    let pass = 0.7;
+    vec![
+        (at(0.0, 0.05, (d + SERVED) / 2.0), [w, 1.7, SERVED]),
+        (at(pass / 2.0, 0.05, -(d + behind) / 2.0), [w + pass, 1.7, behind]),
+        (at((w + pass) / 2.0, 0.05, 0.0), [pass, 1.7, d]),
+    ]
 }
 
 /// Adds a line of the inventory.
@@ -293,7 +385,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let size = for_people(plan, line.noun, n);
     let hung = line.place == Place::Hung
         || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
-    let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..));
+    let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
     // Where places are known, they say better what there is room for.
     let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
     let n = (0..=n).rev().find(room_for).unwrap_or(0);
@@ -325,6 +417,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         looks_at: watched,
         strictly: opposite_pose.is_some(),
         staffed: staffed(plan),
+        near: near_to(plan, line.by),
     };
     // Of places along a line, the nearest to the one that is meant.
     let near = |floor: &Floor, shape: &Shape, nominal: Pose| {
@@ -340,22 +433,32 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
         Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
         Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
-        _ => Pose { yaw: middle_yaw, ..Pose::default() },
+        _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
+            Some(gate) => Pose { x: gate.x, ..Pose::default() },
+            None => Pose { yaw: middle_yaw, ..Pose::default() },
+        },
     };
+    let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
-        Place::Wall | Place::Run | Place::Hung => choice.wall(floor, shape, before),
+        Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, n, &row)
+            .filter(|_| line.place == Place::Wall)
+            .or_else(|| choice.wall(floor, shape, before)),
+        Place::Service(gap) => choice.service(floor, shape, *gap).or_else(|| choice.service(floor, shape, 0.9)),
         Place::Opposite(_) => choice.wall(floor, shape, before).or_else(|| {
             let anywhere = Choice { strictly: false, ..choice };
             anywhere.wall(floor, shape, before)
         }),
-        Place::Corner => choice.corner(floor, shape, before),
+        // A plant that finds no corner stands at a wall.
+        Place::Corner => choice
+            .corner(floor, shape, before)
+            .or_else(|| if line.noun == "plant" { choice.wall(floor, shape, before) } else { None }),
         Place::Floor => choice.floor(floor, shape, before, &[0.0]),
         Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
         _ => near(floor, shape, nominal),
     };
     let run = line.place == Place::Run && n > 1;
-    let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + 0.01), ..Pose::default() }).collect();
+    let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + line.gap), ..Pose::default() }).collect();
     let frames: Vec<Pose> = if run { together(n) } else { vec![Pose::default()] };
     let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
     let mut add = |plan: &mut Plan, n: usize| {
@@ -364,12 +467,14 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         }
         plan.add(line.noun, n, size, why)
     };
-    // A run that is too long is made shorter.
+    // A run that is too long is made shorter; what hangs comes nearer to others.
     let mut found = None;
     let shortest = if run { 1 } else { n };
-    for less in (shortest..=n).rev() {
+    let tries = (shortest..=n).rev().flat_map(|n| if hung { APART.map(|v| (n, v)).to_vec() } else { vec![(n, 0.0)] });
+    for (less, beside) in tries {
         let frames = if run { frames[..less].to_vec() } else { frames.clone() };
-        let root = Root { n: if run { 1 } else { n }, frames, wall, seek: &seek };
+        let free = kept(line, size, hung, beside);
+        let root = Root { n: if run { 1 } else { n }, frames, wall, free, seek: &seek };
         found = plan.place_group(&root, &mut add);
         if found.is_some() {
             break;
@@ -378,6 +483,13 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let Some((thing, poses)) = found else { return };
     let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
+}
+
+/// The place of the first thing of this name in the room.
+fn near_to(plan: &Plan, noun: &str) -> Option<Pose> {
+    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !noun.is_empty());
+    let thing = things.find(|t| t.category.replace('_', " ").ends_with(noun))?;
+    plan.place_in_room(&thing.name)
 }
 
 /// A line of an inventory that has found its place.
@@ -419,20 +531,23 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Wall | Place::Hung => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run => {
-            let step = metres(size[0] + 0.01);
+            let step = metres(size[0] + line.gap);
             let first = format!("{name}[0]");
             plan.say(format!("assert {}{};", back(&first), used(&first)), why);
             format!(
                 "assert forall i in 1..{n}: {name}[i].pos = {name}[0].pos + {name}[0].right * (i * {step}) and {name}[i].rot.y = {name}[0].rot.y;"
             )
         }
+        Place::Corner if line.noun == "plant" => every(&|x| format!("onFloor({x}, {room})")),
         Place::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
         Place::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
         Place::Middle | Place::Floor => {
             every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = 0"))
         }
-        Place::Back(_) | Place::Front(_) | Place::Before(..) if n == 1 => format!("assert {};", fixed(&at)),
-        Place::Back(_) | Place::Front(_) | Place::Before(..) => every(&|x| back(x)),
+        Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) if n == 1 => {
+            format!("assert {};", fixed(&at))
+        }
+        Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) => every(&|x| back(x)),
         Place::Opposite(_) => {
             let straight = |seen: &Pose| poses.first().is_none_or(|at| (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0);
             if let Some((to, _)) = opposite.as_ref().filter(|(_, seen)| straight(seen)) {

@@ -2,8 +2,9 @@
 
 use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
+use super::kinds::Place;
 use super::plan::{AtWall, Plan, metres};
-use super::{groups, place};
+use super::{groups, place, stand};
 
 /// Lights spread evenly under the ceiling.
 pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
@@ -57,47 +58,16 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     }
     let wanted = n;
     let size = asked.and_then(|thing| plan.draft.things[thing].size).unwrap_or_else(|| Plan::size(noun));
-    let flat = size[1] < 0.05;
-    let [left, right, back, front] = plan.reach(noun, size);
+    let reach = plan.reach(noun, size);
+    let [left, right, back, front] = reach;
     let (cell_w, cell_d) = (left + right, back + front);
-    // Ways of this width between the rows and around them.
-    let (aisle, side) = (if cell_w > 1.9 { 0.75 } else { 0.45 }, 0.9);
-    let between = if flat { 0.35 } else { 0.6 };
-    let ahead = match toward {
-        true if flat => 1.3,
-        true => 2.2_f64.min(0.28 * d),
-        false => side,
-    };
-    let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
-    let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
-    let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
-    if cell_w > free_w || cell_d > free_d {
+    let flat = size[1] < 0.05;
+    let facing = !toward && n >= 4 && noun.ends_with("desk");
+    let places = if facing { pairs([w, d], size, front, n) } else { None };
+    let Some(mut places) = places.or_else(|| grid(plan, noun, size, reach, n, toward)) else {
         plan.lacking += usize::from(plan.matters);
         return false;
-    }
-    let mut n = n.min(columns * lines);
-    // As square as the room.
-    let lines_used = n.div_ceil(columns).max(((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines));
-    let columns_used = n.div_ceil(lines_used);
-    let step = |free: f64, cell: f64, count: usize, least: f64| {
-        let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
-        most.min(cell + least.max(0.35 * cell)).max(most.min(cell + least))
     };
-    let step_x = step(free_w, cell_w, columns_used, aisle);
-    let step_z = step(free_d, cell_d, lines_used, between);
-    // The middle of the rows, the group's own middle apart.
-    let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
-    let yaw = if toward { 180.0 } else { 0.0 };
-    let off = if toward { (front - back) / 2.0 } else { 0.0 };
-    let mut places: Vec<Pose> = (0..n)
-        .map(|i| {
-            let (column, line) = (i % columns_used, i / columns_used);
-            let in_line = columns_used.min(n - line * columns_used);
-            let x = (column as f64 - (in_line as f64 - 1.0) / 2.0) * step_x;
-            let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
-            Pose { x, y: 0.0, z, yaw }
-        })
-        .collect();
     if let Some(ground) = &plan.ground {
         // What stands there already, and doors, leave less.
         let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
@@ -106,7 +76,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
         let shape = Shape { pieces: vec![piece], free: Vec::new() };
         places.retain(|at| ground.fits(&shape, at));
     }
-    n = places.len();
+    let n = places.len();
     plan.lacking += usize::from(plan.matters && n < wanted);
     if n == 0 || asked.is_some() && n < wanted {
         return false;
@@ -125,12 +95,113 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     plan.say(format!("assert {};", each.join(" and ")), why);
     plan.take([cell_w, size[1], cell_d], n, false);
     let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
-    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, seek: &seek };
+    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, free: Vec::new(), seek: &seek };
     if plan.ground.is_none() || !plan.place_asked(thing, &root) {
         plan.building = None;
         plan.surround(thing, AtWall::No, 0);
     }
     true
+}
+
+/// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
+const AISLES: [f64; 2] = [1.85, 1.2];
+/// Between the backs of chairs of one table and those of the next.
+const TABLES: f64 = 0.9;
+/// Between groups of desks.
+const DESKS: f64 = 1.25;
+
+/// Places in columns and lines that look to the back of the room or away from it.
+fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, toward: bool) -> Option<Vec<Pose>> {
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let [left, right, back, front] = reach;
+    let (cell_w, cell_d) = (left + right, back + front);
+    let flat = size[1] < 0.05;
+    let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
+    let aisle_of_racks = AISLES[usize::from(size[0] < 2.0)];
+    let table = stand::group(noun) == crate::brief::Group::Table;
+    let side = if rack { 1.0 } else { 0.9 };
+    let counter = plan.kind.lines.iter().find_map(|line| match line.place {
+        Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
+        _ => None,
+    });
+    let ahead = match toward {
+        true if flat => 1.3,
+        true => counter.unwrap_or(2.2).min(if counter.is_some() { 0.42 } else { 0.28 } * d),
+        false if rack => aisle_of_racks,
+        false => side,
+    };
+    let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
+    if cell_w > free_w || cell_d > free_d {
+        return None;
+    }
+    // Ways of this width between the columns and the lines; narrower ones where there is no room for all.
+    let narrow = (if cell_w > 1.9 { 0.75 } else { 0.45 }, if flat { 0.35 } else { 0.6 });
+    let ways = match (rack, table) {
+        (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
+        (_, true) => vec![(TABLES, TABLES), narrow],
+        _ => vec![narrow],
+    };
+    let counts = |(aisle, between): (f64, f64)| {
+        let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
+        (columns, (((free_d + between) / (cell_d + between)) as usize).max(1))
+    };
+    let enough = ways.iter().find(|way| counts(**way).0 * counts(**way).1 >= n).or(ways.last());
+    let (aisle, between) = *enough?;
+    let (columns, lines) = counts((aisle, between));
+    let n = n.min(columns * lines);
+    // As square as the room; racks stand in long rows.
+    let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
+    let lines_used = n.div_ceil(columns).max(square);
+    let columns_used = n.div_ceil(lines_used);
+    let spread = if table { 1.3 } else { 0.0 };
+    let step = |free: f64, cell: f64, count: usize, least: f64, spread: f64| {
+        let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
+        most.min(cell + least.max(0.35 * cell).max(spread)).max(most.min(cell + least))
+    };
+    let step_x = if rack { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
+    let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });
+    // The middle of the rows, the group's own middle apart.
+    let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
+    let yaw = if toward { 180.0 } else { 0.0 };
+    let off = if toward { (front - back) / 2.0 } else { 0.0 };
+    // A short last line keeps to the columns.
+    let place = |i: usize| {
+        let (column, line) = (i % columns_used, i / columns_used);
+        let x = (column as f64 - (columns_used as f64 - 1.0) / 2.0) * step_x;
+        let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
+        Pose { x, y: 0.0, z, yaw }
+    };
+    Some((0..n).map(place).collect())
+}
+
+/// Desks that face each other in groups of four, spread over the floor; `front` is how far one reaches with its chair.
+fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, n: usize) -> Option<Vec<Pose>> {
+    let (side, each) = (0.9, 2);
+    let groups = n.div_ceil(2 * each);
+    let (wide, deep) = (each as f64 * size[0] + 0.02, 2.0 * front + size[2] + 0.02);
+    let (free_w, free_d) = (w - 2.0 * side, d - 2.0 * side);
+    if wide > free_w || deep > free_d {
+        return None;
+    }
+    let columns = (((free_w + DESKS) / (wide + DESKS)) as usize).min(groups);
+    let lines = groups.div_ceil(columns);
+    if lines as f64 * (deep + 0.6) - 0.6 > free_d {
+        return None;
+    }
+    let step = |free: f64, cell: f64, count: usize| {
+        if count > 1 { ((free - cell) / (count - 1) as f64).min(cell + 2.2) } else { 0.0 }
+    };
+    let (step_x, step_z) = (step(free_w, wide, columns), step(free_d, deep, lines));
+    let place = |i: usize| {
+        let (group, seat) = (i / (2 * each), i % (2 * each));
+        let x = ((group % columns) as f64 - (columns as f64 - 1.0) / 2.0) * step_x;
+        let z = ((lines as f64 - 1.0) / 2.0 - (group / columns) as f64) * step_z;
+        let across = ((seat / 2) as f64 - (each as f64 - 1.0) / 2.0) * (size[0] + 0.02);
+        let back = if seat % 2 == 0 { 1.0 } else { -1.0 };
+        let yaw = if seat % 2 == 0 { 0.0 } else { 180.0 };
+        Pose { x: x + across, y: 0.0, z: z + back * (size[2] / 2.0 + 0.01), yaw }
+    };
+    Some((0..n).map(place).collect())
 }
 
 impl Plan<'_> {
@@ -139,7 +210,7 @@ impl Plan<'_> {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
         for part in groups::of(noun).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least) {
             let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
-            let sizes = super::slots::Sizes { of, own };
+            let sizes = super::slots::Sizes { of, own, round: stand::round(noun, &[]) };
             for slot in super::slots::slots(&part.at, &sizes, &[]) {
                 if slot.level != super::slots::Level::Floor || own[1] < 0.05 {
                     continue;

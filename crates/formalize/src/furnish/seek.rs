@@ -4,7 +4,7 @@
 use super::floor::{Floor, Pose, Shape};
 
 /// Behind the back of what stands at a wall (metres).
-const BEHIND: f64 = 0.003;
+pub const BEHIND: f64 = 0.003;
 /// Beside what stands in a corner.
 const BESIDE: f64 = 0.03;
 /// From one place that is tried to the next.

@@ -37,6 +37,8 @@ pub struct Sizes {
     pub of: [f64; 3],
     /// Its own.
     pub own: [f64; 3],
+    /// Whether the other thing is round or oval, seen from above.
+    pub round: bool,
 }
 
 /// The places of the parts of one kind.
@@ -85,6 +87,7 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
             let first = middle - step * (n as f64 - 1.0) / 2.0;
             (0..n).map(|i| slot(first + step * i as f64, 0.0, Level::At(*y), 0.0)).collect()
         }
+        Where::Around(n, gap) | Where::LongSides(n, gap) if sizes.round => circle(n, gap, sizes),
         Where::Around(n, gap) => around(n, gap, sizes, true),
         Where::LongSides(n, gap) => around(n, gap, sizes, false),
         Where::Under(_, _, z) => vec![slot(0.0, z, Level::Floor, 0.0)],
@@ -119,13 +122,46 @@ impl Taken {
     }
 }
 
+/// Between seats at a round table, measured along its edge (metres).
+const ELBOW: f64 = 0.1;
+
+/// The diameter of a round table that so many seats of a width have room at.
+pub fn diameter(n: usize, seat: f64) -> f64 {
+    (n as f64 * (seat + ELBOW + 0.1) / std::f64::consts::PI * 20.0).ceil() / 20.0
+}
+
+/// Seats at equal angles around a round or an oval table, turned to its middle.
+fn circle(n: usize, gap: f64, sizes: &Sizes) -> Vec<Slot> {
+    let ([width, _, depth], [.., d]) = (sizes.of, sizes.own);
+    let n = n.min(capacity(sizes.of, sizes.own, true));
+    let round = |v: f64| (v * 1000.0).round() / 1000.0;
+    (0..n)
+        .map(|i| {
+            let angle = std::f64::consts::TAU * i as f64 / n as f64;
+            let (sin, cos) = angle.sin_cos();
+            let (a, b) = (width / 2.0, depth / 2.0);
+            // The edge of an oval is square to this direction.
+            let (nx, nz) = (sin * b, cos * a);
+            let long = nx.hypot(nz).max(1e-9);
+            let (nx, nz) = (nx / long, nz / long);
+            let off = gap + d / 2.0;
+            let yaw = round((nx.atan2(nz).to_degrees() + 180.0).rem_euclid(360.0)).rem_euclid(360.0);
+            Slot { x: round(a * sin + nx * off), z: round(b * cos + nz * off), level: Level::Floor, yaw }
+        })
+        .collect()
+}
+
 /// How many seats of a width have room at a side.
 fn room_at(side: f64, seat: f64) -> usize {
     ((side - 0.06) / (seat + 0.08)).floor().max(0.0) as usize
 }
 
 /// The most seats that a table of this size has room for.
-pub fn capacity(table: [f64; 3], seat: [f64; 3]) -> usize {
+pub fn capacity(table: [f64; 3], seat: [f64; 3], round: bool) -> usize {
+    if round {
+        return ((std::f64::consts::PI * (table[0] + table[2]) / 2.0) / (seat[0] + ELBOW) + 1e-6).floor().max(2.0)
+            as usize;
+    }
     let (long, short) = (table[0].max(table[2]), table[0].min(table[2]));
     2 * room_at(long, seat[0]).max(1) + 2 * usize::from(short >= seat[0] + 0.15)
 }
@@ -182,12 +218,30 @@ mod tests {
     fn seats_look_at_their_table_from_all_sides() {
         for of in [[1.6, 0.75, 0.9], [0.9, 0.75, 1.6], [0.8, 0.75, 0.8]] {
             for n in 1..9 {
-                let sizes = Sizes { of, own: [0.46, 0.9, 0.5] };
+                let sizes = Sizes { of, own: [0.46, 0.9, 0.5], round: false };
                 for slot in around(n, 0.03, &sizes, true) {
                     let front = [slot.yaw.to_radians().sin(), slot.yaw.to_radians().cos()];
                     let ahead = -(front[0] * slot.x + front[1] * slot.z);
                     assert!(ahead > 0.3, "{of:?} {n} {slot:?}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn seats_at_a_round_table_are_at_equal_angles_and_look_at_its_middle() {
+        for n in 2..9 {
+            let d = diameter(n, 0.46);
+            let sizes = Sizes { of: [d, 0.75, d], own: [0.46, 0.9, 0.5], round: true };
+            let slots = slots(&Where::Around(n, 0.02), &sizes, &[]);
+            assert_eq!(slots.len(), n);
+            for (i, slot) in slots.iter().enumerate() {
+                assert!((slot.x.hypot(slot.z) - d / 2.0 - 0.27).abs() < 0.002, "{n} {slot:?}");
+                let front = [slot.yaw.to_radians().sin(), slot.yaw.to_radians().cos()];
+                assert!((front[0] * slot.z - front[1] * slot.x).abs() < 0.003, "{n} {slot:?}");
+                let next = &slots[(i + 1) % n];
+                let turn = (next.yaw - slot.yaw).rem_euclid(360.0);
+                assert!((turn - 360.0 / n as f64).abs() < 0.01, "{n} {slot:?} {next:?}");
             }
         }
     }

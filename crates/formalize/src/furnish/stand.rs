@@ -78,6 +78,13 @@ pub fn on_floor(draft: &Draft, thing: &Thing) -> bool {
     matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor) && !raised
 }
 
+/// Whether a thing is round or oval, seen from above.
+pub fn round(category: &str, features: &[String]) -> bool {
+    const ROUND: [&str; 5] = ["round", "circular", "oval", "pedestal", "bistro"];
+    let said = category.split(['_', ' ']).chain(features.iter().map(String::as_str));
+    said.into_iter().any(|word| ROUND.contains(&word)) && group(category) == Group::Table
+}
+
 /// How things of this name are in a room.
 pub fn group(category: &str) -> Group {
     let words: Vec<String> = category.split(['_', ' ']).map(str::to_owned).collect();

@@ -84,6 +84,7 @@ pub(super) fn connect(
         draft.openings.push(Opening {
             name: names.take(&name),
             kind,
+            category: None,
             rooms,
             size: [
                 length(connection.width, [0.3, 8.0], usual[0]),

@@ -133,6 +133,7 @@ fn add_door(draft: &mut Draft, names: &mut Names, from: usize, to: usize) {
     draft.openings.push(Opening {
         name: names.take("door"),
         kind: OpeningKind::Door,
+        category: None,
         rooms: vec![from, to],
         size: [DOOR[0], DOOR[1].min(ceiling - 0.1), DOOR[2]],
         look: Look::default(),

@@ -34,6 +34,7 @@ pub fn opening(name: &str, kind: OpeningKind, rooms: &[usize]) -> Opening {
     Opening {
         name: name.into(),
         kind,
+        category: None,
         rooms: rooms.to_vec(),
         size: if kind == OpeningKind::Door { [0.9, 2.1, 0.06] } else { [1.5, 1.2, 0.06] },
         look: Default::default(),

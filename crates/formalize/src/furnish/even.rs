@@ -1,0 +1,74 @@
+//! Beds of one room side by side: heads at one wall, or at two that are opposite, all at the same distance.
+
+use super::floor::{Floor, Pose, Shape};
+use super::seek::{self, Wall};
+
+/// Between the places of two beds there is so much more at most (metres): where each has a place of its own, and where two
+/// beds share a night table.
+const MORE: f64 = 0.7;
+const SHARED: f64 = 0.02;
+/// A place that takes more than this has curtains or chairs of its own.
+const OWN: f64 = 2.0;
+/// From one place that is tried to the next.
+const STEP: f64 = 0.1;
+
+/// Places for so many groups of a depth, evenly at one wall, else at two opposite ones; none if there is no room for all.
+pub fn places(floor: &Floor, shape: &Shape, n: usize, depth: f64, windows: &[Wall]) -> Option<Vec<Pose>> {
+    let mut walls = Wall::ALL;
+    walls.sort_by_key(|wall| windows.contains(wall));
+    for wall in walls {
+        if let Some(found) = row(floor, shape, n, depth, wall) {
+            return Some(found);
+        }
+    }
+    for wall in [Wall::Left, Wall::Back] {
+        let (first, second) = (n.div_ceil(2), n / 2);
+        for (one, other) in [(first, second), (second, first)] {
+            let Some(mut found) = row(floor, shape, one, depth, wall) else { continue };
+            let mut left = floor.clone();
+            found.iter().for_each(|at| left.take(shape, at));
+            if let Some(more) = row(&left, shape, other, depth, wall.across()) {
+                found.extend(more);
+                return Some(found);
+            }
+        }
+    }
+    None
+}
+
+/// A row at one wall, as near to its middle as it fits.
+fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option<Vec<Pose>> {
+    let [left, right, ..] = seek::reach(shape);
+    let (each, length) = (left + right, wall.length(floor.size) - 0.04);
+    let rest = length - n as f64 * each;
+    if n == 0 || rest < 0.0 {
+        return (n == 0).then(Vec::new);
+    }
+    let most = if each > OWN { MORE } else { SHARED };
+    let mut more = (rest / n as f64).min(most);
+    while more >= 0.0 {
+        let step = each + more;
+        let slack = length - (n as f64 - 1.0) * step - each;
+        let tries = (slack / 2.0 / STEP).max(0.0) as i64;
+        let shifts = (0..=tries).flat_map(|k| [k as f64 * STEP, -(k as f64) * STEP]);
+        for shift in shifts {
+            // The middle of the row, the bed's own middle apart.
+            let first = shift - (n as f64 - 1.0) * step / 2.0 + (left - right) / 2.0;
+            let poses: Vec<Pose> =
+                (0..n).map(|i| wall.place(floor.size, first + step * i as f64, depth / 2.0 + seek::BEHIND)).collect();
+            if poses.iter().all(|at| floor.fits(shape, at)) && ways(floor, shape, &poses) {
+                return Some(poses);
+            }
+        }
+        more -= STEP;
+    }
+    None
+}
+
+/// Whether one gets to all when they stand there.
+fn ways(floor: &Floor, shape: &Shape, poses: &[Pose]) -> bool {
+    let Some((last, before)) = poses.split_last() else { return true };
+    let mut with = floor.clone();
+    before.iter().for_each(|at| with.take(shape, at));
+    with.leaves_ways(shape, last)
+}

@@ -1,0 +1,111 @@
+//! Doors and cloth that rooms of some kinds have beside a way in and windows: a garage door, the door to a bathroom, curtains.
+
+use super::daylight;
+use super::floor::Pose;
+use super::kinds::Kind;
+use super::openings;
+use super::plan::{Plan, metres};
+use super::seek::Wall;
+use crate::draft::{Draft, Look, Opening, OpeningKind, Source};
+use crate::names::Names;
+
+/// What a wide door for cars and goods is called.
+pub const GATE: &str = "garage door";
+/// So much wider than its window is a pair of curtains, and so far it hangs from the wall (metres).
+const WIDER: f64 = 0.8;
+const DEEP: f64 = 0.1;
+const OFF: f64 = 0.075;
+/// From the floor to a curtain, and from the top of the window to its rail.
+const ABOVE_FLOOR: f64 = 0.62;
+const RAIL: f64 = 0.16;
+
+/// The doors that rooms of a kind have beside the ordinary one, in a program of one room.
+pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
+    if draft.rooms.len() > 1 || draft.outdoor || draft.rooms[at].outline.is_some() {
+        return;
+    }
+    let [w, h, d] = draft.rooms[at].size;
+    let stated =
+        draft.openings.iter().filter(|o| o.kind == OpeningKind::Door).any(|o| matches!(o.source, Source::Stated(_)));
+    if let Some([wide, high]) = kind.gate
+        && !stated
+        && w.max(d) > wide + 1.6
+    {
+        let size = [wide, high.min(h - 0.15), 0.12];
+        add(draft, at, "garageDoor", GATE, size, &format!("cars and goods come into a {}", kind.name));
+        // It is placed first: the ordinary door finds room beside it.
+        draft.openings.rotate_right(1);
+    }
+    if let Some(name) = kind.inner
+        && !stated
+    {
+        let size = [0.86, 2.04_f64.min(h - 0.1), 0.12];
+        let words: Vec<String> = name.split(' ').map(str::to_owned).collect();
+        let called = crate::names::identifier(&words.join(" "), "door");
+        add(draft, at, &called, name, size, &format!("a {} has one", kind.name));
+    }
+}
+
+fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3], why: &str) {
+    let mut names = Names::default();
+    let taken = draft.rooms.iter().map(|r| &r.name).chain(draft.openings.iter().map(|o| &o.name));
+    taken.chain(draft.things.iter().map(|t| &t.name)).for_each(|name| {
+        names.take(name);
+    });
+    draft.openings.push(Opening {
+        name: names.take(name),
+        kind: OpeningKind::Door,
+        category: Some(category.to_owned()),
+        rooms: vec![at],
+        size,
+        look: Look::default(),
+        source: Source::Inferred(why.to_owned()),
+    });
+}
+
+/// A pair of curtains at each window that was added.
+pub fn curtains(plan: &mut Plan) {
+    if !plan.kind.curtains || plan.is_closed("curtain") {
+        return;
+    }
+    let windows: Vec<Opening> = plan
+        .draft
+        .openings
+        .iter()
+        .filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room))
+        .cloned()
+        .collect();
+    let room = plan.draft.rooms[plan.room].size;
+    let color = plan.turn;
+    for window in windows {
+        let Some(pose) = plan.place_in_room(&window.name) else { continue };
+        let Some(wall) = Wall::behind(&pose) else { continue };
+        let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
+        let corner = wall.length(room) / 2.0 - along.abs() - 0.04;
+        let wide = (window.size[0] + WIDER).min(window.size[0] + daylight::BETWEEN - 0.02).min(2.0 * corner);
+        let top = (pose.y + window.size[1] + RAIL).min(room[1] - 0.05);
+        let size = [wide, top - ABOVE_FLOOR, DEEP].map(|v| (v * 1000.0).round() / 1000.0);
+        if wide < window.size[0] + 0.15 || size[1] < 0.8 {
+            continue;
+        }
+        // All of a room are of one cloth.
+        plan.turn = color;
+        let why = "curtains hang at the window".to_owned();
+        let thing = plan.add("curtain", 1, size, &why);
+        let name = plan.draft.things[thing].name.clone();
+        let (off, up) = (metres(OFF + DEEP / 2.0), metres(ABOVE_FLOOR - pose.y));
+        let opening = &window.name;
+        plan.say(
+            format!("assert {name}.pos = {opening}.pos + {opening}.front * {off} + vec3(0, {up}, 0) and {name}.rot.y = {opening}.rot.y;"),
+            &why,
+        );
+        plan.say(format!("allowFloat({name});"), "the rail is on the wall above the window");
+        let at = Pose { y: ABOVE_FLOOR, ..pose.then(&Pose { z: OFF + DEEP / 2.0, ..Pose::default() }) };
+        let placed = openings::in_scene(plan.draft, plan.room, &at);
+        let placed = [placed.x, placed.y, placed.z, placed.yaw].map(|v| (v * 1e4).round() / 1e4);
+        plan.draft.places.push((name, placed));
+        if let Some(ground) = &mut plan.ground {
+            ground.body(&at, size);
+        }
+    }
+}
