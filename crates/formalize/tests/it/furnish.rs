@@ -43,6 +43,26 @@ fn every_room_has_a_way_in_and_light_and_compiles() {
     }
 }
 
+/// Rooms narrower than a way, and halls with very many things: a program all the same, and without much work.
+#[test]
+fn rooms_of_any_size_become_programs() {
+    let sides = ["0.01", "0.1", "0.45", "0.8", "1", "4", "60"];
+    let kinds = [
+        "bedroom with two nightstands",
+        "flat",
+        "café with six tables",
+        "hall with thirty desks, thirty chairs and thirty beds",
+    ];
+    for (kind, x, z) in
+        kinds.iter().flat_map(|kind| sides.iter().map(move |x| (kind, *x, "0.1"))).chain([(&kinds[3], "60", "50")])
+    {
+        let request = format!("A {kind}. The room is {x} m wide and {z} m long.");
+        let program = write(&draft(&request));
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &program, Front::default());
+        assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
+    }
+}
+
 #[test]
 fn added_things_say_why() {
     for request in requests() {
