@@ -9,6 +9,7 @@ pub(crate) mod rules;
 pub(crate) mod setup;
 pub(crate) mod sound;
 pub(crate) mod terms;
+pub(crate) mod values;
 
 pub(crate) use scenelang_engine::pose;
 
