@@ -63,6 +63,27 @@ fn rooms_of_any_size_become_programs() {
     }
 }
 
+/// Numbers of one kind are bounded, and so is their sum: the program can be judged, and what was lowered is listed.
+#[test]
+fn a_crowd_is_bounded_and_said() {
+    let kinds = ["chairs", "desks", "lamps", "crates", "plants"];
+    let request =
+        format!("A hall. {}", kinds.map(|kind| format!("There are 1e300 {kind} and 300 more {kind}.")).join(" "));
+    for request in
+        [request, "A hall with 399 crates.".into(), "A hall with 300 chairs and 300 crates and 300 desks.".into()]
+    {
+        let draft = draft(&request);
+        let placed: usize = draft.things.iter().map(|thing| thing.count).sum();
+        assert!(placed <= 900, "{placed}: {request}");
+        assert!(draft.notes.iter().any(|note| note.reason.contains("guidelines")), "{request}: {:?}", draft.notes);
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(&draft), Front::default());
+        assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
+    }
+    assert!(
+        draft("A hall with 300 chairs and 300 crates and 300 desks.").notes.iter().any(|n| n.reason.contains("800"))
+    );
+}
+
 #[test]
 fn added_things_say_why() {
     for request in requests() {
