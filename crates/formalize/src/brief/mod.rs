@@ -72,6 +72,11 @@ pub const MOST_THINGS: usize = 300;
 /// At most so many of one kind are placed.
 pub const MOST_COUNT: usize = 400;
 
+/// At most so many things are placed in all.
+pub const MOST_IN_ALL: usize = 800;
+/// The guidelines of the library weigh pairs of things: with more than so many a program would be too large to judge.
+pub(crate) const MOST_GUIDED: usize = 250;
+
 /// What is said of a number of like things that is not taken as it is.
 pub fn too_many(n: usize) -> Option<String> {
     (n > MOST_COUNT).then(|| format!("{n} are too many: of one kind {MOST_COUNT} are placed at most"))
@@ -127,6 +132,21 @@ impl Brief {
             (Some(part), _) => Some(part.of),
             (None, Number::Each { of, .. }) if of < thing || !self.things[of].number.follows() => Some(of),
             _ => None,
+        }
+    }
+
+    /// Lowers the numbers of things with which there would be more than [`MOST_IN_ALL`], and says so.
+    pub fn bound(&mut self) {
+        let mut left = MOST_IN_ALL;
+        for thing in (0..self.things.len()).filter(|thing| self.things[*thing].part.is_none()).collect::<Vec<_>>() {
+            let n = self.count(thing);
+            if n > left.max(1) {
+                let kept = left.max(1);
+                let reason = format!("{n} more are too many: {MOST_IN_ALL} things are placed at most, {kept} of these");
+                self.notes.push(Note { at: self.things[thing].source.at(), reason });
+                self.things[thing].number = Number::Exactly(kept);
+            }
+            left = left.saturating_sub(n);
         }
     }
 

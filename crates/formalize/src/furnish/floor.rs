@@ -9,6 +9,8 @@ use std::collections::VecDeque;
 const TOUCH: f64 = 0.004;
 /// Edge of a cell in which ways are looked for (metres).
 const CELL: f64 = 0.1;
+/// The most cells along a wall.
+const MOST_CELLS: f64 = 400.0;
 /// Half the width of a way, a cell's rounding included (metres).
 const HALF_WAY: f64 = 0.40;
 /// Nobody bumps into what is higher (metres).
@@ -70,8 +72,12 @@ impl Block {
 
     /// How far they are apart, seen from above.
     pub fn gap(&self, other: &Self) -> f64 {
+        self.gap_squared(other).sqrt()
+    }
+
+    fn gap_squared(&self, other: &Self) -> f64 {
         let along = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
-        along(0).hypot(along(2))
+        along(0) * along(0) + along(2) * along(2)
     }
 }
 
@@ -148,7 +154,8 @@ impl Floor {
         self.bodies.push(Block::of(pose, size));
         let way = Block::of(pose, [size[0], size[1], 2.0 * clear + size[2]]);
         self.doors.push([0, 2].map(|k| {
-            let edge = self.size[k] / 2.0 - HALF_WAY - CELL;
+            // A room that is narrower than a way has its middle.
+            let edge = (self.size[k] / 2.0 - HALF_WAY - self.cell()).max(0.0);
             ((way.low[k] + way.high[k]) / 2.0).clamp(-edge, edge)
         }));
         self.free.push(way);
@@ -250,7 +257,7 @@ impl Floor {
     pub fn room_around(&self, shape: &Shape, at: &Pose) -> f64 {
         let own: Vec<Block> = shape.pieces.iter().map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
         let low = self.bodies.iter().filter(|body| body.low[1] < HEAD);
-        low.flat_map(|body| own.iter().map(|block| block.gap(body))).fold(f64::INFINITY, f64::min)
+        low.flat_map(|body| own.iter().map(|block| block.gap_squared(body))).fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// Whether one still gets from the doors to everything when a group stands at a place.
@@ -265,24 +272,49 @@ impl Floor {
 
     /// How many things there is no way to.
     fn unreached(&self) -> usize {
+        let (columns, rows) = self.cells();
         let reached = self.reached();
+        let far = HALF_WAY + 0.2;
+        // Only the cells around a thing are near it: a hall has very many others.
         let near = |goal: &Block| {
-            reached.iter().any(|[x, z]| {
-                let point = Block { low: [*x, 0.0, *z], high: [*x, 0.0, *z] };
-                goal.gap(&point) <= HALF_WAY + 0.2
+            let [i, j] = [0, 2].map(|k| {
+                let cell = |v: f64| (((v + self.size[k] / 2.0) / self.cell()).floor().max(0.0)) as usize;
+                (cell(goal.low[k] - far), cell(goal.high[k] + far))
+            });
+            (j.0..(j.1 + 1).min(rows)).any(|row| {
+                (i.0..(i.1 + 1).min(columns)).any(|column| {
+                    let [x, z] = self.middle(column, row);
+                    let point = Block { low: [x, 0.0, z], high: [x, 0.0, z] };
+                    reached[row * columns + column] && goal.gap(&point) <= far
+                })
             })
         };
         self.goals.iter().filter(|goal| !near(goal)).count()
     }
 
-    /// Middles of the cells that one can stand in, coming from a door.
-    fn reached(&self) -> Vec<[f64; 2]> {
+    /// The side of a cell; halls have coarser ones, so that their number is bounded.
+    fn cell(&self) -> f64 {
+        CELL.max(self.size[0].max(self.size[2]) / MOST_CELLS)
+    }
+
+    /// How many cells the floor has in each direction.
+    fn cells(&self) -> (usize, usize) {
+        ((self.size[0] / self.cell()) as usize, (self.size[2] / self.cell()) as usize)
+    }
+
+    fn middle(&self, i: usize, j: usize) -> [f64; 2] {
+        let cell = self.cell();
+        [(i as f64 + 0.5) * cell - self.size[0] / 2.0, (j as f64 + 0.5) * cell - self.size[2] / 2.0]
+    }
+
+    /// The cells that one can stand in, coming from a door.
+    fn reached(&self) -> Vec<bool> {
         let [w, _, d] = self.size;
-        let (columns, rows) = ((w / CELL) as usize, (d / CELL) as usize);
-        let middle = |i: usize, j: usize| [(i as f64 + 0.5) * CELL - w / 2.0, (j as f64 + 0.5) * CELL - d / 2.0];
+        let (columns, rows) = self.cells();
+        let cell = self.cell();
         let mut open = vec![true; columns * rows];
         let mut close = |low: [f64; 2], high: [f64; 2]| {
-            let cells = |v: f64, half: f64, n: usize| (((v + half) / CELL - 0.5).ceil().max(0.0) as usize).min(n);
+            let cells = |v: f64, half: f64, n: usize| (((v + half) / cell - 0.5).ceil().max(0.0) as usize).min(n);
             for j in cells(low[1], d / 2.0, rows)..cells(high[1], d / 2.0, rows) {
                 for i in cells(low[0], w / 2.0, columns)..cells(high[0], w / 2.0, columns) {
                     open[j * columns + i] = false;
@@ -305,7 +337,7 @@ impl Floor {
         let mut seen = vec![false; open.len()];
         let mut queue = VecDeque::new();
         for [x, z] in &self.doors {
-            let at = |v: f64, half: f64, n: usize| (((v + half) / CELL) as usize).min(n.saturating_sub(1));
+            let at = |v: f64, half: f64, n: usize| (((v + half) / cell) as usize).min(n.saturating_sub(1));
             let (i, j) = (at(*x, w / 2.0, columns), at(*z, d / 2.0, rows));
             for (i, j) in (i.saturating_sub(2)..(i + 3).min(columns))
                 .flat_map(|i| (j.saturating_sub(2)..(j + 3).min(rows)).map(move |j| (i, j)))
@@ -315,9 +347,7 @@ impl Floor {
                 }
             }
         }
-        let mut out = Vec::new();
         while let Some((i, j)) = queue.pop_front() {
-            out.push(middle(i, j));
             let beside = [(i.wrapping_sub(1), j), (i + 1, j), (i, j.wrapping_sub(1)), (i, j + 1)];
             for (i, j) in beside.into_iter().filter(|(i, j)| *i < columns && *j < rows) {
                 if open[j * columns + i] && !std::mem::replace(&mut seen[j * columns + i], true) {
@@ -325,7 +355,7 @@ impl Floor {
                 }
             }
         }
-        out
+        seen
     }
 }
 

@@ -10,7 +10,7 @@ use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
 use super::{even, gates, groups, place, slots, stand, taste};
-use crate::brief::Brief;
+use crate::brief::{Brief, MOST_GUIDED};
 use crate::draft::{Demand, Draft, Source};
 use std::cell::RefCell;
 
@@ -90,7 +90,9 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
         }
     }
     rounded(&mut plan, brief);
-    for thing in &asked {
+    // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
+    let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
+    for thing in asked.iter().filter(|_| !crowd) {
         stand_up(&mut plan, *thing);
     }
     let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");

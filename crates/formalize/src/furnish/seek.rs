@@ -9,6 +9,8 @@ pub const BEHIND: f64 = 0.003;
 const BESIDE: f64 = 0.03;
 /// From one place that is tried to the next.
 const STEP: f64 = 0.1;
+/// The most steps from the middle of the floor to a wall.
+const MOST_STEPS: f64 = 30.0;
 /// So many places are held against the ways.
 const TRIED: usize = 14;
 /// What stands free is this far from walls.
@@ -158,8 +160,10 @@ pub fn on_floor(size: [f64; 3], of: [f64; 3], yaws: &[f64]) -> Vec<Pose> {
             continue;
         }
         let steps = |most: f64| {
-            let n = (most / (2.0 * STEP)).floor() as i64;
-            (-n..=n).map(move |i| 2.0 * STEP * i as f64)
+            // A hall is looked at more coarsely than a living room: the work is bounded.
+            let step = (2.0 * STEP).max(most / MOST_STEPS);
+            let n = (most / step).floor() as i64;
+            (-n..=n).map(move |i| step * i as f64)
         };
         for at_x in steps(x) {
             out.extend(steps(z).map(|at_z| Pose { x: at_x, y: 0.0, z: at_z, yaw: *yaw }));

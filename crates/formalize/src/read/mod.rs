@@ -24,7 +24,7 @@ pub(crate) mod several;
 mod talk;
 mod token;
 
-use crate::brief::{Brief, Room, Word};
+use crate::brief::{Brief, MOST_GUIDED, Room, Word};
 use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
@@ -124,7 +124,8 @@ pub fn as_said(request: &str) -> Draft {
 }
 
 /// A brief as a draft.
-pub fn of_brief(brief: Brief, options: &Options) -> Reading {
+pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
+    brief.bound();
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();
     let extent = if nothing || options.literal { Extent::Literal } else { Extent::Usual };
     let brief = complete(brief, extent);
@@ -134,7 +135,11 @@ pub fn of_brief(brief: Brief, options: &Options) -> Reading {
         // What was added contradicts nothing, either, so the close look comes after it.
         reconcile_quickly(&mut draft);
         furnish(&mut draft, &brief);
-        draft.guided = true;
+        draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
+        if !draft.guided {
+            let reason = format!("the guidelines of the library are left out with more than {MOST_GUIDED} things");
+            draft.notes.push(Note { at: 0..0, reason });
+        }
     }
     reconcile(&mut draft);
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));

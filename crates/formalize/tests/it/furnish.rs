@@ -43,6 +43,47 @@ fn every_room_has_a_way_in_and_light_and_compiles() {
     }
 }
 
+/// Rooms narrower than a way, and halls with very many things: a program all the same, and without much work.
+#[test]
+fn rooms_of_any_size_become_programs() {
+    let sides = ["0.01", "0.1", "0.45", "0.8", "1", "4", "60"];
+    let kinds = [
+        "bedroom with two nightstands",
+        "flat",
+        "café with six tables",
+        "hall with thirty desks, thirty chairs and thirty beds",
+    ];
+    for (kind, x, z) in
+        kinds.iter().flat_map(|kind| sides.iter().map(move |x| (kind, *x, "0.1"))).chain([(&kinds[3], "60", "50")])
+    {
+        let request = format!("A {kind}. The room is {x} m wide and {z} m long.");
+        let program = write(&draft(&request));
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &program, Front::default());
+        assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
+    }
+}
+
+/// Numbers of one kind are bounded, and so is their sum: the program can be judged, and what was lowered is listed.
+#[test]
+fn a_crowd_is_bounded_and_said() {
+    let kinds = ["chairs", "desks", "lamps", "crates", "plants"];
+    let request =
+        format!("A hall. {}", kinds.map(|kind| format!("There are 1e300 {kind} and 300 more {kind}.")).join(" "));
+    for request in
+        [request, "A hall with 399 crates.".into(), "A hall with 300 chairs and 300 crates and 300 desks.".into()]
+    {
+        let draft = draft(&request);
+        let placed: usize = draft.things.iter().map(|thing| thing.count).sum();
+        assert!(placed <= 900, "{placed}: {request}");
+        assert!(draft.notes.iter().any(|note| note.reason.contains("guidelines")), "{request}: {:?}", draft.notes);
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(&draft), Front::default());
+        assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
+    }
+    assert!(
+        draft("A hall with 300 chairs and 300 crates and 300 desks.").notes.iter().any(|n| n.reason.contains("800"))
+    );
+}
+
 #[test]
 fn added_things_say_why() {
     for request in requests() {

@@ -70,6 +70,7 @@ pub(crate) fn lower<'a>(
         templates: FxHashMap::default(),
         guidelines: Guidelines::of(units),
         values_open: Vec::new(),
+        texts: FxHashMap::default(),
         steps: 0,
         nodes: 0,
         exhausted: false,
@@ -113,6 +114,8 @@ struct Lowerer<'a, 'b> {
     templates: FxHashMap<(SmolStr, bool), words::Templates>,
     /// Definitions and properties being put in place, outermost first.
     values_open: Vec<String>,
+    /// Texts of objects' properties that were asked for, by the property.
+    texts: FxHashMap<(ObjectId, SmolStr), SmolStr>,
     guidelines: Guidelines,
     steps: u64,
     nodes: usize,
@@ -277,6 +280,17 @@ impl<'a> Lowerer<'a, '_> {
 
     /// The text of an object's property: what is assigned, else `""`; of a role, else what the category says.
     fn object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
+        // Quantifiers over pairs of objects ask for the same texts over and over.
+        let key = (id, SmolStr::new(property));
+        if let Some(text) = self.texts.get(&key) {
+            return Ok(text.clone());
+        }
+        let text = self.find_object_text(id, property)?;
+        self.texts.insert(key, text.clone());
+        Ok(text)
+    }
+
+    fn find_object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
         let (name, element) = self.object_key(id);
         let Some(a) = self.items.assignments.get(&self.key(&name, element, property)).copied() else {
             return match property {

@@ -34,7 +34,7 @@ use std::time::{Duration, Instant};
 /// How much earlier an object is placed for each time it was in trouble.
 const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
-const GROWTH: f64 = 1.15;
+const GROWTH: f64 = 1.4;
 /// The part of the time that the search has, if there is to be a diagnosis.
 const SEARCHING: f64 = 0.8;
 /// How often what is found is judged before it is handed out.
@@ -43,6 +43,8 @@ const JUDGED: u32 = 4;
 const PATHS_JUDGED: u32 = 14;
 /// The part of the budget that the local search has where the older search may have to go on.
 const LOCAL: f64 = 0.85;
+/// The part of the budget for the first size of the open regions, and how much more each larger one has.
+const SIZES: [f64; 2] = [0.03, 1.5];
 /// More objects than these are not placed one by one after a local search: that alone would take longer than the search.
 const MANY: usize = 150;
 
@@ -227,14 +229,18 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        let locally = if attempt == 0 && steps.is_default() { self.local(search) } else { Locally::Not };
+        let is_open = self.setup.frame.has_open_regions();
+        let again = is_open && self.setup.frame.is_all_local();
+        let locally =
+            if (attempt == 0 || again) && steps.is_default() { self.local(search, attempt) } else { Locally::Not };
         if locally == Locally::Holds {
             stay::put_back(search, &self.setup.given);
             search.note();
             return ControlFlow::Continue(());
         }
         if locally == Locally::Failed {
-            self.is_over = true;
+            // A larger room may hold what a smaller one does not.
+            self.is_over = !is_open;
             return ControlFlow::Continue(());
         }
         let many = self.setup.frame.program.objects.len() > MANY;
@@ -269,7 +275,7 @@ impl<'r, 'a> Run<'r, 'a> {
     }
 
     /// The local search, where it can judge all that must hold.
-    fn local(&self, search: &mut Search<'_>) -> Locally {
+    fn local(&self, search: &mut Search<'_>, attempt: u64) -> Locally {
         let mut given = vec![false; self.setup.frame.program.objects.len()];
         let mut world = search.state.world().clone();
         for id in self.setup.frame.objects() {
@@ -292,7 +298,13 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         let Some(mut first) = member(0) else { return Locally::Not };
         let is_all = self.setup.frame.is_all_local();
-        let budget = if is_all { self.options.budget } else { (self.options.budget as f64 * LOCAL) as u64 };
+        let share = match (is_all, self.setup.frame.has_open_regions()) {
+            (true, true) => SIZES[0] * SIZES[1].powi(attempt as i32),
+            (true, false) => 1.0,
+            (false, _) => LOCAL,
+        };
+        let left = self.options.budget.saturating_sub(search.state.work);
+        let budget = left.min((self.options.budget as f64 * share) as u64);
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
             first.local.search(&mut first.chance, 0, &limit, &given);

@@ -160,12 +160,14 @@ impl<'a> Frame<'a> {
     pub fn hold(&self, id: ObjectId) -> Hold {
         self.holds[id.0 as usize]
     }
-    /// Whether the local search can move all that is open: upright objects, but no regions and no variables.
+    /// Whether the local search can move all that is open: it turns things about the vertical only.
     pub fn is_all_local(&self) -> bool {
+        !self.objects().any(|id| self.tilts[id.0 as usize] && self.is_movable(id))
+    }
+    /// Whether the program leaves the size or the place of a region open.
+    pub fn has_open_regions(&self) -> bool {
         let is_open = |(region, pins): (&Region, &Pins)| !(region.has_vertices || pins.pos && pins.scale);
-        self.program.variables.iter().all(|variable| !variable.used)
-            && !self.objects().any(|id| self.tilts[id.0 as usize] && self.is_movable(id))
-            && !std::iter::zip(&self.program.regions, &self.region_pins).any(is_open)
+        std::iter::zip(&self.program.regions, &self.region_pins).any(is_open)
     }
     /// The name of an object.
     pub fn name(&self, id: ObjectId) -> &str {

@@ -9,6 +9,7 @@ pub(crate) mod rules;
 pub(crate) mod setup;
 pub(crate) mod sound;
 pub(crate) mod terms;
+pub(crate) mod values;
 
 pub(crate) use scenelang_engine::pose;
 
@@ -135,8 +136,8 @@ impl Options {
 
     /// The same with a budget for so many objects.
     pub(crate) fn budgeted(&self, objects: usize) -> Self {
-        const LEAST: u64 = 40_000_000;
-        const PER_OBJECT: u64 = 4_000_000;
+        const LEAST: u64 = 20_000_000;
+        const PER_OBJECT: u64 = 8_000_000;
         // The searches add budgets up and take parts of them as `f64`, which has all whole numbers up to here.
         const MOST: u64 = 1 << 53;
         let usual = LEAST.saturating_add(PER_OBJECT.saturating_mul(objects as u64));

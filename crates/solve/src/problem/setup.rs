@@ -4,7 +4,7 @@ use crate::problem::draws;
 use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
 use crate::problem::terms::{self, Term};
-use crate::problem::{Options, Problem};
+use crate::problem::{Options, Problem, values};
 use crate::search::STEPS;
 use crate::search::least_squares::{Polisher, Targets};
 use crate::search::state::{Change, State};
@@ -53,6 +53,7 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
         draws,
     };
     let terms = terms::split(program);
+    values::choose(program, &mut layout, options);
     outline(program, &mut layout, options);
     size(program, &terms, &mut layout, options, &mut warnings);
     let world = World::<f64>::new(program, &layout, &options.judge);

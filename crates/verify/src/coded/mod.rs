@@ -24,14 +24,15 @@ use scenelang_layout::rotation::sin_cos;
 use scenelang_layout::{Polygon, Vec3};
 use std::sync::Arc;
 
-/// Numbers per object: x, y, z of its position, its yaw (degrees in [0, 360)), the sine and the cosine of that.
+/// Numbers per object: x, y, z of its position, its yaw (degrees in [0, 360)), the sine and the cosine of that. A decision
+/// variable has as many, of which it uses one or three.
 pub const INPUTS: usize = 6;
 /// At most so many intermediate results.
 const TEMPORARIES: usize = 1024;
 /// No coordinate is greater (metres).
 const FAR: f64 = 1e7;
 
-/// What code works on: the inputs of all objects, intermediate results, constants.
+/// What code works on: the inputs of all objects and decision variables, intermediate results, constants.
 #[derive(Clone, Debug, Default)]
 pub struct Slots(Vec<f64>);
 
@@ -175,7 +176,7 @@ impl Coded {
 }
 
 impl CodedValue {
-    /// Which inputs of which objects it reads: an object, and an index into [`Slots::get`].
+    /// Which inputs it reads: whose, and an index into [`Slots::get`]. Decision variables follow the objects in number.
     pub fn reads(&self) -> impl Iterator<Item = (ObjectId, usize)> + '_ {
         let slots = self.code.reads().chain(self.parts.iter().copied());
         let inputs = slots.map(|s| s as usize).filter(|s| *s < self.code.first);
@@ -193,7 +194,8 @@ pub struct Coder<'w> {
     plain: &'w World<f64>,
     tape: Tape,
     world: World<Term>,
-    objects: usize,
+    /// How many objects and decision variables there are.
+    sources: usize,
     /// By the number of an unknown: its slot.
     constants: Vec<f64>,
     known: FxHashMap<u64, u32>,
@@ -210,7 +212,7 @@ impl<'w> Coder<'w> {
             plain,
             world: tape.record(|| inputs(program, plain, still)),
             tape,
-            objects: program.objects.len(),
+            sources: program.objects.len() + program.variables.len(),
             constants: Vec::new(),
             known: FxHashMap::default(),
             measures: FxHashMap::default(),
@@ -235,7 +237,7 @@ impl<'w> Coder<'w> {
                 _ => missing.push(id),
             }
         }
-        let mut code = Draft::new(self.objects);
+        let mut code = Draft::new(self.sources);
         let mut atoms = vec![None; formula.nodes.len()];
         for (node, truth) in found {
             atoms[node.0 as usize] = self.atom(&mut code, truth);
@@ -272,20 +274,24 @@ impl<'w> Coder<'w> {
             Value::Vector(v) | Value::Rotation(v) => v.0.to_vec(),
             Value::Truth(_) => return None,
         };
-        let mut code = Draft::new(self.objects);
+        let mut code = Draft::new(self.sources);
         let parts = parts.into_iter().map(|p| self.emit(&mut code, p)).collect::<Option<Vec<u32>>>()?;
         Some(CodedValue { code: code.code, parts })
     }
 
     /// Room for all that the code written so far works on.
     pub fn slots(&self) -> Slots {
-        let mut slots = vec![0.0; self.objects * INPUTS + TEMPORARIES];
+        let mut slots = vec![0.0; self.sources * INPUTS + TEMPORARIES];
         slots.extend(&self.constants);
         let mut slots = Slots(slots);
         for (id, body) in self.plain.bodies() {
             if let Ok(thing) = self.plain.object(id) {
                 slots.set(id, &body.pos, thing.rot.0[1]);
             }
+        }
+        let first = self.sources - self.plain.variables.len();
+        for (id, value) in self.plain.values() {
+            slots.put(ObjectId((first + id.0 as usize) as u32), variable(&value));
         }
         slots
     }
@@ -357,13 +363,23 @@ impl<'w> Coder<'w> {
     }
 
     fn constant(&mut self, value: f64) -> u32 {
-        let first = self.objects * INPUTS + TEMPORARIES;
+        let first = self.sources * INPUTS + TEMPORARIES;
         let constants = &mut self.constants;
         *self.known.entry(value.to_bits()).or_insert_with(|| {
             constants.push(value);
             (first + constants.len() - 1) as u32
         })
     }
+}
+
+/// The inputs of a decision variable with a value.
+pub fn variable(value: &Value<f64>) -> [f64; INPUTS] {
+    let [a, b, c] = match value {
+        Value::Number(n) => [*n, 0.0, 0.0],
+        Value::Vector(v) | Value::Rotation(v) => v.0,
+        Value::Truth(truth) => [f64::from(u8::from(truth.holds)), 0.0, 0.0],
+    };
+    [a, b, c, 0.0, 0.0, 0.0]
 }
 
 /// An instance whose numbers are inputs of the code, but for what never moves.
@@ -407,11 +423,13 @@ fn inputs(program: &Program, plain: &World<f64>, still: &dyn Fn(ObjectId) -> boo
         });
     }
     for (to, from) in world.variables.iter_mut().zip(&plain.variables) {
-        *to = from.map(|value| match value {
-            Value::Number(n) => Value::Number(Term::constant(n)),
-            Value::Vector(v) => Value::Vector(V3(v.0.map(Term::constant))),
-            Value::Rotation(v) => Value::Rotation(V3(v.0.map(Term::constant))),
-            Value::Truth(t) => Value::Truth(Truth::discrete(t.holds)),
+        let [a, b, c, ..]: [Term; INPUTS] = std::array::from_fn(|_| unknown(Interval::new(-FAR, FAR)));
+        *to = from.and_then(|value| match value {
+            Value::Number(_) => Ok(Value::Number(a)),
+            Value::Vector(_) => Ok(Value::Vector(V3([a, b, c]))),
+            Value::Rotation(_) => Ok(Value::Rotation(V3([a, b, c]))),
+            // What is true or false is no arithmetic: the evaluator is asked.
+            Value::Truth(_) => Err(Cause::Refused),
         });
     }
     world

@@ -97,7 +97,7 @@ impl LocalSearch<'_> {
                 self.step(chance, &mut poses);
                 self.note_best();
             }
-            if self.movable.is_empty() || self.bad.is_empty() && self.walking && !late() {
+            if self.is_settled() || self.bad.is_empty() && self.walking && !late() {
                 self.course = Course::default();
                 return self.is_done(&late);
             }
@@ -157,7 +157,7 @@ impl LocalSearch<'_> {
         let least = &mut course.least_of[usize::from(self.skew)];
         *least = Some(least.map_or(bad, |least| least.min(bad)));
         if course.best.as_ref().is_none_or(|(least, _)| bad < *least) {
-            self.course.best = Some((bad, (0..self.count()).map(|i| self.inputs(i)).collect()));
+            self.course.best = Some((bad, self.everything()));
         }
     }
 
@@ -169,7 +169,7 @@ impl LocalSearch<'_> {
     /// Puts everything where the least was violated.
     pub fn restore_best(&mut self) {
         if let Some((_, poses)) = self.course.best.take() {
-            poses.into_iter().enumerate().for_each(|(i, pose)| self.put(i, pose));
+            self.put_everything(&poses);
         }
         self.course = Course::default();
     }

@@ -10,7 +10,7 @@ use super::{Judge, LocalSearch, Span};
 use crate::problem::pose::Pose;
 use crate::search::penalty::{Penalty, Truths};
 use scenelang_engine::Mirror;
-use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit, VariableId};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
 use scenelang_verify::{Scratch, Surroundings, Truth, Value, World, cone, surroundings};
@@ -127,6 +127,11 @@ impl Instance {
     /// The instance, as it was when it was last brought up to date.
     pub fn world(&self) -> &World<f64> {
         self.mirror.world()
+    }
+
+    /// A decision variable has changed.
+    pub fn set_variable(&mut self, id: VariableId, value: Value<f64>) {
+        self.mirror.set_variable(id, value);
     }
 
     /// An object has moved.

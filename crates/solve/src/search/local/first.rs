@@ -44,6 +44,7 @@ impl LocalSearch<'_> {
         }
         self.away_count = self.away.iter().filter(|a| **a).count();
         self.judge_all();
+        self.settle_variables(chance);
         let factor: Vec<f64> = (0..self.count()).map(|_| chance.between(0.7, 1.3)).collect();
         let company = chance.between(0.0, 1.0);
         let mut links = vec![0.0; self.count()];
@@ -183,6 +184,7 @@ impl LocalSearch<'_> {
         self.hits.iter_mut().for_each(Vec::clear);
         self.near.clear();
         self.moved = (0..self.count()).map(|i| (i, self.inputs(i), self.span[i])).collect();
+        self.all_variables_move();
         for i in 0..self.count() {
             self.put(i, self.inputs(i));
         }

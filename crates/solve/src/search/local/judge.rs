@@ -1,5 +1,6 @@
 //! A trial: something goes elsewhere with what is tied to it and what stands on it, and what that changes is judged.
 
+use super::variables::MovedVariable;
 use super::{CodedRule, Judge, LocalSearch, Ran, Span, TOUCHING};
 use crate::problem::checks::Check;
 use crate::problem::rules::Sets;
@@ -119,6 +120,7 @@ impl LocalSearch<'_> {
 
     /// Takes a trial back.
     pub(super) fn undo(&mut self) {
+        self.undo_variables();
         while let Some((i, inputs, span)) = self.moved.pop() {
             self.slots.put(ObjectId(i as u32), inputs);
             self.span[i] = span;
@@ -131,12 +133,13 @@ impl LocalSearch<'_> {
         self.fresh.clear();
         self.now = self.now.wrapping_add(1);
         let moved = std::mem::take(&mut self.moved);
-        let delta = self.judge_moved(&moved, limit);
-        self.moved = moved;
+        let variables = std::mem::take(&mut self.variables.moved);
+        let delta = self.judge_moved(&moved, &variables, limit);
+        (self.moved, self.variables.moved) = (moved, variables);
         delta
     }
 
-    fn judge_moved(&mut self, moved: &[Moved], limit: f64) -> Option<f64> {
+    fn judge_moved(&mut self, moved: &[Moved], variables: &[MovedVariable], limit: f64) -> Option<f64> {
         let mut delta = 0.0;
         // What these cost before.
         for &(i, ..) in moved {
@@ -166,6 +169,7 @@ impl LocalSearch<'_> {
                 }
             }
         }
+        delta -= self.cost_of_variables(variables);
         self.now = self.now.wrapping_add(1);
         for &(i, ..) in moved {
             let check = self.numbering.bounds(ObjectId(i as u32));
@@ -188,7 +192,7 @@ impl LocalSearch<'_> {
                 return None;
             }
         }
-        let alone = moved.len() == 1;
+        let alone = moved.len() == 1 && variables.is_empty();
         for &(i, ..) in moved {
             for at in 0..self.terms_of[i].len() {
                 let t = self.terms_of[i][at];
@@ -214,6 +218,7 @@ impl LocalSearch<'_> {
                 delta += self.note(t, found);
             }
         }
+        delta += self.judge_variables(variables);
         delta += self.others_above(moved) + self.onlookers(moved) + self.paths_change(moved);
         (delta <= limit).then_some(delta)
     }
@@ -414,7 +419,8 @@ impl LocalSearch<'_> {
         for at in 0..self.onlookers.len() {
             let t = self.onlookers[at];
             let own = |o: &ObjectId| moved.iter().any(|(m, ..)| *m == o.0 as usize);
-            if !self.counts(t) || self.frame.terms[t].objects.iter().any(own) {
+            let judged = self.stamp[t] == self.now && self.variables.are_moving;
+            if judged || !self.counts(t) || self.frame.terms[t].objects.iter().any(own) {
                 continue;
             }
             if self.is_seen(t, moved) {
@@ -452,6 +458,7 @@ impl LocalSearch<'_> {
         self.fresh = fresh;
         self.moved = moved;
         self.moved.clear();
+        self.variables.moved.clear();
     }
 
     /// Whether a check holds, as last judged.

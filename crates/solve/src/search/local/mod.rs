@@ -23,6 +23,7 @@ mod step;
 #[cfg(test)]
 mod tests;
 mod tidy;
+mod variables;
 mod warm;
 
 use crate::problem::checks::Numbering;
@@ -44,6 +45,7 @@ use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, Slots};
 use scenelang_verify::{Tolerances, Truth, World, rules};
 use std::sync::Arc;
+use variables::Variables;
 
 /// Overlaps of less than this are rounding (metres).
 const TOUCHING: f64 = 1e-7;
@@ -194,6 +196,7 @@ pub(crate) struct LocalSearch<'a> {
     is_other: bool,
     /// By object: those that its height is set by.
     bases: Vec<Vec<usize>>,
+    variables: Variables,
     /// By object: others that it shares terms with.
     related: Vec<Vec<usize>>,
     movable: Vec<usize>,
@@ -241,7 +244,7 @@ impl<'a> LocalSearch<'a> {
         let n = frame.program.objects.len();
         let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
         let pose = |id: ObjectId| world.object(id).map(Pose::of);
-        if n == 0 || !frame.objects().all(|id| pose(id).is_ok_and(|pose| pose.is_upright())) {
+        if !frame.objects().all(|id| pose(id).is_ok_and(|pose| pose.is_upright())) {
             return None;
         }
         let rooms: Vec<Room> = world.prisms().map(|(id, prism)| Room::new(id, prism)).collect::<Option<_>>()?;
@@ -353,6 +356,7 @@ impl<'a> LocalSearch<'a> {
             stacks: false,
             is_other: false,
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
+            variables: Variables::new(frame, world),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
             cost: vec![0.0; numbering.len()],
@@ -406,6 +410,7 @@ impl<'a> LocalSearch<'a> {
         local.followers = frame.objects().map(|id| local.followers_of(id)).collect();
         local.terms_of = (0..n).map(|i| local.sorted_terms(i, true)).collect();
         local.preferences_of = (0..n).map(|i| local.sorted_terms(i, false)).collect();
+        local.know_variables();
         for id in frame.objects() {
             let domain = local.yaws_of(world, id)?;
             let told = frame.index.of_object(id).iter().any(|&t| matches!(local.judges[t], Judge::Turn));
@@ -430,6 +435,7 @@ impl<'a> LocalSearch<'a> {
             let scale = self.size[id.0 as usize].into();
             Pose { rot: Vec3::new(0.0, yaw, 0.0), pos: Vec3::new(x, y, z), scale }
         };
-        self.frame.objects().map(|id| Change::Object(id, pose(id))).collect()
+        let objects = self.frame.objects().map(|id| Change::Object(id, pose(id)));
+        objects.chain(self.values().map(|(id, value)| Change::Variable(id, value))).collect()
     }
 }

@@ -247,6 +247,13 @@ impl LocalSearch<'_> {
     /// What a term lacks with an object somewhere (metres).
     fn missing(&mut self, t: usize, i: usize, pose: Inputs) -> f64 {
         self.go(i, pose);
+        let missing = self.lacks(t);
+        self.undo();
+        missing
+    }
+
+    /// What a term lacks (metres).
+    pub(super) fn lacks(&mut self, t: usize) -> f64 {
         let mut missing: Vec<f64> = Vec::new();
         if let Judge::Code(code) = &self.judges[t] {
             code.run(&mut self.slots);
@@ -257,7 +264,6 @@ impl LocalSearch<'_> {
         } else {
             self.mixed_with(t, |penalty| penalty.residuals(&mut missing));
         }
-        self.undo();
         missing.into_iter().sum()
     }
 

@@ -176,12 +176,12 @@ impl LocalSearch<'_> {
 
     /// Where everything is.
     pub(super) fn found(&self) -> Found {
-        Found { poses: (0..self.count()).map(|i| self.inputs(i)).collect(), groups: self.groups.clone() }
+        Found { poses: self.everything(), groups: self.groups.clone() }
     }
 
     /// Puts everything where it was.
     pub(super) fn show(&mut self, found: &Found) {
-        found.poses.iter().enumerate().for_each(|(i, pose)| self.put(i, *pose));
+        self.put_everything(&found.poses);
         self.groups.clone_from(&found.groups);
         self.judge_all();
         self.judge_paths();

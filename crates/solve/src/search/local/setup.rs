@@ -183,24 +183,34 @@ impl LocalSearch<'_> {
     }
 }
 
-/// Others that the program may ask an object to go onto: those whose height is compared with its own.
+/// Others that the program may ask an object to go onto: those whose height is compared with its own. Where something must be
+/// on something, preferences have no say: guidelines compare the heights of all things.
 pub(super) fn carriers(frame: &Frame<'_>, id: ObjectId) -> Vec<usize> {
-    use ObjectProperty::{Bottom, Pos, Surface, Top};
-    let mut found = Vec::new();
-    for &t in frame.index.of_object(id) {
-        let nodes = &frame.terms[t].formula.nodes;
-        let own = |node: &Node| matches!(node, Node::Object(Bottom | Pos, o) if *o == id);
-        if nodes.iter().any(own) {
-            found.extend(nodes.iter().filter_map(|node| match node {
-                Node::Object(Surface | Top, o) if *o != id => Some(o.0 as usize),
-                _ => None,
-            }));
+    let mut found: Vec<usize> = frame.sources[id.0 as usize].iter().map(|o| o.0 as usize).collect();
+    for hard in [true, false] {
+        let terms = frame.index.of_object(id).iter().map(|&t| &frame.terms[t]);
+        found.extend(terms.filter(|term| term.is_hard() == hard).flat_map(|term| compared(&term.formula, id)));
+        if !found.is_empty() {
+            break;
         }
     }
-    found.extend(frame.sources[id.0 as usize].iter().map(|o| o.0 as usize));
     found.sort_unstable();
     found.dedup();
     found
+}
+
+/// Objects whose tops a formula compares with the base of one.
+fn compared(formula: &Formula, id: ObjectId) -> Vec<usize> {
+    use ObjectProperty::{Bottom, Pos, Surface, Top};
+    let own = |node: &Node| matches!(node, Node::Object(Bottom | Pos, o) if *o == id);
+    if !formula.nodes.iter().any(own) {
+        return Vec::new();
+    }
+    let top = |node: &Node| match node {
+        Node::Object(Surface | Top, o) if *o != id => Some(o.0 as usize),
+        _ => None,
+    };
+    formula.nodes.iter().filter_map(top).collect()
 }
 
 /// The regions that hard terms say an object is in.

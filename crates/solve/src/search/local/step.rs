@@ -61,12 +61,12 @@ impl LocalSearch<'_> {
     pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         // Where the program fixes everything there is nothing to try;
         // and where ways alone are missing that are only preferred, nothing counts as violated.
-        if self.movable.is_empty() || self.bad.is_empty() {
+        if self.is_settled() || self.bad.is_empty() {
             return;
         }
         self.work += 1;
         let check = self.pick(chance);
-        if self.frees_path(check, chance, poses) {
+        if self.frees_path(check, chance, poses) || self.takes_variable(check, chance) {
             return;
         }
         let Some(i) = self.culprit(check, chance) else {

@@ -87,15 +87,14 @@ impl LocalSearch<'_> {
         self.course = Course::default();
         self.away.fill(false);
         self.away_count = 0;
-        best.poses.iter().enumerate().for_each(|(i, pose)| self.put(i, *pose));
+        self.put_everything(&best.poses);
         self.groups = best.groups;
         self.judge_all();
         self.judge_paths();
     }
 
     fn kept(&self) -> Kept {
-        let poses = (0..self.count()).map(|i| self.inputs(i)).collect();
-        Kept { moved: self.strayed(), poses, groups: self.groups.clone() }
+        Kept { moved: self.strayed(), poses: self.everything(), groups: self.groups.clone() }
     }
 
     /// Things go back to where they were given a place, as far as everything holds then.
