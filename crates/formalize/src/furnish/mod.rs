@@ -49,8 +49,9 @@ pub fn measure(brief: &mut Brief) {
         let by = (area / (w * d)).sqrt();
         // Who looks at a screen across the room is not too far from it.
         let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Opposite(_)));
-        let deep = if watched { (d * by).min(ACROSS.max(area / LONGEST)) } else { d * by };
-        brief.rooms[at].usual = Some([area / deep, h, deep]);
+        let deep = ACROSS.max(area / LONGEST);
+        let is_deep = brief.rooms.len() == 1 && watched && d * by > deep;
+        brief.rooms[at].usual = Some(if is_deep { [area / deep, h, deep] } else { [w * by, h, d * by] });
     }
 }
 

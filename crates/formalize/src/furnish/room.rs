@@ -337,7 +337,7 @@ fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64
     }
     let behind = match line.place {
         Place::Service(gap) => gap - 0.02,
-        Place::Before(gap, yaw) if yaw == 180.0 => gap - 0.5,
+        Place::Before(gap, 180.0) => gap - 0.5,
         _ => return Vec::new(),
     };
     let pass = 0.7;
