@@ -197,8 +197,30 @@ fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
     out
 }
 
+/// Shelves that the furniture library draws as racks or as gondolas, with goods in them: nothing else finds room there.
+const STOCKED: [&str; 15] = [
+    "display",
+    "drying",
+    "gondola",
+    "grocery",
+    "heavy",
+    "industrial",
+    "market",
+    "merchandise",
+    "product",
+    "retail",
+    "shop",
+    "storage",
+    "store",
+    "supermarket",
+    "warehouse",
+];
+
 /// Heights of the boards of a shelf that the furniture library draws, from below.
 pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
+    if noun.split([' ', '_']).any(|word| STOCKED.contains(&word)) {
+        return Vec::new();
+    }
     let (from, each) = match noun.rsplit([' ', '_']).next().unwrap_or(noun) {
         "bookshelf" | "bookcase" => (0.0, 0.36),
         "shelf" if height >= 0.4 || height >= width => (0.06 * height, 0.42),
@@ -252,5 +274,7 @@ mod tests {
         assert_eq!(heights.len(), 6);
         assert!((heights[5] - 1.9).abs() < 1e-9);
         assert!(boards("wardrobe", 2.0, 1.0).is_empty());
+        // A rack with goods in it.
+        assert!(boards("storage shelf", 2.0, 1.8).is_empty() && boards("warehouse_shelf", 2.0, 1.8).is_empty());
     }
 }

@@ -63,6 +63,30 @@ fn rooms_of_any_size_become_programs() {
     }
 }
 
+/// What rooms of a kind have in their walls, and beside it.
+#[test]
+fn rooms_have_the_doors_and_the_cloth_of_their_kind() {
+    let categories =
+        |draft: &Draft| -> Vec<String> { draft.openings.iter().filter_map(|o| o.category.clone()).collect() };
+    for (request, door) in [
+        ("A garage.", "garage door"),
+        ("A warehouse with racks.", "garage door"),
+        ("A hotel room with twin beds.", "bathroom"),
+        ("A studio apartment.", "bathroom"),
+    ] {
+        let found = categories(&draft(request));
+        assert!(found.iter().any(|category| category.contains(door)), "{request}: {found:?}");
+    }
+    for request in ["A living room.", "A classroom.", "A home office."] {
+        assert!(categories(&draft(request)).is_empty(), "{request}");
+    }
+    for (request, curtains) in [("A bedroom.", true), ("A hotel room.", true), ("A laboratory.", false)] {
+        assert_eq!(count(&draft(request), "curtain") > 0, curtains, "{request}");
+    }
+    let literal = read("A garage.", &Options { literal: true, ..Options::default() }).draft;
+    assert!(categories(&literal).is_empty());
+}
+
 /// Numbers of one kind are bounded, and so is their sum: the program can be judged, and what was lowered is listed.
 #[test]
 fn a_crowd_is_bounded_and_said() {
