@@ -83,7 +83,7 @@ fn rooms_have_the_doors_and_the_cloth_of_their_kind() {
     for (request, curtains) in [("A bedroom.", true), ("A hotel room.", true), ("A laboratory.", false)] {
         assert_eq!(count(&draft(request), "curtain") > 0, curtains, "{request}");
     }
-    let literal = read("A garage.", &Options { literal: true, ..Options::default() }).draft;
+    let literal = read("A garage.", &Options { literal: true }).draft;
     assert!(categories(&literal).is_empty());
 }
 
