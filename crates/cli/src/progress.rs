@@ -55,7 +55,6 @@ pub fn solving(p: &scenelang_solve::Progress) -> String {
         Phase::InitialPlacement => "placing",
         Phase::PhysicsRelaxation => "relaxing",
         Phase::Repair => "repairing",
-        Phase::Preferences => "improving",
     };
     format!("{phase}: {} of {} terms hold, round {}", p.held, p.total, p.iteration)
 }

@@ -122,3 +122,9 @@ pub fn direction(yaw: f64) -> Vec3 {
     let (s, c) = rotation::sin_cos(yaw);
     Vector3::new(s, 0.0, c)
 }
+
+/// The nearest multiple of a grid, as the decimal number that is meant.
+pub fn round_to(value: f64, grid: f64) -> f64 {
+    let per = (1.0 / grid).round();
+    (value * per).round() / per + 0.0
+}

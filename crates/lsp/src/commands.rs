@@ -110,7 +110,6 @@ impl Observer for Watch<'_> {
             Phase::InitialPlacement => "placing",
             Phase::PhysicsRelaxation => "relaxing",
             Phase::Repair => "repairing",
-            Phase::Preferences => "improving",
         };
         self.0.progress.say(&format!("{phase}: {} of {} terms hold", p.held, p.total));
     }

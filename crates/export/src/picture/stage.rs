@@ -18,16 +18,14 @@ const KERB: f64 = 0.08;
 const PARAPET: f64 = 0.9;
 /// What is this far beyond a wall (metres) is in the next room, if there is one.
 const BESIDE: f64 = 0.25;
-/// How solid something that hangs on a wall which is cut away remains.
-const GHOST: f32 = 0.3;
 
-/// What hangs no further than this from the ceiling, and above this height, is not drawn (metres).
+/// What hangs no further than this from the ceiling and is no longer than that is not drawn (metres).
 const UNDER: f64 = 0.05;
-const HEAD: f64 = 1.7;
+const FLAT: f64 = 0.3;
 /// What is taller than this and seen from behind is cut there, as a wall is (metres).
 const TALL: f64 = 1.2;
-/// A door in a wall that is cut is cut so high (metres): one sees where it is.
-const DOOR: f64 = 0.9;
+/// What begins higher above the floor hangs (metres).
+const LOW: f64 = 0.3;
 
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug)]
@@ -113,15 +111,13 @@ impl Stage {
         match shell.role {
             Role::Ceiling => {}
             Role::Floor | Role::Tint => {
-                let look = self.look(surface, Pattern::of_floor(surface), 1.0);
+                let look = self.look(surface, Pattern::of_floor(surface));
                 self.group(&shell.group, look, false, |p| p);
             }
             Role::Wall { .. } => {
-                let look = self.look(surface, Pattern::of_wall(surface), 1.0);
+                let look = self.look(surface, Pattern::of_wall(surface));
                 // The cut through a wall is dark, as in a model; the kerb of a cut wall too.
-                let section =
-                    Surface { name: "section".into(), color: [0.36, 0.38, 0.41], emissive: None, ..surface.clone() };
-                let section = self.look(&section, Pattern::Plain, 1.0);
+                let section = self.section_look(surface);
                 let top = height_left(scene, shell, view).map_or(f64::INFINITY, |left| left + bottom(shell));
                 for piece in shell.pieces.iter().filter(|p| p.low < top) {
                     let mut prism = Group::new(0);
@@ -143,21 +139,23 @@ impl Stage {
         let opening = matches!(&*object.family, "door" | "window");
         let is_short = short.iter().any(|other| std::ptr::eq(*other, object));
         let on = || cut.iter().filter(|wall| hangs_on(object, wall.from, wall.to));
-        // What hangs on a wall that is cut away is there all the same.
-        let ghost = !opening && !is_short && on().any(Cut::is_near);
-        let hung = on().filter(|wall| opening || !wall.is_near()).map(|wall| match &*object.family {
-            "door" => wall.floor + DOOR,
-            _ => wall.floor + wall.left,
-        });
+        // What hangs on a wall that is cut away would float; of a door its threshold is left.
+        let floats = |wall: &Cut| {
+            let low = object.place.pos.y - wall.floor;
+            wall.is_near() && (low > LOW || low + object.place.scale.y > TALL)
+        };
+        if !opening && !is_short && on().any(floats) {
+            return;
+        }
+        let hung = on().filter(|wall| opening || !wall.is_near()).map(|wall| wall.floor + wall.left);
         let tall = is_short.then_some(object.place.pos.y + TALL);
         let top = hung.chain(tall).fold(f64::INFINITY, f64::min);
         if object.place.pos.y >= top {
             return;
         }
         for group in &object.mesh {
-            let share = if ghost { GHOST } else { 1.0 };
-            let look = self.look(&scene.surfaces[group.surface], Pattern::Plain, share);
-            let shadow = share * scene.surfaces[group.surface].opacity > 0.5;
+            let look = self.look(&scene.surfaces[group.surface], Pattern::Plain);
+            let shadow = scene.surfaces[group.surface].opacity > 0.5;
             let first = self.triangles.len();
             self.group(group, look, shadow, |p| object.at(p));
             if top.is_finite() {
@@ -170,12 +168,10 @@ impl Stage {
         }
     }
 
-    /// The cut through something tall, in its own colour and darker.
+    /// The cut through something tall, in the grey of all cuts.
     fn section(&mut self, scene: &Scene, object: &Object, top: f64) {
         let Some(first) = object.mesh.first() else { return };
-        let surface = &scene.surfaces[first.surface];
-        let dark = Surface { color: surface.color.map(|c| 0.6 * c), emissive: None, ..surface.clone() };
-        let look = self.look(&dark, Pattern::Plain, 1.0);
+        let look = self.section_look(&scene.surfaces[first.surface]);
         let (w, d) = (object.place.scale.x / 2.0 - 0.005, object.place.scale.z / 2.0 - 0.005);
         let corner = |x: f64, z: f64| {
             let mut p = object.at(Vec3::new(x, 0.0, z));
@@ -199,26 +195,30 @@ impl Stage {
         }));
     }
 
-    fn look(&mut self, surface: &Surface, pattern: Pattern, share: f32) -> u16 {
+    /// How a cut through a surface looks.
+    fn section_look(&mut self, surface: &Surface) -> u16 {
+        let section = Surface { name: "section".into(), color: [0.36, 0.38, 0.41], emissive: None, ..surface.clone() };
+        self.look(&section, Pattern::Plain)
+    }
+
+    fn look(&mut self, surface: &Surface, pattern: Pattern) -> u16 {
         self.looks.push(Look {
             color: surface.color.map(|c| linear(c) as f32),
             glow: surface.emissive.map_or([0.0; 3], |e| e.map(|c| linear(c) as f32)),
             roughness: surface.roughness,
             metallic: surface.metallic,
-            opacity: surface.opacity * share,
+            opacity: surface.opacity,
             pattern,
         });
         (self.looks.len() - 1) as u16
     }
 }
 
-/// Whether something hangs under a ceiling, which is off: it would float.
+/// Whether something lies flat under a ceiling, which is off: it would float. What hangs lower shows where it hangs.
 fn overhead(scene: &Scene, object: &Object) -> bool {
     let top = object.place.pos.y + object.place.scale.y;
     let over = |p: &scenelang_layout::Prism| {
-        p.polygon.contains(object.place.pos.xz())
-            && (p.ceiling - top).abs() < UNDER
-            && object.place.pos.y > p.floor + HEAD
+        p.polygon.contains(object.place.pos.xz()) && (p.ceiling - top).abs() < UNDER && object.place.scale.y < FLAT
     };
     scene.regions.iter().any(|r| r.kind == RegionKind::Room && over(&r.prism))
 }

@@ -3,12 +3,14 @@
 
 use super::canvas::{Canvas, Rgb, escape, hex, mix, short};
 use crate::Scene;
-use crate::scene::Object;
+use crate::scene::{Body, Object, RegionKind};
 use scenelang_layout::planar::convex_hull;
-use scenelang_layout::{Convex, Obb, Vec2, Vec3};
+use scenelang_layout::{Convex, Obb, Prism, Vec2, Vec3};
 
 const WHITE: Rgb = [1.0; 3];
 const INK: Rgb = [0.13, 0.14, 0.16];
+/// What hangs higher above the floor is over the heads of people (metres).
+const HEAD: f64 = 1.9;
 /// What violates something that must hold.
 pub(super) const RED: &str = "#d7263d";
 
@@ -62,8 +64,20 @@ fn title(object: &Object) -> String {
 
 fn part(canvas: &mut Canvas, scene: &Scene, object: &Object, local: &Convex, world: &Convex) {
     let outline = convex_hull(world.vertices().iter().map(|v| Vec2::new(v.x, v.z)));
+    if is_overhead(scene, object) {
+        let ink = if object.violated { RED } else { "#8a9099" };
+        canvas.polygon(&outline, &format!(r#"fill="none" stroke="{ink}" stroke-width="0.9" stroke-dasharray="4 3""#));
+        return;
+    }
     let color = top_color(scene, object, local);
     canvas.polygon(&outline, &style(object, color, 1.0));
+}
+
+/// Whether an object hangs over the heads of people: such things are drawn in dashes.
+pub(super) fn is_overhead(scene: &Scene, object: &Object) -> bool {
+    let under =
+        |prism: &Prism| object.place.pos.y > prism.floor + HEAD && prism.polygon.contains(object.place.pos.xz());
+    object.body == Body::Held && scene.regions.iter().any(|r| r.kind == RegionKind::Room && under(&r.prism))
 }
 
 /// Fill and outline of something of a colour; what violates a constraint is reddened and outlined in red.

@@ -36,49 +36,58 @@ impl Labels {
             let zone = region.kind == RegionKind::Zone;
             let size = if zone { 11.0 } else { 15.0 };
             let second = if zone { String::new() } else { format!("{:.1} m²", region.prism.area()) };
-            let width = text_width(&region.name, size).max(text_width(&second, 11.0)) + 6.0;
+            let name = words(&region.name);
+            let width = text_width(&name, size).max(text_width(&second, 11.0)) + 6.0;
             let height = if zone { size } else { size + 17.0 } + 4.0;
             let at = canvas.px(emptiest(scene, region, [width / canvas.scale, height / canvas.scale]));
             self.claim(at, [width, height]);
             let lift = if zone { 0.0 } else { 8.0 };
             let style = format!(r##"font-weight="600" fill="#5a6069" {HALO}"##);
-            canvas.text([at[0], at[1] - lift], &region.name, size, 0.0, &style);
+            canvas.text([at[0], at[1] - lift], &name, size, 0.0, &style);
             if !zone {
                 canvas.text([at[0], at[1] + 9.0], &second, 11.0, 0.0, &format!(r##"fill="#7a818b" {HALO}"##));
             }
         }
     }
 
-    /// Names of objects, larger ones first.
+    /// What objects are, larger ones first, where the words fit on the object. One that violates something has its name in
+    /// the program, wherever that ends; the others have it in the title that a browser shows.
     pub fn objects(&mut self, canvas: &mut Canvas, scene: &Scene) {
-        let mut order: Vec<(&Object, [f64; 2])> = scene.objects.iter().map(|o| (o, extent(canvas, o))).collect();
-        order.sort_by(|a, b| (b.1[0] * b.1[1]).total_cmp(&(a.1[0] * a.1[1])));
+        let shown = scene.objects.iter().filter(|o| o.violated || !super::furniture::is_overhead(scene, o));
+        let mut order: Vec<(&Object, [f64; 2])> = shown.map(|o| (o, extent(canvas, o))).collect();
+        order.sort_by(|a, b| b.0.violated.cmp(&a.0.violated).then((b.1[0] * b.1[1]).total_cmp(&(a.1[0] * a.1[1]))));
         for (object, [w, h]) in order {
             let at = canvas.px(Obb::from_placement(&object.place).center.xz());
-            let index = object.name.find('[').map_or("", |i| &object.name[i..]);
-            let whole = (object.name.as_str(), w, h);
-            let turned = h > 1.4 * w;
-            let fit = |text: &str, along: f64, across: f64| {
-                let size = LARGEST.min(along / text_width(text, 1.0)).min(across * 0.8);
+            let text = if object.violated { object.name.clone() } else { words(&object.name) };
+            let fit = |along: f64, across: f64| {
+                let size = LARGEST.min(along / text_width(&text, 1.0)).min(across * 0.8);
                 (size >= SMALLEST).then_some(size)
             };
-            let (text, size, turn) = if let Some(size) = fit(whole.0, w, h) {
-                (whole.0, size, 0.0)
-            } else if let Some(size) = fit(whole.0, h, w).filter(|_| turned) {
-                (whole.0, size, -90.0)
-            } else if let Some(size) = fit(index, w, h).filter(|_| !index.is_empty()) {
-                (index, size, 0.0)
-            } else {
-                (whole.0, SMALLEST, 0.0)
-            };
-            let long = text_width(text, size);
+            let turned = || fit(h, w).filter(|_| h > 1.4 * w).map(|size| (size, -90.0));
+            let forced = object.violated.then_some((SMALLEST, 0.0));
+            let Some((size, turn)) = fit(w, h).map(|size| (size, 0.0)).or_else(turned).or(forced) else { continue };
+            let long = text_width(&text, size);
             let room = if turn == 0.0 { [long, size] } else { [size, long] };
             if self.claim(at, room) {
                 let color = if object.violated { super::furniture::RED } else { "#1f2328" };
-                canvas.text(at, text, size, turn, &format!(r#"fill="{color}" {HALO}"#));
+                canvas.text(at, &text, size, turn, &format!(r#"fill="{color}" {HALO}"#));
             }
         }
     }
+}
+
+/// The words of a name, without what tells one from others of its kind: `studentDesk2[0]` is a student desk.
+fn words(name: &str) -> String {
+    let own = name.split('[').next().unwrap_or(name);
+    let own = own.trim_end_matches(|c: char| c.is_ascii_digit());
+    let mut out = String::with_capacity(own.len() + 4);
+    for c in own.chars() {
+        if c.is_uppercase() || c == '_' {
+            out.push(' ');
+        }
+        out.extend(c.to_lowercase().filter(|c| *c != '_'));
+    }
+    out.trim().to_owned()
 }
 
 /// How wide and high the footprint is on the sheet.
@@ -116,4 +125,15 @@ fn emptiest(scene: &Scene, region: &Region, [w, h]: [f64; 2]) -> Vec2 {
         }
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+
+    #[test]
+    fn names_of_programs_become_words() {
+        let said = ["studentDesk2[0]", "open_plan_office", "lamp[3]", "TV", "bed"].map(words);
+        assert_eq!(said, ["student desk", "open plan office", "lamp", "t v", "bed"]);
+    }
 }

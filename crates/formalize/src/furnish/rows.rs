@@ -6,7 +6,10 @@ use super::kinds::Place;
 use super::plan::{AtWall, Plan, metres};
 use super::{groups, place, stand};
 
-/// Lights spread evenly under the ceiling.
+/// So many lights at most.
+const MOST: usize = 16;
+
+/// Lights spread evenly under the ceiling, or, if they hang low, one over each table whose place is known.
 pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     if plan.draft.outdoor {
         return;
@@ -14,7 +17,7 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     let [w, h, d] = plan.draft.rooms[plan.room].size;
     let size = Plan::size(noun);
     let outline = plan.draft.rooms[plan.room].outline.is_some();
-    let n = if outline { 1 } else { n.min(16) };
+    let n = if outline { 1 } else { n.min(MOST) };
     // Rows across the shorter side.
     let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
     let n = if pendant { n.max(2) } else { n };
@@ -22,23 +25,30 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     let columns = n.div_ceil(rows);
     // What hangs over a table in the middle has its place there.
     let columns = if pendant && rows % 2 == 1 && columns % 2 == 1 { columns + 1 } else { columns };
-    let n = rows * columns;
+    let y = h - size[1];
+    let mut places: Vec<[f64; 2]> = (0..rows * columns)
+        .map(|i| {
+            let x = ((i % columns) as f64 + 0.5) / columns as f64 - 0.5;
+            let z = ((i / columns) as f64 + 0.5) / rows as f64 - 0.5;
+            [x * w, z * d]
+        })
+        .collect();
+    if noun.starts_with("pendant") {
+        let over = tables(plan);
+        if !over.is_empty() && !outline {
+            places = over;
+        }
+    }
+    let n = places.len();
     let thing = plan.add(noun, n, size, why);
     let room = plan.room_name();
     let name = plan.draft.things[thing].name.clone();
-    let y = h - size[1];
     let text = if outline {
         format!("assert {name}.pos = vec3({room}.center.x, {room}.floor + {}, {room}.center.z);", metres(y))
-    } else if n == 1 {
-        format!("assert {};", place::absolute(&name, &room, [0.0, y, 0.0], 0.0))
     } else {
-        let each: Vec<String> = (0..n)
-            .map(|i| {
-                let x = ((i % columns) as f64 + 0.5) / columns as f64 - 0.5;
-                let z = ((i / columns) as f64 + 0.5) / rows as f64 - 0.5;
-                place::absolute(&format!("{name}[{i}]"), &room, [x * w, y, z * d], 0.0)
-            })
-            .collect();
+        let element = |i: usize| if n == 1 { name.clone() } else { format!("{name}[{i}]") };
+        let at = |(i, [x, z]): (usize, &[f64; 2])| place::absolute(&element(i), &room, [*x, y, *z], 0.0);
+        let each: Vec<String> = places.iter().enumerate().map(at).collect();
         format!("assert {};", each.join(" and "))
     };
     plan.say(text, why);
@@ -47,6 +57,26 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
         _ => format!("assert forall a in {name}: ceilingMounted(a, {room});"),
     };
     plan.say(mounted, why);
+}
+
+/// Where tables and counters of the room stand, as far as that is known: what hangs low hangs over them.
+fn tables(plan: &Plan) -> Vec<[f64; 2]> {
+    const LIT: [&str; 3] = ["table", "counter", "bar"];
+    const LOW: [&str; 4] = ["coffee table", "low table", "side table", "changing table"];
+    let here = plan.draft.things.iter().filter(|thing| thing.room == Some(plan.room));
+    let lit = here.filter(|thing| {
+        let noun = thing.category.replace('_', " ");
+        LIT.iter().any(|end| noun.ends_with(end)) && !LOW.iter().any(|low| noun.ends_with(low))
+    });
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for thing in lit {
+        for i in 0..thing.count {
+            let name = if thing.count > 1 { format!("{}[{i}]", thing.name) } else { thing.name.clone() };
+            found.extend(plan.place_in_room(&name).map(|at| [at.x, at.z]));
+        }
+    }
+    found.truncate(MOST);
+    found
 }
 
 /// Things with their groups in rows, as many as there is room for.

@@ -1,6 +1,6 @@
 //! After the search: the layout with clean numbers, and what does not hold in it.
 
-use crate::pipeline::tidy::round_to;
+use crate::problem::pose::round_to;
 use crate::problem::setup::Setup;
 use crate::problem::{Standing, Unsatisfied, What};
 use crate::search::state::State;

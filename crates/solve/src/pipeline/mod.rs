@@ -1,22 +1,19 @@
-//! The whole procedure: set up, place, relax, repair; again from another placement if need be; then preferences.
+//! The whole procedure: set up, search, judge; again with larger open regions if need be. Proposers from outside have
+//! their rounds before the search.
 
-pub(crate) mod batches;
 pub(crate) mod bounds;
 pub(crate) mod finish;
 pub(crate) mod place;
 pub(crate) mod portfolio;
-pub(crate) mod preferences;
-pub(crate) mod propose;
 pub(crate) mod regions;
-pub(crate) mod relax;
 pub(crate) mod rounds;
 pub(crate) mod select;
 pub(crate) mod stay;
-pub(crate) mod tidy;
 
 use crate::diagnose;
 use crate::external::steps::Steps;
 use crate::problem::limit::Limit;
+use crate::problem::pose::Pose;
 use crate::problem::setup::{Setup, setup};
 use crate::problem::sound::sound;
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress, QUALITY};
@@ -27,12 +24,10 @@ use crate::search::{Best, Search};
 use portfolio::Member;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use scenelang_lang::program::RegionId;
+use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-/// How much earlier an object is placed for each time it was in trouble.
-const TROUBLE: f64 = 0.3;
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.4;
 /// The part of the time that the search has, if there is to be a diagnosis.
@@ -41,13 +36,10 @@ const SEARCHING: f64 = 0.8;
 const JUDGED: u32 = 4;
 /// The same for ways, by how long it takes just to look for them: to say why one is barred takes longer than that.
 const PATHS_JUDGED: u32 = 14;
-/// The part of the budget that the local search has where the older search may have to go on.
-const LOCAL: f64 = 0.85;
+/// The part of the budget for a search in which things stand upright, where the program may be taken to ask otherwise.
+const UPRIGHT: f64 = 0.5;
 /// The part of the budget for the first size of the open regions, and how much more each larger one has.
 const SIZES: [f64; 2] = [0.03, 1.5];
-/// More objects than these are not placed one by one after a local search: that alone would take longer than the search.
-const MANY: usize = 150;
-
 /// Lays out a scene. `progress` may end the search at any time: the best layout so far is then the outcome.
 ///
 /// The same problem, options and seed give the same outcome, to the byte, unless `progress` ends the search.
@@ -75,17 +67,7 @@ pub fn solve_with(
     let mut setup = setup(problem, options);
     setup.warnings.extend(cleaned.iter().flat_map(|(_, said)| said.iter().cloned()));
     let setup = setup;
-    let mut run = Run {
-        limit,
-        setup: &setup,
-        problem,
-        options,
-        best: None,
-        bonus: vec![0.0; setup.frame.program.objects.len()],
-        iterations: 0,
-        work: 0,
-        is_over: false,
-    };
+    let mut run = Run { limit, setup: &setup, problem, options, best: None, iterations: 0, work: 0, is_over: false };
     let mut attempt = 0;
     let (mut state, mut end) = loop {
         let (state, going) = run.attempt(attempt, steps, progress);
@@ -138,19 +120,6 @@ pub fn solve_with(
     Outcome { layout, converged, end, constraints, in_the_way, iterations, work, unsatisfied, warnings }
 }
 
-/// What the local search came to.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Locally {
-    /// All holds.
-    Holds,
-    /// It saw nothing violated, but something is: a part is no box, or a thing stands otherwise than it knows.
-    Nearly,
-    /// It could not be made to hold with all the work that was allowed.
-    Failed,
-    /// Not all of it can be judged or moved there.
-    Not,
-}
-
 /// The layout of a local search as that of the search proper.
 fn show(local: &LocalSearch<'_>, state: &mut State<'_>) {
     let changes = local.changes();
@@ -174,7 +143,6 @@ struct Run<'r, 'a> {
     problem: &'r Problem<'a>,
     options: &'r Options,
     best: Option<Best>,
-    bonus: Vec<f64>,
     iterations: usize,
     work: u64,
     /// Whether there is nothing more to try.
@@ -182,7 +150,7 @@ struct Run<'r, 'a> {
 }
 
 impl<'r, 'a> Run<'r, 'a> {
-    /// One placement with its repair; if that succeeds, preferences.
+    /// One search.
     fn attempt(
         &mut self,
         attempt: u64,
@@ -211,9 +179,7 @@ impl<'r, 'a> Run<'r, 'a> {
         state.work = self.work;
         state.limit = self.limit.clone();
         let polisher = Polisher::new(&state);
-        let mut chance = self.chance(attempt);
-        let priority = place::priorities(&self.setup.frame, &self.bonus, &mut chance);
-        Search { state, polisher, chance, options: self.options, priority, best: None }
+        Search { state, polisher, chance: self.chance(attempt), options: self.options, best: None }
     }
 
     fn run(
@@ -229,58 +195,71 @@ impl<'r, 'a> Run<'r, 'a> {
         };
         regions::arrange(search, GROWTH.powi(attempt as i32), &known);
         progress(search.progress(Phase::InitialPlacement, self.iterations))?;
-        let is_open = self.setup.frame.has_open_regions();
-        let again = is_open && self.setup.frame.is_all_local();
-        let locally =
-            if (attempt == 0 || again) && steps.is_default() { self.local(search, attempt) } else { Locally::Not };
-        if locally == Locally::Holds {
-            stay::put_back(search, &self.setup.given);
-            search.note();
-            return ControlFlow::Continue(());
-        }
-        if locally == Locally::Failed {
-            // A larger room may hold what a smaller one does not.
-            self.is_over = !is_open;
-            return ControlFlow::Continue(());
-        }
-        let many = self.setup.frame.program.objects.len() > MANY;
-        let spent = search.state.work as f64 >= LOCAL * self.options.budget as f64;
-        if search.best.is_some() && (search.is_late() || many && spent) {
-            return ControlFlow::Continue(());
-        }
-        if locally == Locally::Not {
-            place::initial(search, steps, &self.setup.given);
-            progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
-            if !search.outside_relax(steps) {
-                relax::relax(search);
-            }
-            search.note();
-        }
-        search.outside_rounds(steps, &mut self.iterations, progress)?;
-        let rounds = if steps.proposers_only { 0 } else { self.options.rounds };
-        let solved = search.repair(rounds, steps, &mut self.iterations, progress)?;
-        if let Some(best) = search.best.as_ref().map(|b| b.snapshot.clone()) {
-            search.restore(&best);
-        }
-        if solved {
-            self.finish(search, progress)?;
+        let given = &self.setup.given;
+        if steps.is_default() {
+            self.local(search, attempt, given);
         } else {
-            for check in search.state.failing() {
-                for id in search.state.objects_of(check) {
-                    self.bonus[id.0 as usize] += TROUBLE;
-                }
-            }
+            self.advised(search, attempt, steps, progress)?;
+        }
+        if search.state.hard().0 == 0 {
+            stay::put_back(search, given);
+        }
+        search.note();
+        // A larger room may hold what a smaller one does not, and what leans may fit where what is upright does not.
+        self.is_over = !self.setup.frame.has_open_regions() && (attempt > 0 || !self.may_lean());
+        ControlFlow::Continue(())
+    }
+
+    /// Whether the program speaks of the tilt of something that can be moved.
+    fn may_lean(&self) -> bool {
+        let frame = &self.setup.frame;
+        frame.objects().any(|id| frame.tilts[id.0 as usize] && frame.is_movable(id))
+    }
+
+    /// A first layout, what proposers from outside make of it, and, unless only they are to be heard, the local search from
+    /// there.
+    fn advised(
+        &mut self,
+        search: &mut Search<'_>,
+        attempt: u64,
+        steps: &mut Steps<'_>,
+        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if steps.placer.is_none() && self.setup.frame.objects().any(|id| self.has_no_place(id)) {
+            let (mut first, given) = self.begin(search, attempt, &self.setup.given, 0);
+            first.local.search(&mut first.chance, 0, &self.limit, &given);
+            show(&first.local, &mut search.state);
+        }
+        place::initial(search, steps, &self.setup.given);
+        progress(search.progress(Phase::PhysicsRelaxation, self.iterations))?;
+        search.outside_relax(steps);
+        search.note();
+        search.outside_rounds(steps, &mut self.iterations, progress)?;
+        if !steps.proposers_only {
+            let here: Vec<(ObjectId, Option<Pose>)> =
+                self.setup.frame.objects().map(|id| (id, Some(search.state.pose(id)))).collect();
+            self.local(search, attempt, &here);
         }
         ControlFlow::Continue(())
     }
 
-    /// The local search, where it can judge all that must hold.
-    fn local(&self, search: &mut Search<'_>, attempt: u64) -> Locally {
-        let mut given = vec![false; self.setup.frame.program.objects.len()];
+    fn has_no_place(&self, id: ObjectId) -> bool {
+        !self.setup.given.iter().any(|(given, _)| *given == id)
+    }
+
+    /// A local search in which some objects have a place, and which these are.
+    fn begin(
+        &self,
+        search: &mut Search<'_>,
+        attempt: u64,
+        given: &[(ObjectId, Option<Pose>)],
+        which: u64,
+    ) -> (Member<'r>, Vec<bool>) {
+        let mut is_given = vec![false; self.setup.frame.program.objects.len()];
         let mut world = search.state.world().clone();
         for id in self.setup.frame.objects() {
-            let known = self.setup.given.iter().find(|(o, _)| *o == id);
-            given[id.0 as usize] = known.is_some();
+            let known = given.iter().find(|(o, _)| *o == id);
+            is_given[id.0 as usize] = known.is_some();
             let fixed = self.setup.frame.fixed(id).pos;
             let pose = known.and_then(|(_, pose)| *pose).unwrap_or_else(|| {
                 let mut home = search.state.home(id);
@@ -290,18 +269,18 @@ impl<'r, 'a> Run<'r, 'a> {
             let [pos, rot, scale] = pose.constant();
             world.place(id, pos, rot, scale);
         }
-        let numbering = search.state.numbering;
-        let member = |which: u64| {
-            let mut local = LocalSearch::new(&self.setup.frame, &world, numbering)?;
-            local.remember_homes(&given);
-            Some(Member { local, chance: self.chance(which << 48) })
-        };
-        let Some(mut first) = member(0) else { return Locally::Not };
-        let is_all = self.setup.frame.is_all_local();
-        let share = match (is_all, self.setup.frame.has_open_regions()) {
-            (true, true) => SIZES[0] * SIZES[1].powi(attempt as i32),
-            (true, false) => 1.0,
-            (false, _) => LOCAL,
+        let mut local = LocalSearch::new(&self.setup.frame, &world, search.state.numbering, attempt > 0);
+        local.remember_homes(&is_given);
+        (Member { local, chance: self.chance(which << 48) }, is_given)
+    }
+
+    /// The local search, and its layout in the search proper.
+    fn local(&self, search: &mut Search<'_>, attempt: u64, from: &[(ObjectId, Option<Pose>)]) {
+        let (mut first, mut given) = self.begin(search, attempt, from, 0);
+        let share = match (self.setup.frame.has_open_regions(), attempt) {
+            (true, _) => SIZES[0] * SIZES[1].powi(attempt as i32),
+            (false, 0) if self.may_lean() => UPRIGHT,
+            (false, _) => 1.0,
         };
         let left = self.options.budget.saturating_sub(search.state.work);
         let budget = left.min((self.options.budget as f64 * share) as u64);
@@ -311,22 +290,26 @@ impl<'r, 'a> Run<'r, 'a> {
             limit = limit.earlier(PATHS_JUDGED * judging(&mut search.state, &first.local));
         }
         let threads = self.options.threads();
-        let another = || member(1).map(|other| Member { local: other.local.of_another_kind(), ..other });
+        let another = || {
+            let (other, _) = self.begin(search, attempt, from, 1);
+            Member { local: other.local.of_another_kind(), ..other }
+        };
         let (Member { mut local, mut chance }, mut solved) =
             portfolio::search(first, another, budget, &limit, &given, threads);
         if solved {
             local.move_less(&mut chance, &limit, &given);
         }
+        let is_new = from.is_empty();
         let mut for_preferences = (self.options.budget as f64 * self.options.polish) as u64;
-        let holds = loop {
+        loop {
             if solved {
                 let begun = local.work;
                 let preferences = for_preferences.min(budget.saturating_sub(begun));
                 let quality = self.options.polish * 100.0 / f64::from(QUALITY);
-                local.improve_preferences(&mut chance, (preferences, quality), &limit, !self.setup.given.is_empty());
+                local.improve_preferences(&mut chance, (preferences, quality), &limit, !is_new);
                 for_preferences = for_preferences.saturating_sub(local.work - begun);
             }
-            if solved && self.setup.given.is_empty() {
+            if solved && is_new {
                 local.tidy(&mut chance, &limit);
             }
             show(&local, &mut search.state);
@@ -334,27 +317,15 @@ impl<'r, 'a> Run<'r, 'a> {
             // What was thought to hold may not: it is judged otherwise from then on, and one goes on from here.
             let over = limit.is_over() || local.work >= budget;
             if !solved || holds || over || !local.doubt(&search.state.failing()) {
-                break holds;
+                break;
             }
             given.fill(true);
             solved = local.search(&mut chance, budget - local.work, &limit, &given);
             if !solved {
                 local.restore_best();
             }
-        };
+        }
         search.state.work += local.work;
-        if holds {
-            return Locally::Holds;
-        }
-        search.note();
-        if solved {
-            return Locally::Nearly;
-        }
-        if is_all {
-            return Locally::Failed;
-        }
-        self.setup.frame.objects().for_each(|id| search.state.banish(id));
-        Locally::Not
     }
 
     /// The random numbers of an attempt.
@@ -364,38 +335,11 @@ impl<'r, 'a> Run<'r, 'a> {
         chance
     }
 
-    /// Improves a layout in which everything holds.
-    fn finish(
-        &self,
-        search: &mut Search<'_>,
-        progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        progress(search.progress(Phase::Preferences, self.iterations))?;
-        let spent = search.state.work as f64 / self.options.budget as f64;
-        preferences::improve(search, (spent + self.options.polish).min(1.0), !self.setup.given.is_empty());
-        if !self.setup.given.is_empty() {
-            stay::put_back(search, &self.setup.given);
-            search.best = None;
-        }
-        for id in self.setup.frame.objects().filter(|id| self.setup.frame.is_movable(*id)) {
-            if search.is_late() {
-                break;
-            }
-            // Who is where somebody wanted it stays there to the last digit.
-            if !self.setup.given.contains(&(id, Some(search.state.pose(id)))) {
-                tidy::object(&mut search.state, id);
-            }
-        }
-        search.note();
-        ControlFlow::Continue(())
-    }
-
     /// A state that shows a layout.
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
         let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search =
-            Search { state: old, polisher, chance, options: self.options, priority: Vec::new(), best: None };
+        let mut search = Search { state: old, polisher, chance, options: self.options, best: None };
         search.restore(snapshot);
         search.state
     }

@@ -4,31 +4,15 @@
 //! before its chairs, a shelf before what stands on it.
 
 use crate::external::steps::Steps;
-use crate::problem::frame::{Frame, Hold};
+use crate::problem::frame::Hold;
 use crate::problem::terms::Term;
 use crate::search::Search;
-use crate::search::pool::Chance;
 use crate::search::state::Change;
-use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
 
-/// Comes before everything that is to be found.
-const FIXED: f64 = 100.0;
 /// Comes before everything that stands in a room.
 const IN_WALLS: f64 = 10.0;
-/// How much chance there is in the order.
-const NOISE: f64 = 0.15;
-
-/// Which objects come first, no two alike: by what they are, by how much trouble they made before, and by chance.
-pub(crate) fn priorities(frame: &Frame<'_>, trouble: &[f64], chance: &mut ChaCha8Rng) -> Vec<f64> {
-    let noise = |id: ObjectId| if frame.is_movable(id) { 0.0 } else { FIXED };
-    frame
-        .objects()
-        .map(|id| noise(id) + frame.priority[id.0 as usize] + trouble[id.0 as usize] + NOISE * chance.unit())
-        .collect()
-}
-
 /// How early an object comes, by its terms, what holds it, and its size.
 pub(crate) fn priority<'t>(terms: impl Iterator<Item = &'t Term>, hold: Hold, size: Vec3) -> f64 {
     let volume: f64 = size.iter().product();
@@ -68,25 +52,22 @@ pub(crate) fn anywhere(search: &mut Search<'_>, given: &[(ObjectId, Option<crate
     }
 }
 
-/// Places everything that has no place yet.
+/// Places everything that has no place yet: by a step from outside, or wherever rules put it.
 pub(crate) fn initial(
     search: &mut Search<'_>,
     steps: &mut Steps<'_>,
     given: &[(ObjectId, Option<crate::problem::pose::Pose>)],
 ) {
-    as_given(search, given);
+    let own: Vec<_> = given.iter().copied().filter(|(id, _)| !search.state.is_placed(*id)).collect();
+    as_given(search, &own);
     let mut waiting: Vec<ObjectId> = search.state.frame.objects().filter(|o| !search.state.is_placed(*o)).collect();
-    let rank = |o: &ObjectId| search.priority[o.0 as usize];
+    let rank = |o: &ObjectId| search.state.frame.priority[o.0 as usize];
     waiting.sort_by(|a, b| rank(b).total_cmp(&rank(a)).then(a.cmp(b)));
     while !waiting.is_empty() {
         let ready = waiting.iter().position(|&o| search.is_ready(o, &waiting)).unwrap_or(0);
         let id = waiting.remove(ready);
         if !search.state.is_placed(id) && !search.outside_place(steps, id) {
-            if search.is_spent(1.0) {
-                search.put_anywhere(id);
-            } else {
-                search.bring_in(id);
-            }
+            search.put_anywhere(id);
         }
     }
 }

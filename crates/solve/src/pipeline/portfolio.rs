@@ -41,7 +41,7 @@ impl Member<'_> {
 /// of all, and whether all holds; where it does not, the one in which the least is violated.
 pub(crate) fn search<'a>(
     mut first: Member<'a>,
-    another: impl FnOnce() -> Option<Member<'a>>,
+    another: impl FnOnce() -> Member<'a>,
     budget: u64,
     limit: &Limit,
     given: &[bool],
@@ -52,10 +52,11 @@ pub(crate) fn search<'a>(
         return (first, true);
     }
     let mut work = first.local.work;
-    let Some(mut second) = another().filter(|_| work < budget && !limit.is_over()) else {
+    if work >= budget || limit.is_over() {
         first.local.restore_best();
         return (first, false);
-    };
+    }
+    let mut second = another();
     while work < budget && !limit.is_over() {
         slice = slice.min((budget - work).div_ceil(2));
         let begun = [first.local.work, second.local.work];

@@ -2,9 +2,9 @@
 //!
 //! Rooms that share a door share a wall; all others keep their own walls apart, too: twice η between neighbours.
 
-use crate::pipeline::tidy::round_to;
 use crate::problem::frame::Hold;
 use crate::problem::pose::Pose;
+use crate::problem::pose::round_to;
 use crate::search::least_squares::Targets;
 use crate::search::state::{Change, State};
 use crate::search::{STEPS, Search};

@@ -1,6 +1,6 @@
 //! SelectBatch: which violated constraints are taken up next.
 
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use crate::search::state::State;
 use rand_chacha::ChaCha8Rng;
 

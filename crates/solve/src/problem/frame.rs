@@ -2,7 +2,7 @@
 
 use super::equations;
 use crate::pipeline::place;
-use crate::problem::rules::{self, Fixed, Rules, Source};
+use crate::problem::rules::{self, Fixed, Rules, Sets, Source};
 use crate::problem::terms::Term;
 use rustc_hash::FxHashMap;
 use scenelang_engine::Index;
@@ -117,8 +117,8 @@ impl<'a> Frame<'a> {
                 .collect(),
             variable_followers: variables(program).map(|v| rules.after(Source::Variable(v))).collect(),
             sources: objects.map(|o| rules.sources(o)).collect(),
+            tilts: tilts(&terms, &rules, n),
             rules,
-            tilts: tilts(&terms, n),
             program,
             terms,
             scope,
@@ -150,19 +150,9 @@ impl<'a> Frame<'a> {
     pub fn is_movable(&self, id: ObjectId) -> bool {
         !self.fixed(id).is_all()
     }
-    /// Whether rules and what holds it leave nothing to choose: it stands on the floor, or hangs from the ceiling.
-    pub fn is_settled(&self, id: ObjectId) -> bool {
-        let fixed = self.fixed(id);
-        let height = fixed.pos[1] || matches!(self.hold(id), Hold::Rests | Hold::Ceiling(_));
-        fixed.rot && fixed.pos[0] && fixed.pos[2] && height
-    }
     /// What keeps an object where it is.
     pub fn hold(&self, id: ObjectId) -> Hold {
         self.holds[id.0 as usize]
-    }
-    /// Whether the local search can move all that is open: it turns things about the vertical only.
-    pub fn is_all_local(&self) -> bool {
-        !self.objects().any(|id| self.tilts[id.0 as usize] && self.is_movable(id))
     }
     /// Whether the program leaves the size or the place of a region open.
     pub fn has_open_regions(&self) -> bool {
@@ -193,24 +183,24 @@ fn hold(program: &Program, scope: Option<&Scope>, id: ObjectId) -> Hold {
     }
 }
 
-/// Objects whose x or z rotation some hard term reads by itself, or compares with one that is not upright.
-fn tilts(terms: &[Term], n: usize) -> Vec<bool> {
+/// Objects whose x or z rotation some hard term reads by itself, or compares with one that is not upright; those that a
+/// rule turns so, and those that are turned as one of them is.
+fn tilts(terms: &[Term], rules: &Rules, n: usize) -> Vec<bool> {
     let mut found = vec![false; n];
+    let mut same = Vec::new();
     for term in terms.iter().filter(|t| t.is_hard()) {
         let nodes = &term.formula.nodes;
         let turned = |id: NodeId| match &nodes[id.0 as usize] {
             Node::Object(ObjectProperty::Rot, object) => Some(*object),
             _ => None,
         };
-        let level = |id: NodeId| match &nodes[id.0 as usize] {
-            Node::Rotation([x, _, z]) => [x, z].iter().all(|c| nodes[c.0 as usize] == Node::Number(0.0)),
-            Node::Object(..) => true,
-            _ => false,
-        };
         for node in nodes {
             let tilted = match node {
                 Node::Component(Axis::X | Axis::Z, of) => turned(*of),
-                Node::Same(a, b) => turned(*a).filter(|_| !level(*b)).or(turned(*b).filter(|_| !level(*a))),
+                Node::Same(a, b) => {
+                    same.extend(turned(*a).zip(turned(*b)));
+                    turned(*a).filter(|_| !is_level(nodes, *b)).or(turned(*b).filter(|_| !is_level(nodes, *a)))
+                }
                 Node::Object(ObjectProperty::Up, object) => Some(*object),
                 _ => None,
             };
@@ -219,7 +209,31 @@ fn tilts(terms: &[Term], n: usize) -> Vec<bool> {
             }
         }
     }
-    found
+    for rule in rules.list.iter().filter(|rule| rule.sets == Sets::Rot) {
+        match rule.formula.root_node() {
+            Node::Object(ObjectProperty::Rot, other) => same.push((rule.owner, *other)),
+            _ => found[rule.owner.0 as usize] |= !is_level(&rule.formula.nodes, rule.formula.root),
+        }
+    }
+    loop {
+        let before = found.iter().filter(|tilts| **tilts).count();
+        for (a, b) in same.iter().map(|(a, b)| (a.0 as usize, b.0 as usize)) {
+            let either = found[a] || found[b];
+            (found[a], found[b]) = (either, either);
+        }
+        if found.iter().filter(|tilts| **tilts).count() == before {
+            return found;
+        }
+    }
+}
+
+/// Whether a rotation is that of something upright, as far as its formula shows. That of an object is its own affair.
+fn is_level(nodes: &[Node], id: NodeId) -> bool {
+    match &nodes[id.0 as usize] {
+        Node::Rotation([x, _, z]) => [x, z].iter().all(|c| nodes[c.0 as usize] == Node::Number(0.0)),
+        Node::Object(..) => true,
+        _ => false,
+    }
 }
 
 /// The other objects of an array. All of an array share one list: of 6,000 objects each has 5,999 others.

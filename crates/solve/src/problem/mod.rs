@@ -81,8 +81,6 @@ pub struct Options {
     pub seed: u64,
     /// How many violated constraints are taken up at a time.
     pub batch: usize,
-    /// At most so many rounds of the loop for each initial placement.
-    pub rounds: usize,
     /// At most so much work in all; a unit is some twenty nanoseconds. 0: by the number of objects.
     pub budget: u64,
     /// How many times the usual work is allowed where the number of objects sets the budget; 0 counts as 1.
@@ -110,7 +108,6 @@ impl Default for Options {
         Self {
             seed: 0,
             batch: 3,
-            rounds: 400,
             budget: 0,
             effort: 1,
             time: None,
@@ -228,8 +225,6 @@ pub enum Phase {
     PhysicsRelaxation,
     /// Repairing batches of violated constraints.
     Repair,
-    /// Improving what holds already: preferences, round numbers.
-    Preferences,
 }
 
 /// How far the solver is.

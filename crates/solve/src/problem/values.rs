@@ -50,7 +50,7 @@ pub(crate) fn choose(program: &Program, layout: &mut Layout, options: &Options) 
     let world = World::<f64>::new(&bare, layout, &options.judge);
     let numbering = Numbering::new(terms.len(), 0);
     let frame = Frame::new(&bare, terms, None, |_| Vec3::zeros());
-    let Some(mut local) = LocalSearch::new(&frame, &world, numbering) else { return };
+    let mut local = LocalSearch::new(&frame, &world, numbering, false);
     let limit = Limit::new(None::<Duration>, &options.stop);
     let mut chance = ChaCha8Rng::seed_from_u64(options.seed);
     if !local.search(&mut chance, BUDGET, &limit, &[]) {

@@ -3,7 +3,7 @@
 
 use super::moves::changes;
 use super::room::Room;
-use crate::pipeline::tidy::round_to;
+use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, half_turn, round_turn};
 use crate::search::state::Change;
 use scenelang_lang::program::ObjectId;

@@ -15,6 +15,7 @@ mod edit;
 mod judge;
 mod least;
 mod moves;
+mod pool;
 mod preference;
 mod relax;
 mod room;

@@ -6,9 +6,8 @@
 
 use super::judge::Judge;
 use super::room::{self, Equations, Fixtures, Room, describe};
-use super::{Alternative, RepairOptions, least, whole};
+use super::{Alternative, RepairOptions, least, pool, whole};
 use crate::problem::pose::Pose;
-use crate::search::pool::{self, Breadth};
 use crate::search::state::{Change, overlap_in_plan};
 use crate::search::{STEPS, Snapshot};
 use scenelang_engine::smallest_move;
@@ -282,7 +281,7 @@ fn candidates(room: &mut Room<'_, '_>, id: ObjectId, now: &Pose) -> Vec<Pose> {
             }
         }
     }
-    out.extend(pool::candidates(&mut search.state, id, Breadth::All, &mut search.chance));
+    out.extend(pool::candidates(&mut search.state, id, &mut search.chance));
     out
 }
 

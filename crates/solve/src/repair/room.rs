@@ -2,10 +2,10 @@
 
 use super::judge::Judge;
 use super::{Alternative, EACH, How, Moved, RepairOptions};
-use crate::pipeline::tidy::round_to;
 use crate::problem::Options;
 use crate::problem::checks::Check;
 use crate::problem::frame::{Frame, variables};
+use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, Ride, half_turn};
 use crate::problem::rules::{self, Rules, Source};
 use crate::problem::terms;
@@ -104,7 +104,6 @@ impl<'r, 'a> Room<'r, 'a> {
         state.measure_all();
         state.look_at_ways();
         let n = frame.program.objects.len();
-        let priority = frame.priority.clone();
         let wanted: Vec<bool> = (0..state.numbering.len())
             .map(|check| {
                 let row = row_of(frame, state.numbering.check(check));
@@ -125,7 +124,7 @@ impl<'r, 'a> Room<'r, 'a> {
         let poses = frame.objects().map(|id| before(&fixtures.world, &state, id)).collect();
         let dear = frame.walks.iter().any(|&t| wanted[t]);
         let judgement = WALK * frame.walks.len() as u64;
-        let search = Search { state, polisher, chance, options, priority, best: None };
+        let search = Search { state, polisher, chance, options, best: None };
         debug_assert_eq!(n, search.state.placed().count());
         Self { judge, start: search.snapshot(), search, poses, wanted, dear, most: u64::MAX, judgement }
     }

@@ -1,10 +1,9 @@
-//! The wider circles: the repair loop from the layout as it is, with everything free to move; then a new solution, taken
+//! The wider circles: a search from the layout as it is, with everything free to move; then a new solution. Either is taken
 //! over as far as it takes. Many objects may have moved then, so what was found is only a beginning.
 
 use super::RepairOptions;
 use super::moves::changes;
 use super::room::Room;
-use crate::external::steps::Steps;
 use crate::pipeline::solve;
 use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
@@ -14,65 +13,47 @@ use crate::search::state::Change;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 
-/// The part of the budget after which the repair loop gives up.
+/// The part of the budget for a search from the layout as it is.
 const PART: f64 = 0.6;
 /// The part of the budget of a new solution that may go into preferences.
 const POLISH: f64 = 0.5;
 /// So many new solutions are looked for where a preference is to be repaired.
 const TRIES: u64 = 4;
-/// Rounds of the repair loop.
-const ROUNDS: usize = 120;
-
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
-    let found = repaired(room, (options.budget as f64 * PART) as u64);
+    let work = (options.budget as f64 * PART) as u64;
+    let found = solved(room, options, Placed::All, work, 0);
     let another = |room: &mut Room<'_, '_>| {
         // Other random numbers may end where this layout can be taken to, and the first ones did not.
         let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
         let tries = if preferred { TRIES } else { 1 };
         let mut tries = (0..tries).take_while(|_| !room.judge.limit.is_over());
-        tries.find_map(|variant| solved(room, options, variant))
+        tries.find_map(|variant| {
+            let regions = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
+            let anew = Placed::Some { objects: Vec::new(), regions };
+            let left = options.budget.saturating_sub(room.search.state.work);
+            solved(room, options, anew, left, variant)
+        })
     };
     found.or_else(|| another(room)).into_iter().collect()
 }
 
-/// The repair loop from the layout as it is.
-fn repaired(room: &mut Room<'_, '_>, until: u64) -> Option<Snapshot> {
-    let start = room.start.clone();
-    room.search.restore(&start);
-    let weights = room.search.state.weight.clone();
-    room.search.best = None;
-    let (mut iterations, mut steps) = (0, Steps::default());
-    while room.search.state.work < until && iterations < ROUNDS {
-        let before = iterations;
-        let flow = room.search.repair(10, &mut steps, &mut iterations, &mut |_| ControlFlow::Continue(()));
-        if flow == ControlFlow::Continue(true) || iterations == before {
-            break;
-        }
-    }
-    room.search.state.weight = weights;
-    if let Some(best) = room.search.best.take() {
-        room.search.restore(&best.snapshot);
-    }
-    room.holds().then(|| room.search.snapshot())
-}
-
 /// A new solution, of which only that is taken over which must be.
-fn solved(room: &mut Room<'_, '_>, options: &RepairOptions, variant: u64) -> Option<Snapshot> {
+fn solved(
+    room: &mut Room<'_, '_>,
+    options: &RepairOptions,
+    placed: Placed,
+    budget: u64,
+    variant: u64,
+) -> Option<Snapshot> {
     let judge = room.judge;
-    let regions = (0..judge.program.regions.len() as u32).map(RegionId).collect();
-    let problem = Problem {
-        program: judge.program,
-        start: judge.layout.clone(),
-        placed: Placed::Some { objects: Vec::new(), regions },
-    };
-    let left = options.budget.saturating_sub(room.search.state.work);
+    let problem = Problem { program: judge.program, start: judge.layout.clone(), placed };
     // A solution owes preferences nothing: where one is to be repaired, work goes into them as well.
     let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
     let solver = Options {
         seed: judge.layout.seed.unwrap_or(0),
         variant,
-        budget: left,
+        budget,
         judge: judge.options,
         polish: if preferred { POLISH } else { 0.0 },
         diagnose: false,

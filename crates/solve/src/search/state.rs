@@ -198,11 +198,6 @@ impl<'a> State<'a> {
         self.cost.iter().zip(&self.weight).map(|(c, w)| c * w).sum::<f64>() + self.looks.iter().sum::<f64>()
     }
 
-    /// What an object costs for the looks of it.
-    pub fn oddity(&self, id: ObjectId) -> f64 {
-        self.looks[id.0 as usize]
-    }
-
     /// Takes an object out of the scene.
     pub fn banish(&mut self, id: ObjectId) {
         let pose = self.pose(id).at(0.0, LIMBO * (1.0 + 0.01 * f64::from(id.0)), 0.0);
@@ -510,26 +505,6 @@ impl<'a> State<'a> {
         let home = self.pose(id);
         self.put(id, old);
         home
-    }
-
-    /// Objects without a place that have one as soon as this one does: rules fix all of it.
-    pub fn companions(&self, id: ObjectId) -> Vec<ObjectId> {
-        let frame = self.frame;
-        let mut found = vec![id];
-        // Rules are in order, so that one pass is enough.
-        for rule in frame.followers[id.0 as usize].iter().map(|&r| &frame.rules.list[r]) {
-            let owner = rule.owner;
-            let ready = |o: &ObjectId| self.is_placed(*o) || found.contains(o);
-            if !found.contains(&owner)
-                && !self.is_placed(owner)
-                && frame.is_settled(owner)
-                && frame.sources[owner.0 as usize].iter().all(ready)
-            {
-                found.push(owner);
-            }
-        }
-        found.remove(0);
-        found
     }
 
     /// Checks that may change with these, cheap and telling ones first.

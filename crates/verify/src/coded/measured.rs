@@ -6,7 +6,8 @@
 use crate::world::Body;
 use scenelang_layout::convex::Convex;
 use scenelang_layout::planar::nearest_on_segment;
-use scenelang_layout::{Polygon, Vec2};
+use scenelang_layout::rotation::matrix;
+use scenelang_layout::{Polygon, Vec2, Vec3};
 use std::sync::Arc;
 
 /// Something measured on numbers.
@@ -78,6 +79,33 @@ pub fn blocks(body: &Body) -> Arc<[Block]> {
         Block::new([middle.x, middle.y - half.y, middle.z], ((max - min) / 2.0).into())
     };
     parts.iter().map(block).collect()
+}
+
+/// A body that leans by these turns about x and z (degrees): the box around it from the middle of its bottom face, least and
+/// greatest, in a frame that has its yaw only; and its parts, each as the box around it, the middle of that box the origin.
+pub fn leaning(body: &Body, [x, z]: [f64; 2]) -> ([[f64; 3]; 2], Arc<[Block]>) {
+    let axes = matrix(Vec3::new(x, 0.0, z));
+    let around = |points: &mut dyn Iterator<Item = Vec3>| {
+        let none = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
+        points.fold(none, |(min, max), point| {
+            let there = axes * point;
+            (min.inf(&there), max.sup(&there))
+        })
+    };
+    let half = body.obb.half;
+    let signs = [-1.0, 1.0];
+    let mut corners = signs
+        .iter()
+        .flat_map(|a| signs.map(|b| [*a, b]))
+        .flat_map(|[a, b]| [0.0, 2.0].map(|up| Vec3::new(a * half.x, up * half.y, b * half.z)));
+    let (min, max) = around(&mut corners);
+    let middle = (min + max) / 2.0;
+    let block = |(min, max): (Vec3, Vec3)| Block::new(((min + max) / 2.0 - middle).into(), ((max - min) / 2.0).into());
+    let blocks = match body.parts() {
+        Some(parts) => parts.iter().map(|part| block(around(&mut part.vertices().iter().copied()))).collect(),
+        None => [block((min, max))].into(),
+    };
+    ([min.into(), max.into()], blocks)
 }
 
 /// The least gap between blocks of two things, each given with where it stands and the height of its middle; what is

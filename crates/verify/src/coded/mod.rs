@@ -8,7 +8,7 @@
 mod measured;
 
 use measured::Measured;
-pub use measured::{Block, Flat, blocks, gap};
+pub use measured::{Block, Flat, blocks, gap, leaning};
 
 use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
@@ -205,12 +205,18 @@ pub struct Coder<'w> {
 }
 
 impl<'w> Coder<'w> {
-    /// For an instance in which some objects never move.
-    pub fn new(program: &Program, plain: &'w World<f64>, still: &dyn Fn(ObjectId) -> bool) -> Self {
+    /// For an instance in which some objects never move, and of the others some stay upright; what speaks of the rest has
+    /// no code.
+    pub fn new(
+        program: &Program,
+        plain: &'w World<f64>,
+        still: &dyn Fn(ObjectId) -> bool,
+        upright: &dyn Fn(ObjectId) -> bool,
+    ) -> Self {
         let mut tape = Tape::new();
         Self {
             plain,
-            world: tape.record(|| inputs(program, plain, still)),
+            world: tape.record(|| inputs(program, plain, still, upright)),
             tape,
             sources: program.objects.len() + program.variables.len(),
             constants: Vec::new(),
@@ -383,7 +389,12 @@ pub fn variable(value: &Value<f64>) -> [f64; INPUTS] {
 }
 
 /// An instance whose numbers are inputs of the code, but for what never moves.
-fn inputs(program: &Program, plain: &World<f64>, still: &dyn Fn(ObjectId) -> bool) -> World<Term> {
+fn inputs(
+    program: &Program,
+    plain: &World<f64>,
+    still: &dyn Fn(ObjectId) -> bool,
+    upright: &dyn Fn(ObjectId) -> bool,
+) -> World<Term> {
     let mut world = World::<Term>::nowhere(program, &plain.options);
     for index in 0..program.objects.len() as u32 {
         let id = ObjectId(index);
@@ -396,7 +407,7 @@ fn inputs(program: &Program, plain: &World<f64>, still: &dyn Fn(ObjectId) -> boo
             unknown(Interval::new(-1.0, 1.0)),
         ];
         let Ok(thing) = plain.object(id) else { continue };
-        let upright = thing.rot.0[0] == 0.0 && thing.rot.0[2] == 0.0;
+        let upright = upright(id) && thing.rot.0[0] == 0.0 && thing.rot.0[2] == 0.0;
         let [x, y, z, yaw, sin, cos] = inputs;
         let (zero, one) = (Term::constant(0.0), Term::constant(1.0));
         let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
@@ -621,7 +632,7 @@ assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1
             let ell = scenelang_layout::RegionPlacement { vertices: Some(corners.to_vec()), ..room.clone() };
             let layout = Layout { regions: vec![("room".into(), room), ("ell".into(), ell)], ..layout };
             let world = World::<f64>::new(program, &layout, &Options::default());
-            let mut coder = Coder::new(program, &world, &|_| false);
+            let mut coder = Coder::new(program, &world, &|_| false, &|_| true);
             for constraint in &program.constraints {
                 let formula = &constraint.formula;
                 let Some(code) = coder.truth(formula) else { continue };

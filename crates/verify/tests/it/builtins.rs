@@ -78,7 +78,7 @@ fn fast_code_says_what_is_exact() {
         let calls = calls(&hidden, &mut dice);
         let program = stating(&hidden, &calls);
         let world = World::<f64>::new(&program, &hidden.layout, &Options::default());
-        let mut coder = Coder::new(&program, &world, &|_| false);
+        let mut coder = Coder::new(&program, &world, &|_| false, &|_| true);
         for (at, (built_in, call)) in calls.iter().enumerate() {
             let (formula, node) = alone(&program, at);
             let exact = evaluate(&formula, &world).expect("all is there");

@@ -2,7 +2,7 @@
 
 use super::{LocalSearch, Span};
 use crate::search::penalty;
-use scenelang_lang::program::{Formula, Node, ObjectId, Side};
+use scenelang_lang::program::{Formula, Node, Side};
 use scenelang_verify::coded::{Block, Flat};
 use scenelang_verify::{Surroundings, World, surroundings};
 
@@ -152,7 +152,11 @@ impl LocalSearch<'_> {
 
     /// The rectangle of an object.
     pub(super) fn flat(&self, i: usize) -> Flat {
-        let ([w, _, d], [x, _, z, _, sin, cos]) = (self.size[i], self.slots.get(ObjectId(i as u32)));
+        let ([w, _, d], inputs) = (self.size[i], self.inputs(i));
+        let [x, _, z, _, sin, cos] = inputs;
+        if let Some((at, half)) = self.lying(i, &inputs) {
+            return Flat { at, turn: [sin, cos], half };
+        }
         Flat { at: [x, z], turn: [sin, cos], half: [w / 2.0, d / 2.0] }
     }
 }

@@ -6,6 +6,7 @@
 
 use super::clear::Clear;
 use super::judge::Moved;
+use super::lean::Lean;
 use super::{Judge, LocalSearch, Span};
 use crate::problem::pose::Pose;
 use crate::search::penalty::{Penalty, Truths};
@@ -157,13 +158,14 @@ impl Truths<f64> for Found<'_> {
 impl LocalSearch<'_> {
     /// Brings the instance up to date.
     pub(super) fn follow(&mut self) {
-        let Self { instance, slots, away, size, .. } = self;
+        let Self { instance, slots, away, scale, leans, .. } = self;
         instance.mirror.follow(|id| {
             let i = id.0 as usize;
             let [x, y, z, yaw, ..] = slots.get(id);
             let waits = Vec3::new(0.0, LIMBO * (1.0 + 0.01 * i as f64), 0.0);
             let pos = if away[i] { waits } else { Vec3::new(x, y, z) };
-            Some(Pose { pos, rot: Vec3::new(0.0, yaw, 0.0), scale: Vec3::from(size[i]) })
+            let [tilt, roll] = leans[i].as_ref().map_or([0.0; 2], Lean::angles);
+            Some(Pose { pos, rot: Vec3::new(tilt, yaw, roll), scale: Vec3::from(scale[i]) })
         });
     }
 

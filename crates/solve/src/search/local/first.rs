@@ -2,7 +2,7 @@
 
 use super::LocalSearch;
 use super::moves::Inputs;
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 
 /// How many poses are tried for each object of a first layout.

@@ -31,9 +31,13 @@ impl LocalSearch<'_> {
     /// Puts an object somewhere, without a look at anything.
     pub(super) fn put(&mut self, i: usize, inputs: [f64; INPUTS]) {
         self.slots.put(ObjectId(i as u32), inputs);
-        let ([w, h, d], [x, y, z, _, sin, cos]) = (self.size[i], inputs);
+        let ([mut w, h, mut d], [mut x, y, mut z, _, sin, cos]) = (self.size[i], inputs);
+        if let Some((middle, half)) = self.lying(i, &inputs) {
+            ([x, z], [w, d]) = (middle, half.map(|half| 2.0 * half));
+        }
+        let [low, high] = self.upwards(i, y).unwrap_or([y, y + h]);
         let (rx, rz) = ((cos.abs() * w + sin.abs() * d) / 2.0, (sin.abs() * w + cos.abs() * d) / 2.0);
-        let span = Span { min: [x - rx, y, z - rz], max: [x + rx, y + h, z + rz] };
+        let span = Span { min: [x - rx, low, z - rz], max: [x + rx, high, z + rz] };
         self.span[i] = if self.away[i] { Span::NONE } else { span };
         self.has_moved(i);
     }
@@ -53,7 +57,9 @@ impl LocalSearch<'_> {
         let id = ObjectId(i as u32);
         let (fixed, old) = (self.frame.fixed(id), self.inputs(i));
         (0..3).filter(|&k| fixed.pos[k]).for_each(|k| inputs[k] = old[k]);
-        if fixed.rot {
+        // Nor is it turned as the program forbids, by what it goes along with.
+        let is_told = !self.turns[i] && !self.yaws[i].contains(&inputs[3]);
+        if fixed.rot || is_told {
             inputs[3..].copy_from_slice(&old[3..]);
         }
         self.carry(i, inputs, depth);
@@ -80,13 +86,17 @@ impl LocalSearch<'_> {
 
     pub(super) fn obey(&mut self, rule: usize, depth: usize) {
         let CodedRule { owner, sets, value } = &self.rules[rule];
-        let owner = *owner;
+        let (owner, sets) = (*owner, *sets);
         let mut next = self.slots.get(ObjectId(owner as u32));
         let Some(value) = value else {
             self.follow();
             self.work += WITHOUT_CODE;
             let Some([pos, rot, _]) = self.frame.rules.list[rule].apply(self.instance.world()) else { return };
-            let yaw = crate::problem::pose::round_turn(rot.value().y);
+            let rot = rot.value();
+            if sets == Sets::Rot {
+                self.go_lean(owner, [rot.x, rot.z]);
+            }
+            let yaw = crate::problem::pose::round_turn(rot.y);
             let (sin, cos) = scenelang_layout::rotation::sin_cos(yaw);
             next = [pos.0[0], pos.0[1], pos.0[2], yaw, sin, cos];
             if next != self.inputs(owner) {
@@ -95,12 +105,12 @@ impl LocalSearch<'_> {
             return;
         };
         let found = value.run(&mut self.slots);
-        match *sets {
+        match sets {
             Sets::Pos => next[..3].copy_from_slice(&found),
             Sets::Axis(axis, per) => next[axis] -= found[0] / per,
             Sets::Shift(per) => (0..3).for_each(|k| next[k] -= found[k] / per),
             Sets::Rot | Sets::Yaw => {
-                let yaw = if *sets == Sets::Rot { found[1] } else { found[0] };
+                let yaw = if sets == Sets::Rot { found[1] } else { found[0] };
                 let (sin, cos) = scenelang_layout::rotation::sin_cos(yaw);
                 next[3..].copy_from_slice(&[crate::problem::pose::round_turn(yaw), sin, cos]);
             }
@@ -111,7 +121,7 @@ impl LocalSearch<'_> {
         }
     }
 
-    fn shift(&mut self, i: usize, inputs: [f64; INPUTS]) {
+    pub(super) fn shift(&mut self, i: usize, inputs: [f64; INPUTS]) {
         if !self.moved.iter().any(|(o, ..)| *o == i) {
             self.moved.push((i, self.inputs(i), self.span[i]));
         }
@@ -121,6 +131,7 @@ impl LocalSearch<'_> {
     /// Takes a trial back.
     pub(super) fn undo(&mut self) {
         self.undo_variables();
+        self.undo_leans();
         while let Some((i, inputs, span)) = self.moved.pop() {
             self.slots.put(ObjectId(i as u32), inputs);
             self.span[i] = span;
@@ -258,7 +269,10 @@ impl LocalSearch<'_> {
         penalty.both()
     }
 
-    fn bounds(&self, i: usize) -> (f64, bool) {
+    fn bounds(&mut self, i: usize) -> (f64, bool) {
+        if self.is_asked(i) {
+            return self.bounds_asked(i);
+        }
         let span = &self.span[i];
         let clearances = self.rooms.iter().map(|room| room.clearance(span, || self.flat(i)));
         let best = clearances.fold(f64::NEG_INFINITY, f64::max);
@@ -268,7 +282,10 @@ impl LocalSearch<'_> {
 
     /// On a floor, or with its feet on tops of one thing. Standing on the edges of several things is left to the search
     /// proper.
-    fn support(&self, i: usize) -> (f64, bool) {
+    fn support(&mut self, i: usize) -> (f64, bool) {
+        if self.is_asked(i) {
+            return self.support_asked(i);
+        }
         let tolerance = self.tolerances.support;
         let target = tolerance.min(self.tolerances.contact);
         let mut off = self.above_floor(i).abs();
@@ -284,7 +301,7 @@ impl LocalSearch<'_> {
         if let Some(floor) = self.floor {
             return base - floor;
         }
-        let [x, _, z, ..] = self.inputs(i);
+        let [x, z] = self.flat(i).at;
         let under = self.rooms.iter().filter(|room| room.depth([x, z]) >= -self.tolerances.contact);
         let nearest = under.map(|room| base - room.floor).min_by(|a, b| a.abs().total_cmp(&b.abs()));
         nearest.unwrap_or(base)
@@ -292,7 +309,8 @@ impl LocalSearch<'_> {
 
     /// Of the things with tops below (or above) its feet the one with those nearest to its base, and how far they are.
     fn nearest_top(&self, i: usize) -> Option<(usize, f64)> {
-        let ([x, _, z, ..], own) = (self.inputs(i), self.flat(i));
+        let own = self.flat(i);
+        let [x, z] = own.at;
         let mut best: Option<(usize, f64)> = None;
         for j in 0..self.count() {
             let other = &self.span[j];
@@ -300,6 +318,7 @@ impl LocalSearch<'_> {
                 || !(other.min[0]..=other.max[0]).contains(&x)
                 || !(other.min[2]..=other.max[2]).contains(&z)
                 || !self.is_over(j, x, z)
+                || self.is_oblique(j)
             {
                 continue;
             }
@@ -331,10 +350,15 @@ impl LocalSearch<'_> {
         self.nearest_top(i).filter(|(_, off)| raised && *off <= support.max(target)).map(|(j, _)| j)
     }
 
+    /// Whether the evaluator is asked for the physical rules of an object.
+    fn is_asked(&self, i: usize) -> bool {
+        self.asked[i] || self.is_oblique(i)
+    }
+
     fn is_over(&self, j: usize, x: f64, z: f64) -> bool {
-        let [ox, _, oz, _, sin, cos] = self.inputs(j);
-        let (dx, dz) = (x - ox, z - oz);
-        (dx * cos - dz * sin).abs() <= self.size[j][0] / 2.0 && (dx * sin + dz * cos).abs() <= self.size[j][2] / 2.0
+        let flat = self.flat(j);
+        let [u, v] = flat.local([x, z]);
+        u.abs() <= flat.half[0] && v.abs() <= flat.half[1]
     }
 
     /// What overlaps of one of the moved objects cost now.
@@ -360,7 +384,14 @@ impl LocalSearch<'_> {
             return 0.0;
         }
         let contact = self.tolerances.contact;
-        let found = self.physical(gap + contact, contact - TOUCHING);
+        let found = if self.is_asked(i) || self.is_asked(j) {
+            self.collision_asked(i, j)
+        } else {
+            self.physical(gap + contact, contact - TOUCHING)
+        };
+        if found == (0.0, true) {
+            return 0.0;
+        }
         let check = self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32));
         self.note(check, found)
     }
@@ -458,6 +489,7 @@ impl LocalSearch<'_> {
         self.fresh = fresh;
         self.moved = moved;
         self.moved.clear();
+        self.leaned.clear();
         self.variables.moved.clear();
     }
 

@@ -10,6 +10,7 @@ mod course;
 mod exact;
 mod first;
 mod judge;
+mod lean;
 mod mirror;
 mod moves;
 mod near;
@@ -36,6 +37,7 @@ use clear::Clear;
 use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
+use lean::Lean;
 use moves::Inputs;
 use near::Near;
 use paths::{Asked, PathGroup};
@@ -130,7 +132,14 @@ pub(crate) struct LocalSearch<'a> {
     /// By object: where it was given a place; and what it costs to leave that.
     at_first: Vec<Option<Inputs>>,
     charge: f64,
+    /// By object: how large it is as the program means it, and as it lies there, seen from its position.
+    scale: Vec<[f64; 3]>,
     size: Vec<[f64; 3]>,
+    /// By object: how it leans; `None`: it stands upright. And in the trial: what leaned otherwise.
+    leans: Vec<Option<Lean>>,
+    leaned: Vec<(usize, [f64; 2])>,
+    /// By object: whether the evaluator is asked for the physical rules.
+    asked: Vec<bool>,
     /// By object: what it is made of.
     blocks: Vec<Arc<[Block]>>,
     /// By object: where it touches what it stands on, in its frame (x, z).
@@ -238,20 +247,22 @@ impl Truths<f64> for Ran<'_> {
 }
 
 impl<'a> LocalSearch<'a> {
-    /// For an instance in which every object has a pose, though it need not be its place; `None`: one of them is not
-    /// upright, or cannot be where it belongs.
-    pub fn new(frame: &'a Frame<'a>, world: &World<f64>, numbering: Numbering) -> Option<Self> {
+    /// For an instance in which every object has a pose, though it need not be its place. With `tips`, whatever the program
+    /// says of how things lean is searched for; else only what no upright thing fulfils.
+    pub fn new(frame: &'a Frame<'a>, world: &World<f64>, numbering: Numbering, tips: bool) -> Self {
         let n = frame.program.objects.len();
         let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
         let pose = |id: ObjectId| world.object(id).map(Pose::of);
-        if !frame.objects().all(|id| pose(id).is_ok_and(|pose| pose.is_upright())) {
-            return None;
-        }
-        let rooms: Vec<Room> = world.prisms().map(|(id, prism)| Room::new(id, prism)).collect::<Option<_>>()?;
+        let leans = lean::leaning(frame, world, tips);
+        let stands = |id: ObjectId| !leans[id.0 as usize];
+        let rooms: Vec<Room> = world.prisms().filter_map(|(id, prism)| Room::new(id, prism)).collect();
         let level = rooms.first().map_or(0.0, |room| room.floor);
         let floor = rooms.iter().all(|room| room.floor == level).then_some(level);
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
-        let mut coder = Coder::new(frame.program, world, &still);
+        let mut coder = Coder::new(frame.program, world, &still, &stands);
+        let clear_of = |node: &Node, formula: &Formula| {
+            Clear::of(node, formula, &doors, world).filter(|clear| !leans[clear.owner])
+        };
         let mut judges = Vec::with_capacity(frame.terms.len());
         let mut asked = Vec::new();
         for term in &frame.terms {
@@ -259,9 +270,11 @@ impl<'a> LocalSearch<'a> {
             let room = |region: RegionId| rooms.iter().position(|room| room.id == region);
             judges.push(if term.sizes_only {
                 Judge::Absent
-            } else if let Some((id, room)) = setup::inside(formula).and_then(|(id, r)| Some((id, room(r)?))) {
+            } else if let Some((id, room)) =
+                setup::inside(formula).filter(|(id, _)| stands(*id)).and_then(|(id, r)| Some((id, room(r)?)))
+            {
                 Judge::Inside(id.0 as usize, room)
-            } else if let Some(clear) = Clear::of(formula.root_node(), formula, &doors, world) {
+            } else if let Some(clear) = clear_of(formula.root_node(), formula) {
                 Judge::Clear(clear)
             } else if let Some(group) = Asked::of(judges.len(), formula, (!term.is_hard()).then_some(term.constraint))
                 .filter(|_| floor.is_some() && !rooms.is_empty())
@@ -272,11 +285,10 @@ impl<'a> LocalSearch<'a> {
                 let (code, missing) = coder.partly(formula);
                 if missing.is_empty() {
                     Judge::Code(code)
-                } else if term.is_hard() && setup::turned(formula).is_some() {
+                } else if term.is_hard() && setup::turned(formula).is_some_and(stands) {
                     Judge::Turn
                 } else {
-                    let clear = |node: &Node, formula: &Formula| Clear::of(node, formula, &doors, world);
-                    Judge::Mixed(Mixed::new(formula, code, &missing, clear, n))
+                    Judge::Mixed(Mixed::new(formula, code, &missing, clear_of, n))
                 }
             });
         }
@@ -323,7 +335,7 @@ impl<'a> LocalSearch<'a> {
             tolerances: world.options.tolerances,
             numbering,
             slots: coder.slots(),
-            followers: Vec::new(),
+            followers: vec![Vec::new(); n],
             terms_of: Vec::new(),
             preferences_of: Vec::new(),
             preferring: false,
@@ -338,7 +350,11 @@ impl<'a> LocalSearch<'a> {
                 .objects()
                 .map(|id| if let Hold::Container(c) = frame.hold(id) { Some(c.0 as usize) } else { None })
                 .collect(),
+            scale: size.clone(),
             size,
+            leans: vec![None; n],
+            leaned: Vec::new(),
+            asked: vec![false; n],
             span: vec![Span::default(); n],
             collide,
             rests: frame.objects().map(|id| scope.is_some_and(|s| s.support(id) == rules::Support::Rests)).collect(),
@@ -402,17 +418,19 @@ impl<'a> LocalSearch<'a> {
             judges,
             frame,
         };
+        local.begin_to_lean(&leans, world);
         // What the program fixes is so from here on.
         for rule in 0..local.rules.len() {
             local.obey(rule, 0);
         }
         local.moved.clear();
+        local.leaned.clear();
         local.followers = frame.objects().map(|id| local.followers_of(id)).collect();
         local.terms_of = (0..n).map(|i| local.sorted_terms(i, true)).collect();
         local.preferences_of = (0..n).map(|i| local.sorted_terms(i, false)).collect();
         local.know_variables();
         for id in frame.objects() {
-            let domain = local.yaws_of(world, id)?;
+            let domain = local.yaws_of(world, id);
             let told = frame.index.of_object(id).iter().any(|&t| matches!(local.judges[t], Judge::Turn));
             local.turns.push(!frame.fixed(id).rot && !told);
             local.yaws.push(domain);
@@ -420,20 +438,21 @@ impl<'a> LocalSearch<'a> {
             local.field.push(field);
             local.levels.push(local.levels_of(id));
             local.outlines.push(local.outlines_of(id));
-            local.homes.push(local.home_of(id, field, world)?);
+            local.homes.push(local.home_of(id, field, world));
         }
         for at in 0..local.movable.len() {
             local.heed_followers(local.movable[at]);
         }
-        Some(local)
+        local
     }
 
     /// The layout as changes of the search proper.
     pub fn changes(&self) -> Vec<Change> {
         let pose = |id: ObjectId| {
             let [x, y, z, yaw, ..] = self.slots.get(id);
-            let scale = self.size[id.0 as usize].into();
-            Pose { rot: Vec3::new(0.0, yaw, 0.0), pos: Vec3::new(x, y, z), scale }
+            let scale = self.scale[id.0 as usize].into();
+            let [tilt, roll] = self.angles(id.0 as usize);
+            Pose { rot: Vec3::new(tilt, yaw, roll), pos: Vec3::new(x, y, z), scale }
         };
         let objects = self.frame.objects().map(|id| Change::Object(id, pose(id)));
         objects.chain(self.values().map(|(id, value)| Change::Variable(id, value))).collect()

@@ -3,8 +3,8 @@
 
 use super::judge::carried;
 use super::{Home, Judge, LocalSearch, Ran, Stretch, Wall};
+use crate::search::chance::Chance;
 use crate::search::penalty::Penalty;
-use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::rotation::sin_cos;
@@ -94,10 +94,11 @@ impl LocalSearch<'_> {
 
     /// A floor that it may stand on.
     fn level(&self, i: usize, chance: &mut ChaCha8Rng) -> f64 {
-        match self.levels[i][..] {
+        let level = match self.levels[i][..] {
             [level] => level,
             ref levels => levels[chance.below(levels.len())],
-        }
+        };
+        level + self.depth_below(i)
     }
 
     /// Somewhere in what holds it, at its bottom.
@@ -110,7 +111,7 @@ impl LocalSearch<'_> {
         let along = [flat.point([1.0, 0.0]), flat.point([0.0, 1.0])].map(|p| [p[0] - flat.at[0], p[1] - flat.at[1]]);
         let play = [0, 1].map(|k| (flat.half[k] - self.reach_along(i, &pose, along[k])).max(0.0));
         [pose[0], pose[2]] = flat.point(play.map(|far| chance.between(-far, far)));
-        pose[1] = self.span[container].min[1];
+        pose[1] = self.span[container].min[1] + self.depth_below(i);
         pose
     }
 
@@ -382,7 +383,7 @@ impl LocalSearch<'_> {
         out.push(low);
         for &j in others.iter().take(3).filter(|&&j| !self.away[j]) {
             let Flat { at, half, .. } = self.flat(j);
-            let top = self.span[j].min[1] + self.surface[j];
+            let top = self.span[j].min[1] + self.surface[j] + self.depth_below(i);
             for _ in 0..2 {
                 let mut pose = self.some_turn(i, chance);
                 if self.turns[i] && chance.below(2) == 0 {

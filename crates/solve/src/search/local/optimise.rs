@@ -10,7 +10,7 @@ use super::LocalSearch;
 use super::preferences::Preference;
 use crate::problem::checks::Check;
 use crate::problem::limit::Limit;
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 
 /// What the heaviest preference costs: at first, by how much more each time that no move helps, and at most.

@@ -8,8 +8,9 @@ use super::corridors::{NEAR, step};
 use super::judge::Moved;
 use super::moves::Inputs;
 use super::{Judge, LocalSearch, Span};
+use crate::problem::checks::Check;
+use crate::search::chance::Chance;
 use crate::search::penalty;
-use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{Comparison, Formula, Node, NodeId};
 use scenelang_verify::coded::Flat;
@@ -404,8 +405,20 @@ impl LocalSearch<'_> {
                     group.doubt = (group.doubt + MORE).min(MOST);
                     group.branches = None;
                 }
-                Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_)) => self.ask_evaluator(check),
-                _ => return false,
+                Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_) | Judge::Turn) => self.ask_evaluator(check),
+                Some(_) => return false,
+                None => {
+                    let objects = match self.numbering.check(check) {
+                        Check::Collide(a, b) => vec![a, b],
+                        Check::Bounds(a) | Check::Support(a) => vec![a],
+                        Check::Term(_) => return false,
+                    };
+                    if objects.iter().all(|id| self.asked[id.0 as usize]) {
+                        return false;
+                    }
+                    objects.into_iter().for_each(|id| self.asked[id.0 as usize] = true);
+                    self.begin_to_follow();
+                }
             }
         }
         true

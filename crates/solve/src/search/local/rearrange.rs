@@ -4,8 +4,8 @@
 use super::moves::{Inputs, turned};
 use super::paths::PathGroup;
 use super::{Judge, LocalSearch};
+use crate::search::chance::Chance;
 use crate::search::penalty;
-use crate::search::pool::Chance;
 use rand_chacha::ChaCha8Rng;
 
 /// How many places are looked at until one is found in which nothing is violated.

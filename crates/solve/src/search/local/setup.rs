@@ -38,54 +38,24 @@ impl LocalSearch<'_> {
         matches!(self.judges[t], Judge::Code(_) | Judge::Mixed(_) | Judge::Inside(..) | Judge::Clear(_))
     }
 
-    /// Quarter turns, and whatever turns its terms name, as far as the terms that speak of its turn alone allow them.
-    pub(super) fn yaws_of(&self, world: &World<f64>, id: ObjectId) -> Option<Vec<f64>> {
-        let now = Pose::of(world.object(id).ok()?);
+    /// Quarter turns, and whatever turns its terms name, as far as the terms that speak of its turn alone allow them. Where
+    /// they allow none, the evaluator judges them.
+    pub(super) fn yaws_of(&mut self, world: &World<f64>, id: ObjectId) -> Vec<f64> {
         if self.frame.fixed(id).rot {
-            return Some(vec![self.inputs(id.0 as usize)[3]]);
+            return vec![self.inputs(id.0 as usize)[3]];
         }
-        let terms: Vec<usize> = self
-            .frame
-            .index
-            .of_object(id)
-            .iter()
-            .copied()
-            .filter(|&t| matches!(self.judges[t], Judge::Turn) || self.is_about_tilt(t, id))
+        let of_object = self.frame.index.of_object(id).iter().copied();
+        let terms: Vec<usize> = of_object
+            .filter(|&t| {
+                matches!(self.judges[t], Judge::Turn) || !self.does_lean(id) && is_about_tilt(self.frame, t, id)
+            })
             .collect();
-        let mut yaws = vec![0.0, 90.0, 180.0, 270.0];
-        for &t in &terms {
-            let formula = &self.frame.terms[t].formula;
-            for node in &formula.nodes {
-                if let Node::Rotation([_, y, _]) = node
-                    && let Node::Number(yaw) = formula.node(*y)
-                {
-                    yaws.push(crate::problem::pose::round_turn(*yaw));
-                }
-            }
+        let yaws = yaws_that_hold(self.frame, world, id, &terms);
+        if !yaws.is_empty() {
+            return yaws;
         }
-        yaws.sort_by(f64::total_cmp);
-        yaws.dedup();
-        if terms.is_empty() {
-            return Some(yaws);
-        }
-        let mut world = world.clone();
-        let mut scratch = Scratch::new();
-        yaws.retain(|yaw| {
-            let [pos, rot, scale] = now.facing(*yaw).constant();
-            world.place(id, pos, rot, scale);
-            let holds = |t: &usize, scratch: &mut Scratch<f64>| {
-                matches!(scratch.evaluate(&self.frame.terms[*t].formula, &world), Ok(Value::Truth(v)) if v.holds)
-            };
-            terms.iter().all(|t| holds(t, &mut scratch))
-        });
-        (!yaws.is_empty()).then_some(yaws)
-    }
-
-    /// Whether a term says how an object is turned that need not be upright: here it is.
-    fn is_about_tilt(&self, t: usize, id: ObjectId) -> bool {
-        self.frame.tilts[id.0 as usize]
-            && self.frame.terms[t].is_hard()
-            && turned(&self.frame.terms[t].formula) == Some(id)
+        terms.into_iter().for_each(|t| self.ask_evaluator(t));
+        yaws_that_hold(self.frame, world, id, &[])
     }
 
     /// Floors that it may stand on.
@@ -155,15 +125,23 @@ impl LocalSearch<'_> {
     }
 
     /// Where it belongs.
-    pub(super) fn home_of(&self, id: ObjectId, field: Field, world: &World<f64>) -> Option<Home> {
-        Some(match self.frame.hold(id) {
-            Hold::Rests | Hold::Floats => {
+    pub(super) fn home_of(&self, id: ObjectId, field: Field, world: &World<f64>) -> Home {
+        match self.known_home(id, world) {
+            Some(home) => home,
+            None => {
                 let mut walls = field.walls();
                 let known = self.frame.regions[id.0 as usize].iter().filter_map(|r| self.room(*r));
                 let outlined = |room: &&Room| room.outline.is_some();
                 walls.extend(known.filter(outlined).flat_map(|room| room.walls.iter().copied()));
                 Home::Stands(walls)
             }
+        }
+    }
+
+    /// Where something is held, if there is such a place.
+    fn known_home(&self, id: ObjectId, world: &World<f64>) -> Option<Home> {
+        Some(match self.frame.hold(id) {
+            Hold::Rests | Hold::Floats => return None,
             Hold::Wall(region) => Home::Hangs(self.room(region)?.walls.clone()),
             Hold::Ceiling(region) => Home::Ceiling(self.room(region)?.ceiling),
             Hold::Door(first, second) => {
@@ -181,6 +159,47 @@ impl LocalSearch<'_> {
         let index = |region: RegionId| self.rooms.iter().position(|room| room.id == region && room.outline.is_some());
         named.filter_map(index).collect()
     }
+}
+
+/// Turns in which an object fulfils, upright, what the program says of its tilt alone.
+pub(super) fn upright_yaws(frame: &Frame<'_>, world: &World<f64>, id: ObjectId) -> Vec<f64> {
+    let of_object = frame.index.of_object(id).iter().copied();
+    let terms: Vec<usize> = of_object.filter(|&t| is_about_tilt(frame, t, id)).collect();
+    yaws_that_hold(frame, world, id, &terms)
+}
+
+/// Whether a term says how an object is turned that need not be upright, and nothing else.
+fn is_about_tilt(frame: &Frame<'_>, t: usize, id: ObjectId) -> bool {
+    frame.tilts[id.0 as usize] && frame.terms[t].is_hard() && turned(&frame.terms[t].formula) == Some(id)
+}
+
+/// Quarter turns and those that these terms name, as far as all of the terms hold there.
+fn yaws_that_hold(frame: &Frame<'_>, world: &World<f64>, id: ObjectId, terms: &[usize]) -> Vec<f64> {
+    let mut yaws = vec![0.0, 90.0, 180.0, 270.0];
+    for &t in terms {
+        let formula = &frame.terms[t].formula;
+        for node in &formula.nodes {
+            if let Node::Rotation([_, y, _]) = node
+                && let Node::Number(yaw) = formula.node(*y)
+            {
+                yaws.push(crate::problem::pose::round_turn(*yaw));
+            }
+        }
+    }
+    yaws.sort_by(f64::total_cmp);
+    yaws.dedup();
+    let Some(now) = world.object(id).ok().map(Pose::of).filter(|_| !terms.is_empty()) else { return yaws };
+    let mut world = world.clone();
+    let mut scratch = Scratch::new();
+    yaws.retain(|yaw| {
+        let [pos, rot, scale] = now.facing(*yaw).constant();
+        world.place(id, pos, rot, scale);
+        let holds = |t: &usize, scratch: &mut Scratch<f64>| {
+            matches!(scratch.evaluate(&frame.terms[*t].formula, &world), Ok(Value::Truth(v)) if v.holds)
+        };
+        terms.iter().all(|t| holds(t, &mut scratch))
+    });
+    yaws
 }
 
 /// Others that the program may ask an object to go onto: those whose height is compared with its own. Where something must be

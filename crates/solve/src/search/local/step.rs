@@ -5,7 +5,7 @@ use super::judge::carried;
 use super::moves::Inputs;
 use super::{Home, Judge, LocalSearch};
 use crate::problem::checks::Check;
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 
@@ -66,7 +66,8 @@ impl LocalSearch<'_> {
         }
         self.work += 1;
         let check = self.pick(chance);
-        if self.frees_path(check, chance, poses) || self.takes_variable(check, chance) {
+        if self.frees_path(check, chance, poses) || self.takes_variable(check, chance) || self.takes_lean(check, chance)
+        {
             return;
         }
         let Some(i) = self.culprit(check, chance) else {

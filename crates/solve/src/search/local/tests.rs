@@ -6,7 +6,7 @@ use crate::problem::checks::Check;
 use crate::problem::limit::Limit;
 use crate::problem::setup::setup;
 use crate::problem::{Options, Placed, Problem};
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use crate::search::state::State;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -14,7 +14,7 @@ use scenelang_lang::{Options as Reading, compile_text};
 use scenelang_layout::Layout;
 use std::path::Path;
 
-const SCENES: [&str; 5] = [
+const SCENES: [&str; 6] = [
     // Equations on every axis, chains, turns that are the same.
     "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
      object a; object b; object c; object d;
@@ -37,6 +37,13 @@ const SCENES: [&str; 5] = [
      ell.vertices <- polygon(vec3(0, 0, 0), vec3(5, 0, 0), vec3(5, 0, 2.5), vec3(2.5, 0, 2.5), vec3(2.5, 0, 5), vec3(0, 0, 5));
      object a; object b; object c; object d;
      assert againstWall(a, ell); assert inCorner(b, ell); assert wallMounted(c, ell); assert near(d, a, 0.3) and parallel(d, a);",
+    // What lies, what hangs aslant, and what may lean as it likes.
+    "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
+     object book; object desk; object panel; object ramp; object lamp; object twin;
+     book.dimensions <- vec3(0.2, 0.3, 0.05); book.rot <- rot(90, 0, 0); panel.rot <- rot(30, 40, 10);
+     allowFloat(panel); allowFloat(ramp); allowFloat(twin);
+     assert on(book, desk); assert inside(panel, room) and near(panel, desk, 0.4); assert on(lamp, book);
+     assert ramp.rot.x >= 20 and ramp.rot.x <= 40 and gap(ramp, desk) <= 0.5; assert twin.rot = ramp.rot;",
     // Paths: what is believed of corridors is looked at in one pass, too.
     "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(6, 3, 5);
      object door; object a[3]; object b;
@@ -47,7 +54,8 @@ const SCENES: [&str; 5] = [
 
 #[test]
 fn what_is_believed_after_many_moves_is_what_is_found_anew() {
-    for (index, text) in SCENES.iter().enumerate() {
+    let both = SCENES.iter().enumerate().flat_map(|scene| [(scene, false), (scene, true)]);
+    for ((index, text), tips) in both {
         let compiled = compile_text("s.scene", Path::new("s.scene"), text, Reading::default());
         let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
         let problem = Problem { program, start: Layout::default(), placed: Placed::None };
@@ -59,7 +67,7 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
             let [pos, rot, scale] = state.home(id).at(0.0, 0.0, 0.0).constant();
             world.place(id, pos, rot, scale);
         }
-        let mut local = LocalSearch::new(&setup.frame, &world, numbering).expect("all is upright");
+        let mut local = LocalSearch::new(&setup.frame, &world, numbering, tips);
         let mut chance = ChaCha8Rng::seed_from_u64(index as u64);
         local.search(&mut chance, 2_000, &Limit::default(), &[]);
         // Preferences, too.
@@ -73,6 +81,10 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
             local.poses(i, &mut chance, &mut poses);
             let pose = poses[chance.below(poses.len())];
             local.go(i, pose);
+            if chance.below(4) == 0 {
+                let angles = [chance.between(-90.0, 90.0), 90.0 * chance.below(3) as f64];
+                local.tip(i, angles);
+            }
             if local.judge(f64::INFINITY).is_some() && chance.below(3) > 0 {
                 local.keep();
             } else {

@@ -5,8 +5,8 @@
 
 use super::moves::turned;
 use super::{Home, LocalSearch, Wall};
-use crate::pipeline::tidy::round_to;
 use crate::problem::limit::Limit;
+use crate::problem::pose::round_to;
 use crate::search::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;

@@ -8,7 +8,7 @@ use super::LocalSearch;
 use super::moves::Inputs;
 use crate::problem::frame::Frame;
 use crate::problem::values;
-use crate::search::pool::Chance;
+use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{ObjectId, VariableId, VariableKind};
 use scenelang_verify::coded;
@@ -83,14 +83,17 @@ impl LocalSearch<'_> {
         self.movable.is_empty() && std::iter::zip(terms_of, is_fixed).all(|(terms, fixed)| *fixed || terms.is_empty())
     }
 
-    /// Where everything is, and behind that what the variables are.
+    /// Where everything is, and behind that what the variables are and how things lean.
     pub(super) fn everything(&self) -> Vec<Inputs> {
-        (0..self.count() + self.variables.kinds.len()).map(|i| self.inputs(i)).collect()
+        let plain = (0..self.count() + self.variables.kinds.len()).map(|i| self.inputs(i));
+        plain.chain(self.all_angles()).collect()
     }
 
     /// Puts everything where it was, without a look at anything.
     pub(super) fn put_everything(&mut self, all: &[Inputs]) {
-        let (poses, values) = all.split_at(self.count());
+        let (poses, others) = all.split_at(self.count());
+        let (values, angles) = others.split_at(self.variables.kinds.len());
+        self.put_angles(angles);
         poses.iter().enumerate().for_each(|(i, pose)| self.put(i, *pose));
         values.iter().enumerate().for_each(|(v, value)| self.put_variable(v, *value));
     }

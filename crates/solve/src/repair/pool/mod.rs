@@ -7,13 +7,11 @@ mod beside;
 mod room;
 mod tops;
 
-pub(crate) use tops::tops;
-
 use crate::problem::frame::Hold;
 use crate::problem::pose::{Pose, round_turn, yaw_towards};
+use crate::search::chance::Chance;
 use crate::search::state::State;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::RngCore;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::{Prism, Vec2, Vec3};
 
@@ -22,41 +20,6 @@ const SKIRTING: f64 = 0.01;
 
 /// How many siblings are looked at.
 const SIBLINGS: usize = 6;
-
-/// Random numbers from a stream that is the same everywhere.
-pub(crate) trait Chance {
-    /// Uniform on [0, 1).
-    fn unit(&mut self) -> f64;
-    /// Uniform between two numbers.
-    fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.unit()
-    }
-    /// Uniform on 0..n; 0 for n = 0.
-    fn below(&mut self, n: usize) -> usize {
-        ((self.unit() * n as f64) as usize).min(n.saturating_sub(1))
-    }
-    /// Puts a list into random order.
-    fn shuffle<T>(&mut self, list: &mut [T]) {
-        for i in (1..list.len()).rev() {
-            list.swap(i, self.below(i + 1));
-        }
-    }
-}
-
-impl Chance for ChaCha8Rng {
-    fn unit(&mut self) -> f64 {
-        (self.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
-/// How many candidates are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Breadth {
-    /// All there are: a first place is sought.
-    All,
-    /// About so many, some of them near where the object is now.
-    Some(usize),
-}
 
 /// Gathers candidates for one object.
 struct Pool<'s, 'a> {
@@ -71,7 +34,7 @@ struct Pool<'s, 'a> {
 }
 
 /// Candidates for an object; pinned properties are as they are. Never empty.
-pub(crate) fn candidates(state: &mut State<'_>, id: ObjectId, breadth: Breadth, chance: &mut ChaCha8Rng) -> Vec<Pose> {
+pub(crate) fn candidates(state: &mut State<'_>, id: ObjectId, chance: &mut ChaCha8Rng) -> Vec<Pose> {
     let fixed = state.frame.fixed(id);
     let now = if state.is_placed(id) { state.pose(id) } else { state.home(id) };
     let mut pool = Pool { state, id, now, turns: !fixed.rot, chance, out: Vec::new() };
@@ -79,13 +42,6 @@ pub(crate) fn candidates(state: &mut State<'_>, id: ObjectId, breadth: Breadth, 
         pool.on_the_spot();
     } else {
         pool.elsewhere();
-        if let Breadth::Some(wanted) = breadth {
-            pool.chance.shuffle(&mut pool.out);
-            pool.out.truncate(wanted);
-            if state.is_placed(id) {
-                pool.nearby(wanted / 3);
-            }
-        }
     }
     if pool.out.is_empty() {
         pool.out.push(now);
@@ -202,28 +158,6 @@ impl Pool<'_, '_> {
         for pose in low {
             let height = heights[self.chance.below(heights.len())];
             self.out.push(pose.at(pose.pos.x, height, pose.pos.z));
-        }
-    }
-
-    /// Small steps and turns from where it is.
-    fn nearby(&mut self, count: usize) {
-        let now = self.now;
-        for i in 0..count {
-            let far = [0.03, 0.15, 0.6][i % 3];
-            let (dx, dz) = (self.chance.between(-far, far), self.chance.between(-far, far));
-            let step = match self.chance.below(3) {
-                0 => now.at(now.pos.x + dx, now.pos.y, now.pos.z),
-                1 => now.at(now.pos.x, now.pos.y, now.pos.z + dz),
-                _ => now.at(now.pos.x + dx, now.pos.y, now.pos.z + dz),
-            };
-            self.out.push(step);
-        }
-        if self.turns {
-            self.out.extend((1..4).map(|i| now.facing(now.rot.y + 90.0 * f64::from(i))));
-            for _ in 0..count / 6 {
-                let yaw = self.chance.between(0.0, 360.0);
-                self.out.push(now.facing(yaw));
-            }
         }
     }
 }
