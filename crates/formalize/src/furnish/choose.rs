@@ -175,7 +175,7 @@ impl Choice<'_> {
 pub fn front_taken(noun: &str) -> bool {
     use super::groups::{Where, of};
     let stands = |noun: &str| super::plan::Plan::size(noun)[1] > 0.05;
-    of(noun)
+    of(noun, "")
         .iter()
         .any(|part| matches!(part.at, Where::Front(..) | Where::Row(..) | Where::Around(..)) && stands(part.noun))
 }

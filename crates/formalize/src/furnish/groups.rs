@@ -56,15 +56,20 @@ pub struct Part {
     pub size: Option<[f64; 3]>,
 }
 
-/// The parts that go with a thing of this name: the longest ending of it that the table has.
-pub fn of(name: &str) -> &'static [Part] {
+/// The parts that go with a thing of this name in rooms that are dressed so (`office`, `school`; empty: as homes are): the
+/// longest ending of the name that the table has, one for such rooms before one for all.
+pub fn of(name: &str, dress: &str) -> &'static [Part] {
     let groups = all();
     let words: Vec<&str> = name.split([' ', '_']).collect();
-    (0..words.len()).find_map(|from| groups.get(words[from..].join(" ").as_str())).map_or(&[], Vec::as_slice)
+    let found = (0..words.len()).find_map(|from| {
+        let end = words[from..].join(" ");
+        groups.get(format!("{end} @ {dress}").as_str()).or_else(|| groups.get(end.as_str()))
+    });
+    found.map_or(&[], Vec::as_slice)
 }
 
-fn all() -> &'static BTreeMap<&'static str, Vec<Part>> {
-    static GROUPS: OnceLock<BTreeMap<&'static str, Vec<Part>>> = OnceLock::new();
+fn all() -> &'static BTreeMap<String, Vec<Part>> {
+    static GROUPS: OnceLock<BTreeMap<String, Vec<Part>>> = OnceLock::new();
     GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")))
 }
 
@@ -73,15 +78,22 @@ pub fn nouns() -> impl Iterator<Item = &'static str> {
     all().values().flatten().map(|part| part.noun)
 }
 
-fn parse(text: &'static str) -> BTreeMap<&'static str, Vec<Part>> {
-    let mut out: BTreeMap<&str, Vec<Part>> = BTreeMap::new();
-    let mut names: Vec<&'static str> = Vec::new();
+fn parse(text: &'static str) -> BTreeMap<String, Vec<Part>> {
+    let mut out: BTreeMap<String, Vec<Part>> = BTreeMap::new();
+    let mut names: Vec<String> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
         if let Some(list) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-            names = list.split(',').map(str::trim).collect();
-            names.iter().for_each(|name| out.entry(name).or_default().clear());
+            let (list, dress) = list.split_once('@').unwrap_or((list, ""));
+            let key = |(name, dress): (&str, &str)| match dress {
+                "" => name.to_owned(),
+                _ => format!("{name} @ {dress}"),
+            };
+            let dresses: Vec<&str> = dress.split(',').map(str::trim).collect();
+            let named = list.split(',').map(str::trim);
+            names = named.flat_map(|name| dresses.iter().map(move |dress| (name, *dress))).map(key).collect();
+            names.iter().for_each(|name| out.entry(name.clone()).or_default().clear());
         } else if let Some(part) = part(line) {
-            names.iter().for_each(|name| out.entry(name).or_default().push(part.clone()));
+            names.iter().for_each(|name| out.entry(name.clone()).or_default().push(part.clone()));
         }
     }
     out
@@ -141,10 +153,36 @@ mod tests {
         }
     }
 
+    /// What only homes and hotels have lying about.
+    const HOMELY: [&str; 7] = ["vase", "photo frame", "figurine", "candle", "fruit bowl", "table lamp", "throw"];
+
+    #[test]
+    fn only_homes_are_dressed_as_homes_are() {
+        let dresses: Vec<&str> = super::super::kinds::all().iter().map(|kind| kind.dress).collect();
+        let mut odd = Vec::new();
+        for kind in super::super::kinds::all().iter().filter(|kind| !["", "hotel"].contains(&kind.dress)) {
+            for line in &kind.lines {
+                let lies = |part: &&Part| matches!(part.at, Where::Top(..) | Where::Board(..));
+                for part in of(line.noun, kind.dress).iter().filter(lies) {
+                    let set = line.noun.contains("cafe table") || kind.dress == "food";
+                    let allowed = set && ["vase", "candle"].contains(&part.noun)
+                        || kind.dress == "library" && part.noun == "table lamp";
+                    if !allowed && HOMELY.contains(&part.noun) {
+                        odd.push(format!("{}: {} has a {}", kind.name, line.noun, part.noun));
+                    }
+                }
+            }
+        }
+        assert!(odd.is_empty(), "{odd:#?}");
+        for name in all().keys().filter_map(|name| name.split_once(" @ ")) {
+            assert!(dresses.contains(&name.1), "no room is dressed as {}", name.1);
+        }
+    }
+
     #[test]
     fn the_longest_name_counts() {
-        assert!(of("dining_table").iter().any(|part| part.noun.contains("chair")));
-        assert!(of("coffee table").iter().all(|part| !["chair", "dining chair"].contains(&part.noun)));
-        assert!(of("quux").is_empty());
+        assert!(of("dining_table", "").iter().any(|part| part.noun.contains("chair")));
+        assert!(of("coffee table", "").iter().all(|part| !["chair", "dining chair"].contains(&part.noun)));
+        assert!(of("quux", "").is_empty());
     }
 }

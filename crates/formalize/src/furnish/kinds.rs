@@ -100,6 +100,8 @@ pub struct Kind {
     pub gate: Option<[f64; 2]>,
     /// A second door, closed, to what such a room always has beside it: a bathroom.
     pub inner: Option<&'static str>,
+    /// How its shelves and tables are dressed: `office`, `school`; empty: as at home.
+    pub dress: &'static str,
     /// Whether its windows have curtains.
     pub curtains: bool,
 }
@@ -160,6 +162,7 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
         "eat" => kind.eat = entry(value),
         "gate" => kind.gate = numbers().try_into().ok(),
         "inner" => kind.inner = Some(value),
+        "dress" => kind.dress = value,
         "curtains" => kind.curtains = value == "yes",
         "home" => kind.home = numbers().try_into().ok(),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),

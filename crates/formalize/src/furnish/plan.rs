@@ -204,7 +204,7 @@ impl<'a> Plan<'a> {
         let name = self.draft.things[thing].category.replace('_', " ");
         let loaded = stand::loaded(self.draft, thing);
         let mut taken: Vec<Taken> = Vec::new();
-        for part in groups::of(&name) {
+        for part in groups::of(&name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
             if self.area() < part.least || on_top && loaded || hung && wall == AtWall::No {

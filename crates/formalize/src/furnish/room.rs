@@ -372,7 +372,7 @@ fn inventory(plan: &mut Plan, line: &Line) {
 /// The size of a thing; a table is as long as the people need who sit at it.
 fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
-    let seats = groups::of(noun).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
+    let seats = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
     if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
         let [w, _, d] = plan.draft.rooms[plan.room].size;
         let each_side = people.saturating_sub(2).div_ceil(2) as f64;

@@ -238,7 +238,9 @@ impl Plan<'_> {
     /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle.
     fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
-        for part in groups::of(noun).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least) {
+        for part in
+            groups::of(noun, self.kind.dress).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least)
+        {
             let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
             let sizes = super::slots::Sizes { of, own, round: stand::round(noun, &[]) };
             for slot in super::slots::slots(&part.at, &sizes, &[]) {
