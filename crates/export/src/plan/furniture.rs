@@ -138,7 +138,9 @@ fn door(canvas: &mut Canvas, object: &Object) {
     canvas.polygon(&corners(object), &format!(r##"fill="#ffffff" stroke="{ink}" stroke-width="0.8""##));
     let width = object.place.scale.x;
     let half = right * width / 2.0;
-    let leaves = if width > 1.3 {
+    let leaves = if slides(object) {
+        Vec::new()
+    } else if width > 1.3 {
         vec![(middle - half, middle, width / 2.0), (middle + half, middle, width / 2.0)]
     } else {
         vec![(middle - half, middle + half, width)]
@@ -154,6 +156,13 @@ fn door(canvas: &mut Canvas, object: &Object) {
         ));
         canvas.line(h, o, &format!(r#"stroke="{ink}" stroke-width="2.2" stroke-linecap="round""#));
     }
+}
+
+/// Whether a door goes up or aside, so that no leaf stands in the way.
+fn slides(object: &Object) -> bool {
+    const KINDS: [&str; 7] = ["garage", "roller", "loading", "sliding", "elevator", "lift", "barn"];
+    let category = object.category.replace('_', " ");
+    category.split(' ').any(|word| KINDS.contains(&word))
 }
 
 /// The frame, and the pane as a line along its middle.

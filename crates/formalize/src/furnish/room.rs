@@ -422,13 +422,19 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         near: near_to(plan, line.by),
     };
     // Of places along a line, the nearest to the one that is meant.
+    let far = if line.noun.ends_with("car") { 0.5 } else { 2.0 };
     let near = |floor: &Floor, shape: &Shape, nominal: Pose| {
         let off =
             |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
-        let further = if matches!(line.place, Place::Before(..)) { 6 } else { 0 };
-        let steps = (0..=further).flat_map(|k| (-30..=30).map(move |i| off(i, k)));
+        let further = match line.place {
+            Place::Before(..) => 0..=6,
+            // What came in by a wide door stands in line with it, as deep in the room as it must.
+            _ if line.noun.ends_with("car") => -8..=8,
+            _ => 0..=0,
+        };
+        let steps = further.flat_map(|k| (-30..=30).map(move |i| off(i, k)));
         super::seek::best(floor, shape, steps, &|pose| {
-            Some((pose.x - nominal.x).abs() + 2.0 * (pose.z - nominal.z).abs())
+            Some((pose.x - nominal.x).abs() + far * (pose.z - nominal.z).abs())
         })
     };
     let nominal = match &line.place {
