@@ -41,6 +41,16 @@ impl Block {
         (self.min.z, self.max.z) = (r.start, r.end);
         self
     }
+    /// The part of it between these shares of its width, height and depth, each 0 to 1.
+    pub fn share(self, x: Range<f64>, y: Range<f64>, z: Range<f64>) -> Self {
+        let (at, size) = (self.min, self.size());
+        let range = |k: usize, r: Range<f64>| {
+            // The far end is met exactly.
+            let end = if r.end == 1.0 { self.max[k] } else { at[k] + r.end * size[k] };
+            at[k] + r.start * size[k]..end
+        };
+        block(range(0, x), range(1, y), range(2, z))
+    }
     /// Smaller by this much on each side of each axis; at most 45 % of an extent, so that something is left.
     pub fn inset(self, x: f64, y: f64, z: f64) -> Self {
         let by = Vec3::new(x, y, z).zip_map(&self.size(), |b, s| b.min(0.45 * s));

@@ -58,6 +58,7 @@ const TAKEN: &[&str] = &[
 /// is taken where nothing is left.
 pub fn identifier(words: &str, fallback: &str) -> String {
     let mut name = String::new();
+    let words = words.chars().map(plain).collect::<String>();
     for word in words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty()) {
         let mut letters = word.chars();
         let Some(first) = letters.next() else { continue };
@@ -73,6 +74,21 @@ pub fn identifier(words: &str, fallback: &str) -> String {
     }
     name.truncate(LONGEST);
     if name.is_empty() { fallback.to_owned() } else { name }
+}
+
+/// The letter without its accent, where it is one of those that English words are written with: "café", "crèche", "piñata".
+fn plain(c: char) -> char {
+    match c {
+        'à' | 'á' | 'â' | 'ä' | 'ã' | 'å' => 'a',
+        'ç' => 'c',
+        'è' | 'é' | 'ê' | 'ë' => 'e',
+        'ì' | 'í' | 'î' | 'ï' => 'i',
+        'ñ' => 'n',
+        'ò' | 'ó' | 'ô' | 'ö' | 'ø' => 'o',
+        'ù' | 'ú' | 'û' | 'ü' => 'u',
+        'É' => 'E',
+        _ => c,
+    }
 }
 
 /// Names given so far: each is given once.
@@ -109,6 +125,7 @@ mod tests {
             ("office_chair", "officeChair"),
             ("3-seat sofa", "n3SeatSofa"),
             ("<script>alert(1)</script>", "scriptAlert1Script"),
+            ("a Café", "aCafe"),
             ("ロボット", "thing"),
             ("../../etc/passwd", "etcPasswd"),
         ];

@@ -356,6 +356,9 @@ pub(super) fn book(a: &Ask) -> Model {
     let mut dice = a.dice();
     let b = a.whole();
     m.solid(b);
+    if a.h > 1.3 * a.w && a.d > 1.3 * a.w {
+        return standing(m, a);
+    }
     let n = if a.h > 0.05 { pieces(a.h, 0.035, 2, 8) } else { 1 };
     let colors = [0x2f4b66, 0x8c3b33, 0x4f6b52, 0xc79a4a, 0x7a5470];
     for (i, book) in b.split(1, n, 0.0).enumerate() {
@@ -380,6 +383,20 @@ pub(super) fn book(a: &Ask) -> Model {
             &stuff::PAPER.surface(),
         );
     }
+    m
+}
+
+/// A book or a binder that stands with its spine to +z.
+fn standing(mut m: Model, a: &Ask) -> Model {
+    const COLORS: [u32; 7] = [0x2f4b66, 0x8c3b33, 0x4f6b52, 0xc79a4a, 0x7a5470, 0xd9d2c0, 0x37393d];
+    let (b, mut dice) = (a.whole(), a.dice());
+    let picked = Stuff(Finish::Paper, *dice.pick(&COLORS)).surface();
+    let cover = if a.has_color() { a.main(stuff::PAPER) } else { picked };
+    for side in b.share(0.0..0.12, 0.0..1.0, 0.0..0.97).both_sides() {
+        m.mesh.crisp(side, &cover);
+    }
+    m.mesh.crisp(b.share(0.0..1.0, 0.0..1.0, 0.97..1.0), &cover);
+    m.mesh.crisp(b.share(0.12..0.88, 0.02..0.97, 0.03..0.97), &stuff::PAPER.surface());
     m
 }
 
@@ -516,11 +533,12 @@ pub(super) fn ball(a: &Ask) -> Model {
     let b = a.whole();
     let globe = a.says(&["globe", "world"]);
     let main = a.main(if globe { Stuff(Finish::Plastic, 0x3f7fb0) } else { Stuff(Finish::Rubber, 0xd96a3a) });
-    let foot = if globe { 0.16 * a.h } else { 0.0 };
+    // A globe on a stand is as round as its width allows.
+    let foot = if globe { (0.16 * a.h).max(a.h - a.w.min(a.d)) } else { 0.0 };
     if globe {
         m.lathe(
             b.inset(0.2 * a.w, 0.0, 0.2 * a.d).y(0.0..foot),
-            &[(1.0, 0.0), (1.0, 0.2), (0.3, 0.6), (0.2, 1.0)],
+            &[(1.0, 0.0), (1.0, 0.08), (0.24, 0.2), (0.16, 1.0)],
             &stuff::WALNUT.surface(),
         );
     }

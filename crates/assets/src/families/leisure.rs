@@ -122,7 +122,7 @@ pub(super) fn crate_box(a: &Ask) -> Model {
         for post in b.x(b.min.x..b.min.x + 2.0 * t).z(b.min.z..b.min.z + 0.4 * t).four_corners() {
             m.mesh.crisp(post, &main);
         }
-    } else if a.says(&["tool", "toolbox", "storage", "tote", "container", "plastic"])
+    } else if a.says(&["tool", "toolbox", "toy", "storage", "tote", "container", "plastic"])
         || a.made_of(&[Finish::Plastic, Finish::Metal])
     {
         let main = a.main(Stuff(Finish::Plastic, 0x4a6f9c));

@@ -4,6 +4,7 @@ mod bathroom;
 mod beds;
 mod decor;
 mod electronics;
+mod fittings;
 mod kitchen;
 mod leisure;
 mod lighting;
@@ -12,8 +13,10 @@ mod panels;
 mod robots;
 mod safety;
 mod seating;
+mod sport;
 mod storage;
 mod tables;
+mod toys;
 mod vehicles;
 
 use crate::ask::Ask;
@@ -73,6 +76,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("dock", robots::dock),
     ("door", openings::door),
     ("drone", robots::drone),
+    ("dumbbell_rack", sport::dumbbell_rack),
     ("easel", panels::easel),
     ("emergency_shower", bathroom::emergency_shower),
     ("exercise_bike", leisure::bike),
@@ -82,13 +86,18 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("fire_box", safety::fire_box),
     ("fireplace", openings::fireplace),
     ("first_aid", safety::first_aid),
+    ("fitting_room", fittings::fitting_room),
     ("floor_lamp", lighting::floor_lamp),
+    ("folded_clothes", fittings::folded),
     ("fridge", kitchen::fridge),
     ("fume_hood", robots::fume_hood),
     ("phone", electronics::gadget),
     ("game_table", tables::game_table),
+    ("garage_door", fittings::garage_door),
     ("gondola", storage::gondola),
+    ("hand_truck", fittings::hand_truck),
     ("hood", kitchen::hood),
+    ("kettlebell", sport::kettlebell),
     ("kettle", kitchen::kettle),
     ("keyboard", electronics::keyboard),
     ("kiosk", electronics::kiosk),
@@ -139,9 +148,11 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("table", tables::table),
     ("table_lamp", lighting::table_lamp),
     ("tank", robots::tank),
+    ("teddy", toys::teddy),
     ("till", electronics::till),
     ("toaster", kitchen::toaster),
     ("toilet", bathroom::toilet),
+    ("tool_board", fittings::tool_board),
     ("towel_rail", bathroom::towel_rail),
     ("treadmill", leisure::treadmill),
     ("tv_stand", storage::tv_stand),
@@ -149,6 +160,8 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("vase", decor::vase),
     ("wardrobe", storage::wardrobe),
     ("washer", kitchen::washer),
+    ("water_dispenser", fittings::water_dispenser),
+    ("weight_bench", sport::weight_bench),
     ("wheelchair", seating::wheelchair),
     ("window", openings::window),
     ("workbench", tables::workbench),

@@ -166,8 +166,14 @@ pub(super) fn bench(a: &Ask) -> Model {
     let front = if backed { b.z(b.min.z + 0.12 * a.d..b.max.z) } else { b };
     let slats = pieces(a.d, 0.13, 1, 5);
     m.solid(front.y(seat - thick..seat));
-    for slat in front.y(seat - thick..seat).split(2, slats, 0.012) {
-        m.mesh.rounded(slat, 0.008, 2, &main);
+    let padded = !backed && a.says(&["piano", "bed", "padded", "upholstered", "dressing", "vanity"]);
+    if padded {
+        let cloth = a.second(stuff::DARK_CLOTH);
+        m.mesh.rounded(front.y(seat - thick..seat), 0.4 * thick, 3, &cloth);
+    } else {
+        for slat in front.y(seat - thick..seat).split(2, slats, 0.012) {
+            m.mesh.rounded(slat, 0.008, 2, &main);
+        }
     }
     let t = 0.06_f64.min(0.15 * a.w);
     for side in b.x(b.min.x + 0.08 * a.w..b.min.x + 0.08 * a.w + t).both_sides() {

@@ -88,7 +88,13 @@ pub(super) fn wardrobe(a: &Ask) -> Model {
 pub(super) fn chest(a: &Ask) -> Model {
     let mut m = Model::default();
     let office = a.says(&["file", "filing", "office"]);
-    let main = a.main(if office { stuff::GRAY } else { stuff::OAK });
+    let tools = a.says(&["tool"]);
+    let main = a.main(match () {
+        () if tools => stuff::RED,
+        () if office => stuff::GRAY,
+        () => stuff::OAK,
+    });
+    let office = office || tools;
     let legs = a.legs(&main);
     let on_legs = !office && a.h < 1.1;
     let (face, deep) = casing(&mut m, a, &main, on_legs.then_some(&legs));

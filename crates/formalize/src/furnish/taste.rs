@@ -62,7 +62,7 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 8] = [
+const NOT_WOODEN: [&str; 15] = [
     "office chair",
     "desk chair",
     "lab bench",
@@ -71,6 +71,13 @@ const NOT_WOODEN: [&str; 8] = [
     "massage table",
     "operating table",
     "barber chair",
+    "weight bench",
+    "dumbbell rack",
+    "tool chest",
+    "tool cabinet",
+    "hospital bed",
+    "music stand",
+    "server rack",
 ];
 
 /// The look of something of a kind of room; `turn` goes through the colours.

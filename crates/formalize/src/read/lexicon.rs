@@ -376,7 +376,8 @@ pub fn singular(word: &str) -> String {
         ("scarves", "scarf"),
         ("men", "man"),
     ];
-    const SAME: [&str; 30] = [
+    const SAME: [&str; 31] = [
+        "clothes",
         "scissors",
         "tongs",
         "pliers",

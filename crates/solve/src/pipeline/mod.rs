@@ -28,6 +28,8 @@ use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+/// What is said where the time limit has ended something.
+const TIME_IS_OVER: &str = "the time is over; what was found by then depends on the machine";
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.4;
 /// The part of the time that the search has, if there is to be a diagnosis.
@@ -67,7 +69,17 @@ pub fn solve_with(
     let mut setup = setup(problem, options);
     setup.warnings.extend(cleaned.iter().flat_map(|(_, said)| said.iter().cloned()));
     let setup = setup;
-    let mut run = Run { limit, setup: &setup, problem, options, best: None, iterations: 0, work: 0, is_over: false };
+    let mut run = Run {
+        limit,
+        setup: &setup,
+        problem,
+        options,
+        best: None,
+        iterations: 0,
+        work: 0,
+        is_over: false,
+        is_cut: false,
+    };
     let mut attempt = 0;
     let (mut state, mut end) = loop {
         let (state, going) = run.attempt(attempt, steps, progress);
@@ -104,7 +116,8 @@ pub fn solve_with(
             "the budget of {} units of work is spent; a larger budget or effort (`--effort` on the command line) allows more",
             options.budget
         )),
-        End::Time => warnings.push("the time is over; what was found by then depends on the machine".to_owned()),
+        End::Time => warnings.push(TIME_IS_OVER.to_owned()),
+        End::Solved if run.is_cut => warnings.push(TIME_IS_OVER.to_owned()),
         End::Solved | End::Exhausted | End::Asked => {}
     }
     let mut in_the_way = finish::in_the_way(&setup, &unsatisfied);
@@ -147,6 +160,8 @@ struct Run<'r, 'a> {
     work: u64,
     /// Whether there is nothing more to try.
     is_over: bool,
+    /// Whether the time ended a search, be it only that for preferences and round numbers.
+    is_cut: bool,
 }
 
 impl<'r, 'a> Run<'r, 'a> {
@@ -275,7 +290,7 @@ impl<'r, 'a> Run<'r, 'a> {
     }
 
     /// The local search, and its layout in the search proper.
-    fn local(&self, search: &mut Search<'_>, attempt: u64, from: &[(ObjectId, Option<Pose>)]) {
+    fn local(&mut self, search: &mut Search<'_>, attempt: u64, from: &[(ObjectId, Option<Pose>)]) {
         let (mut first, mut given) = self.begin(search, attempt, from, 0);
         let share = match (self.setup.frame.has_open_regions(), attempt) {
             (true, _) => SIZES[0] * SIZES[1].powi(attempt as i32),
@@ -326,6 +341,7 @@ impl<'r, 'a> Run<'r, 'a> {
             }
         }
         search.state.work += local.work;
+        self.is_cut |= limit.is_over();
     }
 
     /// The random numbers of an attempt.

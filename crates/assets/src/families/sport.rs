@@ -1,0 +1,98 @@
+//! What stands in a gym: benches with a barbell, racks of dumbbells, kettlebells.
+
+use crate::ask::Ask;
+use crate::block::{Block, pieces};
+use crate::looks::{Finish, Stuff, stuff};
+use crate::mesh::Surface;
+use crate::model::Model;
+
+/// A disc across x that fills a box.
+fn disc(m: &mut Model, b: Block, s: &Surface) {
+    m.solid(b);
+    let (c, half) = (b.center(), b.size() / 2.0);
+    let at = |k: usize| {
+        let (sin, cos) = match k {
+            0 => (0.0, 1.0),
+            4 => (1.0, 0.0),
+            8 => (0.0, -1.0),
+            12 => (-1.0, 0.0),
+            _ => (k as f64 * std::f64::consts::PI / 8.0).sin_cos(),
+        };
+        (c.y + half.y * cos, c.z + half.z * sin)
+    };
+    let mut round: Vec<(f64, f64)> = (0..16).map(at).collect();
+    round.reverse();
+    m.mesh.extrude(0, &round, b.min.x..b.max.x, s);
+}
+
+/// A padded bench along z, and behind it two uprights with a barbell.
+pub(super) fn weight_bench(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let pad = a.main(Stuff(Finish::Leather, 0x23262b));
+    let steel = stuff::BLACK_STEEL.surface();
+    m.solid(b.share(0.38..0.62, 0.34..0.42, 0.0..1.0));
+    m.mesh.rounded(b.share(0.38..0.62, 0.36..0.42, 0.0..1.0), 0.03, 3, &pad);
+    m.mesh.crisp(b.share(0.42..0.58, 0.34..0.36, 0.02..0.98), &steel);
+    for foot in [b.share(0.46..0.54, 0.0..0.34, 0.84..0.9), b.share(0.46..0.54, 0.0..0.34, 0.3..0.36)] {
+        m.board(foot, &steel);
+    }
+    for beam in [b.share(0.34..0.66, 0.0..0.04, 0.9..0.96), b.share(0.24..0.76, 0.0..0.04, 0.18..0.22)] {
+        m.board(beam, &steel);
+    }
+    for upright in b.share(0.25..0.29, 0.04..0.84, 0.18..0.22).both_sides() {
+        m.board(upright, &steel);
+    }
+    m.solid(b.share(0.0..1.0, 0.84..0.88, 0.18..0.22));
+    m.mesh.rounded(b.share(0.0..1.0, 0.845..0.875, 0.19..0.21), 0.012, 2, &stuff::CHROME.surface());
+    for (x, r) in [(0.05..0.09, 0.14), (0.1..0.13, 0.11)] {
+        for plate in b.share(x.clone(), 0.86 - r..0.86 + r, 0.2 - 0.73 * r..0.2 + 0.73 * r).both_sides() {
+            disc(&mut m, plate, &stuff::RUBBER.surface());
+        }
+    }
+    m.surface = Some(0.42 * a.h);
+    m
+}
+
+/// Sides and shelves of steel, and on each shelf a row of dumbbells, larger ones below.
+pub(super) fn dumbbell_rack(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let steel = a.main(stuff::BLACK_STEEL);
+    let (iron, grip) = (stuff::RUBBER.surface(), stuff::CHROME.surface());
+    for side in b.share(0.0..0.03, 0.0..1.0, 0.0..1.0).both_sides() {
+        m.board(side, &steel);
+    }
+    let rows = pieces(a.h, 0.38, 1, 3);
+    for (row, space) in b.share(0.03..0.97, 0.08..1.0, 0.04..0.96).split(1, rows, 0.0).enumerate() {
+        let board = space.share(0.0..1.0, 0.0..0.08, 0.0..1.0);
+        m.board(board, &steel);
+        let n = pieces(space.size().x, 0.17 - 0.015 * row as f64, 2, 9);
+        let held = space.share(0.0..1.0, 0.08..0.5 - 0.06 * row as f64, 0.14..0.86);
+        m.solid(held);
+        for place in held.split(0, n, 0.0) {
+            let weight = place.share(0.1..0.9, 0.0..1.0, 0.0..1.0);
+            for head in [weight.share(0.0..1.0, 0.0..1.0, 0.0..0.3), weight.share(0.0..1.0, 0.0..1.0, 0.7..1.0)] {
+                m.mesh.rounded(head, 0.25 * head.size().min(), 1, &iron);
+            }
+            m.mesh.crisp(weight.share(0.38..0.62, 0.36..0.64, 0.3..0.7), &grip);
+        }
+    }
+    m
+}
+
+/// A ball of iron with a handle over it.
+pub(super) fn kettlebell(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::RUBBER);
+    let ball = b.share(0.0..1.0, 0.0..0.68, 0.0..1.0);
+    m.solid_drum(ball);
+    m.mesh.lathe(ball, &[(0.55, 0.0), (0.8, 0.08), (1.0, 0.45), (0.85, 0.8), (0.4, 1.0)], 20, &main);
+    for post in b.share(0.18..0.3, 0.55..0.9, 0.42..0.58).both_sides() {
+        m.board(post, &main);
+    }
+    m.solid(b.share(0.18..0.82, 0.88..1.0, 0.4..0.6));
+    m.mesh.rounded(b.share(0.18..0.82, 0.88..1.0, 0.4..0.6), 0.02, 2, &main);
+    m
+}
