@@ -60,6 +60,8 @@ struct WireRoom {
     corners: Option<usize>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     people: Option<usize>,
+    #[serde(default, skip_serializing_if = "is_false")]
+    only: bool,
     #[serde(default, skip_serializing_if = "plain")]
     floor: WireLook,
     #[serde(default, skip_serializing_if = "plain")]
@@ -163,6 +165,10 @@ fn one() -> usize {
     1
 }
 
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
 fn plain(look: &WireLook) -> bool {
     *look == WireLook::default()
 }
@@ -224,6 +230,7 @@ impl Wire {
             area: room.area,
             corners: room.corners,
             people: room.people,
+            only: room.only,
             floor: WireLook::of(&room.floor),
             walls: WireLook::of(&room.walls),
             source: WireSource::of(&room.source, request),
@@ -381,6 +388,7 @@ impl Scope<'_> {
             area: room.area.map(|area| Self::length(&format!("{path}.area"), area)).transpose()?,
             corners: room.corners,
             people: room.people.map(|n| n.min(MOST_COUNT)),
+            only: room.only,
             // Completion decides it.
             usual: None,
             floor: room.floor.look(),

@@ -15,6 +15,8 @@ pub struct Room {
     pub corners: Option<usize>,
     /// How many people it is for.
     pub people: Option<usize>,
+    /// Whether nothing is in it but what is asked for: "with only a bed".
+    pub only: bool,
     /// Usual width, height and depth of its kind, for so many people; set when a request is completed.
     pub usual: Option<[f64; 3]>,
     /// The look of its floor.

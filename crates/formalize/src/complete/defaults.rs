@@ -20,8 +20,9 @@ pub fn seats(brief: &mut Brief) {
     let is_seat = |i: &Thing| i.group == Group::Seat || i.words.last().is_some_and(|w| w == "bench");
     let ruled_out = brief.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
     let (Some(people), false) = (people, ruled_out || brief.things.iter().any(is_seat)) else { return };
+    let open = |i: &Thing| brief.rooms.get(i.room).is_none_or(|room| !room.only);
     let one = |i: &Thing| i.number.said().is_none_or(|n| n == 1);
-    let Some(table) = brief.things.iter().position(|i| i.group == Group::Table && one(i)) else { return };
+    let Some(table) = brief.things.iter().position(|i| i.group == Group::Table && one(i) && open(i)) else { return };
     let why = format!("{people} people sit there");
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));

@@ -49,6 +49,8 @@ pub struct Plan<'a> {
     pub matters: bool,
     /// See `matters`.
     pub lacking: usize,
+    /// Whether nothing is added but lights: the room has only what is asked for.
+    pub only: bool,
     /// The group that is being put together.
     pub building: Option<Building>,
 }
@@ -104,6 +106,7 @@ impl<'a> Plan<'a> {
             claimed: Vec::new(),
             matters: true,
             lacking: 0,
+            only: false,
             building: None,
         }
     }
@@ -121,6 +124,11 @@ impl<'a> Plan<'a> {
 
     /// Whether nothing of this name may be added: it is asked for or ruled out, or could be taken for that.
     pub fn is_closed(&self, noun: &str) -> bool {
+        self.only || self.is_said(noun)
+    }
+
+    /// Whether something of this name is asked for or ruled out by its name.
+    pub fn is_said(&self, noun: &str) -> bool {
         self.closed.iter().any(|asked| stand::counts_as(noun, asked))
     }
 

@@ -80,6 +80,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let room = &mut draft.rooms[at];
     taste::surfaces(kind, &mut room.floor, &mut room.walls);
     let mut plan = Plan::new(draft, at, kind, closed.to_vec(), brief.rooms[at].people);
+    plan.only = brief.rooms[at].only;
     if !windows {
         add_windows(&mut plan);
     }
@@ -350,7 +351,9 @@ fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64
 
 /// Adds a line of the inventory.
 fn inventory(plan: &mut Plan, line: &Line) {
-    if plan.area() < line.least || plan.is_closed(line.noun) || plan.is_full() {
+    // A room with only what is asked for has light all the same.
+    let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
+    if plan.area() < line.least || closed || plan.is_full() {
         return;
     }
     let people = plan.people.map_or(plan.kind.people, |n| n as f64);

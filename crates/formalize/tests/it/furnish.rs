@@ -246,3 +246,32 @@ fn what_stands_at_walls_has_a_place_to_begin_with() {
     let literal = read("A bedroom with a bed.", &Options { literal: true }).draft;
     assert!(!literal.guided && literal.places.is_empty() && !write(&literal).contains("import"));
 }
+
+/// "With only a bed": openings and light are added, and nothing else.
+#[test]
+fn a_room_with_only_what_is_asked_for_gets_no_furniture() {
+    for (request, want) in [
+        ("A bedroom with only a bed.", &["bed"][..]),
+        ("The room contains only a table and four chairs.", &["table", "chair"]),
+        ("There is only a desk in the office.", &["desk"]),
+    ] {
+        let draft = draft(request);
+        let own = draft.things.iter().filter(|t| !t.category.ends_with("light") && !t.category.ends_with("panel"));
+        let own: Vec<&str> = own.map(|t| t.category.as_str()).collect();
+        assert_eq!(own, want, "{request}");
+        assert!(draft.things.len() > want.len(), "{request}: no light");
+        assert!(draft.openings.iter().any(|o| o.kind == OpeningKind::Door), "{request}: no door");
+        assert!(draft.notes.is_empty(), "{request}: {:?}", draft.notes);
+    }
+    // Of these "only" is not known to be said of the room: furniture is added, or there is a note on the word.
+    for request in [
+        "A bedroom with only a bed near the window.",
+        "A bedroom with only one window.",
+        "A bedroom with only a window.",
+        "A bedroom with a desk with only a lamp on it.",
+        "A bedroom, ideally with only a bed.",
+        "A bedroom with not only a bed.",
+    ] {
+        assert!(count(&draft(request), "wardrobe") > 0, "{request}");
+    }
+}

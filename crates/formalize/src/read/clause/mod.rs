@@ -302,7 +302,7 @@ impl<'a> Reader<'a> {
         }
         unsaid.extend(ruled_out);
         unsaid.extend(self.revised(from, end));
-        let (mut i, facts) = (from, self.brief.facts.len());
+        let (mut i, facts, things) = (from, self.brief.facts.len(), self.brief.things.len());
         while i < end {
             self.s.now = i;
             i = match unsaid.iter().find(|r| r.contains(&i)) {
@@ -312,6 +312,7 @@ impl<'a> Reader<'a> {
         }
         self.finish();
         self.only_these(from, end, facts);
+        self.nothing_else(from, end, things);
         self.carrier = std::mem::take(&mut self.s.object);
         if self.side == side {
             self.side = None;

@@ -62,6 +62,42 @@ impl Reader<'_> {
         }
     }
 
+    /// After a sentence that says what a room has and that it has only this: "a bedroom with only a bed". Nothing is added
+    /// to this room. `first`: the first thing of the sentence. Where more is said of the things, "only" may belong to that
+    /// ("only a bed near the window"), and in a home of several rooms nothing says which it is said of: it stays a note.
+    pub(super) fn nothing_else(&mut self, from: usize, end: usize, first: usize) {
+        let Some(only) = (from + 1..end).find(|i| self.tokens[self.chunks[*i].at.start].is("only")) else { return };
+        let is_room = |i: usize| self.np(i, end).is_some_and(|np| np.kind == Kind::Room);
+        let said_of_room = match self.chunks[only - 1].piece {
+            Piece::With | Piece::Verb(Verb::Have) => only >= from + 2 && is_room(only - 2),
+            Piece::There => only == from + 1,
+            _ => false,
+        };
+        let new = self.brief.things.get(first..).unwrap_or_default();
+        let furniture = new.iter().any(|thing| !thing.opening() && thing.part.is_none());
+        let Some(room) = new.first().map(|thing| thing.room) else { return };
+        let together = new.iter().all(|thing| thing.room == room);
+        let home = self.brief.rooms.get(room).is_none_or(|room| crate::read::several::is_home(&room.name));
+        let word = matches!(self.chunks[only].piece, Piece::Word(_));
+        if said_of_room && word && furniture && together && !home && !self.s.soft && self.lists(only + 1, end) {
+            self.brief.rooms[room].only = true;
+            self.mark(only);
+        }
+    }
+
+    /// Whether these chunks name things, and at most the room that they are in.
+    fn lists(&self, from: usize, end: usize) -> bool {
+        let within = |i: &usize| self.piece(*i, end) == Some(&Piece::Rel(Rel::In));
+        let to = (from..end).find(within).unwrap_or(end);
+        let listed = (from..to).all(|i| match &self.chunks[i].piece {
+            Piece::Np(np) => np.kind == Kind::Thing && np.det != Det::Definite,
+            Piece::And | Piece::Comma => true,
+            _ => false,
+        });
+        let room = |np: &Np| np.kind == Kind::Room || np.kind == Kind::Pronoun;
+        listed && from < to && (to == end || to + 2 == end && self.np(to + 1, end).is_some_and(room))
+    }
+
     /// A fact of some things, denied of the others of their kind. `None`: it cannot be denied.
     fn denied_of_others(&mut self, fact: &Fact, part: usize) -> Option<Vec<Fact>> {
         let What::Rel(rel, to) = &fact.what else { return None };
