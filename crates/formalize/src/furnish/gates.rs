@@ -82,7 +82,7 @@ pub fn curtains(plan: &mut Plan) {
         let Some(wall) = Wall::behind(&pose) else { continue };
         let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
         let corner = wall.length(room) / 2.0 - along.abs() - 0.04;
-        let wide = (window.size[0] + WIDER).min(window.size[0] + daylight::BETWEEN - 0.02).min(2.0 * corner);
+        let wide = (window.size[0] + WIDER).min(window.size[0] + daylight::BETWEEN - 0.24).min(2.0 * corner);
         let top = (pose.y + window.size[1] + RAIL).min(room[1] - 0.05);
         let size = [wide, top - ABOVE_FLOOR, DEEP].map(|v| (v * 1000.0).round() / 1000.0);
         if wide < window.size[0] + 0.15 || size[1] < 0.8 {

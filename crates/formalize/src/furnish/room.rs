@@ -127,7 +127,7 @@ fn rounded(plan: &mut Plan, brief: &Brief) {
         }
         let seats = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
         let seats = seats.filter(|t| stand::group(&t.category) == crate::brief::Group::Seat);
-        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0);
+        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0).div_ceil(thing.count.max(1));
         let usual = Plan::size(&thing.category.replace('_', " "));
         let fits = plan.draft.rooms[plan.room].size;
         let most = fits[0].min(fits[2]) - 1.6;

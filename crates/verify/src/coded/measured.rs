@@ -261,7 +261,7 @@ mod tests {
     fn as_box(flat: &Flat) -> scenelang_layout::Obb {
         let [sin, cos] = flat.turn;
         let axes = nalgebra::Matrix3::new(cos, 0.0, sin, 0.0, 1.0, 0.0, -sin, 0.0, cos);
-        let vec = |x, y, z| scenelang_layout::Vec3::new(x, y, z);
+        let vec = |x, y, z| Vec3::new(x, y, z);
         scenelang_layout::Obb {
             center: vec(flat.at[0], 0.5, flat.at[1]),
             axes,

@@ -198,25 +198,8 @@ impl LocalSearch<'_> {
 
     /// A thing leans in the best of many ways, if that is better than the one it has.
     fn step_lean(&mut self, i: usize, chance: &mut ChaCha8Rng) {
-        let mut best = (1e-9, None);
-        for angles in self.ways_to_lean(i, chance) {
-            self.go_lean(i, angles);
-            if let Some(delta) = self.judge(best.0) {
-                best = (delta, Some(angles));
-            }
-            self.undo();
-        }
-        if let Some(angles) = best.1 {
-            self.go_lean(i, angles);
-            if self.judge(f64::INFINITY).is_some() {
-                self.keep();
-            } else {
-                self.undo();
-            }
-        }
-        if best.0 > -1e-9 {
-            self.insist(chance);
-        }
+        let all = self.ways_to_lean(i, chance);
+        self.step_among(&all, chance, |local, angles| local.go_lean(i, angles));
     }
 
     /// Angles to try: what its terms name, where the violated ones would hold, quarter turns, changes at random.

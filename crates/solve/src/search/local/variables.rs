@@ -205,16 +205,22 @@ impl LocalSearch<'_> {
 
     /// A variable takes the best of many values, if that is better than the one it has.
     fn step_variable(&mut self, v: usize, chance: &mut ChaCha8Rng) {
+        let candidates = self.candidates(v, chance);
+        self.step_among(&candidates, chance, |local, value| local.go_variable(v, value));
+    }
+
+    /// The best of some changes is made, if it is better than none; where none is, what is violated comes to weigh more.
+    pub(super) fn step_among<T: Copy>(&mut self, all: &[T], chance: &mut ChaCha8Rng, go: impl Fn(&mut Self, T)) {
         let mut best = (1e-9, None);
-        for value in self.candidates(v, chance) {
-            self.go_variable(v, value);
+        for &each in all {
+            go(self, each);
             if let Some(delta) = self.judge(best.0) {
-                best = (delta, Some(value));
+                best = (delta, Some(each));
             }
             self.undo();
         }
-        if let Some(value) = best.1 {
-            self.go_variable(v, value);
+        if let Some(each) = best.1 {
+            go(self, each);
             if self.judge(f64::INFINITY).is_some() {
                 self.keep();
             } else {
