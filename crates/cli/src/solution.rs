@@ -27,7 +27,13 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
         };
         out += &preferred(found);
         let file = file.display().to_string();
-        out += &format!("{} written after {} rounds{end}\n", plain::line(&file), found.outcome.iterations);
+        // Of proposers from outside; without a model there are none.
+        let rounds = match found.outcome.iterations {
+            0 => String::new(),
+            1 => " after 1 round".to_owned(),
+            n => format!(" after {n} rounds"),
+        };
+        out += &format!("{} written{rounds}{end}\n", plain::line(&file));
         out += &in_the_way(found);
     }
     out += &still_free(&solved.first);

@@ -271,7 +271,7 @@ pub(super) fn rack(a: &Ask) -> Model {
     for i in 0..=rows {
         let y = if i == 0 { 0.25 * beam } else { step * i as f64 };
         m.solid(inner.y(y..y + beam));
-        m.mesh.board(inner.inset(0.0, 0.0, 0.15 * t).y(y + 0.55 * beam..y + beam), &stuff::BIRCH.surface());
+        m.mesh.board(inner.inset(0.0, 0.0, 0.15 * t).y(y + 0.55 * beam..y + 0.95 * beam), &stuff::BIRCH.surface());
         for f in inner.y(y..y + beam).z(inner.min.z..inner.min.z + 0.5 * t).four_corners().into_iter().step_by(2) {
             m.mesh.board(f, &beams);
         }

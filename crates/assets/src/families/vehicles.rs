@@ -36,7 +36,10 @@ pub(super) fn car(a: &Ask) -> Model {
     let belt = 0.56 * a.h;
     let van = a.says(&["van", "truck", "lorry", "ambulance", "bus"]);
     // The body over the wheels, and the cabin, which is narrower towards the roof.
-    m.rounded(block(-x..x, sill..belt, -z..z), 0.3 * r, &paint);
+    // The lights stand out a little.
+    let out = 0.004 * a.d;
+    m.solid(block(-x..x, sill..belt, -z..z));
+    m.mesh.rounded(block(-x..x, sill..belt, -z + out..z - out), 0.3 * r, 3, &paint);
     let (back, front) = if van { (-0.98 * z, 0.72 * z) } else { (-0.82 * z, 0.5 * z) };
     let (roof_back, roof_front) = if van { (-0.97 * z, 0.5 * z) } else { (-0.55 * z, 0.1 * z) };
     let foot = block(-0.92 * x..0.92 * x, belt..belt + 0.001, back..front);
