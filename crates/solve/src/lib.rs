@@ -1,11 +1,11 @@
 //! Stage III, the Rubik solver: a program and the sizes of its objects in, a layout in which everything holds out.
 //!
 //! - [`problem`]: what is given, and what of it stays the same during a search.
-//! - [`search`]: layouts that change. Min-conflicts finds most of them ([`search::local`]), least squares makes them exact
-//!   ([`search::least_squares`]).
-//! - [`pipeline`]: the whole procedure. Where the local search finds nothing, and for proposers from outside, it is the
-//!   published algorithm: InitialPlacement ([`pipeline::place`]), PhysicsRelaxation ([`pipeline::relax`]), then rounds of
-//!   SelectBatch ([`pipeline::select`]), proposals ([`pipeline::propose`]) and EnforceBounds ([`pipeline::bounds`]).
+//! - [`search`]: layouts that change, by weighted min-conflicts ([`search::local`]). Sizes and open regions that constraints
+//!   speak of are found before it, by least squares ([`search::least_squares`]).
+//! - [`pipeline`]: the whole procedure. For proposers from outside it is the published algorithm: InitialPlacement
+//!   ([`pipeline::place`]), then rounds of SelectBatch ([`pipeline::select`]), proposals ([`pipeline::rounds`]) and
+//!   EnforceBounds ([`pipeline::bounds`]), before the local search goes on from there.
 //! - [`repair`]: the fewest and shortest moves after which what failed holds.
 //! - [`diagnose`], [`freedom`]: what is in the way, and how far things may move.
 //! - [`external`]: steps in place of the solver's own; a language model may be one of the proposers.

@@ -17,7 +17,6 @@ use crate::problem::pose::Pose;
 use crate::problem::setup::{Setup, setup};
 use crate::problem::sound::sound;
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress, QUALITY};
-use crate::search::least_squares::Polisher;
 use crate::search::local::LocalSearch;
 use crate::search::state::State;
 use crate::search::{Best, Search};
@@ -193,8 +192,7 @@ impl<'r, 'a> Run<'r, 'a> {
         let mut state = State::new(&self.setup.frame, self.setup.world.clone());
         state.work = self.work;
         state.limit = self.limit.clone();
-        let polisher = Polisher::new(&state);
-        Search { state, polisher, chance: self.chance(attempt), options: self.options, best: None }
+        Search { state, chance: self.chance(attempt), options: self.options, best: None }
     }
 
     fn run(
@@ -353,9 +351,8 @@ impl<'r, 'a> Run<'r, 'a> {
 
     /// A state that shows a layout.
     fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
-        let polisher = Polisher::new(&old);
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
-        let mut search = Search { state: old, polisher, chance, options: self.options, best: None };
+        let mut search = Search { state: old, chance, options: self.options, best: None };
         search.restore(snapshot);
         search.state
     }

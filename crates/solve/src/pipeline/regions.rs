@@ -5,9 +5,9 @@
 use crate::problem::frame::Hold;
 use crate::problem::pose::Pose;
 use crate::problem::pose::round_to;
-use crate::search::least_squares::Targets;
+use crate::search::Search;
+use crate::search::least_squares::{Targets, least_squares};
 use crate::search::state::{Change, State};
-use crate::search::{STEPS, Search};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::{Aabb, Vec3};
 
@@ -51,7 +51,7 @@ pub(crate) fn arrange(search: &mut Search<'_>, growth: f64, kept: &dyn Fn(Region
             variables: crate::problem::frame::variables(frame.program).collect(),
             ..Targets::default()
         };
-        search.polisher.polish(&mut search.state, &targets, STEPS[1]);
+        least_squares(&mut search.state, &targets);
     }
 }
 

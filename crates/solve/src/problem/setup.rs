@@ -5,11 +5,10 @@ use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
 use crate::problem::terms::{self, Term};
 use crate::problem::{Options, Problem, values};
-use crate::search::STEPS;
-use crate::search::least_squares::{Polisher, Targets};
+use crate::search::least_squares::{Targets, least_squares};
 use crate::search::state::{Change, State};
 use scenelang_lang::Program;
-use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableKind};
+use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId, VariableKind};
 use scenelang_layout::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
 use scenelang_verify::{World, evaluate, rules::Scope};
 use std::collections::BTreeSet;
@@ -176,9 +175,12 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
     if state.attempt(&all, f64::INFINITY).is_some() {
         state.keep_sizes();
     }
-    let mut polisher = Polisher::new(&state);
-    let targets = Targets { sizes: true, ..Targets::objects(&state, targets) };
-    polisher.polish(&mut state, &targets, STEPS[1]);
+    // Decision variables that they speak of go along.
+    let terms = targets.iter().flat_map(|o| frame.index.of_object(*o));
+    let mut variables: Vec<VariableId> = terms.flat_map(|&t| frame.terms[t].variables.iter().copied()).collect();
+    variables.sort_unstable();
+    variables.dedup();
+    least_squares(&mut state, &Targets { sizes: targets, variables, regions: Vec::new() });
     for id in resized {
         let (name, placement) = &mut layout.objects[id.0 as usize];
         let next = state.pose(id).scale;

@@ -5,9 +5,9 @@
 //! was to be repaired holds, and what held before still does. A pinned property stays at what the program assigns.
 //!
 //! Moves are looked for in circles, each within a budget that counts work: first what `check` offers for the same rows
-//! (`scenelang_engine::smallest_move`), so that the two agree; only where that breaks something or is nothing,
-//! places for one object after the other (`moves`), the repair loop from the layout as it is, and a new solution
-//! altogether (`whole`). What a wider circle finds is then taken back as far as all still holds (`least`).
+//! (`scenelang_engine::smallest_move`), so that the two agree; only where that breaks something or is nothing, local
+//! searches from the layout as it is, and a new solution altogether (`whole`). What a search finds is then taken back as
+//! far as all still holds (`least`).
 //!
 //! Absent here: reading and writing of files. Edits of the program are offered as edits of its text.
 
@@ -15,7 +15,6 @@ mod edit;
 mod judge;
 mod least;
 mod moves;
-mod pool;
 mod preference;
 mod relax;
 mod room;

@@ -7,9 +7,7 @@ use crate::problem::checks::Check;
 use crate::problem::frame::{Frame, variables};
 use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, Ride, half_turn};
-use crate::problem::rules::{self, Rules, Source};
 use crate::problem::terms;
-use crate::search::least_squares::Polisher;
 use crate::search::state::{Change, State};
 use crate::search::{Search, Snapshot};
 use rand_chacha::ChaCha8Rng;
@@ -40,32 +38,14 @@ pub(super) struct Fixtures<'a> {
     world: World<f64>,
 }
 
-/// What happens to equations such as `chair.pos.x = table.pos.x + 0.4`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Equations {
-    /// They are demands like others: what is displaced stays where it is until it is moved.
-    Judged,
-    /// They are obeyed as the solver does it: what depends on an object goes with it.
-    Obeyed,
-}
-
 impl<'a> Fixtures<'a> {
-    pub fn new(judge: &Judge<'a>, equations: Equations) -> Self {
+    pub fn new(judge: &Judge<'a>) -> Self {
         let world = World::<f64>::new(judge.program, judge.layout, &judge.options);
         let scope = judge.options.physics.then(|| Scope::new(&world));
         let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
-        let mut frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
+        let frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
             size(id).unwrap_or_else(|| Vec3::repeat(1.0))
         });
-        if equations == Equations::Judged {
-            let rules = Rules::new(rules::pins(judge.program), judge.program.objects.len());
-            frame.followers = frame.objects().map(|o| rules.after(Source::Object(o))).collect();
-            let regions = (0..judge.program.regions.len() as u32).map(RegionId);
-            frame.region_followers = regions.map(|r| rules.after(Source::Region(r))).collect();
-            frame.variable_followers = variables(judge.program).map(|v| rules.after(Source::Variable(v))).collect();
-            frame.sources = frame.objects().map(|o| rules.sources(o)).collect();
-            frame.rules = rules;
-        }
         Self { frame, world }
     }
 }
@@ -119,12 +99,11 @@ impl<'r, 'a> Room<'r, 'a> {
         for (check, wanted) in wanted.iter().enumerate() {
             state.weight[check] = if *wanted { 1.0 } else { 0.0 };
         }
-        let polisher = Polisher::new(&state);
         let chance = ChaCha8Rng::seed_from_u64(judge.layout.seed.unwrap_or(0));
         let poses = frame.objects().map(|id| before(&fixtures.world, &state, id)).collect();
         let dear = frame.walks.iter().any(|&t| wanted[t]);
         let judgement = WALK * frame.walks.len() as u64;
-        let search = Search { state, polisher, chance, options, best: None };
+        let search = Search { state, chance, options, best: None };
         debug_assert_eq!(n, search.state.placed().count());
         Self { judge, start: search.snapshot(), search, poses, wanted, dear, most: u64::MAX, judgement }
     }
@@ -189,11 +168,6 @@ impl<'r, 'a> Room<'r, 'a> {
     /// What a move of an object costs.
     pub fn travel(&self, id: ObjectId, to: &Pose) -> f64 {
         travel(&self.poses[id.0 as usize], to)
-    }
-
-    /// What all that is moved costs.
-    pub fn cost(&self) -> f64 {
-        self.moved().iter().map(|&id| EACH + self.travel(id, &self.search.state.pose(id))).sum()
     }
 
     /// The layout as it now is, if that repairs: as few objects moved as the search has it, or, where that is not enough,

@@ -1,5 +1,5 @@
-//! The wider circles: a search from the layout as it is, with everything free to move; then a new solution. Either is taken
-//! over as far as it takes. Many objects may have moved then, so what was found is only a beginning.
+//! Local searches from the layout as it is, with everything free to move; then new solutions. What they find is taken over as
+//! far as it takes. Many objects may have moved then, so what was found is only a beginning.
 
 use super::RepairOptions;
 use super::moves::changes;
@@ -13,29 +13,33 @@ use crate::search::state::Change;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 
-/// The part of the budget for a search from the layout as it is.
-const PART: f64 = 0.6;
-/// The part of the budget of a new solution that may go into preferences.
+/// The part of the budget that one search may take.
+const PART: f64 = 0.15;
+/// The part of the budget of a search that may go into preferences, where one is to be repaired.
 const POLISH: f64 = 0.5;
-/// So many new solutions are looked for where a preference is to be repaired.
-const TRIES: u64 = 4;
+/// So many searches, each with random numbers of its own, begin at the layout.
+const FROM_HERE: u64 = 12;
+/// So many new solutions are looked for where those find nothing.
+const ANEW: u64 = 4;
+
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
     let work = (options.budget as f64 * PART) as u64;
-    let found = solved(room, options, Placed::All, work, 0);
-    let another = |room: &mut Room<'_, '_>| {
-        // Other random numbers may end where this layout can be taken to, and the first ones did not.
-        let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
-        let tries = if preferred { TRIES } else { 1 };
-        let mut tries = (0..tries).take_while(|_| !room.judge.limit.is_over());
-        tries.find_map(|variant| {
-            let regions = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
-            let anew = Placed::Some { objects: Vec::new(), regions };
-            let left = options.budget.saturating_sub(room.search.state.work);
-            solved(room, options, anew, left, variant)
-        })
-    };
-    found.or_else(|| another(room)).into_iter().collect()
+    let mut found: Vec<Snapshot> = Vec::new();
+    for variant in 0..FROM_HERE {
+        // Where each look is dear, the first that is found is enough.
+        if room.judge.limit.is_over() || room.dear && !found.is_empty() {
+            break;
+        }
+        found.extend(solved(room, options, Placed::All, work, variant));
+    }
+    if found.is_empty() {
+        let regions: Vec<RegionId> = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
+        let anew = || Placed::Some { objects: Vec::new(), regions: regions.clone() };
+        let mut tries = (0..ANEW).take_while(|_| !room.judge.limit.is_over());
+        found.extend(tries.find_map(|variant| solved(room, options, anew(), work, variant)));
+    }
+    found
 }
 
 /// A new solution, of which only that is taken over which must be.

@@ -15,12 +15,6 @@ pub(crate) trait Chance {
     fn below(&mut self, n: usize) -> usize {
         ((self.unit() * n as f64) as usize).min(n.saturating_sub(1))
     }
-    /// Puts a list into random order.
-    fn shuffle<T>(&mut self, list: &mut [T]) {
-        for i in (1..list.len()).rev() {
-            list.swap(i, self.below(i + 1));
-        }
-    }
 }
 
 impl Chance for ChaCha8Rng {

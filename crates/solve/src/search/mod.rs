@@ -1,23 +1,17 @@
-//! A search in progress: the layout, the polisher, chance, the best so far, and the moves that all steps are made of.
+//! A search in progress: the layout, chance, and the best so far.
 
 pub(crate) mod chance;
 pub(crate) mod least_squares;
 pub(crate) mod local;
-pub(crate) mod looks;
 pub(crate) mod penalty;
 pub(crate) mod state;
 
-use crate::problem::checks::Check;
 use crate::problem::pose::Pose;
 use crate::problem::{Options, Phase, Progress};
-use crate::search::least_squares::{Polisher, Targets};
 use crate::search::state::{Change, State};
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::Value;
-
-/// Steps of a polish of one object, and of several.
-pub(crate) const STEPS: [usize; 2] = [10, 25];
 
 /// A layout as values.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,8 +87,6 @@ impl Best {
 pub(crate) struct Search<'a> {
     /// The layout.
     pub state: State<'a>,
-    /// What makes it exact.
-    pub polisher: Polisher,
     /// Chance.
     pub chance: ChaCha8Rng,
     /// How to solve.
@@ -143,22 +135,6 @@ impl<'a> Search<'a> {
         better
     }
 
-    /// Moves objects, and the decision variables that their terms read, so that less is violated.
-    pub fn polish(&mut self, mut objects: Vec<ObjectId>, steps: usize) -> bool {
-        objects.sort_unstable();
-        let targets = Targets::objects(&self.state, objects);
-        self.polisher.polish(&mut self.state, &targets, steps)
-    }
-
-    /// Whether some hard check that speaks of an object costs anything.
-    pub fn is_troubled(&self, id: ObjectId) -> bool {
-        let state = &self.state;
-        let physical = [state.numbering.bounds(id), state.numbering.support(id)];
-        let pairs = state.placed().filter(|o| *o != id).map(|o| state.numbering.collide(id, o));
-        let terms = state.frame.index.of_object(id).iter().copied();
-        terms.chain(physical).chain(pairs).any(|c| state.is_hard(c) && state.cost(c) > 0.0)
-    }
-
     /// Gives an object the place that its rules give it, without a look at anything.
     pub fn put_anywhere(&mut self, id: ObjectId) {
         if self.state.attempt(&[Change::Join(id)], f64::INFINITY).is_some() {
@@ -174,27 +150,5 @@ impl<'a> Search<'a> {
             _ => None,
         };
         frame.sources[id.0 as usize].iter().copied().chain(container).all(|o| o == id || !waiting.contains(&o))
-    }
-
-    /// Movable objects that a check speaks of; of one that depends on everything around, those that make it fail, too.
-    pub fn blamed(&mut self, check: usize) -> Vec<ObjectId> {
-        let frame = self.state.frame;
-        let mut list: Vec<ObjectId> = match self.state.numbering.check(check) {
-            Check::Term(t) => frame.terms[t].objects.clone(),
-            Check::Collide(a, b) => vec![a, b],
-            Check::Bounds(a) => vec![a],
-            Check::Support(a) => std::iter::once(a).chain(self.state.seats[a.0 as usize]).collect(),
-        };
-        if frame.terms.get(check).is_some_and(|t| t.sees_all) && !self.is_spent(1.0) {
-            list = self.state.in_the_way(check);
-        }
-        // What a pin puts somewhere moves with what the pin reads.
-        for i in 0..list.len() {
-            list.extend(
-                frame.sources[list[i].0 as usize].iter().filter(|o| !list.contains(o)).copied().collect::<Vec<_>>(),
-            );
-        }
-        list.retain(|o| frame.is_movable(*o));
-        list
     }
 }

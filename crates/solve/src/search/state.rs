@@ -8,7 +8,6 @@ use crate::problem::frame::{Frame, Hold};
 use crate::problem::limit::Limit;
 use crate::problem::pose::{Pose, Ride};
 use crate::problem::terms::Force;
-use crate::search::looks;
 use crate::search::penalty::{self, Penalty};
 use scenelang_engine::State as Moving;
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
@@ -42,7 +41,6 @@ struct Journal {
     open: bool,
     placed: Vec<ObjectId>,
     costs: Vec<(usize, f64, bool)>,
-    looks: Vec<(ObjectId, f64)>,
 }
 
 /// One layout under search.
@@ -66,7 +64,6 @@ pub(crate) struct State<'a> {
     spans: Vec<Aabb>,
     cost: Vec<f64>,
     holds: Vec<bool>,
-    looks: Vec<f64>,
     walks_stale: bool,
     journal: Journal,
     scratch: Scratch<f64>,
@@ -99,7 +96,6 @@ impl<'a> State<'a> {
             spans: vec![Aabb::of([]); n],
             cost: vec![0.0; numbering.len()],
             holds: vec![true; numbering.len()],
-            looks: vec![0.0; n],
             walks_stale: true,
             journal: Journal::default(),
             scratch: Scratch::new(),
@@ -188,14 +184,14 @@ impl<'a> State<'a> {
         self.look_at_ways();
         self.violated()
     }
-    /// All that is preferred for costs together, and all that looks odd.
+    /// All that is preferred for costs together.
     pub fn soft(&self) -> f64 {
         let preferences = (0..self.frame.terms.len()).filter(|&t| !self.is_hard(t));
-        preferences.map(|t| self.weight[t] * self.cost[t]).sum::<f64>() + self.looks.iter().sum::<f64>()
+        preferences.map(|t| self.weight[t] * self.cost[t]).sum::<f64>()
     }
     /// What everything costs, by the weights in force.
     pub fn total(&self) -> f64 {
-        self.cost.iter().zip(&self.weight).map(|(c, w)| c * w).sum::<f64>() + self.looks.iter().sum::<f64>()
+        self.cost.iter().zip(&self.weight).map(|(c, w)| c * w).sum::<f64>()
     }
 
     /// Takes an object out of the scene.
@@ -209,7 +205,6 @@ impl<'a> State<'a> {
                 self.missing[t] += 1;
             }
         }
-        self.looks[id.0 as usize] = 0.0;
         let touched = self.touched(&[id], &[], &[], &[]);
         for check in touched {
             (self.cost[check], self.holds[check]) = self.measure(check);
@@ -226,7 +221,6 @@ impl<'a> State<'a> {
         }
         self.walks_stale = true;
         for id in self.frame.objects() {
-            self.looks[id.0 as usize] = if self.is_placed(id) { looks::cost(self, id) } else { 0.0 };
             self.find_seat(id);
         }
     }
@@ -286,8 +280,7 @@ impl<'a> State<'a> {
         }
         self.obey_rules(&mut objects, &mut swept, &regions, &variables);
         let touched = self.touched(&objects, &regions, &variables, &swept);
-        let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>()
-            + objects.iter().map(|o| self.looks[o.0 as usize]).sum::<f64>();
+        let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>();
         let mut after = 0.0;
         for check in touched {
             let (cost, holds) = self.measure(check);
@@ -298,12 +291,6 @@ impl<'a> State<'a> {
                 self.undo();
                 return None;
             }
-        }
-        for &id in &objects {
-            let cost = looks::cost(self, id);
-            self.journal.looks.push((id, self.looks[id.0 as usize]));
-            self.looks[id.0 as usize] = cost;
-            after += cost;
         }
         if after - before > limit {
             self.undo();
@@ -344,24 +331,6 @@ impl<'a> State<'a> {
         for (check, cost, holds) in journal.costs {
             (self.cost[check], self.holds[check]) = (cost, holds);
         }
-        for (id, cost) in journal.looks {
-            self.looks[id.0 as usize] = cost;
-        }
-    }
-
-    /// What an object's place is chosen by: of the placed ones that come before it that which it has most to do with.
-    pub fn anchor(&self, id: ObjectId) -> Option<ObjectId> {
-        let priority = |o: ObjectId| self.frame.priority[o.0 as usize];
-        let related = self.frame.related[id.0 as usize].iter().map(|(o, _)| *o);
-        related.filter(|o| priority(*o) > priority(id)).find(|o| self.is_placed(*o))
-    }
-
-    /// Where an object would be if it stood to its anchor as each of its siblings does to its own.
-    pub fn as_siblings(&self, id: ObjectId) -> Vec<Pose> {
-        let Some(anchor) = self.anchor(id) else { return Vec::new() };
-        let siblings = self.frame.siblings[id.0 as usize].iter().copied().filter(|s| self.is_placed(*s));
-        let with_anchor = siblings.filter_map(|s| Some((s, self.anchor(s).filter(|a| *a != anchor)?)));
-        with_anchor.map(|(s, a)| Ride::new(&self.pose(a), &self.pose(anchor)).apply(&self.pose(s))).collect()
     }
 
     /// The moves of an object with everything that stands on it, hangs in it, and so on.
@@ -671,36 +640,6 @@ impl<'a> State<'a> {
             Check::Collide(a, b) => vec![a, b],
             Check::Bounds(a) | Check::Support(a) => vec![a],
         }
-    }
-
-    /// Of a term that depends on everything around: its own objects, and those without which it would cost less.
-    pub fn in_the_way(&mut self, term: usize) -> Vec<ObjectId> {
-        let mut list = self.frame.terms[term].objects.clone();
-        let now = self.cost[term];
-        let suspects: Vec<ObjectId> = self
-            .placed()
-            .filter(|o| !list.contains(o) && self.frame.is_movable(*o))
-            .filter(|o| matches!(self.frame.hold(*o), Hold::Rests | Hold::Wall(_) | Hold::Floats))
-            .filter(|o| self.span(*o).max.y - self.span(*o).min.y > 0.05 && self.seats[o.0 as usize].is_none())
-            .collect();
-        for id in suspects {
-            if self.limit.is_over() {
-                break;
-            }
-            let away: Vec<(ObjectId, Pose)> =
-                std::iter::once(id).chain(self.riders(id)).map(|o| (o, self.pose(o))).collect();
-            for (o, pose) in &away {
-                self.put(*o, pose.at(0.0, LIMBO, 0.0));
-            }
-            let (cost, _) = self.term(term);
-            for (o, pose) in away {
-                self.put(o, pose);
-            }
-            if cost < now - 1e-9 {
-                list.push(id);
-            }
-        }
-        list
     }
 
     /// Remembers what carries an object.

@@ -1,11 +1,10 @@
-//! The continuous part: damped least squares on what is violated, with slopes from dual numbers.
+//! Numbers that the local search does not look for: sizes of objects that constraints ask for, open regions, and the decision
+//! variables that go with them, by damped least squares on what is violated, with slopes from dual numbers.
 //!
-//! Positions, yaws, decision variables and (where asked) sizes move together so that the residuals of all terms they
-//! touch shrink. Equations end exact; inequalities end with a little ease. What rests on something keeps its height.
+//! Equations end exact; inequalities end with a little ease.
 
 mod system;
 
-use crate::problem::frame::Hold;
 use crate::problem::pose::{Pose, round_turn};
 use crate::search::state::{Change, State};
 use scenelang_engine::Mirror;
@@ -18,29 +17,15 @@ use system::System;
 const K: usize = 6;
 type Slope = Dual<K>;
 
-/// What is to be moved.
+/// What is to be found.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Targets {
-    /// Objects: position and yaw, as far as pins and supports leave them free.
-    pub objects: Vec<ObjectId>,
-    /// Their sizes, too.
-    pub sizes: bool,
+    /// Objects: their sizes.
+    pub sizes: Vec<ObjectId>,
     /// Regions: place and size.
     pub regions: Vec<RegionId>,
     /// Decision variables.
     pub variables: Vec<VariableId>,
-}
-
-impl Targets {
-    /// Objects, and the decision variables that their terms read.
-    pub fn objects(state: &State<'_>, objects: Vec<ObjectId>) -> Self {
-        let terms = objects.iter().flat_map(|o| state.frame.index.of_object(*o));
-        let mut variables: Vec<VariableId> =
-            terms.flat_map(|&t| state.frame.terms[t].variables.iter().copied()).collect();
-        variables.sort_unstable();
-        variables.dedup();
-        Self { objects, variables, ..Self::default() }
-    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +35,7 @@ enum Entity {
     Variable(VariableId),
 }
 
-/// One number to be found: which of an entity's (position 0–2, angles 3–5, extents 6–8; variables 0–2).
+/// One number to be found: which of an entity's (position 0–2, extents 6–8; variables 0–2).
 #[derive(Clone, Copy, Debug)]
 struct Unknown {
     entity: Entity,
@@ -58,42 +43,29 @@ struct Unknown {
     angle: bool,
 }
 
-/// Two worlds to try things in, kept between uses: one of plain numbers, one of slopes.
-pub(crate) struct Polisher {
+/// Two worlds to try things in: one of plain numbers, one of slopes.
+struct Worlds {
     plain: Mirror<f64>,
     slopes: Mirror<Slope>,
     scratch: (Scratch<f64>, Scratch<Slope>),
 }
 
-impl Polisher {
-    /// For a state.
-    pub fn new(state: &State<'_>) -> Self {
-        let (plain, slopes) = (Mirror::of(state.layout()), Mirror::of(state.layout()));
-        Self { plain, slopes, scratch: (Scratch::new(), Scratch::new()) }
+/// Gives the targets numbers with which what touches them is violated less, if there are such.
+pub(crate) fn least_squares(state: &mut State<'_>, targets: &Targets) {
+    let unknowns = unknowns(state, targets);
+    if unknowns.is_empty() {
+        return;
     }
-
-    /// Moves the targets so that what touches them is violated less. Whether that succeeded; else all is as it was.
-    pub fn polish(&mut self, state: &mut State<'_>, targets: &Targets, iterations: usize) -> bool {
-        let unknowns = unknowns(state, targets);
-        if unknowns.is_empty() {
-            return false;
-        }
-        self.plain.catch_up(state.layout());
-        self.slopes.catch_up(state.layout());
-        let mut system = System::new(state, self, unknowns);
-        let start = system.values.clone();
-        system.solve(iterations);
-        let (values, unknowns, work) = (system.values, system.unknowns, system.work);
-        state.work += work;
-        if values == start {
-            return false;
-        }
-        let changes = changes(state, &unknowns, &values);
-        if state.attempt(&changes, -1e-9).is_some() {
-            state.keep();
-            return true;
-        }
-        false
+    let (plain, slopes) = (Mirror::of(state.layout()), Mirror::of(state.layout()));
+    let mut worlds = Worlds { plain, slopes, scratch: (Scratch::new(), Scratch::new()) };
+    let mut system = System::new(state, &mut worlds, unknowns);
+    let start = system.values.clone();
+    system.solve();
+    let (values, unknowns, work) = (system.values, system.unknowns, system.work);
+    state.work += work;
+    let changes = changes(state, &unknowns, &values);
+    if values != start && state.attempt(&changes, -1e-9).is_some() {
+        state.keep();
     }
 }
 
@@ -101,19 +73,8 @@ impl Polisher {
 fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
     let frame = state.frame;
     let mut list = Vec::new();
-    for &id in &targets.objects {
-        let fixed = frame.fixed(id);
-        let mut add =
-            |index: usize| list.push(Unknown { entity: Entity::Object(id), index, angle: (3..6).contains(&index) });
-        let rests = frame.scope.is_some() && frame.hold(id) == Hold::Rests;
-        [0, 1, 2].into_iter().filter(|&i| !fixed.pos[i] && (i != 1 || !rests)).for_each(&mut add);
-        if !fixed.rot {
-            let tilts = frame.tilts[id.0 as usize];
-            [3, 4, 5].into_iter().filter(|i| *i == 4 || tilts).for_each(&mut add);
-        }
-        if targets.sizes && !fixed.scale {
-            (6..9).for_each(&mut add);
-        }
+    for &id in targets.sizes.iter().filter(|id| !frame.fixed(**id).scale) {
+        list.extend((6..9).map(|index| Unknown { entity: Entity::Object(id), index, angle: false }));
     }
     for &id in &targets.regions {
         let pins = frame.region_pins[id.0 as usize];
@@ -157,7 +118,7 @@ fn rules_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
     }
 }
 
-/// The moves that give unknowns their values; riders go along.
+/// The changes that give unknowns their values.
 fn changes(state: &State<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Change> {
     let mut list: Vec<Change> = Vec::new();
     for group in unknowns.chunk_by(|a, b| a.entity == b.entity) {
@@ -165,16 +126,7 @@ fn changes(state: &State<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Chang
         let values = &values[start..start + group.len()];
         let own = || group.iter().zip(values).map(|(u, v)| (u.index, *v));
         match group[0].entity {
-            Entity::Object(id) => {
-                let next = with_numbers(&state.pose(id), own());
-                for change in state.with_riders(id, next) {
-                    let Change::Object(moved, _) = change else { continue };
-                    let own = moved == id || !unknowns.iter().any(|u| u.entity == Entity::Object(moved));
-                    if own && !list.iter().any(|c| matches!(c, Change::Object(o, _) if *o == moved)) {
-                        list.push(change);
-                    }
-                }
-            }
+            Entity::Object(id) => list.push(Change::Object(id, with_numbers(&state.pose(id), own()))),
             Entity::Region(id) => list.push(Change::Region(id, with_numbers(&state.region_pose(id), own()))),
             Entity::Variable(id) => {
                 let Ok(old) = state.world().variable(id) else { continue };
@@ -196,7 +148,6 @@ fn with_numbers(pose: &Pose, numbers: impl Iterator<Item = (usize, f64)>) -> Pos
     for (index, value) in numbers {
         match index {
             0..3 => next.pos[index] = value,
-            3..6 => next.rot[index - 3] = round_turn(value),
             // Nothing shrinks to nothing.
             _ => next.scale[index - 6] = value.max(0.01),
         }

@@ -1,9 +1,9 @@
-//! The equations of a polish, and their solution by damped least squares (Levenberg and Marquardt).
+//! The equations, and their solution by damped least squares (Levenberg and Marquardt).
 //!
 //! Plain numbers say which checks miss something, and whether a step is one for the better; slopes are taken only of
 //! these.
 
-use super::{Entity, K, Polisher, Slope, Unknown, lift, numbers, rules_after, touched_objects, with_numbers};
+use super::{Entity, K, Slope, Unknown, Worlds, lift, numbers, rules_after, touched_objects, with_numbers};
 use crate::problem::checks::Check;
 use crate::problem::pose::Pose;
 use crate::search::penalty::Penalty;
@@ -12,12 +12,10 @@ use nalgebra::{DMatrix, DVector};
 use scenelang_engine::Mirror;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::vector::V3;
-use scenelang_verify::{Algebra, Dual, Number, Scratch, World, gap, rules};
+use scenelang_verify::{Algebra, Dual, Number, Scratch, World};
 
-/// Pairs further apart than this are not looked at (metres).
-const NEAR: f64 = 0.25;
-/// What solids keep between them where they are pushed apart (metres).
-const APART: f64 = 2e-5;
+/// Steps at most.
+const STEPS: usize = 25;
 /// Longest step of a length (metres) and of an angle (degrees).
 const STEP: [f64; 2] = [1.0, 40.0];
 /// How often a step is shortened before the search ends.
@@ -42,7 +40,7 @@ struct Equation {
 /// The residuals of some checks as functions of some unknowns.
 pub(super) struct System<'s, 'a> {
     state: &'s State<'a>,
-    worlds: &'s mut Polisher,
+    worlds: &'s mut Worlds,
     /// What is to be found.
     pub unknowns: Vec<Unknown>,
     /// By unknown.
@@ -57,7 +55,7 @@ pub(super) struct System<'s, 'a> {
 
 impl<'s, 'a> System<'s, 'a> {
     /// For a state and worlds that agree with it.
-    pub fn new(state: &'s State<'a>, worlds: &'s mut Polisher, unknowns: Vec<Unknown>) -> Self {
+    pub fn new(state: &'s State<'a>, worlds: &'s mut Worlds, unknowns: Vec<Unknown>) -> Self {
         let mut entities: Vec<Entity> = unknowns.iter().map(|u| u.entity).collect();
         entities.dedup();
         let mut rules: Vec<usize> = entities.iter().flat_map(|e| rules_after(state, *e)).copied().collect();
@@ -73,7 +71,6 @@ impl<'s, 'a> System<'s, 'a> {
     fn start(&self, unknown: &Unknown) -> f64 {
         let of = |pose: Pose| match unknown.index {
             0..3 => pose.pos[unknown.index],
-            3..6 => pose.rot[unknown.index - 3],
             i => pose.scale[i - 6],
         };
         match unknown.entity {
@@ -120,23 +117,16 @@ impl<'s, 'a> System<'s, 'a> {
         }
         for (object, by) in &moved {
             frame.index.of_object(*object).iter().for_each(|&t| add(t, by));
-            let Some(scope) = frame.scope.as_ref().filter(|_| state.is_placed(*object)) else { continue };
-            if scope.bounds(*object) && !frame.program.regions.is_empty() {
-                add(state.numbering.bounds(*object), by);
-            }
-            let span = state.span(*object);
-            let near = state.placed().filter(|o| scope.collide(*object, *o) && state.span(*o).distance(span) < NEAR);
-            near.for_each(|other| add(state.numbering.collide(*object, other), by));
         }
         equations.retain(|e| frame.terms.get(e.check).is_none_or(|t| !t.walks && state.is_active(e.check)));
         self.equations = equations;
     }
 
-    /// Steps towards less, at most so many.
-    pub fn solve(&mut self, iterations: usize) {
+    /// Steps towards less.
+    pub fn solve(&mut self) {
         let mut sum = self.measure();
         let mut damping = 1e-3;
-        for _ in 0..iterations {
+        for _ in 0..STEPS {
             if sum < 1e-14 || self.state.limit.is_over() {
                 break;
             }
@@ -342,23 +332,8 @@ fn residuals<N: Number>(
             }
             formula.nodes.len() as u64
         }
-        Check::Collide(a, b) => {
-            if let (Ok(x), Ok(y)) = (world.object(a), world.object(b))
-                && x.body.obb.aabb().distance(&y.body.obb.aabb()) == 0.0
-            {
-                let gap = gap(x, y);
-                out.extend((gap.value() < 0.0).then(|| N::constant(APART) - gap));
-            }
-            50
-        }
-        Check::Bounds(id) => {
-            if let Ok(truth) = rules::bounds::object(world, id) {
-                let missing = N::constant(tolerances.contact) - truth.margin;
-                out.extend((missing.value() > 0.0).then_some(missing));
-            }
-            50
-        }
-        Check::Support(_) => 1,
+        // Nothing is placed yet where sizes and regions are looked for.
+        Check::Collide(..) | Check::Bounds(_) | Check::Support(_) => 1,
     };
     out.retain(|r| r.value().is_finite());
     work

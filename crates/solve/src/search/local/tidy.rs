@@ -1,17 +1,26 @@
 //! Once all holds: better looks where they cost nothing, free turns along the walls, and clean numbers.
 //!
-//! The looks are those of the search proper, as far as boxes tell them: tall things like a wall behind them, nothing
-//! likes one in its face, and what has nothing to do with each other keeps apart.
+//! What nobody asks for and everybody expects: tall things have a wall behind them, fronts are not barred by one, and what
+//! has nothing to do with each other keeps apart. These costs only decide between layouts that are equally good otherwise.
 
 use super::moves::turned;
 use super::{Home, LocalSearch, Wall};
 use crate::problem::limit::Limit;
 use crate::problem::pose::round_to;
-use crate::search::looks::{ADRIFT, AROUND, BARRED, CROWDED, TALL};
 use rand_chacha::ChaCha8Rng;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::INPUTS;
 
+/// Cost of a tall thing whose back is a metre from the wall.
+const ADRIFT: f64 = 0.01;
+/// Cost of a front that a wall bars.
+const BARRED: f64 = 0.01;
+/// Cost of touching something it has nothing to do with.
+const CROWDED: f64 = 0.004;
+/// Space that one likes to keep around things (metres).
+const AROUND: f64 = 0.3;
+/// From this height on a thing looks better with its back to a wall (metres).
+const TALL: f64 = 1.1;
 /// Grids for positions (metres), the coarsest first.
 const GRIDS: [f64; 3] = [0.05, 0.01, 0.001];
 /// What a clean number may cost.
