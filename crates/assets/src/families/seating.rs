@@ -214,7 +214,7 @@ pub(super) fn sofa(a: &Ask) -> Model {
     m.solid(b.x(-x + arm..x - arm).z(-z..-z + back));
     let inner = b.x(-x + arm..x - arm);
     m.mesh.rounded(b.inset(0.01, 0.0, 0.0).y(foot..base).z(-z + 0.01 * a.d..front - 0.02 * a.d), 0.03, 3, &main);
-    let seats = pieces(a.w - 2.0 * arm, 0.72, 1, 5);
+    let seats = pieces(a.w - 2.0 * arm, 0.62, 1, 5);
     for c in inner.y(base..seat).z(-z + 0.8 * back..front).split(0, seats, 0.006) {
         m.mesh.rounded(c, 0.05_f64.min(0.3 * (seat - base)), 3, &light);
     }

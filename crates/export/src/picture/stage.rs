@@ -24,6 +24,11 @@ const UNDER: f64 = 0.05;
 const FLAT: f64 = 0.3;
 /// What is taller than this and seen from behind is cut there, as a wall is (metres).
 const TALL: f64 = 1.2;
+/// What takes more of the floor is missed where it is hidden (square metres).
+const BIN: f64 = 0.12;
+/// How far before a thing (metres) something may stand that hides it, and at how many points that is looked at.
+const REACH: f64 = 5.0;
+const SAMPLES: u32 = 60;
 /// What begins higher above the floor hangs (metres).
 const LOW: f64 = 0.3;
 
@@ -85,7 +90,9 @@ impl Stage {
         for shell in &scene.shells {
             stage.shell(scene, shell, view);
         }
-        let short = |object: &&Object| cut.iter().any(|wall| wall.is_near() && turns_its_back(object, wall, view));
+        let short = |object: &&Object| {
+            cut.iter().any(|wall| wall.is_near() && turns_its_back(object, wall, view)) && hides(scene, object, view)
+        };
         let short: Vec<&Object> = scene.objects.iter().filter(short).collect();
         for object in &scene.objects {
             if !overhead(scene, object) && !short.iter().any(|below| stands_on(object, below)) {
@@ -253,6 +260,27 @@ fn turns_its_back(object: &Object, wall: &Cut, view: &View) -> bool {
         && (nearest - middle).norm() < reach.min(0.6)
         && object.axes.column(2).dot(&(view.eye - object.place.pos)) < 0.0
         && outward(wall.from, wall.to).dot(&object.axes.column(2).xz()) < -0.7
+}
+
+/// Whether something tall hides most of something larger than a bin behind it, which is seen once it is cut.
+fn hides(scene: &Scene, object: &Object, view: &View) -> bool {
+    let axes = object.axes.transpose();
+    let half = object.place.scale / 2.0;
+    let blocks = |point: Vec3| {
+        let (from, to) = (axes * (point - object.place.pos), axes * (view.eye - object.place.pos));
+        (1..=SAMPLES).any(|k| {
+            let p = from + (to - from) * (f64::from(k) * REACH / f64::from(SAMPLES) / (to - from).norm());
+            p.x.abs() < half.x && p.z.abs() < half.z && p.y > TALL && p.y < object.place.scale.y
+        })
+    };
+    let is_hidden = |other: &&Object| {
+        let size = other.place.scale;
+        let seen = |x: f64, y: f64, z: f64| other.at(Vec3::new(x * size.x, y * size.y, z * size.z));
+        let points = [(-0.4, -0.4), (-0.4, 0.4), (0.4, -0.4), (0.4, 0.4), (0.0, 0.0)];
+        let blocked = points.iter().flat_map(|(x, z)| [seen(*x, 0.4, *z), seen(*x, 1.0, *z)]).filter(|p| blocks(*p));
+        size.x * size.z > BIN && blocked.count() > points.len()
+    };
+    scene.objects.iter().filter(|other| !std::ptr::eq(*other, object)).any(|other| is_hidden(&other))
 }
 
 /// Whether something is above where another is cut, on it.

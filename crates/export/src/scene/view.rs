@@ -30,6 +30,8 @@ const WALLS: f64 = 0.8;
 const DOOR: f64 = 0.3;
 /// What is taller hides what stands behind it, metres.
 const TALL: f64 = 1.2;
+/// A face of less counts for nothing (square metres).
+const SMALL: f64 = 0.1;
 /// How steeply the camera looks down, degrees.
 const ELEVATION: f64 = 42.0;
 
@@ -122,22 +124,30 @@ const FRONTLESS: [&str; 9] = ["table", "desk", "door", "window", "plant", "lamp"
 /// How well an eye in this direction sees the objects: their fronts, large ones counting more, and large things rather
 /// behind small ones than before them. Between about −1 and 1.
 fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
-    let count = scene.objects.len().max(1) as f64;
-    let middle = scene.objects.iter().map(|o| o.place.pos).sum::<Vec3>() / count;
-    let spread = scene.objects.iter().map(|o| (o.place.pos - middle).norm()).fold(1.0, f64::max);
-    // What is tall and turns its back hides the most; of a bed the whole top is seen, or the headboard.
-    let face = |o: &Object| match o.family.as_str() {
-        "bed" | "crib" => 3.0 * o.place.scale.x * o.place.scale.z,
-        "sofa" => 1.5 * o.place.scale.x * o.place.scale.z,
-        _ if o.place.scale.y > TALL => 1.4 * o.place.scale.x * o.place.scale.y,
-        _ => o.place.scale.x * o.place.scale.y,
+    // What is tall and turns its back hides the most; of a bed the whole top is seen, or the headboard. By the root, or
+    // one shelf would outweigh all that a bathroom is for; what is small says nothing about where to look from.
+    let face = |o: &Object| {
+        let area = match o.family.as_str() {
+            "bed" | "crib" => 6.0 * o.place.scale.x * o.place.scale.z,
+            "sofa" => 1.5 * o.place.scale.x * o.place.scale.z,
+            // Seen if its wall is.
+            "door" | "window" => 0.0,
+            // Many, and turned all ways.
+            "chair" | "stool" => 0.1 * o.place.scale.x * o.place.scale.y,
+            _ if o.place.scale.y > TALL => 1.4 * o.place.scale.x * o.place.scale.y,
+            _ => o.place.scale.x * o.place.scale.y,
+        };
+        if area < SMALL { area } else { area.sqrt() }
     };
+    let all: f64 = scene.objects.iter().map(face).sum::<f64>().max(1e-9);
+    let middle = scene.objects.iter().map(|o| o.place.pos * face(o)).sum::<Vec3>() / all;
+    let spread = scene.objects.iter().map(|o| (o.place.pos - middle).norm()).fold(1.0, f64::max);
     let value = |o: &Object| {
         let front = if FRONTLESS.contains(&o.family.as_str()) { 0.0 } else { o.axes.column(2).dot(&way) };
         let nearness = (o.place.pos - middle).dot(&way) / spread;
         face(o) * (front - 0.7 * nearness)
     };
-    scene.objects.iter().map(value).sum::<f64>() / scene.objects.iter().map(face).sum::<f64>().max(1e-9)
+    scene.objects.iter().map(value).sum::<f64>() / all
 }
 
 /// Whether an object is in a wall or hangs on it; the wall runs along an edge of a floor.

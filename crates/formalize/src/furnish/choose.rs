@@ -113,6 +113,10 @@ impl Choice<'_> {
                 let (dx, dz) = (pose.x - seen.x, pose.z - seen.z);
                 let ahead = dx * forward.0 + dz * forward.1;
                 cost += (dx * forward.1 - dz * forward.0).abs() * 0.5 + if ahead > 0.8 { 0.0 } else { 3.0 };
+                // A screen is watched from the front.
+                let turn = pose.yaw.to_radians();
+                let front = -(dx * turn.sin() + dz * turn.cos()) / dx.hypot(dz).max(0.1);
+                cost += 1.0 - front;
             }
             if let Some(near) = self.near {
                 cost += (near.x - pose.x).hypot(near.z - pose.z) * 0.8;
@@ -162,7 +166,7 @@ impl Choice<'_> {
     pub fn floor(&self, floor: &Floor, shape: &Shape, before: &[Pose], yaws: &[f64]) -> Option<Pose> {
         let places = seek::on_floor(floor.size, self.size, yaws).into_iter();
         let cost = |pose: &Pose| {
-            let around = floor.room_around(shape, pose).min(0.9);
+            let around = floor.room_around(shape, pose).min(1.0);
             let middle = pose.x.abs() + pose.z.abs();
             let lined = before.iter().any(|o| (o.x - pose.x).abs() < 0.02 || (o.z - pose.z).abs() < 0.02);
             Some(-around + 0.06 * middle + if before.is_empty() || lined { 0.0 } else { 0.5 })

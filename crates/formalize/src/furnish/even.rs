@@ -1,4 +1,4 @@
-//! Beds of one room side by side: heads at one wall, or at two that are opposite, all at the same distance.
+//! Beds of one room side by side, and what else stands in a run: heads at one wall, or at two that are opposite, all at the same distance.
 
 use super::floor::{Floor, Pose, Shape};
 use super::seek::{self, Wall};
@@ -9,6 +9,8 @@ const MORE: f64 = 0.7;
 const SHARED: f64 = 0.02;
 /// A place that takes more than this has curtains or chairs of its own.
 const OWN: f64 = 2.0;
+/// What is less deep is no bed.
+const BED: f64 = 1.2;
 /// From one place that is tried to the next.
 const STEP: f64 = 0.1;
 
@@ -38,13 +40,14 @@ pub fn places(floor: &Floor, shape: &Shape, n: usize, depth: f64, windows: &[Wal
 
 /// A row at one wall, as near to its middle as it fits.
 fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option<Vec<Pose>> {
-    let [left, right, ..] = seek::reach(shape);
+    let [left, right, back, _] = seek::reach(shape);
     let (each, length) = (left + right, wall.length(floor.size) - 0.04);
     let rest = length - n as f64 * each;
     if n == 0 || rest < 0.0 {
         return (n == 0).then(Vec::new);
     }
-    let most = if each > OWN { MORE } else { SHARED };
+    let most = if each > OWN || depth < BED { MORE } else { SHARED };
+    let away = back.max(depth / 2.0) + seek::BEHIND;
     let mut more = (rest / n as f64).min(most);
     while more >= 0.0 {
         let step = each + more;
@@ -54,8 +57,7 @@ fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option
         for shift in shifts {
             // The middle of the row, the bed's own middle apart.
             let first = shift - (n as f64 - 1.0) * step / 2.0 + (left - right) / 2.0;
-            let poses: Vec<Pose> =
-                (0..n).map(|i| wall.place(floor.size, first + step * i as f64, depth / 2.0 + seek::BEHIND)).collect();
+            let poses: Vec<Pose> = (0..n).map(|i| wall.place(floor.size, first + step * i as f64, away)).collect();
             if poses.iter().all(|at| floor.fits(shape, at)) && ways(floor, shape, &poses) {
                 return Some(poses);
             }

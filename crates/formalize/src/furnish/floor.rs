@@ -211,7 +211,9 @@ impl Floor {
             let taken = self.bodies.iter().chain(&self.free).any(|other| other.meets(&block));
             let darkens = piece.tall && self.lit.iter().any(|other| other.meets(&block));
             let large = piece.size[0].max(piece.size[2]) > MAT;
-            let lies = piece.flat && large && self.flats.iter().chain(&self.swing).any(|other| other.meets(&block));
+            // A rug ends before what belongs to others.
+            let barred = || self.flats.iter().chain(&self.swing).chain(&self.bodies);
+            let lies = piece.flat && large && barred().any(|other| other.meets(&block));
             self.inside(&block) && if piece.flat { !lies } else { !(taken || darkens) }
         };
         bodies.into_iter().all(stands)
@@ -238,6 +240,11 @@ impl Floor {
                 self.goals.push(block);
             }
         }
+    }
+
+    /// Where one comes in.
+    pub fn way_in(&self) -> Option<[f64; 2]> {
+        self.doors.first().copied()
     }
 
     /// How far a place is from the nearest door.

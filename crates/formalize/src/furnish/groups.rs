@@ -27,6 +27,8 @@ pub enum Where {
     Sides(f64, Along),
     /// In a row before its front, turned to it: so many, or as many as there is room for.
     Row(usize, f64),
+    /// The same behind its back.
+    RowBehind(usize, f64),
     /// On top: shares of the free width and depth from the middle, and a turn.
     Top(f64, f64, f64),
     /// On a board of a shelf, counted from below; a share of the free width.
@@ -118,6 +120,7 @@ fn part(line: &'static str) -> Option<Part> {
         "left" => Where::Side(n(0)?, along, 1.0, n(2).unwrap_or(0.0)),
         "right" => Where::Side(n(0)?, along, -1.0, n(2).unwrap_or(0.0)),
         "row" => Where::Row(n(0)? as usize, n(1)?),
+        "rowbehind" => Where::RowBehind(n(0)? as usize, n(1)?),
         "sides" => Where::Sides(n(0)?, along),
         "top" => Where::Top(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
         "board" => Where::Board(n(0)? as usize, n(1)?, n(2).map_or(1, |n| n as usize)),

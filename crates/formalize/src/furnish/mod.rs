@@ -136,6 +136,11 @@ fn named(brief: &mut Brief) {
     };
     if kinds::of(&first.name()).is_some_and(|kind| kind.name != "room") {
         room.name = first.name();
+        // It is the room, and not a thing in it, where nothing is said of it.
+        if brief.facts.is_empty() {
+            room.source = first.source.clone();
+            brief.remove(&[0]);
+        }
     }
 }
 

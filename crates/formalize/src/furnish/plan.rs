@@ -14,8 +14,10 @@ use crate::sizes::usual;
 use crate::write::number;
 use scenelang_lang::nouns;
 
-/// A furnished room has at most so many things, those asked for included, unless more are asked for.
+/// A furnished room has at most so many things, those asked for included, unless more are asked for; what stands on shelves
+/// and tables ends before the inventory does.
 const MOST: usize = 140;
+const INVENTORY: f64 = 1.6;
 /// Of several rooms each has its share of so many, and of so many more for each room.
 const SHARED: [usize; 2] = [60, 30];
 /// Groups of groups of groups: so deep.
@@ -159,12 +161,20 @@ impl<'a> Plan<'a> {
 
     /// Whether the room has more things than such rooms need.
     pub fn is_full(&self) -> bool {
+        self.count() > self.most()
+    }
+
+    /// Whether nothing more of the inventory is added.
+    pub fn is_furnished(&self) -> bool {
+        self.count() as f64 > self.most() as f64 * INVENTORY
+    }
+
+    fn most(&self) -> usize {
         let [all, each] = SHARED;
-        let most = match self.draft.rooms.len() {
+        match self.draft.rooms.len() {
             1 => MOST,
             rooms => (all + each * rooms) / rooms,
-        };
-        self.count() > most
+        }
     }
 
     /// The usual size of a thing.

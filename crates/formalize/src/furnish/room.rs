@@ -106,7 +106,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
         }
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
         let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
-        plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_full();
+        plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
         plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
@@ -159,7 +159,16 @@ fn staffed(plan: &Plan) -> bool {
 fn watched_from(plan: &Plan) -> Option<Pose> {
     let seat = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
     let mut seat = seat.filter(|t| choose::seats(&t.category.replace('_', " ")));
-    plan.place_in_room(&seat.next()?.name)
+    let seat = seat.next()?;
+    if seat.count == 1 {
+        return plan.place_in_room(&seat.name);
+    }
+    // From the middle of several that look the same way.
+    let places: Vec<Pose> =
+        (0..seat.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", seat.name))).collect();
+    let first = *places.first().filter(|first| places.iter().all(|p| p.yaw == first.yaw))?;
+    let mean = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / places.len() as f64;
+    Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
 }
 
 /// What is asked for stands at a wall if such things do and nothing else is said, and gets what goes with it.
@@ -183,6 +192,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
         }
     }
     let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
+    let in_run = matches!(own, Some(Place::Run));
     let room = plan.room_name();
     let mut wall = AtWall::No;
     if stand::on_floor(plan.draft, &it) && it.count <= 4 && stand::has_back(&it.category) {
@@ -229,7 +239,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
                 false => &[0.0],
             };
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-                if let Some(pose) = in_row(&choice, floor, shape, before, it.count, &row) {
+                if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, in_run), &row) {
                     Some(pose)
                 } else if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
                     choice.wall(floor, shape, before)
@@ -250,16 +260,16 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     }
 }
 
-/// The next place of several beds that stand side by side; `row` keeps those that are not taken yet.
+/// The next place of several beds, or of what stands in a run, side by side; `row` keeps all of them.
 fn in_row(
     choice: &Choice,
     floor: &Floor,
     shape: &Shape,
     before: &[Pose],
-    n: usize,
+    (n, in_run): (usize, bool),
     row: &RefCell<Vec<Pose>>,
 ) -> Option<Pose> {
-    if n < 2 || !choice.noun.ends_with("bed") {
+    if n < 2 || !(in_run || choice.noun.ends_with("bed")) {
         return None;
     }
     if before.is_empty() {
@@ -353,7 +363,7 @@ fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64
 fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    if plan.area() < line.least || closed || plan.is_full() {
+    if plan.area() < line.least || closed || plan.is_furnished() {
         return;
     }
     let people = plan.people.map_or(plan.kind.people, |n| n as f64);
@@ -452,7 +462,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
-        Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, n, &row)
+        Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
             .filter(|_| line.place == Place::Wall)
             .or_else(|| choice.wall(floor, shape, before)),
         Place::Service(gap) => choice.service(floor, shape, *gap).or_else(|| choice.service(floor, shape, 0.9)),
@@ -464,6 +474,8 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         Place::Corner => choice
             .corner(floor, shape, before)
             .or_else(|| if line.noun == "plant" { choice.wall(floor, shape, before) } else { None }),
+        // One wipes one's feet where one comes in.
+        Place::Floor if line.noun == "doormat" => floor.way_in().map(|[x, z]| Pose { x, z, ..Pose::default() }),
         Place::Floor => choice.floor(floor, shape, before, &[0.0]),
         Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
         _ => near(floor, shape, nominal),

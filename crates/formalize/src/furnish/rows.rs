@@ -94,7 +94,8 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let flat = size[1] < 0.05;
     let facing = !toward && n >= 4 && noun.ends_with("desk");
     let places = if facing { pairs([w, d], size, front, n) } else { None };
-    let Some(mut places) = places.or_else(|| grid(plan, noun, size, reach, n, toward)) else {
+    let places = places.or_else(|| grid(plan, noun, size, reach, n, toward));
+    let Some(mut places) = turned(plan, noun, size, reach, n, toward).or(places) else {
         plan.lacking += usize::from(plan.matters);
         return false;
     };
@@ -133,6 +134,27 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     true
 }
 
+/// Tables with chairs at two of their sides, a quarter turned, where they would otherwise stand in a single line.
+fn turned(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, toward: bool) -> Option<Vec<Pose>> {
+    let [left, right, back, front] = reach;
+    let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
+    if !even || n < SINGLE || stand::group(noun) != crate::brief::Group::Table {
+        return None;
+    }
+    let lines = |places: &[Pose]| {
+        let mut z: Vec<i64> = places.iter().map(|at| (at.z * 1000.0) as i64).collect();
+        z.sort_unstable();
+        z.dedup();
+        z.len()
+    };
+    let upright = grid(plan, noun, size, reach, n, toward).unwrap_or_default();
+    let mut places = grid(plan, noun, [size[2], size[1], size[0]], [back, front, left, right], n, toward)?;
+    places.iter_mut().for_each(|at| at.yaw = (at.yaw + 90.0) % 360.0);
+    (places.len() >= upright.len() && places.len() == n && lines(&upright) <= 1 && lines(&places) > 1).then_some(places)
+}
+
+/// So many tables in a single line look like a classroom.
+const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
 const AISLES: [f64; 2] = [1.85, 1.2];
 /// Between the backs of chairs of one table and those of the next.

@@ -59,12 +59,15 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Back(gap, yaw) => vec![slot(0.0, -depth / 2.0 - gap - d / 2.0, Level::Floor, yaw)],
         Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],
         Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],
-        Where::Row(n, gap) => {
-            let most = ((width + 0.05) / (w.max(0.4) + 0.18)).floor().max(1.0) as usize;
+        Where::Row(n, gap) | Where::RowBehind(n, gap) => {
+            // Behind it there is room beyond its ends.
+            let beyond = if matches!(at, Where::RowBehind(..)) { 0.3 } else { 0.05 };
+            let most = ((width + beyond) / (w.max(0.4) + 0.18)).floor().max(1.0) as usize;
             let n = if n == 0 { most } else { n.min(most) };
             let step = width / n as f64;
             let z = depth / 2.0 + gap + d / 2.0;
-            (0..n).map(|i| slot(step * (i as f64 + 0.5) - width / 2.0, z, Level::Floor, 180.0)).collect()
+            let (z, yaw) = if matches!(at, Where::RowBehind(..)) { (-z, 0.0) } else { (z, 180.0) };
+            (0..n).map(|i| slot(step * (i as f64 + 0.5) - width / 2.0, z, Level::Floor, yaw)).collect()
         }
         Where::Top(x, z, yaw) => {
             // A turned thing takes as much as its diagonal.

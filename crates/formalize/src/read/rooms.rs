@@ -176,10 +176,8 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         let either = np.group.is_some();
-        if out.rooms.len() < MOST
-            && strong(chunks, i, out.rooms.is_empty() && !either)
-            && (!either || titled(chunks, i))
-        {
+        let said = strong(chunks, i, out.rooms.is_empty() && !either) && (!either || titled(chunks, i));
+        if out.rooms.len() < MOST && (said || is_all(chunks, i)) {
             let room = Room { name: name_of(np), source: Source::Stated(bytes(chunk)), ..Room::default() };
             let room = out.add(room, Several { count, ..Several::default() });
             out.spoken.insert(i, room);
@@ -324,6 +322,12 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                 .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
                 .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
+}
+
+/// "A cosy bar.": nothing else is asked for.
+fn is_all(chunks: &[Chunk], i: usize) -> bool {
+    let rest = |k: usize, c: &Chunk| k == i || matches!(c.piece, Piece::Stop | Piece::Line);
+    chunks.iter().enumerate().all(|(k, c)| rest(k, c))
 }
 
 /// Whether a word that may be a thing is said as a room: "Pantry: …", "a pantry of 3 by 2 m", "leads to the pantry".

@@ -256,7 +256,9 @@ impl<'a> Reader<'a> {
         let words = &chunks[from..end.min(chunks.len())];
         // What depends on a condition is no more than a preference.
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
-        self.s.soft = words.iter().any(|c| c.piece == Piece::Soft || conditional(c));
+        self.s.soft = (from..end.min(chunks.len()))
+            .filter(|k| !self.is_aside(*k, from, end))
+            .any(|k| chunks[k].piece == Piece::Soft || conditional(&chunks[k]));
         self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
         self.s.path = words.iter().any(|c| {
             c.at.clone().any(|t| {
@@ -323,6 +325,17 @@ impl<'a> Reader<'a> {
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
+    }
+
+    /// Whether a softening phrase ends an apposition and softens no more than that: "a table, oak if possible, with
+    /// twelve chairs" asks for the chairs.
+    fn is_aside(&self, soft: usize, from: usize, end: usize) -> bool {
+        let chunks = &self.chunks[..end.min(self.chunks.len())];
+        if chunks[soft].piece != Piece::Soft || chunks.get(soft + 1).is_none_or(|c| c.piece != Piece::Comma) {
+            return false;
+        }
+        let Some(comma) = (from + 1..soft).rev().find(|k| chunks[*k].piece == Piece::Comma) else { return false };
+        comma + 1 < soft && chunks[comma + 1..soft].iter().all(|c| matches!(c.piece, Piece::Np(_) | Piece::Word(_)))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
