@@ -217,7 +217,11 @@ impl<'a> Scorer<'a> {
         let wrong = view.wrong(&mut misses);
         let said = |r: &&crate::Relation| self.relation(r, |s| calls(s, &r.relation));
         let weakened = Share::of(self.expect.relations.iter().filter(said), |relation| {
-            !self.relation(relation, |s| s.must && calls(s, &relation.relation))
+            let is = !self.relation(relation, |s| s.must && calls(s, &relation.relation));
+            if is {
+                misses.push(format!("only a preference: {}", wording(relation)));
+            }
+            is
         });
         Score { precision, recall, counts, texts, mentioned, named, numbers, connections, wrong, weakened, misses }
     }

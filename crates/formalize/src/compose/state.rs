@@ -47,6 +47,12 @@ pub fn state(named: &Named) -> Stated {
         if texts.is_empty() {
             out.notes.push(Note { at: fact.source.at(), reason: "no predicate says this of one thing alone".into() });
         }
+        // Nobody softened it, and it is weaker than it was said all the same.
+        let weak = |text: &String| text.starts_with("prefer ");
+        if !fact.soft && fact.source.reason().is_none() && texts.first().is_some_and(weak) {
+            let reason = "only a preference: taken exactly, it is at odds with something else that is asked for";
+            out.notes.push(Note { at: fact.source.at(), reason: reason.into() });
+        }
         // Of what nobody asked for nobody said anything either.
         let why = fact.of.iter().map(|of| &named.brief.things[*of].source).find(|source| source.reason().is_some());
         for text in texts {
@@ -209,9 +215,9 @@ impl Named<'_> {
         let verb = if fact.soft { "prefer" } else { "assert" };
         for of in &fact.of {
             match &fact.what {
-                // On a wall between two things: as far as it can be, and near both.
+                // On a wall between two things: near both, too.
                 What::Rel(Rel::Between, to) if !fact.not && matches!(self.group(*of), Group::Wall | Group::Screen) => {
-                    out.extend(self.between(*of, to).map(|t| format!("prefer {t};")));
+                    out.extend(self.between(*of, to).map(|t| format!("{verb} {t};")));
                     for to in to {
                         out.push(format!("{verb} {};", self.every(*of, *to, &|a, b| format!("near({a}, {b}, 2)"))));
                     }

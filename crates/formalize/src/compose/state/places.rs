@@ -19,9 +19,12 @@ impl Named<'_> {
         let room = self.room(a);
         let group = self.group(a);
         let opening = self.brief.things[a].opening();
-        // What things stand behind cannot have its back at a wall.
-        let behind =
-            self.brief.facts.iter().any(|f| !f.not && matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a)));
+        // What things stand behind cannot have its back at a wall; what hangs there leaves it free.
+        let hangs = |of: &usize| matches!(self.group(*of), Group::Wall | Group::Screen | Group::Drape | Group::Window);
+        let behind = self.brief.facts.iter().any(|f| {
+            let is = matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a));
+            is && !f.not && !f.of.iter().all(hangs)
+        });
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         // What is no contact with the wall.

@@ -335,7 +335,8 @@ impl<'a> Reader<'a> {
             return false;
         }
         let Some(comma) = (from + 1..soft).rev().find(|k| chunks[*k].piece == Piece::Comma) else { return false };
-        comma + 1 < soft && chunks[comma + 1..soft].iter().all(|c| matches!(c.piece, Piece::Np(_) | Piece::Word(_)))
+        comma + 1 < soft
+            && chunks[comma + 1..soft].iter().all(|c| matches!(c.piece, Piece::Np(_) | Piece::Attr(_) | Piece::Word(_)))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
