@@ -2,140 +2,236 @@
 //! a rug may lie under anything.
 
 use super::state::{Named, Stated};
-use crate::brief::{Fact, Group, Pattern, Place, Rel, What};
+use crate::brief::{Fact, Group, Pattern, Place, Rel, Thing, What};
 use crate::write::number;
 
 /// Adds it.
 pub fn usual(named: &Named, out: &mut Stated) {
-    let brief = named.brief;
-    for a in (0..brief.things.len()).filter(|a| brief.things[*a].part.is_none()) {
-        let item = &brief.things[a];
-        let room = named.room(a).to_owned();
-        let held =
-            named.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _)));
-        let placed = named
-            .said(a, |w| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _)));
-        let high = named.said(a, |w| matches!(w, What::Height(..)));
-        let on_wall = named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _)));
-        let above = named.said(a, |w| matches!(w, What::Rel(Rel::Above, _)));
-        let measured = named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..)));
-        let lamp = item.words.last().is_some_and(|w| w == "lamp" || w == "light");
-        let mounted = |p: &str| format!("assert {};", named.all(a, |x| format!("{p}({x}, {room})")));
-        let beside = |w: &What| matches!(w, What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) if to.iter().any(|t| brief.things[*t].group != Group::Ceiling));
-        let elsewhere = held || placed || above && measured || named.said(a, beside);
-        let hangs = item.group == Group::Ceiling && !elsewhere;
-        // "a mixer to the left of the counter", "a lamp beside the armchair" stand on the floor.
-        let apart = item.group == Group::Top
-            && named.said(a, |w| {
-                matches!(w, What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to)
-                    if to.iter().any(|t| !matches!(brief.things[*t].group, Group::Top | Group::Screen) && carrier(named, *t).is_none()))
-            });
-        match item.group {
+    let whole = |a: &usize| named.brief.things[*a].part.is_none();
+    for a in (0..named.brief.things.len()).filter(whole) {
+        let it = It::new(named, a);
+        it.hangs_or_stands(out);
+        it.with_others(out);
+        it.over_something(out);
+        it.on_floor(out);
+        it.in_order(out);
+        it.screen(out);
+        it.at_eye_level(out);
+        it.under_others(out);
+    }
+}
+
+/// A thing, and what is said of it.
+struct It<'n, 'b> {
+    named: &'n Named<'b>,
+    a: usize,
+    item: &'n Thing,
+    /// Something carries it.
+    held: bool,
+    /// It has a place at a wall, in a corner, in the middle or under the ceiling.
+    placed: bool,
+    high: bool,
+    on_wall: bool,
+    above: bool,
+    /// A distance or a height is given.
+    measured: bool,
+    /// A small thing that is said to be beside what carries nothing: it stands on the floor.
+    apart: bool,
+    lamp: bool,
+}
+
+impl<'n, 'b> It<'n, 'b> {
+    fn new(named: &'n Named<'b>, a: usize) -> Self {
+        let item = &named.brief.things[a];
+        let carries = |t: &usize| {
+            matches!(named.brief.things[*t].group, Group::Top | Group::Screen) || carrier(named, *t).is_some()
+        };
+        let beside = |w: &What| match w {
+            What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to) => {
+                !to.iter().all(carries)
+            }
+            _ => false,
+        };
+        let held = |w: &What| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _));
+        let placed =
+            |w: &What| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _));
+        Self {
+            named,
+            a,
+            item,
+            held: named.said(a, held),
+            placed: named.said(a, placed),
+            high: named.said(a, |w| matches!(w, What::Height(..))),
+            on_wall: named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _))),
+            above: named.said(a, |w| matches!(w, What::Rel(Rel::Above, _))),
+            measured: named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..))),
+            apart: item.group == Group::Top && named.said(a, beside),
+            lamp: item.words.last().is_some_and(|w| w == "lamp" || w == "light"),
+        }
+    }
+
+    fn said(&self, what: impl Fn(&What) -> bool) -> bool {
+        self.named.said(self.a, what)
+    }
+
+    /// That a predicate holds of it and its room.
+    fn mounted(&self, predicate: &str) -> String {
+        let room = self.named.room(self.a);
+        format!("assert {};", self.named.all(self.a, |x| format!("{predicate}({x}, {room})")))
+    }
+
+    /// That it may be where nothing carries it.
+    fn floating(&self) -> String {
+        format!("allowFloat({});", self.named.name(self.a))
+    }
+
+    /// On a wall, from the ceiling, on something with a top.
+    fn hangs_or_stands(&self, out: &mut Stated) {
+        let name = self.item.name();
+        match self.item.group {
             Group::Wall | Group::Drape
-                if !held && !on_wall && !named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
+                if !self.held && !self.on_wall && !self.said(|w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
             {
-                out.infer(mounted("wallMounted"), &format!("a {} hangs on a wall", item.name()));
+                out.infer(self.mounted("wallMounted"), &format!("a {name} hangs on a wall"));
             }
-            Group::Screen if !held && !on_wall => {
-                out.infer(mounted("wallMounted"), &format!("a {} that stands on nothing hangs on a wall", item.name()))
+            Group::Screen if !self.held && !self.on_wall => {
+                out.infer(self.mounted("wallMounted"), &format!("a {name} that stands on nothing hangs on a wall"));
             }
-            Group::Ceiling if hangs => {
-                out.infer(mounted("ceilingMounted"), &format!("a {} hangs from the ceiling", item.name()));
+            Group::Ceiling if self.hangs() => {
+                out.infer(self.mounted("ceilingMounted"), &format!("a {name} hangs from the ceiling"));
             }
-            Group::Ceiling if above && measured && !placed => {
-                out.infer(format!("allowFloat({});", named.name(a)), "it hangs on a cord")
+            Group::Ceiling if self.above && self.measured && !self.placed => {
+                out.infer(self.floating(), "it hangs on a cord");
             }
-            Group::Top if !held && !placed && !above && !apart => {
-                let near = named.brief.facts.iter().find_map(|f| match &f.what {
-                    What::Rel(_, to) if f.of.contains(&a) => to.first().copied().filter(|t| holds(named, *t)),
-                    _ => None,
-                });
-                // "an espresso machine beside the cake display": on what that stands on.
-                let same = brief.facts.iter().find_map(|f| match &f.what {
-                    What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| carrier(named, *t)),
-                    _ => None,
-                });
-                let top = near.or(same).or_else(|| {
-                    (0..brief.things.len())
-                        .find(|i| brief.things[*i].room == item.room && holds(named, *i) && named.counts[*i] == 1)
-                });
-                if let Some(top) = top {
-                    out.infer(
-                        format!("assert {};", named.pairs(a, top, &|x, y| format!("restsOn({x}, {y})"))),
-                        &format!("a {} stands on something", item.name()),
-                    );
-                }
+            Group::Top if !self.held && !self.placed && !self.above && !self.apart => {
+                self.rests_on(self.top(), &format!("a {name} stands on something"), out);
             }
-            Group::Bed | Group::Storage if !brief.facts.iter().any(|f| f.of.contains(&a)) && named.counts[a] <= 4 => {
-                out.infer(
-                    format!("prefer {};", named.all(a, |x| format!("againstWall({x}, {room})"))),
-                    "such things stand at a wall",
-                );
+            Group::Bed | Group::Storage
+                if !self.named.brief.facts.iter().any(|f| f.of.contains(&self.a)) && self.named.counts[self.a] <= 4 =>
+            {
+                let at_wall = self.mounted("againstWall").replacen("assert", "prefer", 1);
+                out.infer(at_wall, "such things stand at a wall");
             }
-            Group::Soft if !held && !placed => {
-                let under = (0..brief.things.len()).find(|i| {
-                    brief.things[*i].room == item.room
-                        && matches!(brief.things[*i].group, Group::Bed | Group::Seat)
-                        && named.sizes[*i][0] > 0.7
-                });
-                if let Some(under) = under {
-                    out.infer(
-                        format!("assert {};", named.pairs(a, under, &|x, y| format!("restsOn({x}, {y})"))),
-                        &format!("a {} lies on something", item.name()),
-                    );
-                }
+            Group::Soft if !self.held && !self.placed => {
+                self.rests_on(self.seat(), &format!("a {name} lies on something"), out);
             }
             _ => {}
         }
-        for fact in brief.facts.iter().filter(|f| f.of.contains(&a) && !f.not && !f.soft) {
+    }
+
+    /// Whether something under ceilings hangs there, since nothing says that it is elsewhere.
+    fn hangs(&self) -> bool {
+        let things = &self.named.brief.things;
+        let beside = |w: &What| match w {
+            What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) => {
+                to.iter().any(|t| things[*t].group != Group::Ceiling)
+            }
+            _ => false,
+        };
+        !(self.held || self.placed || self.above && self.measured || self.said(beside))
+    }
+
+    fn rests_on(&self, below: Option<usize>, why: &str, out: &mut Stated) {
+        if let Some(below) = below {
+            let rests = self.named.pairs(self.a, below, &|x, y| format!("restsOn({x}, {y})"));
+            out.infer(format!("assert {rests};"), why);
+        }
+    }
+
+    /// What a small thing stands on: what it is near; what that stands on ("an espresso machine beside the cake display"); the
+    /// first table of the room.
+    fn top(&self) -> Option<usize> {
+        let (named, a) = (self.named, self.a);
+        let first = |pick: &dyn Fn(usize) -> Option<usize>| {
+            named.brief.facts.iter().find_map(|f| match &f.what {
+                What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| pick(*t)),
+                _ => None,
+            })
+        };
+        let near = first(&|t| holds(named, t).then_some(t));
+        near.or_else(|| first(&|t| carrier(named, t))).or_else(|| {
+            (0..named.brief.things.len())
+                .find(|i| named.brief.things[*i].room == self.item.room && holds(named, *i) && named.counts[*i] == 1)
+        })
+    }
+
+    /// What something soft lies on.
+    fn seat(&self) -> Option<usize> {
+        let things = &self.named.brief.things;
+        (0..things.len()).find(|i| {
+            things[*i].room == self.item.room
+                && matches!(things[*i].group, Group::Bed | Group::Seat)
+                && self.named.sizes[*i][0] > 0.7
+        })
+    }
+
+    /// A pair beside something stands at both of its sides; what is across from something is in its sight.
+    fn with_others(&self, out: &mut Stated) {
+        let named = self.named;
+        for fact in named.brief.facts.iter().filter(|f| f.of.contains(&self.a) && !f.not && !f.soft) {
             let What::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
             let [b] = to[..] else { continue };
-            if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(a, b)) {
+            if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(self.a, b)) {
                 out.infer(format!("prefer {sides};"), "a pair stands at both sides");
             } else if *rel == Rel::Opposite {
-                let near = named.pairs(a, b, &|x, y| format!("near({x}, {y}, 4)"));
+                let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, 4)"));
                 out.infer(format!("prefer {near};"), "what is across from a thing is in sight of it");
             }
         }
-        if above && lamp && !held && !placed && !measured && matches!(item.group, Group::Floor | Group::Top) {
-            out.infer(mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
-        } else if above
-            && !held
-            && !placed
-            && !matches!(item.group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen)
-            && !item.opening()
+    }
+
+    /// What is above something, and is carried by nothing.
+    fn over_something(&self, out: &mut Stated) {
+        let (group, tall) = (self.item.group, self.named.tall(self.a));
+        let loose = self.above && !self.held && !self.placed;
+        if loose && self.lamp && !self.measured && matches!(group, Group::Floor | Group::Top) {
+            out.infer(self.mounted("ceilingMounted"), "a lamp above something hangs from the ceiling");
+        } else if loose
+            // What is tall is above it on the plan only.
+            && !tall
+            && !matches!(group, Group::Ceiling | Group::Wall | Group::Drape | Group::Screen)
+            && !self.item.opening()
         {
-            let wall = matches!(item.group, Group::Storage | Group::Floor | Group::Table | Group::Top);
-            if named.tall(a) {
-                // Said of its place on the plan.
-            } else if wall && !measured {
-                out.infer(mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
+            let wall = matches!(group, Group::Storage | Group::Floor | Group::Table | Group::Top);
+            if wall && !self.measured {
+                out.infer(self.mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
             } else {
-                out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
+                out.infer(self.floating(), "it hangs above something");
             }
         }
-        let hung = above && !named.tall(a);
-        if hung && measured && matches!(item.group, Group::Floor | Group::Storage | Group::Top) && !on_wall {
-            out.infer(format!("allowFloat({});", named.name(a)), "it hangs above something");
+        let floats = matches!(group, Group::Floor | Group::Storage | Group::Top) && !self.on_wall;
+        if self.above && !tall && self.measured && floats {
+            out.infer(self.floating(), "it hangs above something");
         }
-        let floor =
-            matches!(item.group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat)
-                || apart;
-        let raised = held && !named.said(a, |w| matches!(w, What::Rel(Rel::Under, _)))
-            || above && !named.tall(a)
-            || high
-            || named.said(a, |w| matches!(w, What::Pattern(Pattern::Stacked)))
-            || named.said(a, |w| matches!(w, What::Place(_, Place::Ceiling | Place::Floor, _)))
-            || named.said(a, |w| {
-                matches!(w, What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _))
-                    || matches!(w, What::Place(Rel::On, Place::Wall, _))
-                        && !matches!(item.group, Group::Table | Group::Seat | Group::Bed)
-                        && !named.tall(a)
+    }
+
+    /// What nothing carries stands on the floor.
+    fn on_floor(&self, out: &mut Stated) {
+        let group = self.item.group;
+        let low =
+            matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat);
+        let tall = self.named.tall(self.a);
+        let raised = self.held && !self.said(|w| matches!(w, What::Rel(Rel::Under, _)))
+            || self.above && !tall
+            || self.high
+            || self.said(|w| match w {
+                What::Pattern(Pattern::Stacked)
+                | What::Place(_, Place::Ceiling | Place::Floor, _)
+                | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _) => true,
+                What::Place(Rel::On, Place::Wall, _) => {
+                    !matches!(group, Group::Table | Group::Seat | Group::Bed) && !tall
+                }
+                _ => false,
             });
-        if floor && !raised && !(above && lamp) {
-            out.infer(mounted("onFloor"), "what nothing carries stands on the floor");
+        if (low || self.apart) && !raised && !(self.above && self.lamp) {
+            out.infer(self.mounted("onFloor"), "what nothing carries stands on the floor");
         }
-        let said = named.said(a, |w| matches!(w, What::Pattern(_)));
+    }
+
+    /// Rows of tables, and seats that are drawn up to them.
+    fn in_order(&self, out: &mut Stated) {
+        let (named, a) = (self.named, self.a);
+        let said = self.said(|w| matches!(w, What::Pattern(_)));
         if let Some(places) = named.rows(a).filter(|_| !said) {
             out.infer(format!("assert {places};"), "tables with their seats stand in rows");
         }
@@ -143,35 +239,45 @@ pub fn usual(named: &Named, out: &mut Stated) {
             out.infer(format!("assert {places};"), "seats are drawn up to their tables");
         }
         let faces = |f: &Fact| matches!(f.what, What::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
-        if let Some(turned) = named.turned(a).filter(|_| !brief.facts.iter().any(faces)) {
+        if let Some(turned) = named.turned(a).filter(|_| !named.brief.facts.iter().any(faces)) {
             out.infer(turned, "rows stand straight");
         }
-        // A television looks the way its stand does, unless it is said to look elsewhere.
-        if let (Group::Screen, Some(stand)) = (item.group, carrier(named, a))
-            && matches!(brief.things[stand].group, Group::Table | Group::Storage)
+    }
+
+    /// A television looks the way its stand does, unless it is said to look elsewhere.
+    fn screen(&self, out: &mut Stated) {
+        if let (Group::Screen, Some(stand)) = (self.item.group, carrier(self.named, self.a))
+            && matches!(self.named.brief.things[stand].group, Group::Table | Group::Storage)
         {
-            let turned = named.said(a, |w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
+            let turned = self.said(|w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
             let verb = if turned { "prefer" } else { "assert" };
-            let along = named.pairs(a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
+            let along = self.named.pairs(self.a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
             out.infer(format!("{verb} {along};"), "a screen looks the way its stand does");
         }
-        // At the height of the eyes, where nothing is said.
-        let up = matches!(item.group, Group::Wall | Group::Screen) && !held && !high && !above;
-        if up && named.sizes[a][1] < 1.6 {
-            // People look at a screen from their seats.
-            let sits = |i: &crate::brief::Thing| matches!(i.group, Group::Seat | Group::Bed) && i.room == item.room;
-            let seated = named.screen(a) && brief.things.iter().any(sits);
-            let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
-            let low = (eyes - named.sizes[a][1] / 2.0).max(least);
-            let test = |x: &str| format!("abs({x}.bottom - {}) <= {}", number(low), number(give));
-            out.infer(format!("prefer {};", named.all(a, test)), "at the height of the eyes");
+    }
+
+    /// At the height of the eyes, where nothing is said.
+    fn at_eye_level(&self, out: &mut Stated) {
+        let height = self.named.sizes[self.a][1];
+        let up = matches!(self.item.group, Group::Wall | Group::Screen) && !self.held && !self.high && !self.above;
+        if !up || height >= 1.6 {
+            return;
         }
-        let cloth = item
-            .words
-            .last()
-            .is_some_and(|w| matches!(w.as_str(), "tablecloth" | "placemat" | "blanket" | "throw" | "duvet" | "quilt"));
-        if (item.group == Group::Flat || cloth) && named.names[a].len() == 1 {
-            out.infer(format!("allowCollide({}, objects);", named.name(a)), "things may stand on it");
+        // People look at a screen from their seats.
+        let sits = |i: &Thing| matches!(i.group, Group::Seat | Group::Bed) && i.room == self.item.room;
+        let seated = self.named.screen(self.a) && self.named.brief.things.iter().any(sits);
+        let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
+        let low = number((eyes - height / 2.0).max(least));
+        let test = |x: &str| format!("abs({x}.bottom - {low}) <= {}", number(give));
+        out.infer(format!("prefer {};", self.named.all(self.a, test)), "at the height of the eyes");
+    }
+
+    /// Rugs and cloths may lie under anything.
+    fn under_others(&self, out: &mut Stated) {
+        const CLOTHS: [&str; 6] = ["tablecloth", "placemat", "blanket", "throw", "duvet", "quilt"];
+        let cloth = self.item.words.last().is_some_and(|w| CLOTHS.contains(&w.as_str()));
+        if (self.item.group == Group::Flat || cloth) && self.named.names[self.a].len() == 1 {
+            out.infer(format!("allowCollide({}, objects);", self.named.name(self.a)), "things may stand on it");
         }
     }
 }

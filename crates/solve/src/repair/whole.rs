@@ -13,43 +13,48 @@ use crate::search::state::Change;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 
-/// The part of the budget that one search may take.
-const PART: f64 = 0.15;
+/// The part of the budget that a search from the layout may take, and that of a new solution.
+const PARTS: [f64; 2] = [0.1, 0.15];
 /// The part of the budget of a search that may go into preferences, where one is to be repaired.
 const POLISH: f64 = 0.5;
-/// So many searches, each with random numbers of its own, begin at the layout.
+/// So many searches, each with random numbers of its own, begin at the layout; so many, if they find nothing.
 const FROM_HERE: u64 = 12;
+const FRUITLESS: u64 = 4;
 /// So many new solutions are looked for where those find nothing.
 const ANEW: u64 = 4;
 
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
-    let work = (options.budget as f64 * PART) as u64;
+    let [here, anew] = PARTS.map(|part| (options.budget as f64 * part) as u64);
     let mut found: Vec<Snapshot> = Vec::new();
+    let mut left = options.budget;
     for variant in 0..FROM_HERE {
         // Where each look is dear, the first that is found is enough.
-        if room.judge.limit.is_over() || room.dear && !found.is_empty() {
+        let enough = if found.is_empty() { variant >= FRUITLESS } else { room.dear || left < here };
+        if enough || room.judge.limit.is_over() {
             break;
         }
-        found.extend(solved(room, options, Placed::All, work, variant));
+        let (snapshot, work) = solved(room, options, Placed::All, here, variant);
+        found.extend(snapshot);
+        left = left.saturating_sub(work);
     }
     if found.is_empty() {
         let regions: Vec<RegionId> = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
-        let anew = || Placed::Some { objects: Vec::new(), regions: regions.clone() };
+        let placed = || Placed::Some { objects: Vec::new(), regions: regions.clone() };
         let mut tries = (0..ANEW).take_while(|_| !room.judge.limit.is_over());
-        found.extend(tries.find_map(|variant| solved(room, options, anew(), work, variant)));
+        found.extend(tries.find_map(|variant| solved(room, options, placed(), anew, variant).0));
     }
     found
 }
 
-/// A new solution, of which only that is taken over which must be.
+/// A solution, of which only that is taken over which must be, and the work that it took.
 fn solved(
     room: &mut Room<'_, '_>,
     options: &RepairOptions,
     placed: Placed,
     budget: u64,
     variant: u64,
-) -> Option<Snapshot> {
+) -> (Option<Snapshot>, u64) {
     let judge = room.judge;
     let problem = Problem { program: judge.program, start: judge.layout.clone(), placed };
     // A solution owes preferences nothing: where one is to be repaired, work goes into them as well.
@@ -82,7 +87,7 @@ fn solved(
     loop {
         let missing = room.missing();
         if missing.is_empty() {
-            return Some(room.search.snapshot());
+            return (Some(room.search.snapshot()), outcome.work);
         }
         let mut next: Vec<ObjectId> = Vec::new();
         for check in missing {
@@ -92,7 +97,7 @@ fn solved(
             next.extend(frame.objects().filter(|id| !settled[id.0 as usize]));
         }
         if next.is_empty() {
-            return None;
+            return (None, outcome.work);
         }
         next.sort_unstable();
         next.dedup();

@@ -1,6 +1,11 @@
 //! What comes next in a text, as far as a noun phrase has to know: nouns, rooms, places, the end of a name.
 
-use super::*;
+use super::super::chunk::look_at;
+use super::super::lexicon::{Class, Look, get, plural, singular};
+use super::super::number;
+use super::super::token::Token;
+use super::Nth;
+use crate::brief::{Group, Place};
 
 /// Words before a place that tell which one.
 pub(super) const WHICH: &[&str] = &[

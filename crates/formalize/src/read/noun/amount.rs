@@ -1,6 +1,11 @@
 //! Numbers and measures of a noun phrase: "at least four chairs", "a 55-inch screen".
 
-use super::*;
+use super::super::chunk::Dims;
+use super::super::measure::{Measure, measure};
+use super::super::number;
+use super::super::token::Token;
+use super::{Det, Kind, Np, noun_phrase};
+use crate::brief::{Dim, Op};
 
 /// "at least four chairs", "only two tables": a noun phrase with what its number is said to be.
 pub fn bounded(rest: &[Token]) -> Option<(Np, usize)> {

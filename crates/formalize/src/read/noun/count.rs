@@ -1,0 +1,60 @@
+//! How many a noun phrase speaks of: "a dozen", "2 x", "two of the".
+
+use super::super::lexicon::Class;
+use super::super::measure::measure;
+use super::super::token::Token;
+use super::super::{counts, number};
+use super::scan::Scan;
+use super::{Det, Nth};
+
+impl Scan<'_> {
+    /// Reads the number. The tokens of the phrase where it ends here: "two of them".
+    pub fn count(&mut self) -> Option<usize> {
+        let found = self.number();
+        self.counted = self.np.count.is_some();
+        (self.start, self.looks_end) = (self.used, self.used);
+        found
+    }
+
+    fn number(&mut self) -> Option<usize> {
+        // "a dozen", "a pair of" begin with their article.
+        let pair = |i: usize| matches!(self.text(i), "dozen" | "pair" | "couple" | "trio");
+        let with_article =
+            self.article && number::count(self.from(self.used - 1)).is_some_and(|(_, n)| n > 1 && pair(self.used));
+        let from = if with_article { self.used - 1 } else { self.used };
+        if measure(self.from(self.used)).is_some() {
+            return None;
+        }
+        let (n, k) = number::count(self.from(from))?;
+        let whole = n.fract() == 0.0 || self.rest.get(from + k).is_some_and(Token::word);
+        if !whole || !(0.0..=1e9).contains(&n) {
+            return None;
+        }
+        self.np.number = counts::said(n).map(|_| n);
+        self.np.count = Some(if n.fract() == 0.0 { n as usize } else { counts::whole(n) });
+        self.used = from + k;
+        if matches!(self.last_det, Det::None | Det::Indefinite) {
+            self.np.det = Det::Number;
+        }
+        // "2 x bookcase", "2 no. bookcases"
+        while matches!(self.text(self.used), "x" | "×" | "nos" | "pcs")
+            && self.rest.get(self.used + 1).is_some_and(Token::word)
+        {
+            self.used += 1;
+        }
+        let of = self.text(self.used) == "of";
+        if of && matches!(self.text(self.used + 1), "them" | "these" | "those") {
+            self.stands_for("them");
+            return Some(self.used + 2);
+        }
+        if of && self.is_determiner(self.text(self.used + 1)) {
+            self.used += 2;
+            self.np.det = Det::Definite;
+            self.np.nth = Some(Nth::Some);
+        }
+        while self.lexicon.is(self.text(self.used), Class::Def) {
+            self.used += 1;
+        }
+        None
+    }
+}
