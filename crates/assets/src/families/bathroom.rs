@@ -62,15 +62,12 @@ pub(super) fn bathtub(a: &Ask) -> Model {
     let floor = 0.22 * a.h;
     m.solid(b.y(0.0..floor));
     let (x, z) = (a.w / 2.0, a.d / 2.0);
-    let walls = [
-        b.x(-x..-x + rim),
-        b.x(x - rim..x),
-        b.inset(rim, 0.0, 0.0).z(-z..-z + rim),
-        b.inset(rim, 0.0, 0.0).z(z - rim..z),
-    ];
-    for wall in walls {
+    let sides = [b.z(-z..-z + rim), b.z(z - rim..z)];
+    let ends = [b.x(-x..-x + rim), b.x(x - rim..x)];
+    for (wall, drawn) in sides.iter().map(|w| (*w, w.y(0.0..a.h))).chain(ends.map(|w| (w, w.y(0.0..0.995 * a.h)))) {
+        // One piece to the eye: the long sides go through, the ends stand between them.
         m.solid(wall.y(floor..a.h));
-        m.mesh.rounded(wall, 0.025, 3, &main);
+        m.mesh.rounded(drawn, 0.012, 3, &main);
     }
     m.mesh.rounded(b.inset(0.8 * rim, 0.0, 0.8 * rim).y(0.0..floor), 0.02, 2, &inner);
     // The slope to lean on, at the right end.
@@ -78,8 +75,15 @@ pub(super) fn bathtub(a: &Ask) -> Model {
     m.mesh.extrude(2, &slope, -z + rim..z - rim, &inner);
     let r = 0.025_f64.min(0.1 * a.w).min(0.1 * a.d);
     m.mesh.drum(block(-0.3 * a.w - r..-0.3 * a.w + r, floor..floor + 0.01 * a.h, -r..r), &stuff::CHROME.surface());
-    let spout = block(-x + 0.2 * rim..-x + 0.9 * rim, 0.9 * a.h..a.h, -0.5 * rim..0.5 * rim);
-    m.mesh.rounded(spout, 0.01, 2, &stuff::CHROME.surface());
+    // A tap over the rim, with a handle at each side.
+    let chrome = stuff::CHROME.surface();
+    let (thick, reach) = (0.02_f64.min(0.2 * rim), 0.1_f64.min(0.1 * a.w));
+    m.mesh.rounded(block(-x + rim..-x + rim + reach, 0.86 * a.h..0.93 * a.h, -thick..thick), 0.008, 2, &chrome);
+    for side in [-1.0, 1.0] {
+        let middle = side * (0.1_f64.min(0.2 * a.d));
+        let handle = block(-x + rim..-x + rim + 0.4 * reach, 0.84 * a.h..0.95 * a.h, middle - thick..middle + thick);
+        m.mesh.rounded(handle, 0.008, 2, &chrome);
+    }
     m
 }
 

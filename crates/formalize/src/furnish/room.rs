@@ -470,10 +470,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             let anywhere = Choice { strictly: false, ..choice };
             anywhere.wall(floor, shape, before)
         }),
-        // A plant that finds no corner stands at a wall.
-        Place::Corner => choice
-            .corner(floor, shape, before)
-            .or_else(|| if line.noun == "plant" { choice.wall(floor, shape, before) } else { None }),
+        Place::Corner => choice.corner(floor, shape, before),
         // One wipes one's feet where one comes in.
         Place::Floor if line.noun == "doormat" => floor.way_in().map(|[x, z]| Pose { x, z, ..Pose::default() }),
         Place::Floor => choice.floor(floor, shape, before, &[0.0]),

@@ -178,7 +178,7 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
     });
     let ahead = match toward {
         true if flat => 1.3,
-        true => counter.unwrap_or(2.2).min(if counter.is_some() { 0.42 } else { 0.28 } * d),
+        true => counter.unwrap_or(2.6).min(if counter.is_some() { 0.42 } else { 0.33 } * d),
         false if rack => aisle_of_racks,
         false => side,
     };
