@@ -19,9 +19,9 @@ const PARTS: [f64; 2] = [0.1, 0.15];
 const POLISH: f64 = 0.5;
 /// So many searches, each with random numbers of its own, begin at the layout; so many, if they find nothing.
 const FROM_HERE: u64 = 12;
-const FRUITLESS: u64 = 4;
+const FRUITLESS: u64 = 3;
 /// So many new solutions are looked for where those find nothing.
-const ANEW: u64 = 4;
+const ANEW: u64 = 2;
 
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
