@@ -66,7 +66,9 @@ impl Choice<'_> {
         if self.is(&["bed"]) {
             // A narrow one lies along a wall, and its free side is its right one.
             let narrow = self.size[0] < 1.15 && before.is_empty() && self.is(&ALONG);
-            let to_corner = along + length / 2.0 - self.size[0] / 2.0;
+            let to = |side: f64| side * along + length / 2.0 - self.size[0] / 2.0;
+            // The other corner, where a window is in the way of this one.
+            let to_corner = to(1.0).min(to(-1.0) + 0.3);
             cost += if narrow { to_corner.min(3.0) * 1.5 } else { along.abs() / length * 0.6 };
             cost += if lit { 0.7 } else { 0.0 };
         } else if self.is(&["sofa", "couch"]) {
