@@ -253,7 +253,13 @@ pub(super) fn ottoman(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
     let main = a.main(stuff::CLOTH);
-    if a.says(&["round", "pouf", "pouffe", "beanbag"]) {
+    if a.says(&["bean", "beanbag"]) {
+        // Sunken where one sits, and widest near the floor.
+        let bag = [(0.72, 0.0), (0.96, 0.1), (1.0, 0.24), (0.93, 0.45), (0.74, 0.7), (0.5, 0.9), (0.28, 1.0)];
+        m.lathe(b, &bag, &main);
+        return m;
+    }
+    if a.says(&["round", "pouf", "pouffe"]) {
         let bag = [(0.8, 0.0), (0.97, 0.12), (1.0, 0.3), (1.0, 0.62), (0.95, 0.86), (0.8, 0.97), (0.6, 1.0)];
         m.lathe(b, &bag, &main);
         return m;

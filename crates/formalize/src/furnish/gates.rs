@@ -16,7 +16,7 @@ const WIDER: f64 = 0.8;
 const DEEP: f64 = 0.1;
 const OFF: f64 = 0.075;
 /// From the floor to a curtain, and from the top of the window to its rail.
-const ABOVE_FLOOR: f64 = 0.62;
+const ABOVE_FLOOR: f64 = 0.03;
 const RAIL: f64 = 0.16;
 
 /// The doors that rooms of a kind have beside the ordinary one, in a program of one room.

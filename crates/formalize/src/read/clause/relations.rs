@@ -379,7 +379,8 @@ impl Reader<'_> {
                             } else if matches!(said, Rel::At | Rel::In) {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
                             }
-                            if matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each") {
+                            let both = matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each");
+                            if both && of_length(&which).is_none() {
                                 self.s.turned = Some(Rel::Beside);
                                 self.s.lead_twice |= !self.s.subject;
                                 self.double();
@@ -403,7 +404,10 @@ impl Reader<'_> {
                     if !items.is_empty()
                         && !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor)
                     {
-                        if place == Place::Side && which.iter().any(|w| w == "each") {
+                        let side = of_length(&which).filter(|_| place == Place::Side);
+                        if side.is_some() {
+                            self.s.turned = side;
+                        } else if place == Place::Side && which.iter().any(|w| w == "each") {
                             self.double();
                         }
                         return (Lead::Items(items, np.det == Det::Each), next + 2);
