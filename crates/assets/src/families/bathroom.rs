@@ -77,7 +77,7 @@ pub(super) fn bathtub(a: &Ask) -> Model {
     m.mesh.drum(block(-0.3 * a.w - r..-0.3 * a.w + r, floor..floor + 0.01 * a.h, -r..r), &stuff::CHROME.surface());
     // A tap over the rim, with a handle at each side.
     let chrome = stuff::CHROME.surface();
-    let (thick, reach) = (0.02_f64.min(0.2 * rim), 0.1_f64.min(0.1 * a.w));
+    let (thick, reach) = (0.02_f64.min(0.2 * rim), 0.028_f64.min(0.1 * a.w));
     m.mesh.rounded(block(-x + rim..-x + rim + reach, 0.86 * a.h..0.93 * a.h, -thick..thick), 0.008, 2, &chrome);
     for side in [-1.0, 1.0] {
         let middle = side * (0.1_f64.min(0.2 * a.d));

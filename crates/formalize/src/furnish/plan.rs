@@ -252,8 +252,8 @@ impl<'a> Plan<'a> {
         // Two rugs of one room lie on each other sooner or later.
         let rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
         // And a table whose place is asked for does not keep away from the walls for the sake of one.
-        let bound = stand::group(&category) == crate::brief::Group::Table
-            && stand::placed(self.draft, &self.draft.things[thing].name);
+        let bound =
+            stand::group(&category) == Group::Table && stand::placed(self.draft, &self.draft.things[thing].name);
         if noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
             return;
         }

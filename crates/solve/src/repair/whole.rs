@@ -19,9 +19,9 @@ const PARTS: [f64; 2] = [0.1, 0.15];
 const POLISH: f64 = 0.5;
 /// So many searches, each with random numbers of its own, begin at the layout; so many, if they find nothing.
 const FROM_HERE: u64 = 12;
-const FRUITLESS: u64 = 3;
-/// So many new solutions are looked for where those find nothing.
-const ANEW: u64 = 2;
+const FRUITLESS: u64 = 4;
+/// So many new solutions are looked for where those find nothing: for what must hold, and where a preference is to be repaired.
+const ANEW: [u64; 2] = [2, 4];
 
 /// Layouts in which nothing is missing.
 pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
@@ -41,7 +41,8 @@ pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Sn
     if found.is_empty() {
         let regions: Vec<RegionId> = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
         let placed = || Placed::Some { objects: Vec::new(), regions: regions.clone() };
-        let mut tries = (0..ANEW).take_while(|_| !room.judge.limit.is_over());
+        let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
+        let mut tries = (0..ANEW[usize::from(preferred)]).take_while(|_| !room.judge.limit.is_over());
         found.extend(tries.find_map(|variant| solved(room, options, placed(), anew, variant).0));
     }
     found
