@@ -471,8 +471,6 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             anywhere.wall(floor, shape, before)
         }),
         Place::Corner => choice.corner(floor, shape, before),
-        // One wipes one's feet where one comes in.
-        Place::Floor if line.noun == "doormat" => floor.way_in().map(|[x, z]| Pose { x, z, ..Pose::default() }),
         Place::Floor => choice.floor(floor, shape, before, &[0.0]),
         Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
         _ => near(floor, shape, nominal),

@@ -214,7 +214,9 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
     let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });
     // The middle of the rows, the group's own middle apart.
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
-    let yaw = if toward { 180.0 } else { 0.0 };
+    // Who sits at a desk looks over its back; who sits on a seat, the way that faces.
+    let seat = stand::group(noun) == crate::brief::Group::Seat;
+    let yaw = if toward && !seat { 180.0 } else { 0.0 };
     let off = if toward { (front - back) / 2.0 } else { 0.0 };
     // A short last line keeps to the columns.
     let place = |i: usize| {
