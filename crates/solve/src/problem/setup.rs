@@ -9,7 +9,7 @@ use crate::search::least_squares::{Targets, least_squares};
 use crate::search::state::{Change, State};
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId, VariableKind};
-use scenelang_layout::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+use scenelang_layout::{Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
 use scenelang_verify::{World, evaluate, rules::Scope};
 use std::collections::BTreeSet;
 
@@ -53,7 +53,7 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     };
     let terms = terms::split(program);
     values::choose(program, &mut layout, options);
-    outline(program, &mut layout, options);
+    outline(program, &mut layout, options, &mut warnings);
     size(program, &terms, &mut layout, options, &mut warnings);
     let world = World::<f64>::new(program, &layout, &options.judge);
     let scope = options.judge.physics.then(|| Scope::new(&world));
@@ -119,7 +119,7 @@ fn variables(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, Value)> {
 }
 
 /// Sets what the program assigns to regions, outlines included.
-fn outline(program: &Program, layout: &mut Layout, options: &Options) {
+fn outline(program: &Program, layout: &mut Layout, options: &Options, warnings: &mut Vec<String>) {
     for pin in &program.pins {
         let Owner::Region(id) = pin.owner else { continue };
         let world = World::<f64>::new(program, layout, &options.judge);
@@ -133,7 +133,16 @@ fn outline(program: &Program, layout: &mut Layout, options: &Options) {
             Pinned::Pos => region.pos = first,
             Pinned::Rot => region.rot = first,
             Pinned::Scale => region.scale = first,
-            Pinned::Vertices => region.vertices = Some(values.iter().map(|v| [v.x, v.z]).collect()),
+            Pinned::Vertices => {
+                let corners: Vec<[f64; 2]> = values.iter().map(|v| [v.x, v.z]).collect();
+                match Polygon::new(&corners) {
+                    Ok(_) => region.vertices = Some(corners),
+                    Err(why) => {
+                        let name = &program.regions[id.0 as usize].name;
+                        warnings.push(format!("`{name}` has no such outline, and is laid out as a rectangle: {why}"));
+                    }
+                }
+            }
         }
     }
     for (_, region) in &mut layout.regions {

@@ -110,7 +110,7 @@ fn any_floats_in_a_layout_to_start_from() {
 const ROOM: &str = "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(5, 3, 4);\n";
 
 /// Programs that cannot hold, whatever is tried.
-const IMPOSSIBLE: [&str; 18] = [
+const IMPOSSIBLE: [&str; 19] = [
     "object a; a.pos <- vec3(0, 0, 0); a.rot <- rot(0, 0, 0); assert a.pos.x > 1; assert a.rot.y = 90;",
     "object a; object b; a.pos <- vec3(0, 0, 0); b.pos <- vec3(0, 0, 0);",
     "object a; object b; a.pos <- b.pos; assert distance(a, b) > 1;",
@@ -120,6 +120,7 @@ const IMPOSSIBLE: [&str; 18] = [
     "region r; r.pos <- vec3(0, 0, 0); r.scale <- vec3(0.000001, 1, 0.000001); object a; assert inside(a, r);",
     "region r; r.pos <- vec3(50, 0, 0); r.scale <- vec3(1, 1, 0.000001); object a[4]; assert forall x in a: inside(x, r);",
     "region l; l.vertices <- polygon(vec3(0, 0, 0), vec3(0.0001, 0, 0), vec3(0, 0, 0.0001)); object a; assert inside(a, l);",
+    "region x; x.vertices <- polygon(vec3(0, 0, 0), vec3(4, 0, 4), vec3(4, 0, 0), vec3(0, 0, 4)); object a; assert inside(a, x);",
     "object a; a.scale <- vec3(1e300, 1, 1); assert inside(a, room);",
     "object a; a.pos <- vec3(1e300, 0, 1e-300); assert inside(a, room);",
     "region r; r.pos <- vec3(0, 0, 0); r.scale <- vec3(1e300, 1e300, 1e300); object a; assert inside(a, r); assert a.pos.x < a.pos.x;",

@@ -1,6 +1,7 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
 use super::model::{Choice, Given, Model, Source, crowds, regions_of};
+use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
 use super::refute::Search;
@@ -53,8 +54,11 @@ impl<'a> Prover<'a> {
 
     /// Everything.
     pub fn findings(mut self) -> Findings {
-        let mut findings = Findings::default();
-        let mut open: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        let contradictions = outlines::impossible(self.program, &self.options.judging);
+        let mut findings = Findings { contradictions, ..Findings::default() };
+        let known = |i: &usize| findings.contradictions.iter().any(|found| found.statements.contains(i));
+        let mut open: Vec<usize> =
+            (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
         // Crowded regions by themselves, then everything, again and again without what was found.
         let mut looks = crowds(self.program, &self.options.judging, &open);
         looks.reverse();

@@ -14,6 +14,7 @@ pub(crate) mod interval;
 mod minimal;
 mod model;
 mod narrow;
+mod outlines;
 mod packing;
 mod problem;
 mod refute;

@@ -15,6 +15,8 @@ const CROWD: f64 = 0.3;
 const BESIDE: f64 = 0.1;
 /// Where so much of the floor is covered, paths that come last find no room: one of the searches plans them at once.
 const CROWDED: f64 = 0.3;
+/// How much sooner than others the rest of a cluster comes of which something is there (square metres).
+const BEGUN: f64 = 50.0;
 /// How many things are looked at for a unit of work.
 const LOOKS: u64 = 8;
 
@@ -52,10 +54,14 @@ impl LocalSearch<'_> {
             self.link(i, &mut links);
         }
         let mut poses = Vec::new();
+        // What stands together is built as one piece where paths are to lead past it.
+        let as_one = !is_warm && self.air > 0.0 && !self.clusters.members.is_empty();
+        let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {
                 let door = if self.doors.contains(&i) { 100.0 } else { 0.0 };
-                door + self.size[i][0] * self.size[i][2] * factor[i] + company * links[i]
+                let begun = if begun.is_some() && self.clusters.of[i] == begun { BEGUN } else { 0.0 };
+                door + begun + self.size[i][0] * self.size[i][2] * factor[i] + company * links[i]
             };
             let based = |i: &usize| self.bases[*i].iter().chain(&self.container[*i]).all(|base| !self.away[*base]);
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
@@ -63,15 +69,25 @@ impl LocalSearch<'_> {
             let i = waiting.swap_remove(next);
             self.bring_in(i, chance, &mut poses, late);
             self.link(i, &mut links);
+            if as_one && let Some(cluster) = self.clusters.of[i] {
+                begun = Some(cluster);
+                if !waiting.iter().any(|&k| self.clusters.of[k] == begun) {
+                    self.mend_cluster(cluster, chance, &mut poses, late);
+                    self.settle_cluster(cluster, chance, late);
+                }
+            }
         }
         self.judge_all();
+        if as_one {
+            self.arrange_clusters(chance, late);
+        }
         let early = self.is_other && self.course.turn % 4 < 2 && !is_warm && self.covered() >= CROWDED;
-        self.walking = early || is_warm && self.bad.is_empty() || self.path_count() == 0;
+        self.walking = early || (is_warm || as_one) && self.bad.is_empty() || self.path_count() == 0;
         if self.walking {
             self.judge_paths();
             self.plan_missing(late);
-            if is_warm && !self.bad.is_empty() && !late() {
-                // What has its place already is not moved for a plan.
+            if (is_warm || as_one) && !self.bad.is_empty() && !late() {
+                // What has its place already is not moved for a plan, which is coarser than the evaluator.
                 self.confirm_paths();
             }
         }
@@ -141,7 +157,7 @@ impl LocalSearch<'_> {
 
     /// How much an object narrows the paths between things, if this turn begins with room for these: what stands nearer to
     /// another than a path is wide costs more, unless the two have to do with each other.
-    fn crowd(&mut self, i: usize, around: &mut Vec<usize>) -> f64 {
+    pub(super) fn crowd(&mut self, i: usize, around: &mut Vec<usize>) -> f64 {
         if self.air == 0.0 || self.doors.contains(&i) {
             return 0.0;
         }
@@ -153,7 +169,10 @@ impl LocalSearch<'_> {
         }
         self.work += self.near.around(&wide, &self.span, around) as u64 / LOOKS;
         let together = |j: usize| {
-            j == i || self.related[i].contains(&j) || self.frame.siblings[i].iter().any(|s| s.0 as usize == j)
+            j == i
+                || self.clusters.share(i, j)
+                || self.related[i].contains(&j)
+                || self.frame.siblings[i].iter().any(|s| s.0 as usize == j)
         };
         let gap = |j: usize| {
             let apart = |k: usize| (self.span[j].min[k] - own.max[k]).max(own.min[k] - self.span[j].max[k]).max(0.0);

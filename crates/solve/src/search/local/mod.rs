@@ -5,6 +5,7 @@
 //! judged by the evaluator in the end.
 
 mod clear;
+mod clusters;
 mod corridors;
 mod course;
 mod exact;
@@ -34,6 +35,7 @@ use crate::problem::rules::Sets;
 use crate::search::penalty::Truths;
 use crate::search::state::Change;
 use clear::Clear;
+use clusters::Clusters;
 use course::Course;
 use exact::{Instance, Mixed};
 use judge::Moved;
@@ -206,6 +208,8 @@ pub(crate) struct LocalSearch<'a> {
     /// By object: those that its height is set by.
     bases: Vec<Vec<usize>>,
     variables: Variables,
+    /// What the program keeps close together.
+    clusters: Clusters,
     /// By object: others that it shares terms with.
     related: Vec<Vec<usize>>,
     movable: Vec<usize>,
@@ -374,6 +378,7 @@ impl<'a> LocalSearch<'a> {
             bases: frame.sources.iter().map(|l| l.iter().map(|o| o.0 as usize).collect()).collect(),
             variables: Variables::new(frame, world),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
+            clusters: Clusters::default(),
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
             cost: vec![0.0; numbering.len()],
             holds: vec![true; numbering.len()],
@@ -443,6 +448,7 @@ impl<'a> LocalSearch<'a> {
         for at in 0..local.movable.len() {
             local.heed_followers(local.movable[at]);
         }
+        local.clusters = local.find_clusters();
         local
     }
 

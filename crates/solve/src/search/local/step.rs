@@ -163,7 +163,7 @@ impl LocalSearch<'_> {
     fn try_exchanges(&mut self, i: usize, chance: &mut ChaCha8Rng, best: &mut Best) {
         for _ in 0..EXCHANGES {
             let j = self.movable[chance.below(self.movable.len())];
-            if i != j {
+            if i != j && !self.away[j] {
                 let turn = chance.below(2) == 0;
                 self.exchange(i, j, turn);
                 self.weigh(Choice::Exchange(j, turn), best);
@@ -226,7 +226,7 @@ impl LocalSearch<'_> {
     }
 
     /// An object goes somewhere with others, as if all were one piece.
-    fn go_together(&mut self, i: usize, group: &[usize], pose: Inputs) {
+    pub(super) fn go_together(&mut self, i: usize, group: &[usize], pose: Inputs) {
         let old = self.inputs(i);
         self.go(i, pose);
         let pose = self.inputs(i);
