@@ -20,7 +20,12 @@ const PULL: f64 = 0.36;
 const BESIDE_BED: f64 = 0.52;
 
 /// What a group is not complete without, beside its seats.
-const USED: [&str; 3] = ["kitchen sink", "stove", "fridge"];
+const USED: [&str; 4] = ["kitchen sink", "stove", "fridge", "sink"];
+
+/// Whether a group is not complete without a part.
+fn matters(part: &str) -> bool {
+    USED.contains(&part) || stand::group(part) == crate::brief::Group::Seat
+}
 
 /// A group that is being put together.
 #[derive(Clone, Debug, Default)]
@@ -128,6 +133,8 @@ pub struct Root<'r> {
     pub wall: AtWall,
     /// What is kept free around it, in its frame.
     pub free: Vec<(Pose, [f64; 3])>,
+    /// Whether it is not placed at all without what it is not complete without.
+    pub whole: bool,
     /// Finds a place, given those of the elements before it.
     #[expect(clippy::type_complexity, reason = "it is written once")]
     pub seek: &'r dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>,
@@ -166,6 +173,7 @@ impl Plan<'_> {
                 return Some((thing, poses));
             }
             match self.take_back(before, thing) {
+                Some(part) if root.whole && matters(part) => return None,
                 Some(part) => skip.push(part),
                 None if n > 1 => n -= 1,
                 None => return None,
@@ -211,8 +219,7 @@ impl Plan<'_> {
 
     /// Notes that a thing that matters has no seats.
     fn miss(&mut self, skip: &[&'static str]) {
-        let seats = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat || USED.contains(noun));
-        self.lacking += usize::from(self.matters && seats);
+        self.lacking += usize::from(self.matters && skip.iter().any(|noun| matters(noun)));
     }
 
     /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.

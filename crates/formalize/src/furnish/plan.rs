@@ -3,7 +3,7 @@
 use super::build::Building;
 use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
-use super::kinds::Kind;
+use super::kinds::{Kind, Place};
 use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
 use super::{place, stand, taste};
 use crate::brief::Group;
@@ -225,7 +225,13 @@ impl<'a> Plan<'a> {
         for part in groups::of(&name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
-            if self.area() < part.least || on_top && loaded || hung && wall == AtWall::No {
+            // Nothing hangs from the sky.
+            let roofed = self.kind.lines.iter().any(|line| line.place == Place::Ceiling);
+            if !roofed && matches!(part.at, Where::Over)
+                || self.area() < part.least
+                || on_top && loaded
+                || hung && wall == AtWall::No
+            {
                 continue;
             }
             self.part(thing, part, wall, deep, &mut taken);
@@ -264,6 +270,8 @@ impl<'a> Plan<'a> {
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));
         let mut at = part.at.clone();
         match &mut at {
+            // Cabinets end where the worktop below them does.
+            Where::Above(..) => own[0] = own[0].min(of[0]),
             Where::Under(wider, deeper, _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
             Where::Around(n, _) | Where::LongSides(n, _) => {
                 if let Some(people) = self.people {

@@ -22,6 +22,13 @@ const SERVED: f64 = 1.15;
 /// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
 const APART: [f64; 2] = [0.3, 0.12];
 
+/// Lengths of what may be shorter than usual rather than lack its sink, its stove or its seats (metres).
+const SHORTER: [(&str, &[f64]); 4] = [
+    ("kitchen counter", &[1.8, 1.2, 0.8]),
+    ("kitchenette", &[1.4, 1.2]),
+    ("dining table", &[1.2, 0.9]),
+    ("kitchen table", &[0.9]),
+];
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
 /// How often a room grows whose size nobody gave and in which something that matters finds no room, and by how much.
@@ -247,7 +254,8 @@ fn stand_up(plan: &mut Plan, thing: usize) {
                     choice.floor(floor, shape, before, yaws)
                 }
             };
-            let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: Vec::new(), seek: &seek };
+            let root =
+                Root { n: it.count, frames: vec![Pose::default()], wall, free: Vec::new(), whole: false, seek: &seek };
             let placed = plan.place_asked(thing, &root);
             plan.lacking += usize::from(!placed);
             placed
@@ -397,7 +405,21 @@ fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
 
 /// Things at walls, in corners, in the middle.
 fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
-    let size = for_people(plan, line.noun, n);
+    let mut size = for_people(plan, line.noun, n);
+    // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
+    let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
+    let known = plan.ground.is_some();
+    for width in shorter.filter(|_| known) {
+        if single_of(plan, line, n, why, size, true) {
+            return;
+        }
+        size[0] = *width;
+    }
+    single_of(plan, line, n, why, size, false);
+}
+
+/// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
+fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
     let hung = line.place == Place::Hung
         || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
@@ -405,7 +427,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
     let n = (0..=n).rev().find(room_for).unwrap_or(0);
     if n == 0 {
-        return;
+        return false;
     }
     let [width, height, depth] = plan.draft.rooms[plan.room].size;
     let y = if hung { (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3)) } else { 0.0 };
@@ -471,7 +493,11 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             anywhere.wall(floor, shape, before)
         }),
         Place::Corner => choice.corner(floor, shape, before),
-        Place::Floor => choice.floor(floor, shape, before, &[0.0]),
+        // Several are parallel to each other.
+        Place::Floor => match before.first() {
+            Some(first) => choice.floor(floor, shape, before, &[first.yaw]),
+            None => choice.floor(floor, shape, before, &[0.0, 90.0]),
+        },
         Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
         _ => near(floor, shape, nominal),
     };
@@ -492,15 +518,16 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     for (less, beside) in tries {
         let frames = if run { frames[..less].to_vec() } else { frames.clone() };
         let free = kept(line, size, hung, beside);
-        let root = Root { n: if run { 1 } else { n }, frames, wall, free, seek: &seek };
+        let root = Root { n: if run { 1 } else { n }, frames, wall, free, whole, seek: &seek };
         found = plan.place_group(&root, &mut add);
         if found.is_some() {
             break;
         }
     }
-    let Some((thing, poses)) = found else { return };
+    let Some((thing, poses)) = found else { return false };
     let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
+    true
 }
 
 /// The place of the first thing of this name in the room.
@@ -560,7 +587,8 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
         Place::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
         Place::Middle | Place::Floor => {
-            every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = 0"))
+            let yaw = metres(at.yaw);
+            every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = {yaw}"))
         }
         Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) if n == 1 => {
             format!("assert {};", fixed(&at))

@@ -126,7 +126,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     plan.say(format!("assert {};", each.join(" and ")), why);
     plan.take([cell_w, size[1], cell_d], n, false);
     let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
-    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, free: Vec::new(), seek: &seek };
+    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, free: Vec::new(), whole: false, seek: &seek };
     if plan.ground.is_none() || !plan.place_asked(thing, &root) {
         plan.building = None;
         plan.surround(thing, AtWall::No, 0);

@@ -55,7 +55,7 @@ impl LocalSearch<'_> {
         }
         let mut poses = Vec::new();
         // What stands together is built as one piece where paths are to lead past it.
-        let as_one = !is_warm && self.air > 0.0 && !self.clusters.members.is_empty();
+        let as_one = !is_warm && self.air > 0.0 && self.is_clustered;
         let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {

@@ -210,6 +210,8 @@ pub(crate) struct LocalSearch<'a> {
     variables: Variables,
     /// What the program keeps close together.
     clusters: Clusters,
+    /// Whether that is most of what stands in the rooms.
+    is_clustered: bool,
     /// By object: others that it shares terms with.
     related: Vec<Vec<usize>>,
     movable: Vec<usize>,
@@ -379,6 +381,7 @@ impl<'a> LocalSearch<'a> {
             variables: Variables::new(frame, world),
             related: frame.related.iter().map(|l| l.iter().map(|(o, _)| o.0 as usize).collect()).collect(),
             clusters: Clusters::default(),
+            is_clustered: false,
             movable: (0..n).filter(|&i| frame.is_movable(ObjectId(i as u32))).collect(),
             cost: vec![0.0; numbering.len()],
             holds: vec![true; numbering.len()],
@@ -449,6 +452,7 @@ impl<'a> LocalSearch<'a> {
             local.heed_followers(local.movable[at]);
         }
         local.clusters = local.find_clusters();
+        local.is_clustered = 2 * local.clusters.of.iter().flatten().count() > local.movable.len();
         local
     }
 
