@@ -143,6 +143,8 @@ pub struct Understood {
     pub diagnostics: Vec<String>,
     /// A layout of the program, where the trial found one by placing what was added: a solver may begin with it.
     pub layout: Option<Layout>,
+    /// Whether what is asked for is known not to fit on a floor.
+    pub overfull: bool,
 }
 
 /// Asks the model, if there is one, else the reader. `tried`: and gives up what no layout is found with.
@@ -184,12 +186,15 @@ pub fn understand(
     }
     let (end, layout) = if tried { try_out(&mut reading, &stop) } else { (Tried::Holds, None) };
     let holds = end == Tried::Holds;
+    let overfull = if end == Tried::Overfull { scenelang_formalize::overfull(&reading.draft) } else { None };
     if end == Tried::Spent {
         diagnostics.push(
             "the trial ended before a layout was found in which all of it holds: it takes a bounded amount of work; \
              `scenelang solve` looks longer, and says what is in the way"
                 .to_owned(),
         );
+    } else if let Some(why) = overfull.as_ref() {
+        diagnostics.push(format!("{why}; no layout was looked for"));
     } else if !holds && time.is_some() && stop.is_set() {
         diagnostics.push("the time was over before a layout was found in which all of it holds".to_owned());
     } else if !holds {
@@ -198,7 +203,7 @@ pub fn understand(
                 .to_owned(),
         );
     }
-    Ok(Understood { program: write(&reading.draft), reading, diagnostics, layout })
+    Ok(Understood { program: write(&reading.draft), reading, diagnostics, layout, overfull: overfull.is_some() })
 }
 
 /// Tries whether there is a layout, and gives up what is in the way.

@@ -6,7 +6,7 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
-use crate::{FAILED, INTERRUPTED, formalize, interrupt, out, replace, settings};
+use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, interrupt, out, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_export::{Exporter, OutFile, exporters, unity};
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
@@ -43,7 +43,14 @@ pub fn run(args: &Synth) -> u8 {
         Err(error) => return fail(&error.to_string()),
     };
     let planned = match request.as_ref().map(|request| write(args, &path, request, model.as_mut())) {
-        Some(Ok(planned)) => planned,
+        Some(Ok(Begun::With(planned))) => planned,
+        Some(Ok(Begun::Overfull)) => {
+            if args.format == SummaryFormat::Json {
+                println!("{}", json!({ "format": SYNTHESIS, "ok": false, "files": [] }));
+            }
+            eprintln!("no layout was written: give the room a size that holds what stands in it, or ask for less");
+            return FINDINGS;
+        }
         Some(Err(message)) => return fail(&message),
         None => None,
     };
@@ -134,8 +141,16 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     Ok((args.output.join("room.scene"), Some(request)))
 }
 
-/// Writes the program of a request. A layout to begin with, where one is known and no other is asked for by a seed.
-fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<Option<String>, String> {
+/// What is known once the program is written.
+enum Begun {
+    /// A layout to begin with, where one is known and no other is asked for by a seed.
+    With(Option<String>),
+    /// That there is none.
+    Overfull,
+}
+
+/// Writes the program of a request.
+fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<Begun, String> {
     let understood = formalize::understand(
         formalize::Request::Words(request.to_owned()),
         args.literal,
@@ -149,8 +164,11 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
     replace::program(path, &understood.program)?;
+    if understood.overfull {
+        return Ok(Begun::Overfull);
+    }
     let planned = understood.layout.filter(|_| args.seed == 0);
-    Ok(planned.map(|layout| scenelang_layout::file::to_json(&layout, None)))
+    Ok(Begun::With(planned.map(|layout| scenelang_layout::file::to_json(&layout, None))))
 }
 
 /// Whether what is known before the work will be written may be: so that it is not done in vain.

@@ -32,4 +32,5 @@ pub use arrange::arrange_rooms;
 pub use brief::Brief;
 pub use draft::Draft;
 pub use formalize::{Formalized, formalize, of_draft, with_model};
+pub use furnish::overfull;
 pub use read::{Options, Reading, as_said, brief as read_brief, of_brief, read};

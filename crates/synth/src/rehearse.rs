@@ -4,7 +4,7 @@
 use crate::furnish::furnish;
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
-use scenelang_formalize::{Draft, arrange_rooms};
+use scenelang_formalize::{Draft, arrange_rooms, overfull};
 use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Vec3};
@@ -40,6 +40,8 @@ pub enum Tried {
     Fails,
     /// None was found within the work that a trial may take.
     Spent,
+    /// None was looked for: what is asked for does not fit on a floor, as [`overfull`] says.
+    Overfull,
 }
 
 /// Tries the program of a draft, and gives up what is in the way.
@@ -50,6 +52,9 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
 /// The same with the layout, where one was found from the places that the draft has for its things. It stands up to all
 /// that must hold, and who lays out the program may begin with it.
 pub fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
+    if overfull(draft).is_some() {
+        return (Tried::Overfull, None);
+    }
     // Preferences have no part in whether there is a layout.
     let guided = std::mem::take(&mut draft.guided);
     let layout = planned(draft, stop, progress);

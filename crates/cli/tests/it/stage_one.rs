@@ -94,3 +94,23 @@ fn where_a_model_fails_the_reader_reads() {
         assert!(!folder.path().join("none.scene").exists());
     }
 }
+
+/// By area alone: so it is said at once, and no search is begun.
+#[test]
+fn what_does_not_fit_on_the_floor_is_said_before_any_layout_is_looked_for() {
+    let folder = folder();
+    let asked = "a 3 x 3 m room with 20 beds";
+    let ended = scenelang(folder.path(), &["formalize", asked, "-o", "room.scene"]);
+    assert_eq!(ended.code, 0, "{ended:?}");
+    assert!(ended.stderr.contains("the floor of `room` has 9.0 m²") && ended.stderr.contains("20 × bed"), "{ended:?}");
+    assert!(folder.path().join("room.scene").is_file());
+    let ended = scenelang(folder.path(), &["synth", asked, "-o", "out", "--format", "json"]);
+    assert_eq!(ended.code, 1, "{ended:?}");
+    assert!(ended.stderr.contains("no layout was written") && ended.stdout.contains("\"ok\":false"), "{ended:?}");
+    assert!(!folder.path().join("out/room.layout.json").exists());
+    // Chairs stand under tables, and a room whose size nobody gave grows.
+    for fits in ["a 4 x 4 m room with a table and 20 stools", "a room with eight beds"] {
+        let ended = scenelang(folder.path(), &["formalize", fits, "--literal", "-o", "fits.scene"]);
+        assert!(!ended.stderr.contains("has 16.0 m²") && !ended.stderr.contains("on it takes"), "{ended:?}");
+    }
+}

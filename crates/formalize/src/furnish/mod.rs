@@ -3,6 +3,7 @@
 //! What is added to a thing is fixed to it by equations, so that the search moves it as one piece with the thing; only what
 //! stands by itself is placed by the search. Nothing is added that is asked for, ruled out, or could be counted as either.
 
+mod area;
 mod build;
 mod choose;
 mod daylight;
@@ -25,6 +26,7 @@ mod taste;
 
 use crate::brief::{Brief, Number};
 use crate::draft::Draft;
+pub use area::overfull;
 use number::{Scale, scale};
 
 /// Rooms in which a screen is looked at are so deep at most, unless they would be longer than this (metres).
