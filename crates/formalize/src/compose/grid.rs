@@ -76,33 +76,7 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             .any(|f| f.of == [a] && !f.not && matches!(f.what, What::Rel(Rel::LeftOf | Rel::RightOf, _)));
     let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
-    let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
-    for f in &brief.facts {
-        let own = f.of.contains(&a);
-        match &f.what {
-            What::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
-            What::Rows(_, v) if own => behind = behind.max(*v + 0.02),
-            What::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
-            // Seats take their place: between the rows, or at the sides.
-            What::Rel(rel, to) if to.contains(&a) && brief.things[f.of[0]].group == Group::Seat => {
-                let seat = sizes[f.of[0]];
-                match rel {
-                    Rel::Around | Rel::At => {
-                        (beside, behind) = (beside.max(2.0 * seat[0] + 0.8), behind.max(2.0 * seat[2] + 0.6))
-                    }
-                    Rel::InFrontOf | Rel::Behind | Rel::Near => behind = behind.max(seat[2] + 0.65),
-                    Rel::Beside => beside = beside.max(seat[0] + 0.5),
-                    _ => {}
-                }
-                for g in brief.facts.iter().filter(|g| g.of == f.of) {
-                    if let What::Clear(_, v) = g.what {
-                        behind = behind.max(seat[2] + v + 0.5);
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
+    let [mut beside, mut behind] = steps(brief, sizes, a);
     let backs =
         rows == 2 && brief.facts.iter().any(|f| matches!(f.what, What::Pattern(Pattern::BackToBack)) && f.of == [a]);
     if backs {
@@ -131,6 +105,38 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     }
     let round = |v: f64| (v * 100.0).ceil() / 100.0;
     Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, backs })
+}
+
+/// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).
+fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
+    let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
+    for f in &brief.facts {
+        let own = f.of.contains(&a);
+        match &f.what {
+            What::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
+            What::Rows(_, v) if own => behind = behind.max(*v + 0.02),
+            What::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
+            // Seats take their place: between the rows, or at the sides.
+            What::Rel(rel, to) if to.contains(&a) && brief.things[f.of[0]].group == Group::Seat => {
+                let seat = sizes[f.of[0]];
+                match rel {
+                    Rel::Around | Rel::At => {
+                        (beside, behind) = (beside.max(2.0 * seat[0] + 0.8), behind.max(2.0 * seat[2] + 0.6))
+                    }
+                    Rel::InFrontOf | Rel::Behind | Rel::Near => behind = behind.max(seat[2] + 0.65),
+                    Rel::Beside => beside = beside.max(seat[0] + 0.5),
+                    _ => {}
+                }
+                for g in brief.facts.iter().filter(|g| g.of == f.of) {
+                    if let What::Clear(_, v) = g.what {
+                        behind = behind.max(seat[2] + v + 0.5);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    [beside, behind]
 }
 
 /// Rows for so many: about as many as columns, full ones if it can be.

@@ -84,6 +84,59 @@ impl Reader<'_> {
         if again && self.sides(i) {
             return;
         }
+        let object = self.its(i, end, rel);
+        let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
+        let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
+        if object.is_empty() {
+            return;
+        }
+        if !many && rel != Rel::Between {
+            self.s.it = object.clone();
+        }
+        let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
+        // "a lamp and a chair placed beside it": of the chair.
+        let reduced = i > 0 && self.reduced(i - 1).is_some();
+        let of = if reduced { of } else { self.all_owned(i, &object).unwrap_or(of) };
+
+        if let Some(m) = self.s.pending.take() {
+            if rel == Rel::Between {
+                self.measured(&of, rel, &object, &m, false);
+            } else if self.s.keep || self.s.nothing {
+                self.clear(&object, rel, m.values[0]);
+            } else {
+                self.measured(&of, rel, &object, &m, false);
+            }
+            return;
+        }
+        let not = std::mem::take(&mut self.s.not);
+        if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
+            self.s.lead.push((rel, Lead::Items(object, false)));
+        } else if not {
+            let soft = self.s.soft;
+            self.state(&of, What::Rel(rel, object), soft, true);
+        } else {
+            let sides = self.sides(i);
+            if sides {
+                self.double();
+            }
+            if rel == Rel::Between {
+                // "two sofas with a table between them": one table.
+                for o in &of {
+                    let item = &mut self.brief.things[*o];
+                    if matches!(item.number, Number::Each { of, number: 1 } if object.contains(&of)) {
+                        item.number = Number::Exactly(1);
+                    }
+                }
+            }
+            self.drop_usual(&of);
+            self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
+        }
+    }
+
+    /// What "its", "it" and "them" of a relation stand for.
+    fn its(&mut self, i: usize, end: usize, rel: Rel) -> Vec<usize> {
+        let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+        let many = text.contains(&"them");
         // "two bottles and a jug to their right": of the bottles.
         let listed = match self.s.owned.as_slice() {
             [.., many, last] if self.near == [*last] && self.brief.things[*many].number.many() => Some(*many),
@@ -139,55 +192,9 @@ impl Reader<'_> {
         // "it" is one thing, the last of those that were named together.
         let one = text.contains(&"it") && !text.iter().any(|w| matches!(*w, "them" | "their"));
         let single = |o: &&usize| !self.brief.things[**o].number.many();
-        let object = match object.as_slice() {
+        match object.as_slice() {
             [.., last] if one && rel != Rel::Between => vec![*object.iter().rfind(single).unwrap_or(last)],
             _ => object,
-        };
-        let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
-        let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
-        if object.is_empty() {
-            return;
-        }
-        if !many && rel != Rel::Between {
-            self.s.it = object.clone();
-        }
-        let of: Vec<usize> = if self.s.subject { self.subject(i) } else { vec![] };
-        // "a lamp and a chair placed beside it": of the chair.
-        let reduced = i > 0 && self.reduced(i - 1).is_some();
-        let of = if reduced { of } else { self.all_owned(i, &object).unwrap_or(of) };
-
-        if let Some(m) = self.s.pending.take() {
-            if rel == Rel::Between {
-                self.measured(&of, rel, &object, &m, false);
-            } else if self.s.keep || self.s.nothing {
-                self.clear(&object, rel, m.values[0]);
-            } else {
-                self.measured(&of, rel, &object, &m, false);
-            }
-            return;
-        }
-        let not = std::mem::take(&mut self.s.not);
-        if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
-            self.s.lead.push((rel, Lead::Items(object, false)));
-        } else if not {
-            let soft = self.s.soft;
-            self.state(&of, What::Rel(rel, object), soft, true);
-        } else {
-            let sides = self.sides(i);
-            if sides {
-                self.double();
-            }
-            if rel == Rel::Between {
-                // "two sofas with a table between them": one table.
-                for o in &of {
-                    let item = &mut self.brief.things[*o];
-                    if matches!(item.number, Number::Each { of, number: 1 } if object.contains(&of)) {
-                        item.number = Number::Exactly(1);
-                    }
-                }
-            }
-            self.drop_usual(&of);
-            self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
     }
 

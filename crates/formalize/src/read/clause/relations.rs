@@ -2,47 +2,24 @@
 
 use super::*;
 
+/// A relation that is read: where, and what it is said of.
+struct Said {
+    i: usize,
+    next: usize,
+    end: usize,
+    rel: Rel,
+    of: Vec<usize>,
+    negative: bool,
+    /// Whether what it is said of comes later.
+    before_subject: bool,
+}
+
 impl Reader<'_> {
     pub(super) fn on_rel(&mut self, i: usize, end: usize, rel: Rel) -> usize {
-        // "in dark green felt"
-        if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
-            return i + 1;
-        }
-        let chunks = self.chunks;
-        // "…, and nearby a table stands": of no thing.
-        if rel == Rel::Near && self.tokens[chunks[i].at.start].is("nearby") && self.stands_next(i + 1, end) {
-            self.s.expect = Expect::Nothing;
-            return i + 1;
-        }
-        if let Some(next) = self.clusters(i, end, rel) {
+        if let Some(next) = self.not_of_two(i, end, rel) {
             return next;
         }
-        // "a basement turned into a casino": what it is now is no thing in it.
-        let before = chunks[i].at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
-        if matches!(before, "turned" | "transformed" | "converted" | "changed" | "remade")
-            && self.tokens[chunks[i].at.start].is("into")
-            && self.np(i + 1, end).is_some()
-        {
-            return i + 2;
-        }
-        // "a lamp stands nearby", "with a mirror above": of what was spoken of before.
-        let words = &self.tokens[chunks[i].at.clone()];
-        let adverb = words.last().is_some_and(|t| {
-            matches!(
-                t.text.as_str(),
-                "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
-            )
-        });
-        // "mounted above", "tucked underneath"
-        let participle = words.len() == 2 && words[0].text.ends_with("ed") || words.len() == 2 && words[0].is("hung");
-        let alone = adverb
-            && (words.len() == 1 || participle)
-            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
-        if alone && self.s.pending.is_none() {
-            self.mark(i);
-            self.on_its(i, end, rel);
-            return i + 1;
-        }
+        let chunks = self.chunks;
         let negative = std::mem::take(&mut self.s.not);
         // What it is said of is known before the object is spoken of.
         let said_of = self.subject(i);
@@ -97,89 +74,140 @@ impl Reader<'_> {
             Lead::Items(items, _) if !reduced || rel == Rel::On => self.all_owned(i, items).unwrap_or(said_of),
             _ => said_of,
         };
+        let said = Said { i, next, end, rel, of, negative, before_subject };
         match object {
-            Lead::Items(items, each) => {
-                self.mark(i);
-                self.s.quantifier = self.quantifier(i + 1..next, each);
-                if let Some(m) = self.s.pending.take() {
-                    self.measured(&of, rel, &items, &m, negative);
-                } else if self.s.nothing && !self.s.subject {
-                    self.nothing(i, rel, &items);
-                } else if before_subject
-                    || of.is_empty()
-                    || self.preposed(i, next, end)
-                    || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
-                {
-                    self.s.lead_not |= negative;
-                    let twice = rel == Rel::Beside && self.sides(i);
-                    self.s.lead_twice |= twice;
-                    self.s.lead.push((if twice { Rel::Sides } else { rel }, Lead::Items(items, each)));
-                } else {
-                    if each && items.len() == 1 && self.s.one {
-                        self.one_each(&of, items[0]);
-                    }
-                    if each && items.len() == 1 && !self.s.one {
-                        let fresh: Vec<usize> = of
-                            .iter()
-                            .copied()
-                            .filter(|o| {
-                                self.brief.things[*o].source.at().start >= self.s.at.start && !items.contains(o)
-                            })
-                            .collect();
-                        self.multiply(&fresh, items[0]);
-                    }
-                    if negative {
-                        let soft = self.s.soft;
-                        self.state(&of, What::Rel(rel, items), soft, true);
-                    } else {
-                        let rel = if self.sides(i) && rel == Rel::Beside {
-                            self.double();
-                            Rel::Sides
-                        } else {
-                            rel
-                        };
-                        let fresh =
-                            items.iter().all(|o| self.brief.things[*o].source.at().start >= self.bytes(i..i + 1).start);
-                        self.drop_usual(&of);
-                        self.relate(&of, rel, &items);
-                        // "a lamp on a table next to the sofa": the table is next to the sofa.
-                        self.near = if fresh { items } else { of };
-                    }
-                }
-            }
-            Lead::Place(place, which) => {
-                self.mark(i);
-                if let Some(m) = self.s.pending.take() {
-                    match place {
-                        Place::Row => self.rows(&m),
-                        Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
-                        _ => self.say(&of, What::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
-                    }
-                } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
-                    self.s.lead.push((rel, Lead::Place(place, which)));
-                } else if negative {
-                    // Not at a wall, not in a corner: kept as a note.
-                    self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
-                } else {
-                    // "a table with two chairs in the corner": the table stands there.
-                    let of = match &self.s.expect {
-                        Expect::With(owner, Join::Usual)
-                            if place == Place::Corner
-                                && self.s.owned == of
-                                && of.iter().all(|o| self.brief.things[*o].group == Group::Seat)
-                                && chunks[i - 1].np().is_some() =>
-                        {
-                            owner.clone()
-                        }
-                        _ => of,
-                    };
-                    self.drop_usual(&of);
-                    self.at_place(&of, rel, place, &which);
-                }
-            }
+            Lead::Items(items, each) => self.to_items(said, items, each),
+            Lead::Place(place, which) => self.to_place(said, place, which),
         }
         self.s.quantifier = Quantifier::Usual;
         next
+    }
+
+    /// Where a word of a relation says something else than how two things stand to each other; the next chunk.
+    fn not_of_two(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
+        // "in dark green felt"
+        if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
+            return Some(i + 1);
+        }
+        let chunks = self.chunks;
+        // "…, and nearby a table stands": of no thing.
+        if rel == Rel::Near && self.tokens[chunks[i].at.start].is("nearby") && self.stands_next(i + 1, end) {
+            self.s.expect = Expect::Nothing;
+            return Some(i + 1);
+        }
+        if let Some(next) = self.clusters(i, end, rel) {
+            return Some(next);
+        }
+        // "a basement turned into a casino": what it is now is no thing in it.
+        let before = chunks[i].at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
+        if matches!(before, "turned" | "transformed" | "converted" | "changed" | "remade")
+            && self.tokens[chunks[i].at.start].is("into")
+            && self.np(i + 1, end).is_some()
+        {
+            return Some(i + 2);
+        }
+        // "a lamp stands nearby", "with a mirror above": of what was spoken of before.
+        let words = &self.tokens[chunks[i].at.clone()];
+        let adverb = words.last().is_some_and(|t| {
+            matches!(
+                t.text.as_str(),
+                "nearby" | "above" | "below" | "beneath" | "underneath" | "alongside" | "inside" | "behind"
+            )
+        });
+        // "mounted above", "tucked underneath"
+        let participle = words.len() == 2 && words[0].text.ends_with("ed") || words.len() == 2 && words[0].is("hung");
+        let alone = adverb
+            && (words.len() == 1 || participle)
+            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
+        if alone && self.s.pending.is_none() {
+            self.mark(i);
+            self.on_its(i, end, rel);
+            return Some(i + 1);
+        }
+        None
+    }
+
+    /// A relation to things.
+    fn to_items(&mut self, said: Said, items: Vec<usize>, each: bool) {
+        let Said { i, next, end, rel, of, negative, before_subject } = said;
+        self.mark(i);
+        self.s.quantifier = self.quantifier(i + 1..next, each);
+        if let Some(m) = self.s.pending.take() {
+            self.measured(&of, rel, &items, &m, negative);
+        } else if self.s.nothing && !self.s.subject {
+            self.nothing(i, rel, &items);
+        } else if before_subject
+            || of.is_empty()
+            || self.preposed(i, next, end)
+            || rel == Rel::Between && items.len() == 1 && self.measure_follows(next, end)
+        {
+            self.s.lead_not |= negative;
+            let twice = rel == Rel::Beside && self.sides(i);
+            self.s.lead_twice |= twice;
+            self.s.lead.push((if twice { Rel::Sides } else { rel }, Lead::Items(items, each)));
+        } else {
+            if each && items.len() == 1 && self.s.one {
+                self.one_each(&of, items[0]);
+            }
+            if each && items.len() == 1 && !self.s.one {
+                let fresh: Vec<usize> = of
+                    .iter()
+                    .copied()
+                    .filter(|o| self.brief.things[*o].source.at().start >= self.s.at.start && !items.contains(o))
+                    .collect();
+                self.multiply(&fresh, items[0]);
+            }
+            if negative {
+                let soft = self.s.soft;
+                self.state(&of, What::Rel(rel, items), soft, true);
+            } else {
+                let rel = if self.sides(i) && rel == Rel::Beside {
+                    self.double();
+                    Rel::Sides
+                } else {
+                    rel
+                };
+                let fresh = items.iter().all(|o| self.brief.things[*o].source.at().start >= self.bytes(i..i + 1).start);
+                self.drop_usual(&of);
+                self.relate(&of, rel, &items);
+                // "a lamp on a table next to the sofa": the table is next to the sofa.
+                self.near = if fresh { items } else { of };
+            }
+        }
+    }
+
+    /// A relation to a place.
+    fn to_place(&mut self, said: Said, place: Place, which: Vec<String>) {
+        let Said { i, next, end, rel, of, negative, before_subject } = said;
+        let chunks = self.chunks;
+        self.mark(i);
+        if let Some(m) = self.s.pending.take() {
+            match place {
+                Place::Row => self.rows(&m),
+                Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
+                _ => self.say(&of, What::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
+            }
+        } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
+            self.s.lead.push((rel, Lead::Place(place, which)));
+        } else if negative {
+            // Not at a wall, not in a corner: kept as a note.
+            self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
+        } else {
+            // "a table with two chairs in the corner": the table stands there.
+            let of = match &self.s.expect {
+                Expect::With(owner, Join::Usual)
+                    if place == Place::Corner
+                        && self.s.owned == of
+                        && of.iter().all(|o| self.brief.things[*o].group == Group::Seat)
+                        && chunks[i - 1].np().is_some() =>
+                {
+                    owner.clone()
+                }
+                _ => of,
+            };
+            self.drop_usual(&of);
+            self.at_place(&of, rel, place, &which);
+        }
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.

@@ -171,12 +171,7 @@ impl Reader<'_> {
 
     pub(super) fn on_pronoun(&mut self, i: usize, end: usize, np: &Np) {
         let word = np.words.first().map_or("", String::as_str);
-        let followed = matches!(
-            self.piece(i + 1, end),
-            Some(
-                Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
-            )
-        );
+        let followed = self.is_followed(i, end);
         let each_next = self.each_next(i, end);
         if let (Some(n), [item]) = (np.count.filter(|n| *n > 1 || word == "them"), self.main.as_slice())
             && each_next.is_none()
@@ -230,20 +225,7 @@ impl Reader<'_> {
             self.it()
         };
         if matches!(word, "each" | "both" | "all" | "these" | "those" | "ones") || np.det == Det::Each {
-            self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
-            if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
-                let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
-                if self.main.is_empty() {
-                    self.main = dir;
-                } else if !many(&self.main)
-                    && let Some(last) = self.recent.iter().rev().find(|r| self.brief.things[**r].number.many())
-                {
-                    self.main = vec![*last];
-                }
-                self.near = self.main.clone();
-                self.mark(i);
-            }
-            return;
+            return self.on_each(i, end, np, dir);
         }
         match self.s.expect.clone() {
             Expect::Object(rel) if !self.main.is_empty() => {
@@ -277,6 +259,35 @@ impl Reader<'_> {
             _ => {}
         }
         self.mark(i);
+    }
+
+    /// "each has a lamp", "both stand …": of those that were named.
+    fn on_each(&mut self, i: usize, end: usize, np: &Np, dir: Vec<usize>) {
+        let word = np.words.first().map_or("", String::as_str);
+        let followed = self.is_followed(i, end);
+        self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
+        if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
+            let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
+            if self.main.is_empty() {
+                self.main = dir;
+            } else if !many(&self.main)
+                && let Some(last) = self.recent.iter().rev().find(|r| self.brief.things[**r].number.many())
+            {
+                self.main = vec![*last];
+            }
+            self.near = self.main.clone();
+            self.mark(i);
+        }
+    }
+
+    /// Whether something is said of what a pronoun stands for.
+    fn is_followed(&self, i: usize, end: usize) -> bool {
+        matches!(
+            self.piece(i + 1, end),
+            Some(
+                Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
+            )
+        )
     }
 
     /// "one for each counter", "one per desk": the chunk of the counter.
