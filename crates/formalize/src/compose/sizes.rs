@@ -1,40 +1,57 @@
 //! Sizes that the request leaves out: of things, so that what stands on them finds room; of rooms, so that all does.
 
 use super::state::ACROSS;
-use crate::brief::{Brief, Dim, Group, Op, Place, Rel, Side, What};
+use crate::brief::{Brief, Dim, Group, Op, Place, Rel, Side, Thing, What};
 use crate::read::lexicon::get;
 
 /// Width, height and depth of every thing.
 pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
     let mut out: Vec<[f64; 3]> = brief.things.iter().map(|item| crate::sizes::usual(item.group, &item.words)).collect();
-    for (size, item) in out.iter_mut().zip(&brief.things) {
-        let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
-        let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) {
-            0.75
-        } else if feature(&["large", "big", "huge", "giant", "massive", "oversized"]) {
-            1.3
-        } else {
-            1.0
-        };
-        size[0] *= scale;
-        size[2] *= scale;
-        if feature(&["long"]) {
-            size[0] *= 1.4;
-        }
-        if feature(&["low"]) && size[1] > 0.45 {
-            size[1] = (size[1] * 0.6).max(0.35);
-        }
-        if feature(&["tall", "high"]) && item.group != Group::Seat {
-            size[1] = (size[1] * 1.2).min(2.2);
-        }
-        if feature(&["round", "circular"]) && matches!(item.group, Group::Table | Group::Flat) {
-            size[2] = size[0].min(size[2].max(0.7 * size[0]));
-            size[0] = size[2];
-        }
-        for (have, said) in size.iter_mut().zip(item.size) {
-            *have = said.unwrap_or(*have);
+    out.iter_mut().zip(&brief.things).for_each(|(size, item)| by_look(size, item));
+    by_relation(brief, &mut out);
+    by_load(brief, &mut out);
+    contained(brief, &mut out);
+    limited(brief, &mut out);
+    for size in &mut out {
+        for v in size {
+            *v = (*v * 100.0).round().max(1.0) / 100.0;
         }
     }
+    out
+}
+
+/// A size as its look has it: large, low, round, and what was said in figures.
+fn by_look(size: &mut [f64; 3], item: &Thing) {
+    let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
+    let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) {
+        0.75
+    } else if feature(&["large", "big", "huge", "giant", "massive", "oversized"]) {
+        1.3
+    } else {
+        1.0
+    };
+    size[0] *= scale;
+    size[2] *= scale;
+    if feature(&["long"]) {
+        size[0] *= 1.4;
+    }
+    if feature(&["low"]) && size[1] > 0.45 {
+        size[1] = (size[1] * 0.6).max(0.35);
+    }
+    if feature(&["tall", "high"]) && item.group != Group::Seat {
+        size[1] = (size[1] * 1.2).min(2.2);
+    }
+    if feature(&["round", "circular"]) && matches!(item.group, Group::Table | Group::Flat) {
+        size[2] = size[0].min(size[2].max(0.7 * size[0]));
+        size[0] = size[2];
+    }
+    for (have, said) in size.iter_mut().zip(item.size) {
+        *have = said.unwrap_or(*have);
+    }
+}
+
+/// What stands in a relation that says something of its size.
+fn by_relation(brief: &Brief, out: &mut [[f64; 3]]) {
     for fact in brief.facts.iter().filter(|f| !f.not) {
         for a in &fact.of {
             let item = &brief.things[*a];
@@ -78,7 +95,17 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
             }
         }
     }
-    // What stands on another needs its place there.
+}
+
+/// What a thing has to carry, or to have beside it: metres along it, square metres, and the sides of the largest.
+struct Load {
+    width: f64,
+    area: f64,
+    sides: [f64; 2],
+}
+
+/// What stands on another needs its place there.
+fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
     for b in (0..brief.things.len()).filter(|b| brief.things[*b].part.is_none()) {
         let carries = matches!(
             brief.things[b].group,
@@ -87,42 +114,7 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
         if brief.things[b].size[0].is_some() || !carries {
             continue;
         }
-        let mut width = 0.0;
-        let mut area = 0.0;
-        let mut sides = [0.0_f64; 2];
-        for fact in brief.facts.iter().filter(|f| !f.not) {
-            let What::Rel(rel, to) = &fact.what else { continue };
-            if !to.iter().any(|t| brief.whole(*t) == b) {
-                continue;
-            }
-            for a in &fact.of {
-                let each = (brief.count(*a) as f64 / brief.count(b) as f64).ceil();
-                match rel {
-                    // A cushion is as large as its seat.
-                    Rel::On if brief.things[*a].group == Group::Soft && brief.things[b].group == Group::Seat => {}
-                    Rel::On => {
-                        area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08);
-                        // All of it rests there, turned as it may be; a cloth hangs down.
-                        if brief.things[*a].group != Group::Soft {
-                            let own = [out[*a][0].min(out[*a][2]), out[*a][0].max(out[*a][2])];
-                            sides = [0, 1].map(|k| sides[k].max(own[k] + 0.02));
-                        }
-                    }
-                    Rel::InFrontOf | Rel::Along
-                        if brief.things[*a].group == Group::Seat && each > 1.0 && seats(brief, b) =>
-                    {
-                        width = each * (out[*a][0] + 0.12)
-                    }
-                    Rel::LongSide if each > 1.0 => width = f64::max(width, each * (out[*a][0] + 0.12)),
-                    Rel::Around | Rel::At if brief.things[*a].group == Group::Seat && each > 2.0 && seats(brief, b) => {
-                        // Half of them at either long side, the ends left free.
-                        width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
-                    }
-                    Rel::Under if brief.things[*a].group != Group::Flat => width = each * (out[*a][0] + 0.1),
-                    _ => {}
-                }
-            }
-        }
+        let Load { width, area, sides } = load(brief, out, b);
         let flat = brief.things[b].group == Group::Flat;
         let top = out[b][0] * out[b][2];
         let wanted = area * if flat { 2.2 } else { 1.8 };
@@ -139,8 +131,50 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
             out[b][2] = out[b][0];
         }
     }
-    contained(brief, &mut out);
-    // A size that the request limits.
+}
+
+fn load(brief: &Brief, out: &[[f64; 3]], b: usize) -> Load {
+    let mut width = 0.0;
+    let mut area = 0.0;
+    let mut sides = [0.0_f64; 2];
+    for fact in brief.facts.iter().filter(|f| !f.not) {
+        let What::Rel(rel, to) = &fact.what else { continue };
+        if !to.iter().any(|t| brief.whole(*t) == b) {
+            continue;
+        }
+        for a in &fact.of {
+            let each = (brief.count(*a) as f64 / brief.count(b) as f64).ceil();
+            match rel {
+                // A cushion is as large as its seat.
+                Rel::On if brief.things[*a].group == Group::Soft && brief.things[b].group == Group::Seat => {}
+                Rel::On => {
+                    area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08);
+                    // All of it rests there, turned as it may be; a cloth hangs down.
+                    if brief.things[*a].group != Group::Soft {
+                        let own = [out[*a][0].min(out[*a][2]), out[*a][0].max(out[*a][2])];
+                        sides = [0, 1].map(|k| sides[k].max(own[k] + 0.02));
+                    }
+                }
+                Rel::InFrontOf | Rel::Along
+                    if brief.things[*a].group == Group::Seat && each > 1.0 && seats(brief, b) =>
+                {
+                    width = each * (out[*a][0] + 0.12)
+                }
+                Rel::LongSide if each > 1.0 => width = f64::max(width, each * (out[*a][0] + 0.12)),
+                Rel::Around | Rel::At if brief.things[*a].group == Group::Seat && each > 2.0 && seats(brief, b) => {
+                    // Half of them at either long side, the ends left free.
+                    width = f64::max(width, (each / 2.0).ceil() * (out[*a][0] + 0.15));
+                }
+                Rel::Under if brief.things[*a].group != Group::Flat => width = each * (out[*a][0] + 0.1),
+                _ => {}
+            }
+        }
+    }
+    Load { width, area, sides }
+}
+
+/// Sizes that the request limits.
+fn limited(brief: &Brief, out: &mut [[f64; 3]]) {
     for fact in &brief.facts {
         let What::Size(dim, op, v) = &fact.what else { continue };
         let axis = match dim {
@@ -156,12 +190,6 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
             }
         }
     }
-    for size in &mut out {
-        for v in size {
-            *v = (*v * 100.0).round().max(1.0) / 100.0;
-        }
-    }
-    out
 }
 
 /// Makes what is in another small enough for it, side by side with what else is there.

@@ -429,10 +429,8 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     if n == 0 {
         return false;
     }
-    let [width, height, depth] = plan.draft.rooms[plan.room].size;
+    let height = plan.draft.rooms[plan.room].size[1];
     let y = if hung { (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3)) } else { 0.0 };
-    let along = size[0] >= size[2];
-    let middle_yaw = if (width >= depth) == along { 0.0 } else { 90.0 };
     let opposite = match &line.place {
         Place::Opposite(other) => plan
             .draft
@@ -472,15 +470,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
             Some((pose.x - nominal.x).abs() + far * (pose.z - nominal.z).abs())
         })
     };
-    let nominal = match &line.place {
-        Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
-        Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
-        Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
-        _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
-            Some(gate) => Pose { x: gate.x, ..Pose::default() },
-            None => Pose { yaw: middle_yaw, ..Pose::default() },
-        },
-    };
+    let nominal = nominal(plan, line, size, y);
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
@@ -528,6 +518,21 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
+}
+
+/// Where a thing of an inventory should stand that has its place in the room.
+fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
+    let [width, _, depth] = plan.draft.rooms[plan.room].size;
+    let middle_yaw = if (width >= depth) == (size[0] >= size[2]) { 0.0 } else { 90.0 };
+    match &line.place {
+        Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
+        Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
+        Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
+        _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
+            Some(gate) => Pose { x: gate.x, ..Pose::default() },
+            None => Pose { yaw: middle_yaw, ..Pose::default() },
+        },
+    }
 }
 
 /// The place of the first thing of this name in the room.

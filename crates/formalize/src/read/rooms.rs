@@ -29,6 +29,36 @@ impl Rooms {
         self.several.push(several);
         self.rooms.len() - 1
     }
+
+    /// Notes one of several of a kind that were spoken of, as "the second bedroom" is. Whether there are such.
+    fn is_one_of(&mut self, chunk: usize, np: &Np, kind: &str, source: &Source) -> bool {
+        let label = np.name();
+        let of = self.rooms.iter().zip(&self.several).position(|(room, several)| {
+            several.count > 1 && get().room(&room.name).is_some_and(|known| known.name == kind)
+        });
+        let Some(of) = of else { return false };
+        let known = self.several.iter().position(|several| several.label == label);
+        let named = self.several.iter().filter(|several| several.like == Some(of)).count();
+        let room = match known {
+            Some(room) => room,
+            // The first of them stands for all.
+            None if named + 1 < self.several[of].count && self.rooms.len() < MOST => {
+                let room = Room { source: source.clone(), ..self.rooms[of].clone() };
+                self.add(room, Several { like: Some(of), label, ..Several::default() })
+            }
+            None => of,
+        };
+        self.spoken.insert(chunk, room);
+        true
+    }
+
+    /// The room that a name means among those that were spoken of: by its name, or by what it ends with.
+    fn named(&self, np: &Np, base: &str) -> Option<usize> {
+        self.rooms.iter().position(|r| {
+            let base_too = base != "room" || np.words.len() == 1;
+            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
+        })
+    }
 }
 
 /// More rooms than this are not told apart.
@@ -71,15 +101,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     for (i, chunk) in chunks.iter().enumerate() {
         let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
         if let Some((_, count, noun)) = listed.hyphened.as_ref().filter(|(at, ..)| *at == i) {
-            let whole = Room {
-                name: chunks[i + 1].np().map_or_else(String::new, Np::name),
-                source: Source::Stated(bytes(&chunks[i + 1])),
-                ..Room::default()
-            };
-            let whole = out.add(whole, Several::default());
-            out.whole = Some(whole);
-            out.spoken.extend([(i, whole), (i + 1, whole)]);
-            of_so_many(&mut out, *count, noun, bytes(chunk));
+            hyphened(&mut out, chunks, tokens, (i, *count, noun));
             continue;
         }
         if listed.hyphened.is_some() && listed.container == Some(i) {
@@ -117,30 +139,10 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         // "the second bedroom", of two.
-        let label = np.name();
-        let of = out.rooms.iter().zip(&out.several).position(|(room, several)| {
-            several.count > 1 && lexicon.room(&room.name).is_some_and(|known| known.name == kind.name)
-        });
-        if let Some(of) = of.filter(|_| one_of(np, n)) {
-            let known = out.several.iter().position(|several| several.label == label);
-            let named = out.several.iter().filter(|several| several.like == Some(of)).count();
-            let room = match known {
-                Some(room) => room,
-                // The first of them stands for all.
-                None if named + 1 < out.several[of].count && out.rooms.len() < MOST => {
-                    let room = Room { source, ..out.rooms[of].clone() };
-                    out.add(room, Several { like: Some(of), label, ..Several::default() })
-                }
-                None => of,
-            };
-            out.spoken.insert(i, room);
+        if one_of(np, n) && out.is_one_of(i, np, kind.name, &source) {
             continue;
         }
-        let named = out.rooms.iter().position(|r| {
-            let base_too = base != "room" || np.words.len() == 1;
-            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
-        });
-        if let Some(room) = named {
+        if let Some(room) = out.named(np, &base) {
             out.spoken.insert(i, room);
             continue;
         }
@@ -185,6 +187,33 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             weak.push((i, np.name()));
         }
     }
+    settle(&mut out, chunks, tokens, loose, weak);
+    out
+}
+
+/// "a two-bedroom flat": the flat, and its bedrooms.
+fn hyphened(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], (i, count, noun): (usize, usize, &str)) {
+    let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
+    let whole = Room {
+        name: chunks[i + 1].np().map_or_else(String::new, Np::name),
+        source: Source::Stated(bytes(&chunks[i + 1])),
+        ..Room::default()
+    };
+    let whole = out.add(whole, Several::default());
+    out.whole = Some(whole);
+    out.spoken.extend([(i, whole), (i + 1, whole)]);
+    of_so_many(out, count, noun, bytes(&chunks[i]));
+}
+
+/// What was said loosely: the only room, where there is no other; the last spoken of; what has a name elsewhere.
+fn settle(
+    out: &mut Rooms,
+    chunks: &[Chunk],
+    tokens: &[Token],
+    loose: Vec<(usize, String)>,
+    weak: Vec<(usize, String)>,
+) {
+    let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
     if out.rooms.is_empty() {
         // The most telling of what was said loosely.
         let pick =
@@ -214,7 +243,6 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let whole = chunks[i].np().filter(|np| is_home(&np.name())).and(out.whole);
         out.spoken.insert(i, whole.unwrap_or(last));
     }
-    out
 }
 
 /// What a room is called; "en-suite" is no name.

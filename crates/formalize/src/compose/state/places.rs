@@ -29,25 +29,7 @@ impl Named<'_> {
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         // What is no contact with the wall.
         if place == Place::Wall && !opening {
-            let direction = which.iter().find_map(|w| direction(w));
-            let text = match rel {
-                Rel::Facing => direction.map(|(axis, sign)| {
-                    let test = if sign > 0.0 { ">= 0.9" } else { "<= -0.9" };
-                    self.all(a, |x| format!("{x}.front.{axis} {test}"))
-                }),
-                Rel::Parallel | Rel::Perpendicular => {
-                    let along = direction.map(|d| d.0).or_else(|| self.axis(a, which));
-                    let axis = along.map(|axis| if (axis == 'x') == (rel == Rel::Parallel) { 'x' } else { 'z' });
-                    Some(match axis {
-                        Some(axis) => self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")),
-                        None => self.all(a, |x| format!("max(abs({x}.front.x), abs({x}.front.z)) >= 0.99")),
-                    })
-                }
-                Rel::Near | Rel::Beside => Some(self.all(a, |x| format!("gap({x}, {room}) <= 0.6"))),
-                Rel::Far => Some(self.all(a, |x| format!("gap({x}, {room}) >= 0.5"))),
-                _ => None,
-            };
-            if let Some(text) = text {
+            if let Some(text) = self.off_wall(a, rel, which) {
                 say(text);
             }
             if matches!(rel, Rel::Facing | Rel::Parallel | Rel::Perpendicular | Rel::Near | Rel::Beside | Rel::Far) {
@@ -73,47 +55,7 @@ impl Named<'_> {
                 }
             }
             Place::Corner if group != Group::Ceiling && (group != Group::Top || !self.carried_at_all(a)) => {
-                // A corner is for one: what comes when all are taken is near one at best.
-                let free = 4_usize.saturating_sub(self.corners_before(k, a));
-                let taken = self.elements(a);
-                let aside = self.brief.facts.iter().find_map(|f| match f.what {
-                    What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
-                    _ => None,
-                });
-                if let Some(v) = aside {
-                    // Free at its sides: as near the corner as that lets it be.
-                    say(self.all(a, |x| format!("againstWall({x}, {room})")));
-                    out.push(format!("prefer {};", self.all(a, |x| {
-                        format!("min(gap({x}.center - {x}.right * ({x}.size.x / 2 + {v}), {room}), gap({x}.center + {x}.right * ({x}.size.x / 2 + {v}), {room})) <= 0.3")
-                    })));
-                    if let Some(text) = self.side(a, which) {
-                        out.push(format!("{verb} {text};"));
-                    }
-                    return;
-                }
-                let (of, n) = (self.name(a), self.counts[a]);
-                if self.array(a) && !which.iter().any(|w| w == "each") {
-                    // Several in one corner: the others by the first.
-                    say(format!("inCorner({of}[0], {room})"));
-                    if let Some(text) = self.side(a, which) {
-                        say(text);
-                    }
-                    let [w, _, d] = self.sizes[a];
-                    let reach = ((n as f64).sqrt() * (w.max(d) + 0.2) * 10.0).ceil() / 10.0;
-                    say(format!("forall i in 1..{n}: near({of}[i], {of}[0], {})", number(reach)));
-                } else if self.counts[a] <= free {
-                    say(self.all(a, |x| format!("inCorner({x}, {room})")));
-                    if let Some(text) = self.side(a, which) {
-                        say(text);
-                    }
-                } else {
-                    if free > 0 {
-                        let each: Vec<String> =
-                            taken.iter().take(free).map(|x| format!("inCorner({x}, {room})")).collect();
-                        say(each.join(" and "));
-                    }
-                    out.push(format!("prefer {};", self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))));
-                }
+                self.corner(k, a, which, verb, out);
             }
             Place::Corner => say(self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))),
             Place::Ceiling => say(self.all(a, |x| format!("ceilingMounted({x}, {room})"))),
@@ -146,6 +88,75 @@ impl Named<'_> {
                 }
             }
             Place::Row | Place::Circle => {}
+        }
+    }
+
+    /// What a relation to a wall says that is no contact with it.
+    fn off_wall(&self, a: usize, rel: Rel, which: &[String]) -> Option<String> {
+        let room = self.room(a);
+        let direction = which.iter().find_map(|w| direction(w));
+        match rel {
+            Rel::Facing => direction.map(|(axis, sign)| {
+                let test = if sign > 0.0 { ">= 0.9" } else { "<= -0.9" };
+                self.all(a, |x| format!("{x}.front.{axis} {test}"))
+            }),
+            Rel::Parallel | Rel::Perpendicular => {
+                let along = direction.map(|d| d.0).or_else(|| self.axis(a, which));
+                let axis = along.map(|axis| if (axis == 'x') == (rel == Rel::Parallel) { 'x' } else { 'z' });
+                Some(match axis {
+                    Some(axis) => self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")),
+                    None => self.all(a, |x| format!("max(abs({x}.front.x), abs({x}.front.z)) >= 0.99")),
+                })
+            }
+            Rel::Near | Rel::Beside => Some(self.all(a, |x| format!("gap({x}, {room}) <= 0.6"))),
+            Rel::Far => Some(self.all(a, |x| format!("gap({x}, {room}) >= 0.5"))),
+            _ => None,
+        }
+    }
+
+    /// In a corner, or several in their corners.
+    fn corner(&self, k: usize, a: usize, which: &[String], verb: &str, out: &mut Vec<String>) {
+        let room = self.room(a);
+        let mut say = |text: String| out.push(format!("{verb} {text};"));
+        // A corner is for one: what comes when all are taken is near one at best.
+        let free = 4_usize.saturating_sub(self.corners_before(k, a));
+        let taken = self.elements(a);
+        let aside = self.brief.facts.iter().find_map(|f| match f.what {
+            What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
+            _ => None,
+        });
+        if let Some(v) = aside {
+            // Free at its sides: as near the corner as that lets it be.
+            say(self.all(a, |x| format!("againstWall({x}, {room})")));
+            out.push(format!("prefer {};", self.all(a, |x| {
+                format!("min(gap({x}.center - {x}.right * ({x}.size.x / 2 + {v}), {room}), gap({x}.center + {x}.right * ({x}.size.x / 2 + {v}), {room})) <= 0.3")
+            })));
+            if let Some(text) = self.side(a, which) {
+                out.push(format!("{verb} {text};"));
+            }
+            return;
+        }
+        let (of, n) = (self.name(a), self.counts[a]);
+        if self.array(a) && !which.iter().any(|w| w == "each") {
+            // Several in one corner: the others by the first.
+            say(format!("inCorner({of}[0], {room})"));
+            if let Some(text) = self.side(a, which) {
+                say(text);
+            }
+            let [w, _, d] = self.sizes[a];
+            let reach = ((n as f64).sqrt() * (w.max(d) + 0.2) * 10.0).ceil() / 10.0;
+            say(format!("forall i in 1..{n}: near({of}[i], {of}[0], {})", number(reach)));
+        } else if self.counts[a] <= free {
+            say(self.all(a, |x| format!("inCorner({x}, {room})")));
+            if let Some(text) = self.side(a, which) {
+                say(text);
+            }
+        } else {
+            if free > 0 {
+                let each: Vec<String> = taken.iter().take(free).map(|x| format!("inCorner({x}, {room})")).collect();
+                say(each.join(" and "));
+            }
+            out.push(format!("prefer {};", self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))));
         }
     }
 

@@ -73,41 +73,10 @@ impl Reader<'_> {
                         .is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Abstract) && n.det == Det::None) =>
                 {
                     // "a bowl of mints", "a stack of books"
-                    let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    let name = text.join(" ");
-                    let head = self.brief.things[id].words.last().cloned().unwrap_or_default();
-                    if get().is(&head, Class::Holder) && self.np(k + 1, end).is_some_and(|n| n.count.is_none()) {
-                        // "a jar of honey", "a bar of soap"
-                        let item = &mut self.brief.things[id];
-                        item.of = Some(format!("of {name}"));
-                        if get().is(&head, Class::Portion) && matches!(item.group, Group::Floor | Group::Table) {
-                            item.group = Group::Top;
-                        }
-                        self.mark(k);
-                        self.mark(k + 1);
-                        k += 2;
-                        continue;
-                    }
-                    let heap =
-                        self.brief.things[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
-                    match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
-                        // "a stack of beer mats"
-                        Some(np) => {
-                            let words = np.words.clone();
-                            self.brief.things[id].words.splice(0..0, words);
-                        }
-                        None => self.brief.things[id].look.features.push(format!("of {name}")),
-                    }
-                    self.mark(k);
-                    self.mark(k + 1);
+                    self.holds(k, end, id);
                     k += 1;
                 }
-                Some(Piece::Measure(m))
-                    if !m.said
-                        && !m.area
-                        && (m.values.len() > 1 || !m.dims.is_empty())
-                        && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation)) =>
-                {
+                Some(Piece::Measure(m)) if !m.area && (m.values.len() > 1 || !m.dims.is_empty()) && is_its_size(m) => {
                     let mut dims = Vec::new();
                     crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
                     let whole = self.brief.whole(id);
@@ -116,21 +85,12 @@ impl Reader<'_> {
                 }
                 Some(Piece::Comma) if self.part_here(k + 1, end).is_some() => {
                     // "a desk, glass top, …"
-                    let to = self.part_here(k + 1, end).unwrap_or(k + 1);
-                    let range = self.chunks[k + 1].at.start..self.chunks[to - 1].at.end;
-                    let tokens = &self.tokens[range];
-                    if let Some((look, _)) = crate::read::chunk::looks(tokens) {
-                        self.add_look(&[id], &crate::draft::Look { features: vec![], ..look });
-                    }
-                    let text: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
-                    self.brief.things[id].look.features.push(text.join(" "));
-                    (k + 1..to).for_each(|c| self.mark(c));
-                    k = to;
+                    k = self.part_after_comma(k, end, id);
                     continue;
                 }
                 Some(Piece::Comma)
                     if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
-                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.said && !m.dims.is_empty() && !m.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation))) =>
+                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.dims.is_empty() && is_its_size(m)) =>
                     {}
                 Some(Piece::Comma | Piece::And) if depth > 0 => {}
                 Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}
@@ -140,9 +100,7 @@ impl Reader<'_> {
                 {
                     // "(white tops, grey steel frames)"
                     self.add_look(&[id], &np.look.clone());
-                    let text: Vec<&str> = self.chunks[k].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
-                    self.brief.things[id].look.features.push(text.join(" "));
-                    self.mark(k);
+                    self.feature(id, k..k + 1);
                 }
                 Some(Piece::With) if self.np(k + 1, end).is_some_and(part_of_it) => {
                     let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
@@ -154,46 +112,21 @@ impl Reader<'_> {
                     continue;
                 }
                 // "a shelf on wheels"
-                Some(Piece::Rel(Rel::On))
-                    if self.np(k + 1, end).is_some_and(|n| {
-                        matches!(n.head().as_str(), "wheel" | "castor" | "caster" | "leg")
-                            && matches!(n.det, Det::None | Det::Number)
-                    }) =>
-                {
-                    let words = &self.tokens[self.chunks[k].at.start..self.chunks[k + 1].at.end];
-                    let text: Vec<&str> = words.iter().map(|t| t.text.as_str()).collect();
-                    self.brief.things[id].look.features.push(text.join(" "));
-                    self.mark(k);
-                    self.mark(k + 1);
+                Some(Piece::Rel(Rel::On)) if self.np(k + 1, end).is_some_and(is_what_it_stands_on) => {
+                    self.feature(id, k..k + 2);
                     k += 1;
                 }
                 // "palms in black pots", "a picture in a gold frame"
                 Some(Piece::Rel(Rel::In))
                     if matches!(self.brief.things[id].group, Group::Floor | Group::Wall)
-                        && self.np(k + 1, end).is_some_and(|n| {
-                            matches!(n.head().as_str(), "pot" | "planter" | "tub" | "frame" | "flower pot" | "case")
-                                && matches!(n.det, Det::None | Det::Indefinite)
-                                && n.count.is_none()
-                        }) =>
+                        && self.np(k + 1, end).is_some_and(is_what_it_is_in) =>
                 {
-                    let text: Vec<&str> = (self.chunks[k].at.start..self.chunks[k + 1].at.end)
-                        .map(|t| self.tokens[t].text.as_str())
-                        .collect();
-                    self.brief.things[id].look.features.push(text.join(" "));
-                    self.mark(k);
-                    self.mark(k + 1);
+                    self.feature(id, k..k + 2);
                     k += 1;
                 }
-                // "a lamp shaped like a moon"
-                Some(Piece::Word(_))
-                    if self.tokens[self.chunks[k].at.start].is("shaped")
-                        && (k + 1..end.min(k + 4)).any(|n| self.np(n, end).is_some()) =>
-                {
-                    let np = (k + 1..end).find(|n| self.np(*n, end).is_some()).unwrap_or(k);
-                    let words = self.tokens[self.chunks[k].at.start..self.chunks[np].at.end].iter();
-                    let text: Vec<&str> = words.map(|t| t.text.as_str()).collect();
-                    self.brief.things[id].look.features.push(text.join(" "));
-                    (k..=np).for_each(|c| self.mark(c));
+                Some(Piece::Word(_)) if self.shape(k, end).is_some() => {
+                    let np = self.shape(k, end).unwrap_or(k);
+                    self.feature(id, k..np + 1);
                     k = np;
                 }
                 Some(Piece::Soft) if depth > 0 => self.mark(k),
@@ -204,6 +137,61 @@ impl Reader<'_> {
             k += 1;
         }
         k
+    }
+
+    /// "a lamp shaped like a moon": the chunk of the moon.
+    fn shape(&self, k: usize, end: usize) -> Option<usize> {
+        let is_shaped = self.tokens[self.chunks[k].at.start].is("shaped");
+        (k + 1..end.min(k + 4)).find(|n| is_shaped && self.np(*n, end).is_some())
+    }
+
+    /// Words that are kept as they are, as something that a thing has.
+    fn feature(&mut self, id: usize, chunks: Range<usize>) {
+        let words = &self.tokens[self.chunks[chunks.start].at.start..self.chunks[chunks.end - 1].at.end];
+        let text: Vec<&str> = words.iter().map(|t| t.text.as_str()).collect();
+        self.brief.things[id].look.features.push(text.join(" "));
+        chunks.for_each(|chunk| self.mark(chunk));
+    }
+
+    /// "a jar of honey", "a stack of books": what is in it, or what it is made of.
+    fn holds(&mut self, k: usize, end: usize, id: usize) {
+        self.mark(k);
+        self.mark(k + 1);
+        let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
+        let name = text.join(" ");
+        let head = self.brief.things[id].words.last().cloned().unwrap_or_default();
+        if get().is(&head, Class::Holder) && self.np(k + 1, end).is_some_and(|n| n.count.is_none()) {
+            // "a jar of honey", "a bar of soap"
+            let item = &mut self.brief.things[id];
+            item.of = Some(format!("of {name}"));
+            if get().is(&head, Class::Portion) && matches!(item.group, Group::Floor | Group::Table) {
+                item.group = Group::Top;
+            }
+            return;
+        }
+        let heap = self.brief.things[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
+        match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
+            // "a stack of beer mats"
+            Some(np) => {
+                let words = np.words.clone();
+                self.brief.things[id].words.splice(0..0, words);
+            }
+            None => self.brief.things[id].look.features.push(format!("of {name}")),
+        }
+    }
+
+    /// A part that is said after a comma; the chunk behind it.
+    fn part_after_comma(&mut self, k: usize, end: usize, id: usize) -> usize {
+        let to = self.part_here(k + 1, end).unwrap_or(k + 1);
+        let range = self.chunks[k + 1].at.start..self.chunks[to - 1].at.end;
+        let tokens = &self.tokens[range];
+        if let Some((look, _)) = crate::read::chunk::looks(tokens) {
+            self.add_look(&[id], &crate::draft::Look { features: vec![], ..look });
+        }
+        let text: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+        self.brief.things[id].look.features.push(text.join(" "));
+        (k + 1..to).for_each(|c| self.mark(c));
+        to
     }
 
     /// How many there are, said after the noun: "(6)", "x 2", "bookcases - four", "shelving / 8 / …".
@@ -279,4 +267,21 @@ impl Reader<'_> {
         self.s.not = false;
         k
     }
+}
+
+/// "wheels", "four legs".
+fn is_what_it_stands_on(np: &Np) -> bool {
+    matches!(np.head().as_str(), "wheel" | "castor" | "caster" | "leg") && matches!(np.det, Det::None | Det::Number)
+}
+
+/// "black pots", "a gold frame".
+fn is_what_it_is_in(np: &Np) -> bool {
+    matches!(np.head().as_str(), "pot" | "planter" | "tub" | "frame" | "flower pot" | "case")
+        && matches!(np.det, Det::None | Det::Indefinite)
+        && np.count.is_none()
+}
+
+/// Whether a measure says how large a thing is, and not how high something hangs.
+fn is_its_size(measure: &Measure) -> bool {
+    !measure.said && !measure.dims.iter().any(|d| matches!(d, Dim::Ceiling | Dim::Elevation))
 }

@@ -239,34 +239,7 @@ impl Reader<'_> {
             }
         }
         match np.kind {
-            Kind::Thing => {
-                // "between two tables": any two of those there are.
-                let two = np.count == Some(2) && np.det == Det::Number && rel == Rel::Between;
-                let known = self.find(np).filter(|f| {
-                    let item = &self.brief.things[*f];
-                    two && item.number.many() && item.words == np.words && item.room == self.room
-                });
-                let id = match known {
-                    Some(id) => id,
-                    None => self.resolve(k, np, true)?,
-                };
-                self.mark(k);
-                self.recent.push(id);
-                let mut items = self.all_of(id, np);
-                let mut next = self.after_noun(k + 1, end, id);
-                let mut each = np.det == Det::Each && np.count.is_none();
-                // More objects: "between the sofa and the tv", "next to the fridge and the stove".
-                while let Some(n) = self.more_objects(next, end, rel, items.len()) {
-                    let Some(np) = self.np(n, end) else { break };
-                    let Some(id) = self.resolve(n, np, true) else { break };
-                    self.mark(n);
-                    self.recent.push(id);
-                    items.push(id);
-                    each |= np.det == Det::Each;
-                    next = self.after_noun(n + 1, end, id);
-                }
-                Some((Lead::Items(items, each), next))
-            }
+            Kind::Thing => self.things_object(k, end, rel, np),
             Kind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
                 let contrast = self.other_side(rel).filter(|_| word == "it");
@@ -282,32 +255,7 @@ impl Reader<'_> {
                 self.mark(k);
                 Some((Lead::Items(items, np.det == Det::Each || word == "each"), k + 1))
             }
-            Kind::Room => {
-                let room = self.rooms.spoken.get(&k).copied();
-                if let Some(room) = room {
-                    self.s.rooms.push(room);
-                    self.s.room_last = true;
-                }
-                if self.s.centre && !self.near.is_empty() {
-                    let of = self.near.clone();
-                    self.at_place(&of, Rel::In, Place::Middle, &[]);
-                }
-                if matches!(rel, Rel::In | Rel::At)
-                    && let Some(room) = room.filter(|_| !self.s.doors)
-                {
-                    self.enter(room);
-                    self.mark(k);
-                }
-                if let (Rel::To | Rel::In, Some(room)) = (rel, room)
-                    && self.s.doors
-                    && !self.s.of_room
-                {
-                    self.room = room;
-                    self.s.of_room = true;
-                    self.mark(k);
-                }
-                None
-            }
+            Kind::Room => self.room_object(k, rel),
             Kind::Place(Place::Row) if self.row(np).is_some() => {
                 self.mark(k);
                 let part = self.row(np)?;
@@ -354,6 +302,64 @@ impl Reader<'_> {
                 Some((Lead::Items(vec![id], false), k + 1))
             }
         }
+    }
+
+    /// Things as the object of a relation: one, or several that are listed.
+    fn things_object(&mut self, k: usize, end: usize, rel: Rel, np: &Np) -> Option<(Lead, usize)> {
+        // "between two tables": any two of those there are.
+        let two = np.count == Some(2) && np.det == Det::Number && rel == Rel::Between;
+        let known = self.find(np).filter(|f| {
+            let item = &self.brief.things[*f];
+            two && item.number.many() && item.words == np.words && item.room == self.room
+        });
+        let id = match known {
+            Some(id) => id,
+            None => self.resolve(k, np, true)?,
+        };
+        self.mark(k);
+        self.recent.push(id);
+        let mut items = self.all_of(id, np);
+        let mut next = self.after_noun(k + 1, end, id);
+        let mut each = np.det == Det::Each && np.count.is_none();
+        // More objects: "between the sofa and the tv", "next to the fridge and the stove".
+        while let Some(n) = self.more_objects(next, end, rel, items.len()) {
+            let Some(np) = self.np(n, end) else { break };
+            let Some(id) = self.resolve(n, np, true) else { break };
+            self.mark(n);
+            self.recent.push(id);
+            items.push(id);
+            each |= np.det == Det::Each;
+            next = self.after_noun(n + 1, end, id);
+        }
+        Some((Lead::Items(items, each), next))
+    }
+
+    /// A room as the object of a relation: one is in it from now on, or a door leads there.
+    fn room_object(&mut self, k: usize, rel: Rel) -> Option<(Lead, usize)> {
+        let room = self.rooms.spoken.get(&k).copied();
+        if let Some(room) = room {
+            self.s.rooms.push(room);
+            self.s.room_last = true;
+        }
+        if self.s.centre && !self.near.is_empty() {
+            let of = self.near.clone();
+            self.at_place(&of, Rel::In, Place::Middle, &[]);
+        }
+        if matches!(rel, Rel::In | Rel::At)
+            && let Some(room) = room.filter(|_| !self.s.doors)
+        {
+            self.enter(room);
+            self.mark(k);
+        }
+        if let (Rel::To | Rel::In, Some(room)) = (rel, room)
+            && self.s.doors
+            && !self.s.of_room
+        {
+            self.room = room;
+            self.s.of_room = true;
+            self.mark(k);
+        }
+        None
     }
 
     /// "the end of the counter" is on the counter, "the corner of the room" is of the room; "the wall opposite the door".
