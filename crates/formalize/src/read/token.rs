@@ -230,7 +230,22 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
             _ => out.push(t),
         }
     }
+    sides(&mut out);
     out
+}
+
+/// "the longer side" is the long one: no comparison with anything else.
+fn sides(tokens: &mut [Token]) {
+    for at in 1..tokens.len() {
+        if matches!(tokens[at].text.as_str(), "side" | "sides" | "edge" | "edges") {
+            let text = match tokens[at - 1].text.as_str() {
+                "longer" | "longest" => "long",
+                "shorter" | "shortest" => "short",
+                _ => continue,
+            };
+            tokens[at - 1].text = text.to_owned();
+        }
+    }
 }
 
 #[cfg(test)]
@@ -251,6 +266,7 @@ mod tests {
             ("- a sofa\n- a lamp", "|a|sofa|\n||a|lamp"),
             ("90-cm-wide", "90|cm-wide"),
             ("a nook w/ a chair", "a|nook|with|a|chair"),
+            ("its longer side, longer than it", "its|long|side|,|longer|than|it"),
         ] {
             let got = texts(text);
             assert_eq!(got.replace("1,5", "1.5"), want, "{text}");
