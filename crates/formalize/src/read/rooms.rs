@@ -187,7 +187,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             weak.push((i, np.name()));
         }
     }
-    settle(&mut out, chunks, tokens, loose, weak);
+    settle(&mut out, chunks, tokens, loose, &weak);
     out
 }
 
@@ -206,13 +206,7 @@ fn hyphened(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], (i, count, noun
 }
 
 /// What was said loosely: the only room, where there is no other; the last spoken of; what has a name elsewhere.
-fn settle(
-    out: &mut Rooms,
-    chunks: &[Chunk],
-    tokens: &[Token],
-    loose: Vec<(usize, String)>,
-    weak: Vec<(usize, String)>,
-) {
+fn settle(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], loose: Vec<(usize, String)>, weak: &[(usize, String)]) {
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
     if out.rooms.is_empty() {
         // The most telling of what was said loosely.
@@ -225,14 +219,14 @@ fn settle(
             None => Room { name: "room".into(), ..Room::default() },
         };
         out.rooms.push(room);
-        for (i, name) in &weak {
+        for (i, name) in weak {
             if out.rooms[0].name == *name {
                 out.spoken.insert(*i, 0);
             }
         }
     }
     // "leads into the kitchen", before the kitchen is described.
-    for (i, name) in &weak {
+    for (i, name) in weak {
         if let Some(room) = out.rooms.iter().position(|r| r.name == *name) {
             out.spoken.entry(*i).or_insert(room);
         }

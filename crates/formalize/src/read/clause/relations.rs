@@ -76,8 +76,8 @@ impl Reader<'_> {
         };
         let said = Said { i, next, end, rel, of, negative, before_subject };
         match object {
-            Lead::Items(items, each) => self.to_items(said, items, each),
-            Lead::Place(place, which) => self.to_place(said, place, which),
+            Lead::Items(items, each) => self.relate_items(said, items, each),
+            Lead::Place(place, which) => self.relate_place(said, place, which),
         }
         self.s.quantifier = Quantifier::Usual;
         next
@@ -128,7 +128,7 @@ impl Reader<'_> {
     }
 
     /// A relation to things.
-    fn to_items(&mut self, said: Said, items: Vec<usize>, each: bool) {
+    fn relate_items(&mut self, said: Said, items: Vec<usize>, each: bool) {
         let Said { i, next, end, rel, of, negative, before_subject } = said;
         self.mark(i);
         self.s.quantifier = self.quantifier(i + 1..next, each);
@@ -177,7 +177,7 @@ impl Reader<'_> {
     }
 
     /// A relation to a place.
-    fn to_place(&mut self, said: Said, place: Place, which: Vec<String>) {
+    fn relate_place(&mut self, said: Said, place: Place, which: Vec<String>) {
         let Said { i, next, end, rel, of, negative, before_subject } = said;
         let chunks = self.chunks;
         self.mark(i);

@@ -54,8 +54,8 @@ impl LocalSearch<'_> {
             self.link(i, &mut links);
         }
         let mut poses = Vec::new();
-        // What stands together is built as one piece where paths are to lead past it.
-        let as_one = !is_warm && self.air > 0.0 && self.is_clustered;
+        // What stands together is built as one piece where paths are to lead past it, and it proved hard without.
+        let as_one = !is_warm && self.course.turn > 0 && self.air > 0.0 && self.is_clustered;
         let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {
@@ -170,7 +170,7 @@ impl LocalSearch<'_> {
         self.work += self.near.around(&wide, &self.span, around) as u64 / LOOKS;
         let together = |j: usize| {
             j == i
-                || self.clusters.share(i, j)
+                || self.course.turn > 0 && self.clusters.share(i, j)
                 || self.related[i].contains(&j)
                 || self.frame.siblings[i].iter().any(|s| s.0 as usize == j)
         };
