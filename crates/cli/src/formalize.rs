@@ -143,8 +143,8 @@ pub struct Understood {
     pub diagnostics: Vec<String>,
     /// A layout of the program, where the trial found one by placing what was added: a solver may begin with it.
     pub layout: Option<Layout>,
-    /// Whether what is asked for is known not to fit on a floor.
-    pub overfull: bool,
+    /// Why what is asked for does not fit on a floor, if that is known.
+    pub overfull: Option<String>,
 }
 
 /// Asks the model, if there is one, else the reader. `tried`: and gives up what no layout is found with.
@@ -203,7 +203,7 @@ pub fn understand(
                 .to_owned(),
         );
     }
-    Ok(Understood { program: write(&reading.draft), reading, diagnostics, layout, overfull: overfull.is_some() })
+    Ok(Understood { program: write(&reading.draft), reading, diagnostics, layout, overfull })
 }
 
 /// Tries whether there is a layout, and gives up what is in the way.

@@ -44,13 +44,7 @@ pub fn run(args: &Synth) -> u8 {
     };
     let planned = match request.as_ref().map(|request| write(args, &path, request, model.as_mut())) {
         Some(Ok(Begun::With(planned))) => planned,
-        Some(Ok(Begun::Overfull)) => {
-            if args.format == SummaryFormat::Json {
-                println!("{}", json!({ "format": SYNTHESIS, "ok": false, "files": [] }));
-            }
-            eprintln!("no layout was written: give the room a size that holds what stands in it, or ask for less");
-            return FINDINGS;
-        }
+        Some(Ok(Begun::Overfull(why))) => return too_full(args.format, &why),
         Some(Err(message)) => return fail(&message),
         None => None,
     };
@@ -145,8 +139,17 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
 enum Begun {
     /// A layout to begin with, where one is known and no other is asked for by a seed.
     With(Option<String>),
-    /// That there is none.
-    Overfull,
+    /// Why what is asked for does not fit on a floor.
+    Overfull(String),
+}
+
+/// Ends without a layout, because what is asked for does not fit.
+fn too_full(format: SummaryFormat, why: &str) -> u8 {
+    if format == SummaryFormat::Json {
+        println!("{}", json!({ "format": SYNTHESIS, "ok": false, "reason": why, "files": [] }));
+    }
+    eprintln!("no layout was written: give the room a size that holds what stands in it, or ask for less");
+    FINDINGS
 }
 
 /// Writes the program of a request.
@@ -164,8 +167,8 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
         return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
     }
     replace::program(path, &understood.program)?;
-    if understood.overfull {
-        return Ok(Begun::Overfull);
+    if let Some(why) = understood.overfull {
+        return Ok(Begun::Overfull(why));
     }
     let planned = understood.layout.filter(|_| args.seed == 0);
     Ok(Begun::With(planned.map(|layout| scenelang_layout::file::to_json(&layout, None))))

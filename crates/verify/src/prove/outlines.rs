@@ -1,16 +1,15 @@
 //! Outlines that no region can have: the assigned polygon touches or crosses itself.
 
-use super::{Contradiction, Proof};
+use super::Contradiction;
 use crate::eval::{Value, evaluate};
 use crate::tolerances::Options;
 use crate::world::World;
-use scenelang_lang::program::{Owner, Pinned, Program};
+use scenelang_lang::program::{Pinned, Program};
 use scenelang_layout::{Layout, Polygon};
 
 /// A contradiction for each assigned polygon that is known without a layout and is not simple.
 pub(super) fn impossible(program: &Program, options: &Options) -> Vec<Contradiction> {
-    let pins = program.pins.iter().filter(|pin| pin.property == Pinned::Vertices);
-    let mut pins = pins.filter(|pin| matches!(pin.owner, Owner::Region(_))).peekable();
+    let mut pins = program.pins.iter().filter(|pin| pin.property == Pinned::Vertices).peekable();
     if pins.peek().is_none() {
         return Vec::new();
     }
@@ -27,7 +26,7 @@ pub(super) fn impossible(program: &Program, options: &Options) -> Vec<Contradict
             .collect();
         let why = Polygon::new(&vertices?).err()?.to_string();
         let (statements, definitions) = (vec![pin.constraint], Vec::new());
-        Some(Contradiction { statements, definitions, rules: vec![why], proof: Some(Proof::default()) })
+        Some(Contradiction { statements, definitions, rules: vec![why], proof: None })
     })
     .collect()
 }
