@@ -16,6 +16,8 @@ const ATTEMPTS: usize = 9;
 const TALL: f64 = 1.1;
 /// Behind a chair this much is free to pull it out.
 const PULL: f64 = 0.36;
+/// Before a seat that belongs to no table this much is free.
+const FEET: f64 = 0.4;
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
@@ -42,8 +44,14 @@ impl Building {
     /// With its first thing, whose elements that are placed together are there.
     fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, skip: &[&'static str]) -> Self {
         let mut out = Self { skip: skip.to_vec(), ..Self::default() };
+        // Who sits alone has room for the feet.
+        let sits = stand::group(noun) == crate::brief::Group::Seat && !stand::has_back(noun);
         for frame in &frames {
             out.piece(thing, noun, size, frame);
+            if sits && frames.len() == 1 {
+                let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };
+                out.shape.free.push((frame.then(&feet), [size[0], 1.0, FEET]));
+            }
         }
         out.frames.insert(thing, frames);
         out
@@ -63,6 +71,12 @@ impl Building {
         }
         if let Some(depth) = stand::access(noun) {
             keep(0.0, d / 2.0 + depth / 2.0, [w, 1.7, depth]);
+        }
+        if let Some(depth) = stand::played_at(noun) {
+            for side in [-1.0, 1.0] {
+                keep(side * (w + depth) / 2.0, 0.0, [depth, 1.2, d]);
+                keep(0.0, side * (d + depth) / 2.0, [w, 1.2, depth]);
+            }
         }
         let bed = nouns::ending(noun).is_some() && noun.ends_with("bed") && d > 1.8;
         if bed && w >= 1.2 {

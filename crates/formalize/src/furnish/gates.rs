@@ -2,7 +2,7 @@
 
 use super::daylight;
 use super::floor::Pose;
-use super::kinds::Kind;
+use super::kinds::{Cover, Kind};
 use super::openings;
 use super::plan::{Plan, metres};
 use super::seek::Wall;
@@ -15,6 +15,10 @@ pub const GATE: &str = "garage door";
 const WIDER: f64 = 0.8;
 const DEEP: f64 = 0.1;
 const OFF: f64 = 0.075;
+/// A blind that is drawn up covers this part of its window, and is so deep and so far from the wall (metres).
+const DRAWN_UP: f64 = 0.4;
+const BLIND: f64 = 0.06;
+const BLIND_OFF: f64 = 0.065;
 /// From the floor to a curtain, and from the top of the window to its rail.
 const ABOVE_FLOOR: f64 = 0.03;
 const RAIL: f64 = 0.16;
@@ -63,44 +67,33 @@ fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3],
     });
 }
 
-/// A pair of curtains at each window that was added.
+/// A pair of curtains, or a blind, at each window that was added.
 pub fn curtains(plan: &mut Plan) {
-    if !plan.kind.curtains || plan.is_closed("curtain") {
-        return;
-    }
-    let windows: Vec<Opening> = plan
-        .draft
-        .openings
-        .iter()
-        .filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room))
-        .cloned()
-        .collect();
+    let Some(cover) = plan.kind.curtains.filter(|_| !plan.is_closed("curtain")) else { return };
+    let is_here = |o: &&Opening| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room);
+    let windows: Vec<Opening> = plan.draft.openings.iter().filter(is_here).cloned().collect();
     let room = plan.draft.rooms[plan.room].size;
     let color = plan.turn;
     for window in windows {
         let Some(pose) = plan.place_in_room(&window.name) else { continue };
-        let Some(wall) = Wall::behind(&pose) else { continue };
-        let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
-        let corner = wall.length(room) / 2.0 - along.abs() - 0.04;
-        let wide = (window.size[0] + WIDER).min(window.size[0] + daylight::BETWEEN - 0.24).min(2.0 * corner);
-        let top = (pose.y + window.size[1] + RAIL).min(room[1] - 0.05);
-        let size = [wide, top - ABOVE_FLOOR, DEEP].map(|v| (v * 1000.0).round() / 1000.0);
-        if wide < window.size[0] + 0.15 || size[1] < 0.8 {
+        let (Some((size, at)), why) = (match cover {
+            Cover::Curtains => (hung(&window, &pose, room), "curtains hang at the window"),
+            Cover::Blinds => (blind(&window, &pose, room), "a blind hangs at the window"),
+        }) else {
             continue;
-        }
+        };
         // All of a room are of one cloth.
         plan.turn = color;
-        let why = "curtains hang at the window".to_owned();
-        let thing = plan.add("curtain", 1, size, &why);
+        let thing = plan.add(cover.noun(), 1, size, why);
         let name = plan.draft.things[thing].name.clone();
-        let (off, up) = (metres(OFF + DEEP / 2.0), metres(ABOVE_FLOOR - pose.y));
+        let (off, up) = (metres(at.z), metres(at.y));
         let opening = &window.name;
         plan.say(
             format!("assert {name}.pos = {opening}.pos + {opening}.front * {off} + vec3(0, {up}, 0) and {name}.rot.y = {opening}.rot.y;"),
-            &why,
+            why,
         );
         plan.say(format!("allowFloat({name});"), "the rail is on the wall above the window");
-        let at = Pose { y: ABOVE_FLOOR, ..pose.then(&Pose { z: OFF + DEEP / 2.0, ..Pose::default() }) };
+        let at = Pose { y: pose.y + at.y, ..pose.then(&at) };
         let placed = openings::in_scene(plan.draft, plan.room, &at);
         let placed = [placed.x, placed.y, placed.z, placed.yaw].map(|v| (v * 1e4).round() / 1e4);
         plan.draft.places.push((name, placed));
@@ -108,4 +101,28 @@ pub fn curtains(plan: &mut Plan) {
             ground.body(&at, size);
         }
     }
+}
+
+/// The size of a pair of curtains, and where they are as seen from their window; `None` where there is no room for them.
+fn hung(window: &Opening, pose: &Pose, room: [f64; 3]) -> Option<([f64; 3], Pose)> {
+    let wall = Wall::behind(pose)?;
+    let along = if matches!(wall, Wall::Back | Wall::Front) { pose.x } else { pose.z };
+    let corner = wall.length(room) / 2.0 - along.abs() - 0.04;
+    let wide = (window.size[0] + WIDER).min(window.size[0] + daylight::BETWEEN - 0.24).min(2.0 * corner);
+    let top = (pose.y + window.size[1] + RAIL).min(room[1] - 0.05);
+    let size = [wide, top - ABOVE_FLOOR, DEEP].map(to_millimetres);
+    let at = Pose { y: ABOVE_FLOOR - pose.y, z: OFF + DEEP / 2.0, ..Pose::default() };
+    (wide >= window.size[0] + 0.15 && size[1] >= 0.8).then_some((size, at))
+}
+
+/// The same of a blind that is drawn up.
+fn blind(window: &Opening, pose: &Pose, room: [f64; 3]) -> Option<([f64; 3], Pose)> {
+    let high = DRAWN_UP * window.size[1];
+    let top = (window.size[1] + 0.05).min(room[1] - 0.05 - pose.y);
+    let size = [window.size[0] + 0.06, high, BLIND].map(to_millimetres);
+    Some((size, Pose { y: to_millimetres(top - high), z: BLIND_OFF + BLIND / 2.0, ..Pose::default() }))
+}
+
+fn to_millimetres(v: f64) -> f64 {
+    (v * 1000.0).round() / 1000.0
 }

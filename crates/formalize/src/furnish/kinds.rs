@@ -63,6 +63,25 @@ pub struct Line {
     pub by: &'static str,
 }
 
+/// What hangs at windows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cover {
+    /// A pair of curtains, from a rail to the floor.
+    Curtains,
+    /// A blind that is drawn up.
+    Blinds,
+}
+
+impl Cover {
+    /// What the table of nouns calls it.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Curtains => "curtain",
+            Self::Blinds => "blinds",
+        }
+    }
+}
+
 /// A kind of room.
 #[derive(Clone, Debug, Default)]
 pub struct Kind {
@@ -102,8 +121,8 @@ pub struct Kind {
     pub inner: Option<&'static str>,
     /// How its shelves and tables are dressed: `office`, `school`; empty: as at home.
     pub dress: &'static str,
-    /// Whether its windows have curtains.
-    pub curtains: bool,
+    /// What hangs at its windows.
+    pub curtains: Option<Cover>,
 }
 
 /// All kinds, in the order of the table.
@@ -163,7 +182,13 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
         "gate" => kind.gate = numbers().try_into().ok(),
         "inner" => kind.inner = Some(value),
         "dress" => kind.dress = value,
-        "curtains" => kind.curtains = value == "yes",
+        "curtains" => {
+            kind.curtains = match value {
+                "yes" => Some(Cover::Curtains),
+                "blinds" => Some(Cover::Blinds),
+                _ => None,
+            }
+        }
         "home" => kind.home = numbers().try_into().ok(),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
         "windows" => kind.windows = value.parse().unwrap_or(0),

@@ -9,6 +9,7 @@ mod choose;
 mod daylight;
 mod drop;
 mod even;
+mod extent;
 mod floor;
 mod gates;
 mod groups;
@@ -19,6 +20,7 @@ mod place;
 mod plan;
 mod room;
 mod rows;
+mod seats;
 mod seek;
 mod slots;
 mod stand;
@@ -36,6 +38,7 @@ const LONGEST: f64 = 8.4;
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
 pub fn measure(brief: &mut Brief) {
+    seats::people(brief);
     for at in 0..brief.rooms.len() {
         let Some(kind) = kinds::of(&brief.rooms[at].name) else { continue };
         let [w, h, d] = kind.size;
@@ -151,13 +154,13 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
     let mut closed: Vec<String> = draft.things.iter().map(|thing| thing.category.replace('_', " ")).collect();
     closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
     if draft.rooms.len() == 1 {
-        return room::furnish(draft, brief, 0, &closed);
+        return extent::furnish(draft, brief, 0, &closed);
     }
     for at in 0..draft.rooms.len() {
         // What is asked for in one room is not there for the others.
         let own = draft.things.iter().filter(|thing| thing.room == Some(at));
         let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
         closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
-        room::furnish(draft, brief, at, &closed);
+        extent::furnish(draft, brief, at, &closed);
     }
 }

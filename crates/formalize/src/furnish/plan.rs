@@ -35,6 +35,8 @@ pub struct Plan<'a> {
     pub names: Names,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
+    /// The square metres that its inventory is counted by: those of such a room, which may be larger.
+    pub counted: f64,
     /// For how many people, where that is said.
     pub people: Option<usize>,
     /// Square metres of the floor that are taken.
@@ -100,6 +102,7 @@ impl<'a> Plan<'a> {
             kind,
             names,
             closed,
+            counted: 0.0,
             people,
             floor,
             walls,
@@ -228,7 +231,7 @@ impl<'a> Plan<'a> {
             // Nothing hangs from the sky.
             let roofed = self.kind.lines.iter().any(|line| line.place == Place::Ceiling);
             if !roofed && matches!(part.at, Where::Over)
-                || self.area() < part.least
+                || self.counted < part.least
                 || on_top && loaded
                 || hung && wall == AtWall::No
             {
@@ -324,7 +327,7 @@ impl<'a> Plan<'a> {
     /// Seats that are asked for, and of which nothing else is said, stand where such seats go with a thing.
     fn claim(&mut self, thing: usize, part: &Part) -> bool {
         let seats = matches!(part.at, Where::Row(..) | Where::Around(..) | Where::LongSides(..) | Where::Front(..));
-        if !seats || self.draft.things[thing].count > 1 || stand::group(part.noun) != Group::Seat {
+        if !seats || stand::group(part.noun) != Group::Seat {
             return false;
         }
         let free = |i: &usize| {
@@ -340,15 +343,20 @@ impl<'a> Plan<'a> {
         let Some(asked) = (0..self.draft.things.len()).find(free) else { return false };
         let it = self.draft.things[asked].clone();
         let (Some(of), Some(own)) = (self.draft.things[thing].size, it.size) else { return false };
+        let anchors = self.draft.things[thing].count;
+        let each = it.count / anchors;
+        if each == 0 || each * anchors != it.count {
+            return false;
+        }
         let at = match part.at {
-            Where::Row(_, gap) => Where::Row(it.count, gap),
-            Where::Around(_, gap) => Where::Around(it.count, gap),
-            Where::LongSides(_, gap) => Where::LongSides(it.count, gap),
+            Where::Row(_, gap) => Where::Row(each, gap),
+            Where::Around(_, gap) => Where::Around(each, gap),
+            Where::LongSides(_, gap) => Where::LongSides(each, gap),
             ref at => at.clone(),
         };
         let round = stand::round(&self.draft.things[thing].category, &self.draft.things[thing].look.features);
         let places = slots(&at, &Sizes { of, own, round }, &[]);
-        if places.len() != it.count {
+        if places.len() != each {
             return false;
         }
         let height = self.draft.rooms[self.room].size[1];

@@ -9,9 +9,9 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
-use super::{even, gates, groups, place, slots, stand, taste};
+use super::{even, gates, groups, place, seats, slots, stand, taste};
 use crate::brief::{Brief, MOST_GUIDED};
-use crate::draft::{Demand, Draft, Source};
+use crate::draft::{Demand, Draft, Source, Thing};
 use std::cell::RefCell;
 
 /// How high things on walls are looked at.
@@ -31,38 +31,8 @@ const SHORTER: [(&str, &[f64]); 4] = [
 ];
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
-/// How often a room grows whose size nobody gave and in which something that matters finds no room, and by how much.
-const GROWN: usize = 5;
-const GROWTH: f64 = 1.07;
-
-/// Furnishes a room of a draft.
-pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
-    let may_grow = draft.rooms.len() == 1 && !draft.rooms[at].sized && draft.rooms[at].outline.is_none();
-    let mut before = draft.clone();
-    // The smallest of the rooms that lack the least.
-    let mut best: Option<(usize, Draft)> = None;
-    for grown in 0..=GROWN {
-        let lacking = furnish_once(draft, brief, at, closed);
-        if lacking == 0 || !may_grow {
-            return;
-        }
-        if best.as_ref().is_none_or(|(least, _)| lacking < *least) {
-            best = Some((lacking, draft.clone()));
-        }
-        if grown < GROWN {
-            for k in [0, 2] {
-                before.rooms[at].size[k] = (before.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
-            }
-            *draft = before.clone();
-        }
-    }
-    if let Some((_, best)) = best {
-        *draft = best;
-    }
-}
-
-/// Furnishes a room of its size. How much that matters found no room.
-fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) -> usize {
+/// Furnishes a room of its size with as much as one of `counted` square metres has. How much that matters found no room.
+pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> usize {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
     let Some(kind) = kind else { return 0 };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
@@ -74,7 +44,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     if rectangular && !draft.outdoor {
         openings::doors(draft, at);
     }
-    let own = |t: &crate::draft::Thing| t.room == Some(at) && matches!(t.source, Source::Stated(_));
+    let own = |t: &Thing| t.room == Some(at) && matches!(t.source, Source::Stated(_));
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
     // What seats go with comes before them.
     asked.sort_by_key(|i| {
@@ -87,7 +57,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     let room = &mut draft.rooms[at];
     taste::surfaces(kind, &mut room.floor, &mut room.walls);
     let mut plan = Plan::new(draft, at, kind, closed.to_vec(), brief.rooms[at].people);
-    plan.only = brief.rooms[at].only;
+    (plan.only, plan.counted) = (brief.rooms[at].only, counted);
     if !windows {
         add_windows(&mut plan);
     }
@@ -100,6 +70,7 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
     rounded(&mut plan, brief);
     // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
     let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
+    let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|thing| seats::wait(&plan, *thing));
     for thing in asked.iter().filter(|_| !crowd) {
         stand_up(&mut plan, *thing);
     }
@@ -117,6 +88,9 @@ fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) 
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
         plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
+    }
+    for thing in waiting.iter().filter(|_| !crowd) {
+        stand_up(&mut plan, *thing);
     }
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
@@ -354,6 +328,13 @@ fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64
     if hung {
         return vec![(at(0.0, -1.4 * beside, 0.0), [w + 2.0 * beside, h + 1.4 * beside, d])];
     }
+    if line.noun.ends_with("car") {
+        // Its doors open, and one walks round it.
+        let (side, end) = (0.6, 0.45);
+        let beside = |x: f64| (at(x * (w + side) / 2.0, 0.05, 0.0), [side, 1.0, 0.8 * d]);
+        let ends = |z: f64| (at(0.0, 0.05, z * (d + end) / 2.0), [w, 1.0, end]);
+        return vec![beside(-1.0), beside(1.0), ends(-1.0), ends(1.0)];
+    }
     let behind = match line.place {
         Place::Service(gap) => gap - 0.02,
         Place::Before(gap, 180.0) => gap - 0.5,
@@ -367,18 +348,25 @@ fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64
     ]
 }
 
+/// At both ends of a run whose elements stand apart as much is kept free as between them.
+fn ends([w, h, d]: [f64; 3], gap: f64, n: usize) -> Vec<(Pose, [f64; 3])> {
+    let beside = |x: f64| (Pose { x, y: 0.05, ..Pose::default() }, [gap, h, d]);
+    let last = (n - 1) as f64 * (w + gap);
+    if gap > 0.1 { vec![beside(-(w + gap) / 2.0), beside(last + (w + gap) / 2.0)] } else { Vec::new() }
+}
+
 /// Adds a line of the inventory.
 fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    if plan.area() < line.least || closed || plan.is_furnished() {
+    if plan.counted < line.least || closed || plan.is_furnished() {
         return;
     }
     let people = plan.people.map_or(plan.kind.people, |n| n as f64);
     let n = match line.count {
         Count::Fixed(n) => n,
-        Count::Area(each) => (plan.area() / each).round() as usize,
-        Count::People(each) => (people / each).ceil() as usize,
+        Count::Area(each) => (plan.counted / each).round() as usize,
+        Count::People(each) => seats::tables(plan, line).unwrap_or((people / each).ceil() as usize),
     };
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
@@ -507,7 +495,10 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     let tries = (shortest..=n).rev().flat_map(|n| if hung { APART.map(|v| (n, v)).to_vec() } else { vec![(n, 0.0)] });
     for (less, beside) in tries {
         let frames = if run { frames[..less].to_vec() } else { frames.clone() };
-        let free = kept(line, size, hung, beside);
+        let mut free = kept(line, size, hung, beside);
+        if run {
+            free.extend(ends(size, line.gap, less));
+        }
         let root = Root { n: if run { 1 } else { n }, frames, wall, free, whole, seek: &seek };
         found = plan.place_group(&root, &mut add);
         if found.is_some() {

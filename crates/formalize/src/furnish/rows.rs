@@ -263,7 +263,7 @@ impl Plan<'_> {
     fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
         for part in
-            groups::of(noun, self.kind.dress).iter().filter(|p| !self.is_closed(p.noun) && self.area() >= p.least)
+            groups::of(noun, self.kind.dress).iter().filter(|p| !self.is_closed(p.noun) && self.counted >= p.least)
         {
             let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
             let sizes = super::slots::Sizes { of, own, round: stand::round(noun, &[]) };

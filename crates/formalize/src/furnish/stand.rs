@@ -8,7 +8,7 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 37] = [
+const KIN: [&[&str]; 38] = [
     &["tv", "television", "screen", "monitor", "display"],
     &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
     &["nightstand", "bedside table", "night table", "bedside cabinet"],
@@ -28,6 +28,7 @@ const KIN: [&[&str]; 37] = [
     &["office chair", "desk chair", "task chair", "swivel chair", "ergonomic chair", "gaming chair", "executive chair"],
     &["lab stool", "swivel stool", "work stool"],
     &["dining table", "kitchen table", "farmhouse table", "trestle table", "bistro table", "pedestal table"],
+    &["kitchen table", "island", "kitchen island"],
     &["coffee table", "low table"],
     &["armchair", "lounge chair", "recliner", "easy chair"],
     &["washing machine", "washer"],
@@ -99,6 +100,13 @@ pub fn has_back(category: &str) -> bool {
 /// How much floor before a thing that stands at a wall is free for its use, in metres; `None`: none is kept free.
 pub fn access(category: &str) -> Option<f64> {
     nouns::ending(category).filter(|noun| noun.stands == Stands::Back && noun.access > 0.0).map(|noun| noun.access)
+}
+
+/// How much floor all around a thing is free for those who walk round it, as at a pool table; `None`: none is kept free.
+pub fn played_at(category: &str) -> Option<f64> {
+    const PLAYED: f64 = 1.0;
+    let noun = nouns::ending(category)?;
+    (noun.stands == Stands::Floor && noun.access > PLAYED).then_some(noun.access)
 }
 
 /// Whether something asked for stands on a thing.
