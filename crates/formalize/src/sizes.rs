@@ -15,6 +15,11 @@ pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     if let Some(noun) = nouns::noun(&name).filter(|_| words.len() > 1 && is_meant(&name)) {
         return noun.size;
     }
+    // An examination bed is no double bed.
+    let is_kind = |noun: &&nouns::Noun| words.len() > 1 && group == Group::Bed && noun.size[1] >= 0.7;
+    if let Some(noun) = nouns::noun(&name).filter(is_kind) {
+        return noun.size;
+    }
     if let Some(size) = own_size(words) {
         return size;
     }

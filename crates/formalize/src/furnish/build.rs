@@ -6,6 +6,7 @@ use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
 use super::slots::{Level, Slot};
 use super::stand;
+use crate::draft::Source;
 use crate::names::{Names, words};
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
@@ -36,8 +37,12 @@ pub struct Building {
     pub shape: Shape,
     /// Parts that are left out.
     pub skip: Vec<&'static str>,
+    /// Things at which seats stand that are asked for: they get no others.
+    pub seated: Vec<usize>,
     /// Where the elements of each thing are, for one element of the first.
     frames: BTreeMap<usize, Vec<Pose>>,
+    /// What each thing but the first is in the table of groups.
+    parts: BTreeMap<usize, &'static str>,
 }
 
 impl Building {
@@ -94,7 +99,7 @@ impl Building {
         of: usize,
         new: usize,
         places: &[Slot],
-        (noun, size, at): (&str, [f64; 3], &Where),
+        (noun, size, at): (&'static str, [f64; 3], &Where),
         ceiling: f64,
     ) {
         let Some(anchors) = self.frames.get(&of).cloned() else { return };
@@ -121,6 +126,7 @@ impl Building {
             }
         }
         self.frames.insert(new, frames);
+        self.parts.insert(new, noun);
     }
 
     /// Whether several elements of a thing are placed together, side by side.
@@ -130,10 +136,9 @@ impl Building {
     }
 
     /// The part that is left out next: the last that stands somewhere.
-    fn least(&self, plan: &Plan<'_>, root: usize) -> Option<&'static str> {
+    fn least(&self, root: usize) -> Option<&'static str> {
         let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;
-        let category = plan.draft.things[last.thing].category.replace('_', " ");
-        super::groups::nouns().find(|noun| *noun == category && !self.skip.contains(noun))
+        self.parts.get(&last.thing).copied().filter(|noun| !self.skip.contains(noun))
     }
 }
 
@@ -222,7 +227,7 @@ impl Plan<'_> {
 
     /// Takes back what was added since for a group that begins with a thing. The part to be left out next.
     fn take_back(&mut self, before: Mark, thing: usize) -> Option<&'static str> {
-        let least = self.building.take().and_then(|group| group.least(self, thing));
+        let least = self.building.take().and_then(|group| group.least(thing));
         let [things, statements, claimed] = before.counts;
         self.draft.things.truncate(things);
         self.draft.statements.truncate(statements);
@@ -239,7 +244,20 @@ impl Plan<'_> {
     /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.
     fn settle(&mut self) {
         let names: Vec<String> = self.claimed.iter().map(|i| self.draft.things[*i].name.clone()).collect();
+        let screens = self.claimed.iter().map(|i| &self.draft.things[*i]);
+        let screens: Vec<String> = screens
+            .filter(|it| stand::group(&it.category) == crate::brief::Group::Screen)
+            .map(|it| it.name.clone())
+            .collect();
         self.draft.statements.retain(|s| {
+            // What stands on its stand does not hang on a wall.
+            let hung = s.text.contains("wallMounted(") || s.text.starts_with("prefer") && s.text.contains(".bottom");
+            if hung
+                && !matches!(s.source, Source::Stated(_))
+                && words(&s.text).iter().any(|w| screens.iter().any(|n| n == w))
+            {
+                return false;
+            }
             let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");
             !(turns && for_people(&s.source) && words(&s.text).iter().any(|w| names.iter().any(|n| n == w)))
         });

@@ -17,6 +17,8 @@ const SHRINKING: f64 = 0.95;
 const COVERED: f64 = 0.3;
 /// A room keeps this part of the floor that such rooms usually have.
 const LEAST: f64 = 0.66;
+/// Where more than this is said of how things stand, floor is left for it.
+const FACTS: usize = 4;
 /// What is lower than this covers no floor (metres).
 const FLAT: f64 = 0.05;
 /// A room is no longer than so many times its width.
@@ -34,7 +36,8 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     if is_free && lacking > 0 {
         lacking = grow(draft, empty.clone(), at, lacking, &once);
     }
-    if is_free && lacking == 0 && scale(brief, at) == Scale::Usual && !draft.outdoor {
+    let told = brief.facts.len() > FACTS;
+    if is_free && lacking == 0 && !told && scale(brief, at) == Scale::Usual && !draft.outdoor {
         shrink(draft, empty, at, LEAST * counted, &once);
     }
 }

@@ -75,11 +75,6 @@ fn all() -> &'static BTreeMap<String, Vec<Part>> {
     GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")))
 }
 
-/// What goes with anything.
-pub fn nouns() -> impl Iterator<Item = &'static str> {
-    all().values().flatten().map(|part| part.noun)
-}
-
 fn parse(text: &'static str) -> BTreeMap<String, Vec<Part>> {
     let mut out: BTreeMap<String, Vec<Part>> = BTreeMap::new();
     let mut names: Vec<String> = Vec::new();

@@ -6,6 +6,7 @@
 mod area;
 mod build;
 mod choose;
+mod claim;
 mod daylight;
 mod drop;
 mod even;

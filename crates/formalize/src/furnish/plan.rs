@@ -219,13 +219,18 @@ impl<'a> Plan<'a> {
 
     /// Adds what goes with a thing, and what goes with that.
     pub fn surround(&mut self, thing: usize, wall: AtWall, deep: usize) {
+        let name = self.draft.things[thing].category.replace('_', " ");
+        self.surround_as(&name, thing, wall, deep);
+    }
+
+    /// The same of a thing that stands for another: a sink of a kitchen unit, whatever it is called.
+    pub(super) fn surround_as(&mut self, name: &str, thing: usize, wall: AtWall, deep: usize) {
         if deep >= DEEP {
             return;
         }
-        let name = self.draft.things[thing].category.replace('_', " ");
         let loaded = stand::loaded(self.draft, thing);
         let mut taken: Vec<Taken> = Vec::new();
-        for part in groups::of(&name, self.kind.dress) {
+        for part in groups::of(name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
             // Nothing hangs from the sky.
@@ -249,7 +254,7 @@ impl<'a> Plan<'a> {
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
         let round = stand::round(&category, &self.draft.things[thing].look.features);
-        if self.claim(thing, part) {
+        if self.claim(thing, part, wall, deep, taken) {
             return;
         }
         // One bin serves several.
@@ -266,7 +271,11 @@ impl<'a> Plan<'a> {
         if noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
             return;
         }
-        let left_out = self.building.as_ref().is_some_and(|group| group.skip.contains(&noun));
+        let seat = stand::group(noun) == Group::Seat;
+        let left_out = self
+            .building
+            .as_ref()
+            .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
         if left_out || self.is_closed(noun) || self.is_full() || noun == "bin" && anchors > 2 {
             return;
         }
@@ -324,53 +333,8 @@ impl<'a> Plan<'a> {
         self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
     }
 
-    /// Seats that are asked for, and of which nothing else is said, stand where such seats go with a thing.
-    fn claim(&mut self, thing: usize, part: &Part) -> bool {
-        let seats = matches!(part.at, Where::Row(..) | Where::Around(..) | Where::LongSides(..) | Where::Front(..));
-        if !seats || stand::group(part.noun) != Group::Seat {
-            return false;
-        }
-        let free = |i: &usize| {
-            let it = &self.draft.things[*i];
-            it.room == Some(self.room)
-                && (matches!(it.source, Source::Stated(_)) || for_people(&it.source))
-                && stand::counts_as(part.noun, &it.category.replace('_', " "))
-                && *i != thing
-                && !self.claimed.contains(i)
-                && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
-                && !stand::placed(self.draft, &it.name)
-        };
-        let Some(asked) = (0..self.draft.things.len()).find(free) else { return false };
-        let it = self.draft.things[asked].clone();
-        let (Some(of), Some(own)) = (self.draft.things[thing].size, it.size) else { return false };
-        let anchors = self.draft.things[thing].count;
-        let each = it.count / anchors;
-        if each == 0 || each * anchors != it.count {
-            return false;
-        }
-        let at = match part.at {
-            Where::Row(_, gap) => Where::Row(each, gap),
-            Where::Around(_, gap) => Where::Around(each, gap),
-            Where::LongSides(_, gap) => Where::LongSides(each, gap),
-            ref at => at.clone(),
-        };
-        let round = stand::round(&self.draft.things[thing].category, &self.draft.things[thing].look.features);
-        let places = slots(&at, &Sizes { of, own, round }, &[]);
-        if places.len() != each {
-            return false;
-        }
-        let height = self.draft.rooms[self.room].size[1];
-        let why = why(&self.draft.things[thing].category.replace('_', " "), part.noun, &at);
-        if let Some(group) = &mut self.building {
-            group.add(thing, asked, &places, (part.noun, own, &at), height);
-        }
-        self.claimed.push(asked);
-        self.fix(thing, asked, &places, height, &why);
-        true
-    }
-
     /// Says where the elements of a part are, given those of what it goes with.
-    fn fix(&mut self, thing: usize, new: usize, places: &[Slot], ceiling: f64, why: &str) {
+    pub(super) fn fix(&mut self, thing: usize, new: usize, places: &[Slot], ceiling: f64, why: &str) {
         let (of, part) = (self.draft.things[thing].clone(), self.draft.things[new].clone());
         let (each, own) = (places.len(), part.size.map_or(0.0, |s| s[1]));
         let room = self.room_name();
@@ -414,7 +378,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Names the group by the predicate of the library, where there is one of each.
-    fn group(&mut self, thing: usize, new: usize, at: &Where, why: &str) {
+    pub(super) fn group(&mut self, thing: usize, new: usize, at: &Where, why: &str) {
         let (of, part) = (&self.draft.things[thing], &self.draft.things[new]);
         if of.count > 1 {
             return;
@@ -445,7 +409,7 @@ pub fn for_people(source: &Source) -> bool {
 }
 
 /// Why a part is there.
-fn why(of: &str, noun: &str, at: &Where) -> String {
+pub(super) fn why(of: &str, noun: &str, at: &Where) -> String {
     let article = |noun: &str| if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     let a = |noun: &str| format!("{} {noun}", article(noun));
     match at {

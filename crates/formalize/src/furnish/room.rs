@@ -9,7 +9,7 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
-use super::{even, gates, groups, place, seats, slots, stand, taste};
+use super::{even, gates, groups, place, slots, stand, taste};
 use crate::brief::{Brief, MOST_GUIDED};
 use crate::draft::{Demand, Draft, Source, Thing};
 use std::cell::RefCell;
@@ -68,10 +68,13 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         }
     }
     rounded(&mut plan, brief);
+    lengthened(&mut plan, brief);
     // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
     let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
-    let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|thing| seats::wait(&plan, *thing));
-    for thing in asked.iter().filter(|_| !crowd) {
+    // What goes with something else waits for that.
+    let (with_asked, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
+    let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
+    for thing in asked.iter().chain(&with_asked).filter(|_| !crowd) {
         stand_up(&mut plan, *thing);
     }
     let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
@@ -115,6 +118,39 @@ fn rounded(plan: &mut Plan, brief: &Brief) {
         let across = slots::diameter(n.min(12), Plan::size("chair")[0]).max(usual[0].min(usual[2])).min(most.max(0.6));
         if let Some(size) = plan.draft.things[at].size.as_mut().filter(|s| s[1] > 0.55) {
             (size[0], size[2]) = (across, across);
+        }
+    }
+}
+
+/// Tables that are asked for are as long as the seats need that are asked for and go with them.
+fn lengthened(plan: &mut Plan, brief: &Brief) {
+    for at in 0..plan.draft.things.len() {
+        let thing = &plan.draft.things[at];
+        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
+        let is_table = stand::group(&thing.category) == crate::brief::Group::Table;
+        let is_round = stand::round(&thing.category, &thing.look.features);
+        let (Some(size), true) = (thing.size, is_table && !is_round && !sized && thing.count == 1) else { continue };
+        let seats = plan.companions(at).into_iter().map(|seat| plan.draft.things[seat].clone());
+        let seats = seats.filter(|seat| stand::group(&seat.category) == crate::brief::Group::Seat);
+        let Some((own, n)) = seats.filter_map(|seat| Some((seat.size?, seat.count))).max_by_key(|(_, n)| *n) else {
+            continue;
+        };
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        // At a bar all sit on one side.
+        let parts = groups::of(&thing.category, plan.kind.dress);
+        let in_row = parts.iter().any(|part| matches!(part.at, groups::Where::Row(..)));
+        let (room_for, needed) = match in_row {
+            true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
+            false => {
+                (slots::capacity(size, own, false), n.saturating_sub(2).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1)
+            }
+        };
+        let needed = needed.min(w.max(d) - 2.0);
+        if room_for < n
+            && needed > size[0]
+            && let Some(size) = plan.draft.things[at].size.as_mut()
+        {
+            size[0] = (needed * 100.0).ceil() / 100.0;
         }
     }
 }
@@ -176,8 +212,11 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     let in_run = matches!(own, Some(Place::Run));
     let room = plan.room_name();
     let mut wall = AtWall::No;
-    if stand::on_floor(plan.draft, &it) && it.count <= 4 && stand::has_back(&it.category) {
-        let verb = if stand::placed(plan.draft, &it.name) { "prefer" } else { "assert" };
+    // Where such rooms have it in the middle, it is not at a wall.
+    let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
+    let has_back = stand::has_back(&it.category) && !apart;
+    if stand::on_floor(plan.draft, &it) && it.count <= 4 && has_back {
+        let verb = if plan.is_placed(thing) { "prefer" } else { "assert" };
         let one = if it.count > 1 { "a" } else { it.name.as_str() };
         let at_wall = format!("againstWall({one}, {room})");
         let all = |formula: &str| match it.count {
@@ -222,7 +261,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
                 if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, in_run), &row) {
                     Some(pose)
-                } else if (stand::has_back(&it.category) || at_wall_like) && it.count <= 8 {
+                } else if (has_back || at_wall_like) && it.count <= 8 {
                     choice.wall(floor, shape, before)
                 } else {
                     choice.floor(floor, shape, before, yaws)
@@ -366,7 +405,7 @@ fn inventory(plan: &mut Plan, line: &Line) {
     let n = match line.count {
         Count::Fixed(n) => n,
         Count::Area(each) => (plan.counted / each).round() as usize,
-        Count::People(each) => seats::tables(plan, line).unwrap_or((people / each).ceil() as usize),
+        Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
     };
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {

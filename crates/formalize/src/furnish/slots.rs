@@ -61,8 +61,8 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],
         Where::Row(n, gap) | Where::RowBehind(n, gap) => {
             // Behind it there is room beyond its ends.
-            let beyond = if matches!(at, Where::RowBehind(..)) { 0.3 } else { 0.05 };
-            let most = ((width + beyond) / (w.max(0.4) + 0.18)).floor().max(1.0) as usize;
+            let beyond = if matches!(at, Where::RowBehind(..)) { 0.25 } else { 0.0 };
+            let most = in_row(width + beyond, w);
             let n = if n == 0 { most } else { n.min(most) };
             let step = width / n as f64;
             let z = depth / 2.0 + gap + d / 2.0;
@@ -97,6 +97,21 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Over => vec![slot(0.0, 0.0, Level::Ceiling, 0.0)],
         Where::Above(gap, x) => vec![slot(x * width / 2.0, (d - depth) / 2.0, Level::Above(height + gap), 0.0)],
     }
+}
+
+/// Between the middles of seats in a row there is as much as a seat takes, or an elbow, and so much more (metres).
+const ELBOWS: f64 = 0.18;
+/// So much of the last one may be beyond the end.
+const BEYOND: f64 = 0.05;
+
+/// How many seats of a width have room in a row along a side.
+pub fn in_row(side: f64, seat: f64) -> usize {
+    ((side + BEYOND) / (seat.max(0.4) + ELBOWS)).floor().max(1.0) as usize
+}
+
+/// How long a side is that so many seats of a width have room at in a row.
+pub fn row(n: usize, seat: f64) -> f64 {
+    n as f64 * (seat.max(0.4) + ELBOWS) - BEYOND + 1e-6
 }
 
 /// What is taken on one level around a thing: centre, half extents.

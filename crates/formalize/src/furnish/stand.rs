@@ -8,7 +8,7 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 38] = [
+const KIN: [&[&str]; 39] = [
     &["tv", "television", "screen", "monitor", "display"],
     &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
     &["nightstand", "bedside table", "night table", "bedside cabinet"],
@@ -30,6 +30,7 @@ const KIN: [&[&str]; 38] = [
     &["dining table", "kitchen table", "farmhouse table", "trestle table", "bistro table", "pedestal table"],
     &["kitchen table", "island", "kitchen island"],
     &["coffee table", "low table"],
+    &["exam table", "examination table", "examination bed", "examination couch", "exam bed", "treatment table"],
     &["armchair", "lounge chair", "recliner", "easy chair"],
     &["washing machine", "washer"],
     &["computer", "laptop", "pc"],
@@ -122,6 +123,20 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
     draft.statements.iter().any(|s| matches!(s.source, Source::Stated(_)) && words(&s.text).contains(&name))
+}
+
+/// The same, but for what is said of it in relation to one other thing.
+pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
+    draft.statements.iter().any(|s| {
+        let named = words(&s.text);
+        let related = other.is_some_and(|other| named.contains(&other));
+        matches!(s.source, Source::Stated(_)) && named.contains(&name) && !related && !s.text.contains("onFloor(")
+    })
+}
+
+/// Whether two words name one kind of thing.
+pub fn are_kin(noun: &str, other: &str) -> bool {
+    KIN.iter().any(|kin| kin.contains(&noun) && kin.contains(&other))
 }
 
 #[cfg(test)]

@@ -84,6 +84,8 @@ pub struct Np {
     pub nth: Option<Nth>,
     /// "a row of chairs".
     pub row: bool,
+    /// "three rows of four chairs".
+    pub rows: Option<usize>,
     /// Whether the number is said to bind from one side, or exactly: "at least two chairs".
     pub bound: Option<Op>,
 }
@@ -126,6 +128,7 @@ impl Np {
             other: false,
             nth: None,
             row: false,
+            rows: None,
             bound: None,
         }
     }

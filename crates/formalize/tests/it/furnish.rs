@@ -275,3 +275,56 @@ fn a_room_with_only_what_is_asked_for_gets_no_furniture() {
         assert!(count(&draft(request), "wardrobe") > 0, "{request}");
     }
 }
+
+/// How far things of one category are from the nearest of another at most (metres, middle to middle); `None`: not all have a
+/// place.
+fn far(draft: &Draft, noun: &str, from: &str) -> Option<f64> {
+    let name = |noun: &str| draft.things.iter().find(|t| t.category == noun).map(|t| (t.name.clone(), t.count));
+    let places = |noun: &str| -> Option<Vec<[f64; 4]>> {
+        let (name, n) = name(noun)?;
+        let element = |i: usize| if n > 1 { format!("{name}[{i}]") } else { name.clone() };
+        (0..n).map(|i| draft.place_of(&element(i))).collect()
+    };
+    let (things, others) = (places(noun)?, places(from)?);
+    let nearest = |p: &[f64; 4]| others.iter().map(|o| (p[0] - o[0]).hypot(p[2] - o[2])).fold(f64::INFINITY, f64::min);
+    Some(things.iter().map(nearest).fold(0.0, f64::max))
+}
+
+#[test]
+fn what_is_asked_for_stands_with_what_it_goes_with() {
+    for (request, noun, from, most) in [
+        ("A meeting room with ten chairs.", "chair", "conference_table", 2.6),
+        ("A classroom with twelve chairs.", "chair", "student_desk", 0.7),
+        ("A restaurant with 30 seats.", "seat", "restaurant_table", 0.9),
+        ("A barber shop with three chairs.", "barber_chair", "styling_counter", 1.2),
+        ("A kitchen with four chairs.", "chair", "kitchen_table", 1.2),
+        ("A kitchen with a fridge, a stove and a sink.", "stove", "kitchen_counter", 1.8),
+        ("A living room with a sofa and two armchairs.", "armchair", "coffee_table", 1.5),
+        ("A living room with a sofa, a coffee table and a TV.", "coffee_table", "sofa", 1.4),
+        ("A bedroom with a double bed and two nightstands.", "nightstand", "double_bed", 1.5),
+        ("An office with a desk and two chairs.", "chair", "desk", 1.4),
+        ("A conference room with a large table and 12 chairs.", "chair", "table", 2.6),
+        ("A kitchen with a dining table with four chairs.", "chair", "dining_table", 1.3),
+        ("A restaurant with a bar with six stools.", "stool", "bar", 2.0),
+    ] {
+        let draft = draft(request);
+        let far = far(&draft, noun, from);
+        assert!(far.is_some_and(|far| far <= most), "{request}: {noun} to {from}: {far:?}");
+    }
+}
+
+#[test]
+fn a_room_with_much_empty_floor_is_smaller_than_usual_and_keeps_its_furniture() {
+    let area = |draft: &Draft| draft.rooms[0].size[0] * draft.rooms[0].size[2];
+    for (request, usual) in
+        [("A living room.", 6.2 * 5.2), ("A kindergarten room.", 8.0 * 6.5), ("A laboratory.", 8.0 * 6.6)]
+    {
+        let made = draft(request);
+        assert!(area(&made) < 0.95 * usual && area(&made) > 0.6 * usual, "{request}: {}", area(&made));
+        assert_eq!(draft(request).rooms[0].size, made.rooms[0].size);
+    }
+    // What is said is kept.
+    for (request, said) in [("A living room of 8 by 6 m.", 48.0), ("A spacious living room.", 1.3 * 6.2 * 5.2)] {
+        assert!(area(&draft(request)) >= said - 1e-9, "{request}: {}", area(&draft(request)));
+    }
+}

@@ -179,7 +179,7 @@ impl Named<'_> {
                 _ => &["inFrontOf", "behind", "inFrontOf", "behind", "leftOf", "rightOf", "inFrontOf", "behind"],
             };
             let each: Vec<String> = (0..k).map(|j| format!("{}({}, {to}[i])", sides[j], indexed(of, k, j))).collect();
-            out.push(format!("{verb} forall i in 0..{m}: {};", each.join(" and ")));
+            out.push(format!("prefer forall i in 0..{m}: {};", each.join(" and ")));
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
         } else {
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));

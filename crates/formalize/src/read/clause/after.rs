@@ -20,8 +20,20 @@ impl Reader<'_> {
         }
     }
 
-    /// "one chair per desk", "ten tables, four chairs each": so many for each.
+    /// "one chair per desk", "a chair for each bed", "ten tables, four chairs each": so many for each.
     pub(super) fn for_each(&mut self, k: usize, end: usize, id: usize, group: &[usize]) -> usize {
+        let is_for =
+            matches!(self.piece(k, end), Some(Piece::Word(_))) && self.tokens[self.chunks[k].at.start].is("for");
+        if let (true, Some(np)) = (is_for, self.np(k + 1, end))
+            && (np.kind, np.det) == (Kind::Thing, Det::Each)
+            && let Some(owner) = self.find(np).filter(|owner| *owner != id)
+        {
+            self.mark(k);
+            self.mark(k + 1);
+            self.multiply(&[id], owner);
+            self.join(&[owner], &[id], Join::Usual);
+            return k + 2;
+        }
         let Some(np) = self.np(k, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
         let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[k].at.start].is("per") {
             self.find(np)

@@ -320,7 +320,9 @@ impl Reader<'_> {
         self.recent.push(id);
         let mut items = self.all_of(id, np);
         let mut next = self.after_noun(k + 1, end, id);
-        let mut each = np.det == Det::Each && np.count.is_none();
+        // "on each of three tables", but not "on all three tables".
+        let first = &self.tokens[self.chunks[k].at.start];
+        let mut each = np.det == Det::Each && (np.count.is_none() || first.is("each") || first.is("every"));
         // More objects: "between the sofa and the tv", "next to the fridge and the stove".
         while let Some(n) = self.more_objects(next, end, rel, items.len()) {
             let Some(np) = self.np(n, end) else { break };
@@ -626,10 +628,11 @@ impl Reader<'_> {
             _ => {}
         }
         if place == Place::Corner && which.iter().any(|w| w == "each") {
-            // "speakers in every corner": rooms have four.
+            // "speakers in every corner", "a barrel in each corner": rooms have four.
             for o in of {
                 let item = &mut self.brief.things[*o];
-                if item.number.many() && item.number.said().is_none() {
+                let is_one = item.number.said().is_none_or(|n| n == 1);
+                if !item.number.follows() && is_one {
                     item.number = Number::Exactly(4);
                 }
             }

@@ -463,6 +463,9 @@ impl Reader<'_> {
         if np.row {
             self.say(&[id], What::Pattern(Pattern::Row));
         }
+        if let Some(rows) = np.rows {
+            self.say(&[id], What::Pattern(Pattern::Rows(rows)));
+        }
         if np.look.features.iter().any(|f| f == "matching") {
             self.match_looks(id);
         }
@@ -736,7 +739,7 @@ impl Reader<'_> {
                 Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
                 Group::Soft => Some(Rel::On),
                 Group::Seat if matches!(owner_group, Group::Table) => {
-                    if self.brief.things[owner[0]].head().contains("desk") {
+                    if ONE_SIDED.iter().any(|end| self.brief.things[owner[0]].head().ends_with(end)) {
                         Some(Rel::InFrontOf)
                     } else {
                         Some(Rel::Around)
@@ -771,6 +774,9 @@ impl Reader<'_> {
         }
     }
 }
+
+/// One sits at these on one side.
+const ONE_SIDED: [&str; 6] = ["desk", "bar", "counter", "island", "workbench", "bench"];
 
 /// Whether a noun that nobody knows is no thing by its end: "warmth and functionality", "a playful and cozy touch".
 fn abstraction(np: &Np) -> bool {

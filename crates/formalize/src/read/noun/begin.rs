@@ -92,7 +92,7 @@ impl Scan<'_> {
         let of = w == "of"
             && used > 0
             && matches!(self.text(used - 1), "each" | "both" | "all" | "any" | "one" | "either" | "some" | "none")
-            && self.is_determiner(self.text(used + 1));
+            && (self.is_determiner(self.text(used + 1)) || number::count(self.from(used + 1)).is_some());
         of || w == "one" && used > 0 && self.text(used + 1) == "of"
     }
 

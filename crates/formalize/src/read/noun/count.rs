@@ -7,6 +7,10 @@ use super::super::{counts, number};
 use super::scan::Scan;
 use super::{Det, Nth};
 
+/// What things stand in that are counted by it.
+const GATHERED: [&str; 8] = ["rows", "lines", "columns", "groups", "clusters", "sets", "stacks", "banks"];
+const LINES: [&str; 3] = ["rows", "lines", "columns"];
+
 impl Scan<'_> {
     /// Reads the number. The tokens of the phrase where it ends here: "two of them".
     pub fn count(&mut self) -> Option<usize> {
@@ -30,9 +34,23 @@ impl Scan<'_> {
         if !whole || !(0.0..=1e9).contains(&n) {
             return None;
         }
+        // "three rows of four desks", "two groups of six chairs"
+        let gathered = GATHERED.contains(&self.text(from + k)) && self.text(from + k + 1) == "of";
+        if let (true, Some((each, more))) = (gathered, number::count(self.from(from + k + 2)))
+            && n.fract() == 0.0
+            && each.fract() == 0.0
+        {
+            self.np.rows = LINES.contains(&self.text(from + k)).then_some(n as usize);
+            return self.take_number(n * each, from + k + 2 + more);
+        }
+        self.take_number(n, from + k)
+    }
+
+    /// What follows a number that ends before a token.
+    fn take_number(&mut self, n: f64, end: usize) -> Option<usize> {
         self.np.number = counts::said(n).map(|_| n);
         self.np.count = Some(if n.fract() == 0.0 { n as usize } else { counts::whole(n) });
-        self.used = from + k;
+        self.used = end;
         if matches!(self.last_det, Det::None | Det::Indefinite) {
             self.np.det = Det::Number;
         }

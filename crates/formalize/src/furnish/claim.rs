@@ -1,0 +1,271 @@
+//! What is asked for and goes with something else stands where such things go with it: chairs at their table, nightstands
+//! beside the bed, the coffee table before the sofa. It waits for that, whether it is asked for, too, or comes with the
+//! room.
+
+use super::groups::{self, Along, Part, Where};
+use super::kinds::{Count, Kind, Line};
+use super::plan::{AtWall, Plan, for_people, why};
+use super::slots::{Sizes, Slot, Taken, slots};
+use super::stand::{self, counts_as};
+use crate::brief::Group;
+use crate::draft::{Demand, Source, Statement};
+use crate::names::words;
+
+/// Groups of groups: so deep.
+const DEEP: usize = 2;
+/// Between a desk and those who visit, and between it and a second chair beside it (metres).
+const VISITOR: f64 = 0.4;
+const SECOND: f64 = 0.25;
+
+impl Plan<'_> {
+    /// A part of a group that is asked for, and of which nothing else is said, stands where such a part does. Whether there
+    /// is one.
+    pub(super) fn claim(
+        &mut self,
+        thing: usize,
+        part: &Part,
+        wall: AtWall,
+        deep: usize,
+        taken: &mut Vec<Taken>,
+    ) -> bool {
+        let left_out = self.building.as_ref().is_none_or(|group| group.skip.contains(&part.noun));
+        let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
+        if !is_claimed(part) || left_out || around && self.is_at_wall(&self.draft.things[thing].name) {
+            return false;
+        }
+        let anchor = self.draft.things[thing].clone();
+        let asked = (0..self.draft.things.len()).find(|i| {
+            *i != thing
+                && self.is_free(*i, Some(&anchor.name))
+                && takes(part, &self.draft.things[*i].category)
+                && self.agrees(part, &self.draft.things[*i].name)
+        });
+        let Some(asked) = asked else { return false };
+        let it = self.draft.things[asked].clone();
+        let (Some(of), Some(own)) = (anchor.size, it.size) else { return false };
+        let each = it.count / anchor.count;
+        if each == 0 || each * anchor.count != it.count {
+            return false;
+        }
+        let round = stand::round(&anchor.category, &anchor.look.features);
+        let mut places: Vec<Slot> = wheres(part, each, wall)
+            .iter()
+            .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))
+            .filter(|slot| !taken.iter().any(|other| Taken::by(slot, own).meets(other)))
+            .collect();
+        places.truncate(each);
+        if places.len() != each {
+            return false;
+        }
+        let height = self.draft.rooms[self.room].size[1];
+        let why = why(&anchor.category.replace('_', " "), part.noun, &part.at);
+        if let Some(group) = &mut self.building {
+            group.add(thing, asked, &places, (part.noun, own, &part.at), height);
+        }
+        taken.extend(places.iter().map(|slot| Taken::by(slot, own)));
+        self.claimed.push(asked);
+        if let Some(group) = self.building.as_mut().filter(|_| stand::group(part.noun) == Group::Seat) {
+            group.seated.push(thing);
+        }
+        self.fix(thing, asked, &places, height, &why);
+        let flush = matches!(part.at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
+        self.surround_as(part.noun, asked, if flush { wall } else { AtWall::No }, deep + 1);
+        true
+    }
+
+    /// Whether a thing is asked for and has no place yet, and nothing is said of where it is but in relation to `anchor`.
+    fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
+        let it = &self.draft.things[at];
+        it.room == Some(self.room)
+            && (matches!(it.source, Source::Stated(_)) || for_people(&it.source))
+            && !self.claimed.contains(&at)
+            && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
+            && (stand::on_floor(self.draft, it) || stand::group(&it.category) == Group::Screen)
+            && !stand::placed_without(self.draft, &it.name, anchor)
+    }
+
+    /// Whether what is said of a thing holds where such a part stands, as far as its words tell.
+    fn agrees(&self, part: &Part, name: &str) -> bool {
+        let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
+        let about = |s: &&Statement| matches!(s.source, Source::Stated(_)) && words(&s.text).contains(&name);
+        self.draft.statements.iter().filter(about).all(|s| {
+            // That seats are spread over the sides of a table is only preferred.
+            let spread = around && s.demand == Demand::Prefer;
+            calls(&s.text).iter().all(|call| match *call {
+                "near" | "looksAt" | "facing" | "onFloor" => true,
+                "around" => around,
+                "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
+                "behind" | "leftOf" | "rightOf" => spread,
+                "beside" => matches!(part.at, Where::Side(..) | Where::Sides(..)),
+                _ => false,
+            })
+        })
+    }
+
+    /// Whether a thing is said to stand in a corner or at a wall, so that nothing is on all sides of it.
+    fn is_at_wall(&self, name: &str) -> bool {
+        const WALLS: [&str; 3] = ["inCorner", "againstWall", "backToWall"];
+        self.draft.statements.iter().any(|s| {
+            matches!(s.source, Source::Stated(_))
+                && words(&s.text).contains(&name)
+                && calls(&s.text).iter().any(|call| WALLS.contains(call))
+        })
+    }
+
+    /// Whether a thing that is asked for gets its place with another one that is.
+    pub(super) fn waits_for_asked(&self, at: usize) -> bool {
+        (0..self.draft.things.len()).any(|other| self.goes_with(at, other))
+    }
+
+    /// Whether a thing that is asked for goes with another one, and nothing is said that keeps it from there.
+    fn goes_with(&self, at: usize, other: usize) -> bool {
+        let anchor = &self.draft.things[other];
+        at != other
+            && self.ground.is_some()
+            && anchor.room == Some(self.room)
+            && matches!(anchor.source, Source::Stated(_))
+            && self.draft.things[at].count.is_multiple_of(anchor.count)
+            && self.is_free(at, Some(&anchor.name))
+            && has_part(&anchor.category, self.kind.dress, DEEP, &|part| {
+                takes(part, &self.draft.things[at].category) && self.agrees(part, &self.draft.things[at].name)
+            })
+    }
+
+    /// The things that are asked for and go with one that is.
+    pub(super) fn companions(&self, of: usize) -> Vec<usize> {
+        (0..self.draft.things.len()).filter(|at| self.goes_with(*at, of)).collect()
+    }
+
+    /// Whether the request says where a thing stands, and not only where something else does in relation to it.
+    pub(super) fn is_placed(&self, at: usize) -> bool {
+        let name = &self.draft.things[at].name;
+        let stated = self.draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+        stated.filter(|s| words(&s.text).contains(&name.as_str())).any(|s| is_subject(&s.text, name))
+    }
+
+    /// Whether a thing that is asked for gets its place with something of the inventory.
+    pub(super) fn waits_for_inventory(&self, at: usize) -> bool {
+        self.line_of(at).is_some()
+    }
+
+    /// How many of a line's things there are for seats that are asked for and stand at them.
+    pub(super) fn tables(&self, line: &Line) -> Option<usize> {
+        let seats = (0..self.draft.things.len()).find(|at| self.line_of(*at) == Some(line))?;
+        spread(line, self.draft.things[seats].count)
+    }
+
+    /// The line of the inventory with which a thing that is asked for stands.
+    fn line_of(&self, at: usize) -> Option<&'static Line> {
+        let it = &self.draft.things[at];
+        if self.ground.is_none() || !matches!(it.source, Source::Stated(_)) || !self.is_free(at, None) {
+            return None;
+        }
+        let said = |noun: &str| self.is_closed(noun);
+        line(self.kind, &it.category.replace('_', " "), it.count, &said)
+    }
+}
+
+/// Whether a statement places a thing: it is the first argument of a call, its elements are gone through, or a property of
+/// it is spoken of.
+fn is_subject(text: &str, name: &str) -> bool {
+    let begins = |rest: &str| {
+        rest.strip_prefix(name).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+    };
+    let after = |sign: &str| text.match_indices(sign).any(|(at, _)| begins(text[at + sign.len()..].trim_start()));
+    after("(") || after(" in ") || text.contains(&format!("{name}.")) || text.contains(&format!("{name}[i]."))
+}
+
+/// The names that are called in a statement.
+fn calls(text: &str) -> Vec<&str> {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let starts = text.match_indices('(').map(|(at, _)| &text[..at]);
+    let names = starts.map(|before| before.rsplit(|c: char| !is_name(c)).next().unwrap_or_default());
+    names.filter(|name| !name.is_empty()).collect()
+}
+
+/// Where elements of a part may be that are asked for, the best place first.
+fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
+    match part.at {
+        Where::Row(_, gap) => vec![Where::Row(each, gap)],
+        Where::Around(_, gap) => vec![Where::Around(each, gap)],
+        Where::LongSides(_, gap) => vec![Where::LongSides(each, gap)],
+        Where::Side(gap, along, left, yaw) => {
+            vec![part.at.clone(), Where::Side(gap, along, -left, (360.0 - yaw) % 360.0)]
+        }
+        // Who visits sits across the desk, or beside it where it stands at a wall.
+        Where::Front(..) if each > 1 && stand::group(part.noun) == Group::Seat => match wall {
+            AtWall::No => vec![part.at.clone(), Where::RowBehind(each - 1, VISITOR)],
+            AtWall::Yes => vec![
+                part.at.clone(),
+                Where::Side(SECOND, Along::Backs, -1.0, 0.0),
+                Where::Side(SECOND, Along::Backs, 1.0, 0.0),
+            ],
+        },
+        ref at => vec![at.clone()],
+    }
+}
+
+/// Whether a part stands on the floor beside what it goes with, or is a television on its stand.
+fn is_claimed(part: &Part) -> bool {
+    use Where::{Around, Back, Front, LongSides, Row, Side, Sides, Top};
+    match part.at {
+        Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | Around(..) | LongSides(..) => true,
+        Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
+        _ => false,
+    }
+}
+
+/// Whether a thing that is asked for is such a part. A plain chair may be any; a plain table is none of the small ones.
+fn takes(part: &Part, category: &str) -> bool {
+    let asked = category.replace('_', " ");
+    let seat = stand::group(part.noun) == Group::Seat;
+    asked == part.noun
+        || asked.ends_with(&format!(" {}", part.noun))
+        || stand::are_kin(part.noun, &asked)
+        || seat && counts_as(part.noun, &asked)
+}
+
+/// Whether such a part goes with a thing, or with what goes with that.
+fn has_part(of: &str, dress: &str, deep: usize, is_such: &dyn Fn(&Part) -> bool) -> bool {
+    let mut parts = groups::of(of, dress).iter().filter(|part| is_claimed(part));
+    deep > 0 && parts.any(|part| is_such(part) || has_part(part.noun, dress, deep - 1, is_such))
+}
+
+/// The line of an inventory with which so many of something stand, for several one that counts people before others; none
+/// where such things have a line of their own.
+pub(super) fn line(kind: &'static Kind, noun: &str, n: usize, said: &dyn Fn(&str) -> bool) -> Option<&'static Line> {
+    if kind.lines.iter().any(|line| counts_as(line.noun, noun)) {
+        return None;
+    }
+    let usual = kind.size[0] * kind.size[2];
+    let fitting = || {
+        let open = kind.lines.iter().filter(|line| line.least <= usual && !said(line.noun) && fits(line, n));
+        open.filter(|line| has_part(line.noun, kind.dress, DEEP, &|part| takes(part, noun)))
+    };
+    let for_people = fitting().find(|line| n > 1 && matches!(line.count, Count::People(_)));
+    for_people.or_else(|| fitting().next())
+}
+
+/// Whether so many things can be spread evenly over what a line stands for.
+fn fits(line: &Line, n: usize) -> bool {
+    match line.count {
+        Count::Fixed(lines) => lines == 1,
+        Count::People(_) => spread(line, n).is_some(),
+        Count::Area(_) => false,
+    }
+}
+
+/// Over how many of a line's things so many seats can be spread, as many at each as usual or fewer, but not one alone;
+/// `None` where the line does not count people.
+fn spread(line: &Line, seats: usize) -> Option<usize> {
+    let Count::People(each) = line.count else { return None };
+    let each = each as usize;
+    (1..=each).rev().find(|k| seats.is_multiple_of(*k) && (*k > 1 || each == 1 || seats == 1)).map(|k| seats / k)
+}
+
+/// Whether people sit at what a line stands for, so that as many seats as are asked for say how many people there are.
+pub(super) fn sit_at(line: &Line, dress: &str) -> bool {
+    let parts = groups::of(line.noun, dress);
+    parts.iter().any(|part| matches!(part.at, Where::Row(..) | Where::Around(..) | Where::LongSides(..)))
+        || matches!(line.count, Count::People(_))
+}
