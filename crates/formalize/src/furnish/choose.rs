@@ -177,6 +177,16 @@ impl Choice<'_> {
     }
 }
 
+impl Choice<'_> {
+    /// As near to the middle of the room as there is a place.
+    pub fn middle(&self, floor: &Floor, shape: &Shape, yaws: &[f64]) -> Option<Pose> {
+        const STEP: f64 = 0.1;
+        let steps = (-20..=20).flat_map(|i| (-20..=20).map(move |k| (f64::from(i) * STEP, f64::from(k) * STEP)));
+        let places = steps.flat_map(|(x, z)| yaws.iter().map(move |yaw| Pose { x, y: 0.0, z, yaw: *yaw }));
+        seek::best(floor, shape, places, &|pose| Some(pose.x.abs() + pose.z.abs()))
+    }
+}
+
 /// Whether something that goes with a thing stands before its front, so that its front is not free.
 pub fn front_taken(noun: &str) -> bool {
     use super::groups::{Where, of};

@@ -18,7 +18,7 @@ const COVERED: f64 = 0.3;
 /// A room keeps this part of the floor that such rooms usually have.
 const LEAST: f64 = 0.66;
 /// Where more than this is said of how things stand, floor is left for it.
-const FACTS: usize = 4;
+const FACTS: usize = 2;
 /// What is lower than this covers no floor (metres).
 const FLAT: f64 = 0.05;
 /// A room is no longer than so many times its width.

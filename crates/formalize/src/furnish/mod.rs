@@ -27,7 +27,7 @@ mod slots;
 mod stand;
 mod taste;
 
-use crate::brief::{Brief, Number};
+use crate::brief::{Brief, Fact, Number, Pattern, What};
 use crate::draft::Draft;
 pub use area::overfull;
 use number::{Scale, scale};
@@ -35,6 +35,8 @@ use number::{Scale, scale};
 /// Rooms in which a screen is looked at are so deep at most, unless they would be longer than this (metres).
 const ACROSS: f64 = 4.5;
 const LONGEST: f64 = 8.4;
+/// So many stand in a row at least, where nobody says how many.
+const IN_A_ROW: usize = 3;
 
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
@@ -66,7 +68,12 @@ pub fn refine(brief: &mut Brief) {
     persons(brief);
     named(brief);
     for at in 0..brief.things.len() {
-        if let Some(n) = several(brief, at) {
+        let usual = several(brief, at);
+        let n = match rows(brief, at) {
+            Some(rows) => Some(usual.unwrap_or(0).div_ceil(rows).max(IN_A_ROW) * rows),
+            None => usual,
+        };
+        if let Some(n) = n {
             brief.things[at].number = Number::Exactly(n);
         }
     }
@@ -96,6 +103,15 @@ pub fn refine(brief: &mut Brief) {
             brief.things[at].last = brief.things[at].words.len();
         }
     }
+}
+
+/// In how many rows things stand of which nobody says how many there are: "six rows of racks".
+fn rows(brief: &Brief, at: usize) -> Option<usize> {
+    let of = |fact: &Fact| match fact.what {
+        What::Pattern(Pattern::Rows(rows)) if fact.of == [at] => Some(rows),
+        _ => None,
+    };
+    brief.facts.iter().find_map(of).filter(|_| brief.things[at].number == Number::Plural)
 }
 
 /// How many "racks" are, where such rooms have whole rows of them.

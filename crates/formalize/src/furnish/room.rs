@@ -196,7 +196,8 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     let it = plan.draft.things[thing].clone();
     let noun = it.category.replace('_', " ");
     // Where such rooms have their own of it, it stands as those do.
-    let own = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun)).map(|line| &line.place);
+    let line = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
+    let own = line.map(|line| &line.place);
     if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         if stand::on_floor(plan.draft, &it)
@@ -212,8 +213,11 @@ fn stand_up(plan: &mut Plan, thing: usize) {
     let in_run = matches!(own, Some(Place::Run));
     let room = plan.room_name();
     let mut wall = AtWall::No;
-    // Where such rooms have it in the middle, it is not at a wall.
+    // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
     let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
+    let placed =
+        |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
+    let own_place = line.filter(|line| it.count == 1 && placed(&line.place) && !plan.is_placed(thing));
     let has_back = stand::has_back(&it.category) && !apart;
     if stand::on_floor(plan.draft, &it) && it.count <= 4 && has_back {
         let verb = if plan.is_placed(thing) { "prefer" } else { "assert" };
@@ -236,7 +240,7 @@ fn stand_up(plan: &mut Plan, thing: usize) {
             wall = AtWall::Yes;
         }
     }
-    if !at_wall_like {
+    if !at_wall_like && own_place.is_none() {
         straighten(plan, thing);
     }
     let row = RefCell::new(Vec::new());
@@ -258,17 +262,28 @@ fn stand_up(plan: &mut Plan, thing: usize) {
                 false if it.category.ends_with("island") => &[180.0],
                 false => &[0.0],
             };
+            let nominal = own_place.map(|line| (line, nominal(plan, line, size, 0.0)));
+            let free = own_place.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
+            let central = plan.draft.statements.iter().any(|s| s.text.contains(&format!("centeredIn({},", it.name)));
             let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
                 if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, in_run), &row) {
                     Some(pose)
+                } else if central {
+                    choice.middle(floor, shape, yaws)
+                } else if let Some((line, nominal)) = nominal {
+                    match line.place {
+                        Place::Service(gap) => {
+                            choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9))
+                        }
+                        _ => near(line, floor, shape, nominal),
+                    }
                 } else if (has_back || at_wall_like) && it.count <= 8 {
                     choice.wall(floor, shape, before)
                 } else {
                     choice.floor(floor, shape, before, yaws)
                 }
             };
-            let root =
-                Root { n: it.count, frames: vec![Pose::default()], wall, free: Vec::new(), whole: false, seek: &seek };
+            let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };
             let placed = plan.place_asked(thing, &root);
             plan.lacking += usize::from(!placed);
             placed
@@ -481,22 +496,6 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         staffed: staffed(plan),
         near: near_to(plan, line.by),
     };
-    // Of places along a line, the nearest to the one that is meant.
-    let far = if line.noun.ends_with("car") { 0.5 } else { 2.0 };
-    let near = |floor: &Floor, shape: &Shape, nominal: Pose| {
-        let off =
-            |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
-        let further = match line.place {
-            Place::Before(..) => 0..=6,
-            // What came in by a wide door stands in line with it, as deep in the room as it must.
-            _ if line.noun.ends_with("car") => -8..=8,
-            _ => 0..=0,
-        };
-        let steps = further.flat_map(|k| (-30..=30).map(move |i| off(i, k)));
-        super::seek::best(floor, shape, steps, &|pose| {
-            Some((pose.x - nominal.x).abs() + far * (pose.z - nominal.z).abs())
-        })
-    };
     let nominal = nominal(plan, line, size, y);
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
@@ -516,7 +515,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
             None => choice.floor(floor, shape, before, &[0.0, 90.0]),
         },
         Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
-        _ => near(floor, shape, nominal),
+        _ => near(line, floor, shape, nominal),
     };
     let run = line.place == Place::Run && n > 1;
     let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + line.gap), ..Pose::default() }).collect();
@@ -548,6 +547,22 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
+}
+
+/// Of places along a line, the nearest to the one that is meant.
+fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose> {
+    let car = line.noun.ends_with("car");
+    let far = if car { 0.5 } else { 2.0 };
+    let off =
+        |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
+    let further = match line.place {
+        Place::Before(..) => 0..=6,
+        // What came in by a wide door stands in line with it, as deep in the room as it must.
+        _ if car => -8..=8,
+        _ => 0..=0,
+    };
+    let steps = further.flat_map(|k| (-30..=30).map(move |i| off(i, k)));
+    super::seek::best(floor, shape, steps, &|pose| Some((pose.x - nominal.x).abs() + far * (pose.z - nominal.z).abs()))
 }
 
 /// Where a thing of an inventory should stand that has its place in the room.

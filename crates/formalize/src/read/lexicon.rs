@@ -357,6 +357,17 @@ fn rooms() -> (BTreeMap<&'static str, usize>, Vec<RoomKind>) {
         }
         kinds.push(RoomKind { name, loose, size });
     }
+    // Names of several words that only the table of inventories has, such as "data center": a single one may be a thing, too.
+    for kind in crate::furnish::kinds::all() {
+        let several = kind.also.iter().copied().chain([kind.name]).filter(|name| name.contains(' '));
+        let new: Vec<&str> = several.filter(|name| !names.contains_key(name)).collect();
+        let at = names.get(kind.name).copied().unwrap_or(kinds.len());
+        if at == kinds.len() && !new.is_empty() {
+            let [w, h, d] = kind.size;
+            kinds.push(RoomKind { name: kind.name, loose: false, size: [w, d, h] });
+        }
+        names.extend(new.into_iter().map(|name| (name, at)));
+    }
     (names, kinds)
 }
 

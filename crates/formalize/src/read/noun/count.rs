@@ -9,7 +9,7 @@ use super::{Det, Nth};
 
 /// What things stand in that are counted by it.
 const GATHERED: [&str; 8] = ["rows", "lines", "columns", "groups", "clusters", "sets", "stacks", "banks"];
-const LINES: [&str; 3] = ["rows", "lines", "columns"];
+const LINES: [&str; 4] = ["rows", "lines", "columns", "aisles"];
 
 impl Scan<'_> {
     /// Reads the number. The tokens of the phrase where it ends here: "two of them".
@@ -42,6 +42,18 @@ impl Scan<'_> {
         {
             self.np.rows = LINES.contains(&self.text(from + k)).then_some(n as usize);
             return self.take_number(n * each, from + k + 2 + more);
+        }
+        // "six rows of racks": how many there are in each is not said.
+        let lines = LINES.contains(&self.text(from + k)) && self.text(from + k + 1) == "of";
+        if lines
+            && n.fract() == 0.0
+            && (2.0..=50.0).contains(&n)
+            && self.rest.get(from + k + 2).is_some_and(Token::word)
+        {
+            self.np.rows = Some(n as usize);
+            self.np.many = true;
+            self.used = from + k + 2;
+            return None;
         }
         self.take_number(n, from + k)
     }
