@@ -17,6 +17,8 @@ pub struct Measure {
     pub dims: Vec<Dim>,
     /// Whether it is an area.
     pub area: bool,
+    /// The lower end of a range, whose upper end is the value: "0.6 to 1.2 m".
+    pub least: Option<f64>,
 }
 
 impl Measure {
@@ -225,7 +227,17 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
     }
     let said = op != Op::Equal;
     if let Some((square, n)) = area(&rest[used..]) {
-        return Some((Measure { op, said, values: vec![square], dims, area: true }, used + n));
+        return Some((Measure { op, said, values: vec![square], dims, area: true, least: None }, used + n));
+    }
+    let between = range(&rest[used..]).filter(|_| op == Op::Equal);
+    let least = between.map(|(least, ..)| least);
+    if let Some((_, most, n)) = between {
+        let mut used = used + n;
+        if let Some((dim, n)) = dim_after(&rest[used..]) {
+            dims.push(dim);
+            used += n;
+        }
+        return Some((Measure { op: Op::Most, said: true, values: vec![most], dims, area: false, least }, used));
     }
     let (mut values, n) = size(&rest[used..], !dims.is_empty() && dims.iter().all(|d| *d == Dim::Ceiling))?;
     used += n;
@@ -255,7 +267,22 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
         dims.push(dim);
         used += n;
     }
-    Some((Measure { op, said, values, dims, area: false }, used))
+    Some((Measure { op, said, values, dims, area: false, least }, used))
+}
+
+/// "0.6 to 1.2 m", "between 50 cm and 1 m": both ends, and how many tokens.
+fn range(rest: &[Token]) -> Option<(f64, f64, usize)> {
+    let between = rest.first()?.is("between");
+    let from = usize::from(between || rest[0].is("from"));
+    let (low, _) = count(std::slice::from_ref(rest.get(from)?))?;
+    let own = rest.get(from + 1).and_then(|t| unit(&t.text));
+    let to = from + 1 + usize::from(own.is_some());
+    let joins = |t: &&Token| if between { t.is("and") } else { ["to", "-", "–", "—"].iter().any(|w| t.is(w)) };
+    rest.get(to).filter(joins)?;
+    let (high, n) = length(&rest[to + 1..])?;
+    let end = to + 1 + n;
+    let low = low * own.or_else(|| unit(&rest[end - 1].text)).unwrap_or(1.0);
+    (low > 0.0 && low < high).then_some((low, high, end))
 }
 
 /// "wide", "in height", "foot ceiling".
@@ -357,11 +384,26 @@ mod tests {
         ] {
             let (m, _) = measure(&tokens(text, 100).0).expect(text);
             assert_eq!((m.op, m.dims), (op, dims), "{text}");
+            assert_eq!(m.least, None, "{text}");
             assert!(
                 m.values.len() == values.len() && m.values.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-9),
                 "{text}: {:?}",
                 m.values
             );
+        }
+    }
+
+    #[test]
+    fn ranges_have_two_ends() {
+        for (text, low, high) in [
+            ("0.6 to 1.2 m from the wall", 0.6, 1.2),
+            ("between 50 cm and 1 m", 0.5, 1.0),
+            ("60-90 cm", 0.6, 0.9),
+            ("from 2 to 3 metres wide", 2.0, 3.0),
+        ] {
+            let (m, _) = measure(&tokens(text, 100).0).expect(text);
+            assert_eq!((m.op, m.said), (Op::Most, true), "{text}");
+            assert!((m.values[0] - high).abs() < 1e-9 && (m.least.unwrap_or(0.0) - low).abs() < 1e-9, "{text}: {m:?}");
         }
     }
 }

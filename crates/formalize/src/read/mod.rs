@@ -89,6 +89,9 @@ pub fn brief(request: &str) -> Brief {
             brief.remove(&reader.gone);
         }
         people::count(&mut brief.rooms, &tokens);
+        for said in people::each(&mut brief, &tokens) {
+            used[said] = true;
+        }
         if let Some(whole) = found.whole {
             // "a flat with two bedrooms for a family of four": not so many in one bedroom.
             let people = brief.rooms.iter_mut().find_map(|room| room.people.take());

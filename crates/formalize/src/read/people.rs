@@ -2,7 +2,7 @@
 
 use super::number;
 use super::token::{Kind, Token};
-use crate::brief::Room;
+use crate::brief::{Brief, Number, Room, Thing};
 
 /// How many people, and where that is said.
 fn people(tokens: &[Token]) -> Option<(usize, usize)> {
@@ -49,4 +49,37 @@ pub fn count(rooms: &mut [Room], tokens: &[Token]) {
     if let Some(room) = rooms.get_mut(room) {
         room.people = Some(people);
     }
+}
+
+/// "An office for four people, each with a desk and a chair", "for three people with a desk each", "… and a bed for each":
+/// so many of what each of them has. The tokens that say so.
+pub fn each(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
+    let Some((_, from)) = people(tokens) else { return Vec::new() };
+    let Some(room) = brief.rooms.iter().position(|room| room.people.is_some()) else { return Vec::new() };
+    let people = brief.rooms[room].people.unwrap_or(1);
+    let Some(begin) = tokens.iter().position(|t| t.at.start == from) else { return Vec::new() };
+    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | ';' | '!'));
+    let end = tokens[begin..].iter().position(ends).map_or(tokens.len(), |n| begin + n);
+    let has = |t: &Token| ["with", "has", "have", "having", "gets", "get"].iter().any(|word| t.is(word));
+    let Some(at) = (begin..end).find(|i| tokens[*i].is("each")) else { return Vec::new() };
+    let list = if at + 1 < end && has(&tokens[at + 1]) {
+        at + 1..end
+    } else {
+        // It ends the list, and nothing in that list is so many for each of another.
+        let closes = at + 1 == end || matches!(tokens[at + 1].kind, Kind::Sign(','));
+        let Some(with) = (begin..at).rev().find(|i| has(&tokens[*i])).filter(|_| closes) else { return Vec::new() };
+        with..at
+    };
+    let bytes = tokens[list.start].at.start..tokens[list.end - 1].at.end;
+    let single =
+        |thing: &Thing| thing.part.is_none() && thing.number.said().is_none_or(|n| n == 1) && !thing.number.follows();
+    let listed = |thing: &Thing| thing.room == room && bytes.contains(&thing.source.at().start);
+    if !brief.things.iter().any(listed) || !brief.things.iter().filter(|thing| listed(thing)).all(single) {
+        return Vec::new();
+    }
+    for thing in brief.things.iter_mut().filter(|thing| listed(thing)) {
+        thing.number = Number::Exactly(people);
+    }
+    let before = usize::from(at > 0 && tokens[at - 1].is("for"));
+    (at - before..=at).chain((list.start == at + 1).then_some(at + 1)).collect()
 }

@@ -5,6 +5,7 @@ use super::*;
 impl Reader<'_> {
     pub(super) fn on_measure(&mut self, i: usize, end: usize, m: &Measure) -> usize {
         self.mark(i);
+        self.s.range = m.least.map(|least| [least, m.values[0]]);
         let after_room = self.s.of_room && !self.s.subject || self.s.room_last;
         if m.dims.contains(&Dim::Ceiling) {
             let room = self.room;
@@ -170,8 +171,10 @@ impl Reader<'_> {
             // What was said first stands: "1 m by 1 m" later on is of something else.
             let size = self.brief.rooms[room].size;
             let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
-            for (dim, value) in dims.into_iter().filter(|_| !whole && !limit) {
-                self.room_dim(room, dim, value);
+            // Of a range a room takes the middle.
+            let middle = m.least.map(|least| (least + m.values[0]) / 2.0);
+            for (dim, value) in dims.into_iter().filter(|_| !whole && (!limit || middle.is_some())) {
+                self.room_dim(room, dim, middle.unwrap_or(value));
             }
             return;
         }

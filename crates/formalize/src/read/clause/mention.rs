@@ -177,12 +177,15 @@ impl Reader<'_> {
     /// Says something of things; denied or not.
     pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool) {
         let at = self.phrase(of);
-        self.brief.say(Fact {
-            soft,
-            not,
-            object: self.s.quantifier,
-            ..Fact::new(of.to_vec(), what, Source::Stated(at))
-        });
+        let low = self.s.range.and_then(|range| lower_end(&what, range)).filter(|_| !not);
+        for what in std::iter::once(what).chain(low) {
+            self.brief.say(Fact {
+                soft,
+                not,
+                object: self.s.quantifier,
+                ..Fact::new(of.to_vec(), what, Source::Stated(at.clone()))
+            });
+        }
     }
 
     /// "the doors", where one was named after the other: all of them.
@@ -212,4 +215,18 @@ impl Reader<'_> {
         let of = self.brief.facts.iter().rev().find(rows)?.of[0];
         Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
     }
+}
+
+/// What a range says beside its upper end.
+fn lower_end(what: &What, [least, most]: [f64; 2]) -> Option<What> {
+    let is_most = |op: &Op, v: &f64| *op == Op::Most && *v == most;
+    Some(match what {
+        What::Gap(op, v, to) if is_most(op, v) => What::Gap(Op::Least, least, to.clone()),
+        What::Wall(op, v) if is_most(op, v) => What::Wall(Op::Least, least),
+        What::Rows(op, v) if is_most(op, v) => What::Rows(Op::Least, least),
+        What::Among(op, v) if is_most(op, v) => What::Among(Op::Least, least),
+        What::Height(op, v) if is_most(op, v) => What::Height(Op::Least, least),
+        What::Size(dim, op, v) if is_most(op, v) => What::Size(*dim, Op::Least, least),
+        _ => return None,
+    })
 }

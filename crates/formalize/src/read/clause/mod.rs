@@ -123,6 +123,8 @@ struct Sentence {
     each: bool,
     /// A measure that waits for its relation.
     pending: Option<Measure>,
+    /// The ends of the range that was read last.
+    range: Option<[f64; 2]>,
     /// The relation said last, for a measure that comes after it.
     last: Option<(Vec<usize>, Rel, Vec<usize>)>,
     /// Whether the last subject was listed as what a room has.
@@ -653,6 +655,7 @@ impl Sentence {
             verb: false,
             each: false,
             pending: None,
+            range: None,
             last: None,
             listed: false,
             of_room: false,

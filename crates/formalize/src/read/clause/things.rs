@@ -36,7 +36,14 @@ impl Reader<'_> {
                 }
                 if let (true, [(Dim::Width, width), ..]) = (self.s.path, np.dims.as_slice()) {
                     // "a 1.5 m wide path from the gate to the stage"
-                    let m = Measure { op: Op::Least, said: true, values: vec![*width], dims: vec![], area: false };
+                    let m = Measure {
+                        op: Op::Least,
+                        said: true,
+                        values: vec![*width],
+                        dims: vec![],
+                        area: false,
+                        least: None,
+                    };
                     self.mark(i);
                     return self.on_path(i, end, &m);
                 }
@@ -191,6 +198,17 @@ impl Reader<'_> {
             self.mark(i);
             self.mark(k);
             self.s.skip = Some(k + 1);
+            return;
+        }
+        // "two lamps, one on each side of the bed"
+        let side = matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) && self.sides(i + 1);
+        if let (Some(1), true, [pair]) = (np.count, side, self.main.as_slice())
+            && self.brief.things[*pair].number.said() == Some(2)
+        {
+            self.near = self.main.clone();
+            self.s.subject = true;
+            self.mark(i);
+            self.apply_lead();
             return;
         }
         if !matches!(self.s.expect, Expect::Object(_))
@@ -349,7 +367,21 @@ impl Reader<'_> {
         if np.other && np.det != Det::Definite {
             return self.introduce(i, np);
         }
+        if let Some(all) = exact.filter(|f| again.is_none() && self.is_every(*f, np)) {
+            self.brief.things[all].number = Number::Exactly(np.count.unwrap_or(1));
+            return Some(all);
+        }
         again.or_else(|| self.introduce(i, np))
+    }
+
+    /// "A shower within 3 m of every bench. There are three benches.": how many those are of which all were spoken of.
+    fn is_every(&self, thing: usize, np: &Np) -> bool {
+        let it = &self.brief.things[thing];
+        let first = self.tokens.iter().find(|token| token.at.start == it.source.at().start);
+        it.number == Number::Unsaid
+            && np.det == Det::Number
+            && np.count.is_some_and(|n| n > 1)
+            && first.is_some_and(|token| ["every", "each", "all"].iter().any(|word| token.is(word)))
     }
 
     /// "the first exit", "two of the chairs": some of what is known.
