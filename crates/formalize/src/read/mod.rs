@@ -88,7 +88,7 @@ pub fn brief(request: &str) -> Brief {
         if !reader.gone.is_empty() {
             brief.remove(&reader.gone);
         }
-        people::count(&mut brief.rooms, &tokens);
+        used[people::count(&mut brief.rooms, &tokens)].fill(true);
         for said in people::each(&mut brief, &tokens) {
             used[said] = true;
         }
@@ -134,6 +134,10 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let brief = complete(brief, extent);
     let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned());
+    if let (Extent::Literal, Some(people)) = (extent, brief.rooms.iter().find_map(|room| room.people)) {
+        let reason = format!("for {people} people: no statement says so where nothing is added");
+        draft.notes.push(Note { at: people::phrase(&brief.request), reason });
+    }
     if extent == Extent::Usual {
         // What was added contradicts nothing, either, so the close look comes after it.
         reconcile_quickly(&mut draft);

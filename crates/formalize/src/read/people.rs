@@ -1,11 +1,12 @@
 //! For how many people a room is: "for eight people", "seating ten guests", "for six".
 
 use super::number;
-use super::token::{Kind, Token};
+use super::token::{Kind, Token, tokens};
 use crate::brief::{Brief, Number, Room, Thing};
+use std::ops::Range;
 
-/// How many people, and where that is said.
-fn people(tokens: &[Token]) -> Option<(usize, usize)> {
+/// How many people, and the tokens that say so.
+fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
     const WHO: [&str; 18] = [
         "people",
         "persons",
@@ -32,32 +33,44 @@ fn people(tokens: &[Token]) -> Option<(usize, usize)> {
         // "For a family of five", "for a class of twenty".
         let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
         let of = group.filter(|k| GROUPS.iter().any(|group| tokens[k - 1].is(group)));
+        let first = of.map_or(i, |of| of - 1);
         let i = of.unwrap_or(i);
         let (n, words) = number::count(&tokens[i + 1..])?;
         // "For six" without a noun speaks of people, too.
         let who = tokens.get(i + 1 + words).filter(|_| of.is_none());
         let ends = |who: &Token| matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!'));
         let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
-        (n > 1.0 && n <= MOST && speaks_of_people).then_some((n as usize, tokens[i].at.start))
+        (n > 1.0 && n <= MOST && speaks_of_people).then(|| {
+            let named = who.is_some_and(|who| !ends(who));
+            (n as usize, first..i + 1 + words + usize::from(named))
+        })
     })
 }
 
-/// Writes it into the room that is spoken of there.
-pub fn count(rooms: &mut [Room], tokens: &[Token]) {
-    let Some((people, at)) = people(tokens) else { return };
+/// Writes it into the room that is spoken of there. The tokens that say so.
+pub fn count(rooms: &mut [Room], tokens: &[Token]) -> Range<usize> {
+    let Some((people, said)) = people(tokens) else { return 0..0 };
+    let at = tokens[said.start].at.start;
     let room = rooms.iter().rposition(|room| room.source.at().start <= at).unwrap_or(0);
     if let Some(room) = rooms.get_mut(room) {
         room.people = Some(people);
     }
+    said
+}
+
+/// Where a request says it; its beginning, if it does not.
+pub fn phrase(request: &str) -> Range<usize> {
+    let (tokens, _) = tokens(request, super::MOST_WORDS);
+    people(&tokens).map_or(0..0, |(_, said)| tokens[said.start].at.start..tokens[said.end - 1].at.end)
 }
 
 /// "An office for four people, each with a desk and a chair", "for three people with a desk each", "… and a bed for each":
 /// so many of what each of them has. The tokens that say so.
 pub fn each(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
-    let Some((_, from)) = people(tokens) else { return Vec::new() };
+    let Some((_, said)) = people(tokens) else { return Vec::new() };
     let Some(room) = brief.rooms.iter().position(|room| room.people.is_some()) else { return Vec::new() };
     let people = brief.rooms[room].people.unwrap_or(1);
-    let Some(begin) = tokens.iter().position(|t| t.at.start == from) else { return Vec::new() };
+    let begin = said.start;
     let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | ';' | '!'));
     let end = tokens[begin..].iter().position(ends).map_or(tokens.len(), |n| begin + n);
     let has = |t: &Token| ["with", "has", "have", "having", "gets", "get"].iter().any(|word| t.is(word));
