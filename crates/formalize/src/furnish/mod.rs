@@ -4,6 +4,7 @@
 //! stands by itself is placed by the search. Nothing is added that is asked for, ruled out, or could be counted as either.
 
 mod area;
+mod asked;
 mod build;
 mod choose;
 mod claim;

@@ -9,9 +9,9 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
-use super::{even, gates, groups, place, slots, stand, taste};
+use super::{asked, even, gates, groups, place, stand, taste};
 use crate::brief::{Brief, MOST_GUIDED};
-use crate::draft::{Demand, Draft, Source, Thing};
+use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
 
 /// How high things on walls are looked at.
@@ -67,15 +67,15 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
             gates::curtains(&mut plan);
         }
     }
-    rounded(&mut plan, brief);
-    lengthened(&mut plan, brief);
+    asked::rounded(&mut plan, brief);
+    asked::lengthened(&mut plan, brief);
     // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
     let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
     // What goes with something else waits for that.
     let (with_asked, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
     let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
     for thing in asked.iter().chain(&with_asked).filter(|_| !crowd) {
-        stand_up(&mut plan, *thing);
+        asked::stand_up(&mut plan, *thing);
     }
     let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
     let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
@@ -93,66 +93,11 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
     }
     for thing in waiting.iter().filter(|_| !crowd) {
-        stand_up(&mut plan, *thing);
+        asked::stand_up(&mut plan, *thing);
     }
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
     lacking
-}
-
-/// Round tables that are asked for are circles, as large as those need who sit at them.
-fn rounded(plan: &mut Plan, brief: &Brief) {
-    for at in 0..plan.draft.things.len() {
-        let thing = &plan.draft.things[at];
-        let oval = thing.category.contains("oval") || thing.look.features.iter().any(|f| f == "oval");
-        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
-        if thing.room != Some(plan.room) || oval || sized || !stand::round(&thing.category, &thing.look.features) {
-            continue;
-        }
-        let seats = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
-        let seats = seats.filter(|t| stand::group(&t.category) == crate::brief::Group::Seat);
-        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0).div_ceil(thing.count.max(1));
-        let usual = Plan::size(&thing.category.replace('_', " "));
-        let fits = plan.draft.rooms[plan.room].size;
-        let most = fits[0].min(fits[2]) - 1.6;
-        let across = slots::diameter(n.min(12), Plan::size("chair")[0]).max(usual[0].min(usual[2])).min(most.max(0.6));
-        if let Some(size) = plan.draft.things[at].size.as_mut().filter(|s| s[1] > 0.55) {
-            (size[0], size[2]) = (across, across);
-        }
-    }
-}
-
-/// Tables that are asked for are as long as the seats need that are asked for and go with them.
-fn lengthened(plan: &mut Plan, brief: &Brief) {
-    for at in 0..plan.draft.things.len() {
-        let thing = &plan.draft.things[at];
-        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
-        let is_table = stand::group(&thing.category) == crate::brief::Group::Table;
-        let is_round = stand::round(&thing.category, &thing.look.features);
-        let (Some(size), true) = (thing.size, is_table && !is_round && !sized && thing.count == 1) else { continue };
-        let seats = plan.companions(at).into_iter().map(|seat| plan.draft.things[seat].clone());
-        let seats = seats.filter(|seat| stand::group(&seat.category) == crate::brief::Group::Seat);
-        let Some((own, n)) = seats.filter_map(|seat| Some((seat.size?, seat.count))).max_by_key(|(_, n)| *n) else {
-            continue;
-        };
-        let [w, _, d] = plan.draft.rooms[plan.room].size;
-        // At a bar all sit on one side.
-        let parts = groups::of(&thing.category, plan.kind.dress);
-        let in_row = parts.iter().any(|part| matches!(part.at, groups::Where::Row(..)));
-        let (room_for, needed) = match in_row {
-            true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
-            false => {
-                (slots::capacity(size, own, false), n.saturating_sub(2).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1)
-            }
-        };
-        let needed = needed.min(w.max(d) - 2.0);
-        if room_for < n
-            && needed > size[0]
-            && let Some(size) = plan.draft.things[at].size.as_mut()
-        {
-            size[0] = (needed * 100.0).ceil() / 100.0;
-        }
-    }
 }
 
 /// Adds what one eats at, if there is room for its seats, too.
@@ -168,7 +113,7 @@ fn eat_at(plan: &mut Plan, line: &Line) {
 }
 
 /// Whether someone works behind a counter at the back of such a room.
-fn staffed(plan: &Plan) -> bool {
+pub(super) fn staffed(plan: &Plan) -> bool {
     plan.kind.lines.iter().any(|line| matches!(line.place, Place::Before(_, yaw) if yaw == 180.0))
 }
 
@@ -188,116 +133,8 @@ fn watched_from(plan: &Plan) -> Option<Pose> {
     Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
 }
 
-/// What is asked for stands at a wall if such things do and nothing else is said, and gets what goes with it.
-fn stand_up(plan: &mut Plan, thing: usize) {
-    if plan.claimed.contains(&thing) {
-        return;
-    }
-    let it = plan.draft.things[thing].clone();
-    let noun = it.category.replace('_', " ");
-    // Where such rooms have their own of it, it stands as those do.
-    let line = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
-    let own = line.map(|line| &line.place);
-    if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
-        let clear = format!("againstWall(a, {})", plan.room_name());
-        if stand::on_floor(plan.draft, &it)
-            && rows(plan, &noun, it.count, *toward, ("such things stand in rows", Some(thing)))
-        {
-            plan.draft
-                .statements
-                .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&clear) || !s.text.contains(&it.name));
-            return;
-        }
-    }
-    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
-    let in_run = matches!(own, Some(Place::Run));
-    let room = plan.room_name();
-    let mut wall = AtWall::No;
-    // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
-    let placed =
-        |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
-    let own_place = line.filter(|line| it.count == 1 && placed(&line.place) && !plan.is_placed(thing));
-    let has_back = stand::has_back(&it.category) && !apart;
-    if stand::on_floor(plan.draft, &it) && it.count <= 4 && has_back {
-        let verb = if plan.is_placed(thing) { "prefer" } else { "assert" };
-        let one = if it.count > 1 { "a" } else { it.name.as_str() };
-        let at_wall = format!("againstWall({one}, {room})");
-        let all = |formula: &str| match it.count {
-            1 => format!("{verb} {formula};"),
-            _ => format!("{verb} forall a in {}: {formula};", it.name),
-        };
-        let said = plan.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&at_wall));
-        plan.draft.statements.retain(|s| s.demand != Demand::Prefer || s.text != at_wall);
-        if !said {
-            plan.say(all(&at_wall), "such things stand at a wall");
-        }
-        if let Some(depth) = stand::access(&it.category).filter(|_| !choose::front_taken(&noun)) {
-            let text = all(&format!("clear({one}, front, {})", metres(depth))).replacen("assert", "prefer", 1);
-            plan.say(text, "one gets at it from the front");
-        }
-        if verb == "assert" || said {
-            wall = AtWall::Yes;
-        }
-    }
-    if !at_wall_like && own_place.is_none() {
-        straighten(plan, thing);
-    }
-    let row = RefCell::new(Vec::new());
-    let placed = match it.size.filter(|_| plan.ground.is_some() && stand::on_floor(plan.draft, &it)) {
-        Some(size) => {
-            let windows = window_walls(plan);
-            let choice = Choice {
-                noun: &noun,
-                size,
-                windows: &windows,
-                looks_at: None,
-                strictly: false,
-                staffed: staffed(plan),
-                near: None,
-            };
-            let turned = plan.draft.statements.iter().any(|s| s.text.contains(&format!("{}.rot.y = 90", it.name)));
-            let yaws: &[f64] = match turned {
-                true => &[90.0],
-                false if it.category.ends_with("island") => &[180.0],
-                false => &[0.0],
-            };
-            let nominal = own_place.map(|line| (line, nominal(plan, line, size, 0.0)));
-            let free = own_place.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
-            let central = plan.draft.statements.iter().any(|s| s.text.contains(&format!("centeredIn({},", it.name)));
-            let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-                if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, in_run), &row) {
-                    Some(pose)
-                } else if central {
-                    choice.middle(floor, shape, yaws)
-                } else if let Some((line, nominal)) = nominal {
-                    match line.place {
-                        Place::Service(gap) => {
-                            choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9))
-                        }
-                        _ => near(line, floor, shape, nominal),
-                    }
-                } else if (has_back || at_wall_like) && it.count <= 8 {
-                    choice.wall(floor, shape, before)
-                } else {
-                    choice.floor(floor, shape, before, yaws)
-                }
-            };
-            let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };
-            let placed = plan.place_asked(thing, &root);
-            plan.lacking += usize::from(!placed);
-            placed
-        }
-        None => false,
-    };
-    if !placed {
-        plan.building = None;
-        plan.surround(thing, wall, 0);
-    }
-}
-
 /// The next place of several beds, or of what stands in a run, side by side; `row` keeps all of them.
-fn in_row(
+pub(super) fn in_row(
     choice: &Choice,
     floor: &Floor,
     shape: &Shape,
@@ -314,69 +151,15 @@ fn in_row(
     row.borrow().get(before.len()).copied()
 }
 
-/// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
-fn straighten(plan: &mut Plan, thing: usize) {
-    const TURNING: [&str; 12] = [
-        "againstWall(",
-        "inCorner(",
-        "facing(",
-        "looksAt(",
-        "beside(",
-        "inFrontOf(",
-        "behind(",
-        "Mounted(",
-        ".front",
-        ".rot",
-        "parallel(",
-        ".right",
-    ];
-    let it = plan.draft.things[thing].clone();
-    let free = matches!(stand::group(&it.category), crate::brief::Group::Table | crate::brief::Group::Floor);
-    let name = &it.name;
-    let subject = [format!("({name},"), format!("({name}["), format!("forall a in {name}:"), format!("{name}.")];
-    let turned = plan
-        .draft
-        .statements
-        .iter()
-        .any(|s| TURNING.iter().any(|t| s.text.contains(t)) && subject.iter().any(|n| s.text.contains(n)));
-    if !free || turned || !stand::on_floor(plan.draft, &it) || stand::has_back(&it.category) {
-        return;
-    }
-    let [w, _, d] = plan.draft.rooms[plan.room].size;
-    let along = it.size.is_none_or(|s| s[0] >= s[2]);
-    let yaw = match (w >= d) == along {
-        _ if it.category.ends_with("car") && gate(plan).is_some() => "0",
-        // Who sits at an island has the kitchen before the eyes.
-        true if it.category.ends_with("island") => "180",
-        true => "0",
-        false => "90",
-    };
-    let [own_w, _, own_d] = it.size.unwrap_or_default();
-    let (across, deep) = if yaw != "90" { (own_w, own_d) } else { (own_d, own_w) };
-    // What cannot stand so is left to turn.
-    if across > w || deep > d {
-        return;
-    }
-    let island = stand::group(&it.category) == crate::brief::Group::Table && !stand::placed(plan.draft, name);
-    let text = match it.count {
-        1 if island && own_w.max(own_d) < w.min(d) - 2.0 => {
-            format!("assert {name}.rot.y = {yaw} and gap({name}, {}) >= 0.7;", plan.room_name())
-        }
-        1 => format!("assert {name}.rot.y = {yaw};"),
-        _ => format!("assert forall a in {name}: a.rot.y = {yaw};"),
-    };
-    plan.say(text, "things stand parallel to the walls");
-}
-
 /// Where the wide door of the room is, if it has one.
-fn gate(plan: &Plan) -> Option<Pose> {
+pub(super) fn gate(plan: &Plan) -> Option<Pose> {
     let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
     plan.place_in_room(&door.name)
 }
 
 /// What is kept free around a thing of the inventory, in its frame: behind a counter for who works there, before it for who
 /// is served, beside it for the way there; beside what hangs.
-fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
+pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
     let [w, h, d] = size;
     let at = |x: f64, y: f64, z: f64| Pose { x, y, z, yaw: 0.0 };
     if hung {
@@ -550,7 +333,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
 }
 
 /// Of places along a line, the nearest to the one that is meant.
-fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose> {
+pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose> {
     let car = line.noun.ends_with("car");
     let far = if car { 0.5 } else { 2.0 };
     let off =
@@ -566,7 +349,7 @@ fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose
 }
 
 /// Where a thing of an inventory should stand that has its place in the room.
-fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
+pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
     let [width, _, depth] = plan.draft.rooms[plan.room].size;
     let middle_yaw = if (width >= depth) == (size[0] >= size[2]) { 0.0 } else { 90.0 };
     match &line.place {

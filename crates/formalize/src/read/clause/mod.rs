@@ -15,6 +15,7 @@ use std::ops::Range;
 
 mod after;
 mod its;
+mod joined;
 mod measures;
 mod mention;
 mod only;

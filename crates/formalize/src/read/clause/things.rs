@@ -200,15 +200,7 @@ impl Reader<'_> {
             self.s.skip = Some(k + 1);
             return;
         }
-        // "two lamps, one on each side of the bed"
-        let side = matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) && self.sides(i + 1);
-        if let (Some(1), true, [pair]) = (np.count, side, self.main.as_slice())
-            && self.brief.things[*pair].number.said() == Some(2)
-        {
-            self.near = self.main.clone();
-            self.s.subject = true;
-            self.mark(i);
-            self.apply_lead();
+        if self.one_on_each_side(i, end, np) {
             return;
         }
         if !matches!(self.s.expect, Expect::Object(_))
@@ -707,108 +699,7 @@ impl Reader<'_> {
             }
         }
     }
-
-    /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
-    pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
-        let seat = self.brief.things[owner].group == Group::Seat;
-        let all = self.brief.count(owner);
-        for f in fresh {
-            let item = &mut self.brief.things[*f];
-            // "five placemats, aligned with each chair": one for each, where there are as many.
-            if item.number.said().is_some_and(|n| n > 1 && n == all) {
-                continue;
-            }
-            let own = item.number.said().unwrap_or(1);
-            let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
-            if *f != owner && !item.number.follows() && !(seat && large) {
-                item.number = Number::Each { of: owner, number: own };
-            }
-        }
-    }
-
-    /// Relations said before the subject came.
-    pub(super) fn apply_lead(&mut self) {
-        let lead = std::mem::take(&mut self.s.lead);
-        let of = self.main.clone();
-        let fresh: Vec<usize> = of.clone();
-        if let Some(pattern) = self.s.lead_pattern.take() {
-            self.say(&of, What::Pattern(pattern));
-        }
-        if std::mem::take(&mut self.s.lead_twice) {
-            self.double();
-        }
-        for (rel, to) in &lead {
-            match to {
-                Lead::Items(items, _) if self.s.lead_not => {
-                    let soft = self.s.soft;
-                    self.state(&of, What::Rel(*rel, items.clone()), soft, true);
-                }
-                Lead::Items(items, each) => {
-                    if *each && items.len() == 1 {
-                        self.multiply(&fresh, items[0]);
-                    }
-                    self.s.quantifier = if *each { Quantifier::Each } else { Quantifier::Usual };
-                    self.relate(&of, *rel, items);
-                    self.s.quantifier = Quantifier::Usual;
-                    if *rel == Rel::On {
-                        self.s.frame = Some(items.clone());
-                    }
-                }
-                Lead::Place(place, which) => self.at_place(&of, *rel, *place, which),
-            }
-        }
-        // "its left" in the next clause is of what this one was said to be at.
-        if let Some((_, Lead::Items(items, _))) = lead.last() {
-            self.before = items.clone();
-        }
-    }
-
-    /// Things that come with another.
-    pub(super) fn join(&mut self, owner: &[usize], things: &[usize], join: Join) {
-        for t in things {
-            let (group, owner_group) = (self.brief.things[*t].group, self.brief.things[owner[owner.len() - 1]].group);
-            let usual = match group {
-                Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
-                Group::Soft => Some(Rel::On),
-                Group::Seat if matches!(owner_group, Group::Table) => {
-                    if ONE_SIDED.iter().any(|end| self.brief.things[owner[0]].head().ends_with(end)) {
-                        Some(Rel::InFrontOf)
-                    } else {
-                        Some(Rel::Around)
-                    }
-                }
-                Group::Seat => Some(Rel::Near),
-                Group::Flat => Some(Rel::Under),
-                Group::Drape if matches!(owner_group, Group::Window | Group::Door) => Some(Rel::Near),
-                Group::Ceiling => Some(Rel::Above),
-                Group::Floor if self.brief.things[*t].words.last().is_some_and(|w| w == "lamp") => {
-                    Some(if owner_group == Group::Table { Rel::On } else { Rel::Beside })
-                }
-                Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),
-                _ => None,
-            };
-            let rel = match join {
-                Join::Usual => usual.map(|r| (r, false)),
-                Join::On => Some((Rel::On, false)),
-                Join::In => Some((Rel::In, false)),
-                Join::Beside => Some((Rel::Sides, true)),
-                Join::Around => Some((Rel::Around, true)),
-                // "a sideboard illuminated by a table lamp"
-                Join::Above if group == Group::Top => Some((Rel::On, false)),
-                // "lit by a lamp and a chair beside it": what gives no light is lit by nothing.
-                Join::Above if !self.gives_light(*t) => None,
-                Join::Above => Some((Rel::Above, true)),
-            };
-            // A relation in words replaces the usual one: it is dropped again where one follows.
-            if let Some((rel, _)) = rel {
-                self.relate(&[*t], rel, owner);
-            }
-        }
-    }
 }
-
-/// One sits at these on one side.
-const ONE_SIDED: [&str; 6] = ["desk", "bar", "counter", "island", "workbench", "bench"];
 
 /// Whether a noun that nobody knows is no thing by its end: "warmth and functionality", "a playful and cozy touch".
 fn abstraction(np: &Np) -> bool {

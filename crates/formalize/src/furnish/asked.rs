@@ -1,0 +1,242 @@
+//! What is asked for: where it stands if the request does not say it, and how large its tables are.
+
+use super::build::Root;
+use super::choose::{self, Choice};
+use super::daylight::window_walls;
+use super::floor::{Floor, Pose, Shape};
+use super::kinds::{Line, Place};
+use super::plan::{AtWall, Plan, metres};
+use super::room::{gate, in_row, kept, near, nominal, staffed};
+use super::rows::rows;
+use super::{groups, slots, stand};
+use crate::brief::{Brief, Group};
+use crate::draft::Demand;
+use std::cell::RefCell;
+
+/// Round tables that are asked for are circles, as large as those need who sit at them.
+pub fn rounded(plan: &mut Plan, brief: &Brief) {
+    for at in 0..plan.draft.things.len() {
+        let thing = &plan.draft.things[at];
+        let oval = thing.category.contains("oval") || thing.look.features.iter().any(|f| f == "oval");
+        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
+        if thing.room != Some(plan.room) || oval || sized || !stand::round(&thing.category, &thing.look.features) {
+            continue;
+        }
+        let seats = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+        let seats = seats.filter(|t| stand::group(&t.category) == Group::Seat);
+        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0).div_ceil(thing.count.max(1));
+        let usual = Plan::size(&thing.category.replace('_', " "));
+        let fits = plan.draft.rooms[plan.room].size;
+        let most = fits[0].min(fits[2]) - 1.6;
+        let across = slots::diameter(n.min(12), Plan::size("chair")[0]).max(usual[0].min(usual[2])).min(most.max(0.6));
+        if let Some(size) = plan.draft.things[at].size.as_mut().filter(|s| s[1] > 0.55) {
+            (size[0], size[2]) = (across, across);
+        }
+    }
+}
+
+/// Tables that are asked for are as long as the seats need that are asked for and go with them.
+pub fn lengthened(plan: &mut Plan, brief: &Brief) {
+    for at in 0..plan.draft.things.len() {
+        let thing = &plan.draft.things[at];
+        let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
+        let is_table = stand::group(&thing.category) == Group::Table;
+        let is_round = stand::round(&thing.category, &thing.look.features);
+        let (Some(size), true) = (thing.size, is_table && !is_round && !sized && thing.count == 1) else { continue };
+        let seats = plan.companions(at).into_iter().map(|seat| plan.draft.things[seat].clone());
+        let seats = seats.filter(|seat| stand::group(&seat.category) == Group::Seat);
+        let Some((own, n)) = seats.filter_map(|seat| Some((seat.size?, seat.count))).max_by_key(|(_, n)| *n) else {
+            continue;
+        };
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        // At a bar all sit on one side.
+        let parts = groups::of(&thing.category, plan.kind.dress);
+        let in_row = parts.iter().any(|part| matches!(part.at, groups::Where::Row(..)));
+        let (room_for, needed) = match in_row {
+            true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
+            false => {
+                (slots::capacity(size, own, false), n.saturating_sub(2).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1)
+            }
+        };
+        let needed = needed.min(w.max(d) - 2.0);
+        if room_for < n
+            && needed > size[0]
+            && let Some(size) = plan.draft.things[at].size.as_mut()
+        {
+            size[0] = (needed * 100.0).ceil() / 100.0;
+        }
+    }
+}
+
+/// What is asked for stands at a wall if such things do and nothing else is said, and gets what goes with it.
+pub fn stand_up(plan: &mut Plan, thing: usize) {
+    if plan.claimed.contains(&thing) {
+        return;
+    }
+    let it = plan.draft.things[thing].clone();
+    let noun = it.category.replace('_', " ");
+    // Where such rooms have their own of it, it stands as those do.
+    let line = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
+    let own = line.map(|line| &line.place);
+    if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
+        let clear = format!("againstWall(a, {})", plan.room_name());
+        if stand::on_floor(plan.draft, &it)
+            && rows(plan, &noun, it.count, *toward, ("such things stand in rows", Some(thing)))
+        {
+            plan.draft
+                .statements
+                .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&clear) || !s.text.contains(&it.name));
+            return;
+        }
+    }
+    // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
+    let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
+    let special =
+        |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
+    let own_place = line.filter(|line| it.count == 1 && special(&line.place) && !plan.is_placed(thing));
+    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
+    let has_back = stand::has_back(&it.category) && !apart;
+    let is_on_floor = stand::on_floor(plan.draft, &it);
+    let wall = if is_on_floor && it.count <= 4 && has_back { at_a_wall(plan, thing) } else { AtWall::No };
+    if !at_wall_like && own_place.is_none() {
+        straighten(plan, thing);
+    }
+    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run: matches!(own, Some(Place::Run)) };
+    if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
+        plan.building = None;
+        plan.surround(thing, wall, 0);
+    }
+}
+
+/// How things of a kind stand in a room.
+struct Like {
+    /// The line of the inventory that has a place of its own.
+    line: Option<&'static Line>,
+    /// With their backs at a wall.
+    at_wall: bool,
+    /// In a run.
+    in_run: bool,
+}
+
+/// Says that a thing stands at a wall, which is only preferred where the request places it.
+fn at_a_wall(plan: &mut Plan, thing: usize) -> AtWall {
+    let it = plan.draft.things[thing].clone();
+    let (noun, room) = (it.category.replace('_', " "), plan.room_name());
+    let verb = if plan.is_placed(thing) { "prefer" } else { "assert" };
+    let one = if it.count > 1 { "a" } else { it.name.as_str() };
+    let at_wall = format!("againstWall({one}, {room})");
+    let all = |formula: &str| match it.count {
+        1 => format!("{verb} {formula};"),
+        _ => format!("{verb} forall a in {}: {formula};", it.name),
+    };
+    let said = plan.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&at_wall));
+    plan.draft.statements.retain(|s| s.demand != Demand::Prefer || s.text != at_wall);
+    if !said {
+        plan.say(all(&at_wall), "such things stand at a wall");
+    }
+    if let Some(depth) = stand::access(&it.category).filter(|_| !choose::front_taken(&noun)) {
+        let text = all(&format!("clear({one}, front, {})", metres(depth))).replacen("assert", "prefer", 1);
+        plan.say(text, "one gets at it from the front");
+    }
+    if verb == "assert" || said { AtWall::Yes } else { AtWall::No }
+}
+
+/// Gives a thing a place. Whether there is one.
+fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let Some(size) = it.size else { return false };
+    let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
+    let choice = Choice {
+        noun: &noun,
+        size,
+        windows: &windows,
+        looks_at: None,
+        strictly: false,
+        staffed: staffed(plan),
+        near: None,
+    };
+    let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
+    let central = says(&format!("centeredIn({},", it.name));
+    let yaws: &[f64] = match says(&format!("{}.rot.y = 90", it.name)) {
+        true => &[90.0],
+        false if it.category.ends_with("island") => &[180.0],
+        false => &[0.0],
+    };
+    let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
+    let free = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
+    let row = RefCell::new(Vec::new());
+    let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+        if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
+            Some(pose)
+        } else if central {
+            choice.middle(floor, shape, yaws)
+        } else if let Some((line, nominal)) = own {
+            match line.place {
+                Place::Service(gap) => choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9)),
+                _ => near(line, floor, shape, nominal),
+            }
+        } else if like.at_wall && it.count <= 8 {
+            choice.wall(floor, shape, before)
+        } else {
+            choice.floor(floor, shape, before, yaws)
+        }
+    };
+    let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };
+    let placed = plan.place_asked(thing, &root);
+    plan.lacking += usize::from(!placed);
+    placed
+}
+
+/// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
+fn straighten(plan: &mut Plan, thing: usize) {
+    const TURNING: [&str; 12] = [
+        "againstWall(",
+        "inCorner(",
+        "facing(",
+        "looksAt(",
+        "beside(",
+        "inFrontOf(",
+        "behind(",
+        "Mounted(",
+        ".front",
+        ".rot",
+        "parallel(",
+        ".right",
+    ];
+    let it = plan.draft.things[thing].clone();
+    let free = matches!(stand::group(&it.category), Group::Table | Group::Floor);
+    let name = &it.name;
+    let subject = [format!("({name},"), format!("({name}["), format!("forall a in {name}:"), format!("{name}.")];
+    let turned = plan
+        .draft
+        .statements
+        .iter()
+        .any(|s| TURNING.iter().any(|t| s.text.contains(t)) && subject.iter().any(|n| s.text.contains(n)));
+    if !free || turned || !stand::on_floor(plan.draft, &it) || stand::has_back(&it.category) {
+        return;
+    }
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let along = it.size.is_none_or(|s| s[0] >= s[2]);
+    let yaw = match (w >= d) == along {
+        _ if it.category.ends_with("car") && gate(plan).is_some() => "0",
+        // Who sits at an island has the kitchen before the eyes.
+        true if it.category.ends_with("island") => "180",
+        true => "0",
+        false => "90",
+    };
+    let [own_w, _, own_d] = it.size.unwrap_or_default();
+    let (across, deep) = if yaw != "90" { (own_w, own_d) } else { (own_d, own_w) };
+    // What cannot stand so is left to turn.
+    if across > w || deep > d {
+        return;
+    }
+    let island = stand::group(&it.category) == Group::Table && !stand::placed(plan.draft, name);
+    let text = match it.count {
+        1 if island && own_w.max(own_d) < w.min(d) - 2.0 => {
+            format!("assert {name}.rot.y = {yaw} and gap({name}, {}) >= 0.7;", plan.room_name())
+        }
+        1 => format!("assert {name}.rot.y = {yaw};"),
+        _ => format!("assert forall a in {name}: a.rot.y = {yaw};"),
+    };
+    plan.say(text, "things stand parallel to the walls");
+}
