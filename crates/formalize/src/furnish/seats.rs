@@ -28,9 +28,8 @@ pub fn people(brief: &mut Brief) {
         let Some(n) = thing.number.said() else { continue };
         let of_its_own = !related && thing.part.is_none();
         let at_line = line(kind, &thing.name(), n, &said).is_some_and(|line| sit_at(line, kind.dress));
-        if of_its_own && at_line {
-            brief.rooms[at].people = Some(n);
-        } else if n as f64 > kind.people && here.iter().any(|i| sits_around(&brief.things[*i].name(), kind.dress)) {
+        let more = n as f64 > kind.people && here.iter().any(|i| sits_around(&brief.things[*i].name(), kind.dress));
+        if of_its_own && at_line || more {
             brief.rooms[at].people = Some(n);
         }
     }
