@@ -6,6 +6,8 @@ use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
+use crate::words::Dice;
+use std::ops::Range;
 
 /// A framed face; on feet where it is too deep to hang. Returns the space in front of the face, inside the frame.
 fn panel(m: &mut Model, a: &Ask, face: &Surface, edge: &Surface, rim: f64) -> Block {
@@ -117,18 +119,29 @@ pub(super) fn picture(a: &Ask) -> Model {
     ];
     let colors = *dice.pick(&SETS);
     let field = |hex: u32| Stuff(Finish::Paper, hex).surface();
-    let horizon = dice.between(0.3, 0.5);
-    let s = art.size();
     m.mesh.crisp(art.z(layer(0)), &field(colors[2]));
-    m.mesh.crisp(art.y(art.min.y..art.min.y + horizon * s.y).z(layer(1)), &field(colors[0]));
+    match *dice.pick(&[0, 0, 1, 2]) {
+        0 => landscape(&mut m, art, [layer(1), layer(2)], &mut dice, colors.map(field)),
+        1 => fields(&mut m, art, [layer(1), layer(2)], &mut dice, colors.map(field)),
+        _ => discs(&mut m, art, layer(1), &mut dice, colors.map(field)),
+    }
+    m
+}
+
+/// Twenty corners of a circle.
+fn circle([x, y]: [f64; 2], r: f64) -> Vec<(f64, f64)> {
+    let angles = (0..20).map(|k| (f64::from(k) / 20.0 * std::f64::consts::TAU).sin_cos());
+    angles.map(|(v, u)| (x + r * u, y + r * v)).collect()
+}
+
+/// Land, a sun and a hill.
+fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: [Surface; 4]) {
+    let s = art.size();
+    let horizon = dice.between(0.3, 0.5);
+    m.mesh.crisp(art.y(art.min.y..art.min.y + horizon * s.y).z(near.clone()), &colors[0]);
     let (r, x) = (dice.between(0.12, 0.2) * s.x.min(s.y), dice.between(-0.25, 0.25) * s.x);
     let y = art.min.y + dice.between(0.6, 0.78) * s.y;
-    let disc: Vec<_> = (0..20)
-        .map(|k| (f64::from(k) / 20.0 * std::f64::consts::TAU).sin_cos())
-        .map(|(v, u)| (x + r * u, y + r * v))
-        .collect();
-    let z = layer(1);
-    m.mesh.extrude(2, &disc, z, &field(colors[1]));
+    m.mesh.extrude(2, &circle([x, y], r), near, &colors[1]);
     let (peak, foot) = (dice.between(-0.2, 0.3) * s.x, dice.between(0.2, 0.35) * s.x);
     let base = art.min.y + 0.6 * horizon * s.y;
     let hill = [
@@ -136,8 +149,31 @@ pub(super) fn picture(a: &Ask) -> Model {
         ((peak + foot).min(art.max.x), base),
         (peak.clamp(art.min.x, art.max.x), base + 0.33 * s.y),
     ];
-    m.mesh.extrude(2, &hill, layer(2), &field(colors[3]));
-    m
+    m.mesh.extrude(2, &hill, nearer, &colors[3]);
+}
+
+/// Three fields of colour with a narrow one across them.
+fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: [Surface; 4]) {
+    let s = art.size();
+    let x = art.min.x + dice.between(0.3, 0.6) * s.x;
+    let y = art.min.y + dice.between(0.35, 0.65) * s.y;
+    m.mesh.crisp(art.x(art.min.x..x).y(y..art.max.y).z(near.clone()), &colors[0]);
+    m.mesh.crisp(art.x(x..art.max.x).y(art.min.y..y).z(near.clone()), &colors[1]);
+    m.mesh.crisp(art.x(art.min.x..art.min.x + 0.4 * (x - art.min.x)).y(art.min.y..y).z(near), &colors[3]);
+    let band = art.min.y + dice.between(0.15, 0.8) * s.y;
+    m.mesh.crisp(art.y(band..band + 0.06 * s.y).z(nearer), &colors[3]);
+}
+
+/// Three discs beside each other.
+fn discs(m: &mut Model, art: Block, near: Range<f64>, dice: &mut Dice, colors: [Surface; 4]) {
+    let s = art.size();
+    for (k, color) in [0, 3, 1].into_iter().enumerate() {
+        let r = dice.between(0.1, 0.155) * s.x.min(s.y * 1.6);
+        let x = (k as f64 - 1.0) * 0.32 * s.x;
+        let free = (s.y / 2.0 - r).max(0.0);
+        let y = art.min.y + s.y / 2.0 + dice.between(-0.7, 0.7) * free;
+        m.mesh.extrude(2, &circle([x, y], r), near.clone(), &colors[color]);
+    }
 }
 
 /// Silvered glass in a slim frame.

@@ -149,7 +149,12 @@ impl Choice<'_> {
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
         let places = seek::in_corners(floor.size, self.size).into_iter();
         let cost = |pose: &Pose| {
-            let front = if pose.z < 0.0 { 0.5 } else { 0.0 };
+            // Guests do not sit behind the counter.
+            let guest = self.staffed && stand::group(self.noun) == crate::brief::Group::Seat;
+            if guest && pose.z > 0.0 {
+                return None;
+            }
+            let front = if pose.z < 0.0 && !guest { 0.5 } else { 0.0 };
             // Who sits in a corner has the light of a window.
             let lit = self.windows.iter().any(|wall| match wall {
                 Wall::Back => pose.z > 0.0,

@@ -161,6 +161,13 @@ const AISLES: [f64; 2] = [1.85, 1.2];
 const TABLES: f64 = 0.9;
 /// Between groups of desks.
 const DESKS: f64 = 1.25;
+/// Between seats beside each other, where they stand in rows, and the least between one row's backs and the next row.
+const SEATS: (f64, f64) = (0.06, 0.5);
+/// The aisle in the middle of rows of so many seats or more.
+const AISLE: (f64, usize) = (1.1, 6);
+/// What is looked at from all sides, and how much room is around it.
+const EXHIBITED: [&str; 4] = ["sculpture", "statue", "pedestal", "plinth"];
+const EXHIBITS: f64 = 2.2;
 
 /// Places in columns and lines that look to the back of the room or away from it.
 fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, toward: bool) -> Option<Vec<Pose>> {
@@ -188,11 +195,18 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
     }
     // Ways of this width between the columns and the lines; narrower ones where there is no room for all.
     let narrow = (if cell_w > 1.9 { 0.75 } else { 0.45 }, if flat { 0.35 } else { 0.6 });
+    let seat = stand::group(noun) == crate::brief::Group::Seat;
+    let alone = seat && cell_w < 1.0 && (cell_d - size[2]).abs() < 0.02;
     let ways = match (rack, table) {
         (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
         (_, true) => vec![(TABLES, TABLES), narrow],
+        _ if alone => vec![SEATS],
         _ => vec![narrow],
     };
+    // Long rows of seats have an aisle in the middle.
+    let aisle_of_seats =
+        if alone && n >= 3 * AISLE.1 && free_w > AISLE.1 as f64 * cell_w + AISLE.0 { AISLE.0 } else { 0.0 };
+    let free_w = free_w - aisle_of_seats;
     let counts = |(aisle, between): (f64, f64)| {
         let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
         (columns, (((free_d + between) / (cell_d + between)) as usize).max(1))
@@ -205,23 +219,33 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
     let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
     let lines_used = n.div_ceil(columns).max(square);
     let columns_used = n.div_ceil(lines_used);
-    let spread = if table { 1.3 } else { 0.0 };
+    // As many seats on one side of the aisle as on the other.
+    let columns_used =
+        if aisle_of_seats > 0.0 { columns_used.next_multiple_of(2).min(columns & !1) } else { columns_used };
+    let exhibit = EXHIBITED.iter().any(|end| noun.ends_with(end));
+    let spread = if table {
+        1.3
+    } else if exhibit {
+        EXHIBITS
+    } else {
+        0.0
+    };
     let step = |free: f64, cell: f64, count: usize, least: f64, spread: f64| {
         let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
         most.min(cell + least.max(0.35 * cell).max(spread)).max(most.min(cell + least))
     };
-    let step_x = if rack { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
+    let step_x = if rack || alone { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
     let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });
     // The middle of the rows, the group's own middle apart.
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
     // Who sits at a desk looks over its back; who sits on a seat, the way that faces.
-    let seat = stand::group(noun) == crate::brief::Group::Seat;
     let yaw = if toward && !seat { 180.0 } else { 0.0 };
     let off = if toward { (front - back) / 2.0 } else { 0.0 };
     // A short last line keeps to the columns.
     let place = |i: usize| {
         let (column, line) = (i % columns_used, i / columns_used);
         let x = (column as f64 - (columns_used as f64 - 1.0) / 2.0) * step_x;
+        let x = x + if 2 * column < columns_used { -0.5 } else { 0.5 } * aisle_of_seats;
         let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
         Pose { x, y: 0.0, z, yaw }
     };

@@ -86,13 +86,7 @@ impl<'a> Lowerer<'a, '_> {
             ExprKind::Quantified(q, var, domain, body) => self.quantified(*q, var, *domain, *body, range, top),
             ExprKind::Where(set, condition) => {
                 let set = self.set(*set)?;
-                let mut kept = Vec::new();
-                for &object in set.iter() {
-                    if self.keeps(object, *condition)? {
-                        kept.push(object);
-                    }
-                }
-                Ok(Val::Set(kept.into()))
+                Ok(Val::Set(self.filtered(set, *condition)?))
             }
             ExprKind::Range(lo, hi) => {
                 let mut ends = [0; 2];

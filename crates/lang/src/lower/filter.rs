@@ -1,13 +1,36 @@
 //! Filters of sets: what an object must be to stay, told without a layout.
 
 use super::{Builder, Lowered, Lowerer, Poison};
-use crate::ast::ExprId;
+use crate::ast::{ExprId, ExprKind, Stmt};
 use crate::program::{Arg, Comparison, Node, NodeId, ObjectId};
 use scenelang_base::{Diagnostic, TextRange, codes};
+use std::rc::Rc;
 
 impl Lowerer<'_, '_> {
+    /// Those of a set that pass a filter.
+    pub(super) fn filtered(&mut self, set: Rc<[ObjectId]>, condition: ExprId) -> Lowered<Rc<[ObjectId]>> {
+        // Guidelines ask the same set for a role once for each object.
+        let place = self.f.place.map(|place| (place.file, place.offset, condition));
+        if let Some((from, kept)) = place.and_then(|key| self.filtered.get(&key))
+            && *from == set
+        {
+            return Ok(Rc::clone(kept));
+        }
+        let mut kept = Vec::new();
+        for &object in set.iter() {
+            if self.keeps(object, condition)? {
+                kept.push(object);
+            }
+        }
+        let kept: Rc<[ObjectId]> = kept.into();
+        if let Some(key) = place.filter(|_| self.f.place.is_some_and(|p| of_the_object(p.stmt, condition))) {
+            self.filtered.insert(key, (set, Rc::clone(&kept)));
+        }
+        Ok(kept)
+    }
+
     /// Whether an object passes a filter. A part that depends on the layout is reported where it stands.
-    pub(super) fn keeps(&mut self, object: ObjectId, condition: ExprId) -> Lowered<bool> {
+    fn keeps(&mut self, object: ObjectId, condition: ExprId) -> Lowered<bool> {
         let outer = self.f.own.replace(object);
         let truth = self.truth(condition);
         self.f.own = outer;
@@ -60,6 +83,18 @@ impl Lowerer<'_, '_> {
         }
         (self.f.b.range(condition), "numbers".to_owned())
     }
+}
+
+/// Whether a filter names nothing but properties of the object that it is about.
+fn of_the_object(stmt: &Stmt, condition: ExprId) -> bool {
+    let kind = &stmt.expr(condition).kind;
+    let mut all = match kind {
+        ExprKind::Own(_) | ExprKind::Text(_) | ExprKind::Bool(_) => true,
+        ExprKind::Not(_) | ExprKind::Binary(..) | ExprKind::Compare(..) => true,
+        _ => false,
+    };
+    kind.for_each_child(|part| all = all && of_the_object(stmt, part));
+    all
 }
 
 impl Builder {

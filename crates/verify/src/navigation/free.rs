@@ -121,7 +121,18 @@ fn grown(shape: &[Vec2], radius: f64, corners: usize) -> Polygon {
         let along = (b - a).try_normalize(0.0).unwrap_or_default() * radius;
         steps.extend([Vec2::new(along.y, -along.x), Vec2::new(-along.y, along.x)]);
     }
-    polygon(&convex_hull(shape.iter().flat_map(|p| steps.iter().map(move |step| p + step))))
+    // A step leads to a corner of the sum only from a corner of the shape that is farthest in about its direction.
+    let wide = 4.0 * std::f64::consts::PI / corners as f64;
+    let n = shape.len();
+    let outward = move |i: usize, step: &Vec2| {
+        [(i + 1) % n, (i + n - 1) % n].into_iter().all(|k| {
+            let to = shape[k] - shape[i];
+            step.dot(&to) <= wide * radius * to.norm()
+        })
+    };
+    let steps = &steps;
+    let sums = (0..n).flat_map(|i| steps.iter().filter(move |step| outward(i, step)).map(move |step| shape[i] + step));
+    polygon(&convex_hull(sums))
 }
 
 fn polygon(corners: &[Vec2]) -> Polygon {

@@ -33,6 +33,8 @@ pub(crate) const PERSON: f64 = 0.5;
 
 /// Corners of a full circle where only "is there a way" is asked: narrow gaps need it fine.
 const FINE: usize = 256;
+/// Corners of the circle drawn around the disc, which is tried first: what it gets through, the disc does, too.
+const AROUND: usize = 24;
 /// Corners of a full circle where the way is measured: 0.2 mm per turn round a corner.
 const COARSE: usize = 64;
 
@@ -40,8 +42,8 @@ const COARSE: usize = 64;
 #[derive(Debug, Default)]
 pub(crate) struct Walks(Mutex<Known>);
 
-/// A storey, the bits of the radius of a disc on it, and those of the corners of a footprint.
-type Beside = ((Option<RegionId>, u64), Vec<[u64; 2]>);
+/// The bits of the radius of a disc and its corners, its storey, and the bits of the corners of a footprint.
+type Beside = (u64, usize, Option<RegionId>, Vec<[u64; 2]>);
 
 /// A storey, and the radius of the widest disc on it.
 type Wide = (Option<RegionId>, f64);
@@ -88,14 +90,14 @@ impl Walks {
         self.lock().floors.push((walk, Arc::clone(&floor)));
         floor
     }
-    /// The pieces of a floor on which a disc is near a footprint.
-    fn near(&self, (storey, radius): Wide, floor: &Floor, footprint: &[Vec2]) -> Arc<[usize]> {
-        let corners = footprint.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect();
-        let key = ((storey, radius.to_bits()), corners);
+    /// The pieces of the floor on which a disc that walks there is within `reach` of a footprint.
+    fn near(&self, walk: Walk, floor: &Floor, footprint: &[Vec2], reach: f64) -> Arc<[usize]> {
+        let outline = footprint.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect();
+        let key = (walk.radius.to_bits(), walk.corners, walk.storey, outline);
         if let Some(known) = self.lock().near.get(&key) {
             return Arc::clone(known);
         }
-        let found: Arc<[usize]> = floor.pieces_near(footprint, radius + NEAR, FINE).into();
+        let found: Arc<[usize]> = floor.pieces_near(footprint, reach, walk.corners).into();
         self.lock().near.insert(key, Arc::clone(&found));
         found
     }
@@ -122,10 +124,15 @@ pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f6
     if storey != self::storey(world, b) {
         return false;
     }
-    let floor = world.walks.floor(world, Walk { radius, corners: FINE, storey });
-    let near = |obb: &Obb| world.walks.near((storey, radius), &floor, &obb.footprint());
-    let from = near(a);
-    !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
+    // A polygon with few corners around the disc costs a tenth, and usually gets through as well.
+    let around = radius / scenelang_layout::rotation::sin_cos(180.0 / AROUND as f64).1;
+    [(around, AROUND), (radius, FINE)].into_iter().any(|(wide, corners)| {
+        let walk = Walk { radius: wide, corners, storey };
+        let floor = world.walks.floor(world, walk);
+        let near = |obb: &Obb| world.walks.near(walk, &floor, &obb.footprint(), radius + NEAR);
+        let from = near(a);
+        !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
+    })
 }
 
 /// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
