@@ -18,6 +18,7 @@ mod measure;
 mod noun;
 mod number;
 mod owner;
+mod paraphrase;
 mod people;
 mod rooms;
 pub(crate) mod several;
@@ -70,6 +71,7 @@ pub fn brief(request: &str) -> Brief {
     counts::none(&mut tokens);
     let answers = talk::turns(&mut tokens);
     owner::places(&mut tokens);
+    paraphrase::plain(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
     let mut used = vec![false; tokens.len()];
     let mut grammar = vec![false; tokens.len()];

@@ -28,7 +28,7 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
         "readers",
     ];
     const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
-    const MOST: f64 = 40.0;
+    const MOST: f64 = 120.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
         // "For a family of five", "for a class of twenty".
         let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
@@ -60,7 +60,8 @@ pub fn count(rooms: &mut [Room], tokens: &[Token]) -> Range<usize> {
 
 /// Where a request says it; its beginning, if it does not.
 pub fn phrase(request: &str) -> Range<usize> {
-    let (tokens, _) = tokens(request, super::MOST_WORDS);
+    let (mut tokens, _) = tokens(request, super::MOST_WORDS);
+    super::paraphrase::plain(&mut tokens);
     people(&tokens).map_or(0..0, |(_, said)| tokens[said.start].at.start..tokens[said.end - 1].at.end)
 }
 

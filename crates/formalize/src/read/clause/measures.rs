@@ -101,12 +101,11 @@ impl Reader<'_> {
         k
     }
 
+    /// Whether a length is that of a way: "a 1.2 m path", "a path of 1.2 m".
     pub(super) fn path_follows(&self, i: usize) -> bool {
-        self.chunks[i]
-            .at
-            .clone()
-            .chain(self.chunks[i].at.end..(self.chunks[i].at.end + 3).min(self.tokens.len()))
-            .any(|t| matches!(self.tokens[t].text.as_str(), "aisle" | "path" | "walkway" | "passage"))
+        let at = &self.chunks[i].at;
+        let around = at.start.saturating_sub(3)..(at.end + 3).min(self.tokens.len());
+        self.tokens[around].iter().any(|t| matches!(t.text.as_str(), "aisle" | "path" | "walkway" | "passage"))
     }
 
     /// A way so wide: to what the sentence speaks of, from its door.
@@ -123,18 +122,33 @@ impl Reader<'_> {
         if let Some((of, _, to)) = &self.s.last {
             items.extend(of.iter().chain(to));
         }
+        let way = |np: &Np| {
+            np.words.last().is_some_and(|w| matches!(w.as_str(), "path" | "walkway" | "passage" | "aisle" | "aisles"))
+        };
+        for k in self.s.chunks.start..end {
+            let free = matches!(self.chunks[k].piece, Piece::Free | Piece::Rel(Rel::Between));
+            if free || self.np(k, end).is_some_and(way) {
+                self.mark(k);
+            }
+        }
         let mut k = i + 1;
         while k < end {
             if let Some(np) = self.np(k, end)
                 && np.kind == Kind::Thing
-                && let Some(id) = self.find(np)
+                && let Some(id) = self.find(np).or_else(|| self.introduce(k, np))
             {
                 items.push(id);
                 self.mark(k);
             }
             k += 1;
         }
-        items.dedup();
+        let mut seen = Vec::new();
+        items.retain(|item| {
+            !seen.contains(item) && {
+                seen.push(*item);
+                true
+            }
+        });
         self.s.lead.clear();
         match items.as_slice() {
             [] => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
@@ -149,7 +163,9 @@ impl Reader<'_> {
                 }
             }
             [a, rest @ ..] => {
-                let between = self.chunks[i + 1..end].iter().any(|c| c.piece == Piece::Rel(Rel::Between));
+                // Between a door and what it leads to, one walks.
+                let walked = items.iter().any(|item| self.brief.things[*item].opening());
+                let between = !walked && self.chunks[i + 1..end].iter().any(|c| c.piece == Piece::Rel(Rel::Between));
                 let what = if between {
                     What::Gap(Op::Least, m.values[0], rest.to_vec())
                 } else {

@@ -53,7 +53,9 @@ impl Reader<'_> {
                         || !n.known && n.det == Det::None && n.many
                         || n.group == Some(Group::Soft) && n.many && self.near.last().is_some_and(seat))
         });
-        let with_back = with_back && !self.relates_after(i + 2, end);
+        // "a room with a door": no part of anything.
+        let of_room = self.near.is_empty() && self.np(i + 1, end).is_some_and(|n| n.group == Some(Group::Door));
+        let with_back = with_back && !of_room && !self.relates_after(i + 2, end);
         if !with_back && !self.near.is_empty() {
             let owner = self.bearer(self.near.clone(), i + 1, end);
             // "speakers in the corners, with a screen on the wall": one screen.

@@ -34,7 +34,7 @@ impl Reader<'_> {
                     self.s.nothing = true;
                     self.s.keep = true;
                 }
-                if let (true, [(Dim::Width, width), ..]) = (self.s.path, np.dims.as_slice()) {
+                if let (true, [(Dim::Width | Dim::Length, width), ..]) = (self.s.path, np.dims.as_slice()) {
                     // "a 1.5 m wide path from the gate to the stage"
                     let m = Measure {
                         op: Op::Least,

@@ -149,6 +149,8 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
+                // "left of the bed as seen from the door": left and right are the viewer's, and no statement says whose.
+                ("as" | "when", "seen" | "viewed") => out.push((from..i).rev().find(stop).unwrap_or(from)..to),
                 _ if self.uncounted(i, to) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
@@ -188,8 +190,18 @@ impl Reader<'_> {
         let said = |item: &Thing| item.number.said().is_some() || item.number.follows();
         match np.nth {
             Some(Nth::ButFirst | Nth::ButLast) => !known.is_some_and(said),
+            // "the first chair … the second chair", where nobody has said yet how many there are.
+            Some(Nth::At(_)) if np.kind == Kind::Thing && np.det == Det::Definite => {
+                self.find(np).is_none_or(|f| !self.brief.things[f].number.many()) && self.counted_later(np, i)
+            }
             _ => np.bound.is_some() && known.is_some_and(said) && i + 1 < end,
         }
+    }
+
+    /// Whether another of these is told apart by its place in the order, too: "the second chair" after "the first chair".
+    fn counted_later(&self, np: &Np, i: usize) -> bool {
+        let same = |other: &Np| other.words == np.words && other.nth != np.nth && matches!(other.nth, Some(Nth::At(_)));
+        self.chunks.iter().enumerate().any(|(k, c)| k != i && c.np().is_some_and(same))
     }
 
     /// "Actually, make that three chairs": so many of what there is, or what it looks like. What is read with it.

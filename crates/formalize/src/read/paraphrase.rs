@@ -1,0 +1,188 @@
+//! Ways of saying things that are turned into another way before anything is read: "no two plants closer than 1 m" are
+//! "plants at least 1 m apart". Every word that is left is where it was, so that it is accounted for.
+
+use super::token::{Kind, Token};
+
+/// Turns what can be said more plainly. Shared words keep their places in the request.
+pub fn plain(tokens: &mut Vec<Token>) {
+    let mut i = 0;
+    while i < tokens.len() {
+        let done = apart(tokens, i) || seats(tokens, i) || opposite(tokens, i) || opens(tokens, i);
+        let _said = done || extends(tokens, i) || walls(tokens, i);
+        i += 1;
+    }
+}
+
+fn word(tokens: &[Token], i: usize) -> &str {
+    tokens.get(i).filter(|t| t.word()).map_or("", |t| t.text.as_str())
+}
+
+/// Whether a clause ends before this token.
+fn ends(tokens: &[Token], i: usize) -> bool {
+    tokens.get(i).is_none_or(|t| matches!(t.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!' | '?')) || t.is("and"))
+}
+
+/// Puts words in the place of others, where these stood.
+fn put(tokens: &mut Vec<Token>, from: usize, to: usize, words: &[&str]) {
+    let (Some(first), Some(last)) = (tokens.get(from), tokens.get(to - 1)) else { return };
+    let at = first.at.start..last.at.end;
+    let like = first.clone();
+    let new = |text: &&str| Token {
+        kind: Kind::Word,
+        text: (*text).to_owned(),
+        at: at.clone(),
+        owner: false,
+        capital: false,
+        ..like.clone()
+    };
+    tokens.splice(from..to, words.iter().map(new).collect::<Vec<_>>());
+}
+
+/// The most words between "no two" and "closer".
+const FAR: usize = 8;
+
+/// "No two plants may be closer to each other than 1 m": "plants at least 1 m apart".
+fn apart(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "no" || word(tokens, i + 1) != "two" {
+        return false;
+    }
+    let Some(closer) = (i + 3..i + 3 + FAR).find(|k| matches!(word(tokens, *k), "closer" | "nearer")) else {
+        return false;
+    };
+    // Nothing but a verb stands between the things and "closer".
+    let verb = |k: &usize| {
+        matches!(word(tokens, *k), "may" | "should" | "must" | "can" | "shall" | "are" | "is" | "be" | "stand" | "sit")
+    };
+    let Some(first) = (i + 3..=closer).find(|k| *k == closer || verb(k)) else { return false };
+    let Some(than) = (closer + 1..closer + 5).find(|k| word(tokens, *k) == "than") else { return false };
+    let among = tokens[closer + 1..than]
+        .iter()
+        .all(|t| matches!(t.text.as_str(), "to" | "together" | "each" | "other" | "one" | "another"));
+    let Some(number) = tokens.get(than + 1).filter(|t| matches!(t.kind, Kind::Number(_)) || t.word()) else {
+        return false;
+    };
+    let unit = than + 2;
+    let joined = super::number::unit(&number.text).is_some();
+    if !(first..closer).all(|k| verb(&k)) || !among || super::number::unit(word(tokens, unit)).is_none() && !joined {
+        return false;
+    }
+    let end = if joined { unit } else { unit + 1 };
+    let after = if word(tokens, end) == "apart" { end + 1 } else { end };
+    if !ends(tokens, after) {
+        return false;
+    }
+    if after == end {
+        put(tokens, end - 1, end, &[tokens[end - 1].text.clone().as_str(), "apart"]);
+    }
+    put(tokens, first, than + 1, &["at", "least"]);
+    tokens.drain(i..i + 2);
+    true
+}
+
+/// "A table that seats eight": "a table for eight".
+fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let that = usize::from(matches!(word(tokens, i), "that" | "which"));
+    let verb = word(tokens, i + that);
+    let counts = i > 0 && super::number::count(&tokens[(i + that + 1).min(tokens.len())..]).is_some();
+    let said = counts && (that == 1 && matches!(verb, "seats" | "seat") || that == 0 && verb == "seating");
+    if said {
+        put(tokens, i, i + that + 1, &["for"]);
+    }
+    said
+}
+
+/// "The sofa against the wall and the television opposite": opposite it.
+fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "opposite" && i > 1 && ends(tokens, i + 1) && tokens[i - 1].word();
+    // "the opposite", "directly opposite" and "the one opposite" are of something else.
+    let said = said && !matches!(word(tokens, i - 1), "the" | "an" | "one" | "directly" | "right");
+    if said {
+        put(tokens, i, i + 1, &["opposite", "it"]);
+    }
+    said
+}
+
+/// "The fridge should open towards the table": it faces it.
+fn opens(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said =
+        matches!(word(tokens, i), "open" | "opens" | "opening") && matches!(word(tokens, i + 1), "towards" | "toward");
+    if said {
+        put(tokens, i, i + 2, &["facing"]);
+    }
+    said
+}
+
+/// "A rug under the table that extends under the sofa": a rug under the table and under the sofa.
+fn extends(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let that = matches!(word(tokens, i), "that" | "which");
+    let said = that
+        && matches!(word(tokens, i + 1), "extends" | "reaches" | "continues" | "stretches")
+        && matches!(word(tokens, i + 2), "under" | "beneath" | "underneath");
+    if said {
+        put(tokens, i, i + 2, &["and"]);
+    }
+    said
+}
+
+/// "Windows on the south and east walls": a window on the one and a window on the other.
+fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SIDES: [&str; 10] =
+        ["north", "south", "east", "west", "northern", "southern", "eastern", "western", "left", "right"];
+    let side = |k: usize| SIDES.contains(&word(tokens, k));
+    let said = matches!(word(tokens, i), "on" | "in" | "along" | "against") && word(tokens, i + 1) == "the";
+    if !said || !side(i + 2) || word(tokens, i + 3) != "and" || !side(i + 4) || word(tokens, i + 5) != "walls" {
+        return false;
+    }
+    // "Large windows", and nothing that counts them.
+    let begins =
+        |t: &Token| !t.word() || matches!(t.text.as_str(), "and" | "with" | "has" | "have" | "are" | "put" | "place");
+    let from = (0..i).rev().find(|k| begins(&tokens[*k])).map_or(0, |k| k + 1);
+    let things: Vec<String> = tokens[from..i].iter().map(|t| t.text.clone()).collect();
+    let Some((noun, looks)) = things.split_last().filter(|(_, looks)| looks.len() <= 2) else { return false };
+    let one = super::lexicon::singular(noun);
+    let counted = looks.iter().any(|w| matches!(w.as_str(), "the" | "all" | "both" | "some" | "there"));
+    if one == *noun || counted || super::number::count(&tokens[from..i]).is_some() {
+        return false;
+    }
+    let mut again: Vec<&str> = vec!["wall", "and", "a"];
+    again.extend(looks.iter().map(String::as_str));
+    let (on, other) = (tokens[i].text.clone(), tokens[i + 4].text.clone());
+    again.extend([one.as_str(), on.as_str(), "the", other.as_str(), "wall"]);
+    put(tokens, i + 3, i + 6, &again);
+    let mut first: Vec<&str> = vec!["a"];
+    first.extend(looks.iter().map(String::as_str));
+    first.push(&one);
+    put(tokens, from, i, &first);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn what_is_meant_is_said_plainly() {
+        for (text, becomes) in [
+            ("no two plants may be closer than 1 m.", "plants at least 1 m apart ."),
+            ("No two desks are closer to each other than 0.9 m apart", "desks at least 0.9 m apart"),
+            ("no two plants are closer than 1 m to the sofa", "no two plants are closer than 1 m to the sofa"),
+            ("a table that seats eight", "a table for eight"),
+            ("a seating area", "a seating area"),
+            ("the sofa here and the tv opposite.", "the sofa here and the tv opposite it ."),
+            ("on the opposite side, opposite the bed", "on the opposite side , opposite the bed"),
+            ("the fridge opens towards the table", "the fridge facing the table"),
+            (
+                "with large windows on the south and east walls",
+                "with a large window on the south wall and a large window on the east wall",
+            ),
+            ("two windows on the south and east walls", "two windows on the south and east walls"),
+            ("under the table that extends under the sofa", "under the table and under the sofa"),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
