@@ -24,19 +24,19 @@ fn solved(folder: &Path, scene: &Path, seed: &str) -> PathBuf {
     layout
 }
 
-fn oracle(name: &str) -> PathBuf {
+pub(crate) fn oracle(name: &str) -> PathBuf {
     root().join("tests/oracles").join(name)
 }
 
 /// Runs a checker; what it found, if it found something.
-fn judge(what: &str, command: &mut Command) -> Option<String> {
+pub(crate) fn judge(what: &str, command: &mut Command) -> Option<String> {
     let ended = run(command, b"");
     println!("{what}: {}", ended.stdout.trim());
     (ended.code != 0).then(|| format!("{what} (exit {}):\n{}{}", ended.code, ended.stdout, ended.stderr))
 }
 
 /// What a physics engine has to know of a program: what is held, and what may overlap.
-fn facts(program: &Program) -> serde_json::Value {
+pub(crate) fn facts(program: &Program) -> serde_json::Value {
     let allow = &program.allow;
     let name = |id: &scenelang_lang::program::ObjectId| program.objects[id.0 as usize].name.as_str();
     let mounted = allow.mounts.iter().map(|m| &m.object);

@@ -33,6 +33,7 @@ mod pipes;
 mod problems;
 mod repair;
 mod replacing;
+mod rooms;
 mod signals;
 mod solving;
 mod speaking;

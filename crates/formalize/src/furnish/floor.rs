@@ -276,7 +276,7 @@ impl Floor {
     fn unreached(&self) -> usize {
         let (columns, rows) = self.cells();
         let reached = self.reached();
-        let far = HALF_WAY + 0.2;
+        let far = HALF_WAY + 0.05;
         // Only the cells around a thing are near it: a hall has very many others.
         let near = |goal: &Block| {
             let [i, j] = [0, 2].map(|k| {
@@ -323,11 +323,12 @@ impl Floor {
                 }
             }
         };
-        let margin = HALF_WAY - 0.05;
+        let margin = HALF_WAY - 0.02;
         for body in self.bodies.iter().filter(|body| body.low[1] < HEAD && body.high[1] > 0.08) {
-            // What is in the wall leaves the way free.
-            let depth = (0..3).step_by(2).map(|k| body.high[k] - body.low[k]).fold(f64::INFINITY, f64::min);
-            if depth < 0.15 {
+            // What is in the wall leaves the way free; curtains and pictures before it do not.
+            let within =
+                |k: usize| body.low[k] > -self.size[k] / 2.0 - 0.02 && body.high[k] < self.size[k] / 2.0 + 0.02;
+            if !within(0) || !within(2) {
                 continue;
             }
             close([body.low[0] - margin, body.low[2] - margin], [body.high[0] + margin, body.high[2] + margin]);

@@ -351,13 +351,13 @@ impl<'a> Lowerer<'a, '_> {
                     && let Some(n) = self.f.b.constant(c)
                     && let Some(t) = self.counted(op, a, n, range)
                 {
-                    return Ok(Val::Truth(t));
+                    return Ok(Val::Truth(self.settled(t, range)));
                 }
                 if is_count(self, right)
                     && let Some(n) = self.f.b.constant(a)
                     && let Some(t) = self.counted(flipped(op), c, n, range)
                 {
-                    return Ok(Val::Truth(t));
+                    return Ok(Val::Truth(self.settled(t, range)));
                 }
                 let unit = if ta == Ty::Degree || tc == Ty::Degree { Unit::Degree } else { Unit::Metre };
                 let node = self.f.b.add(Node::Compare(op, unit, a, c), range);
@@ -378,6 +378,14 @@ impl<'a> Lowerer<'a, '_> {
             _ => return Err(Poison),
         };
         Ok(Val::Truth(node))
+    }
+
+    /// A count that no layout can change, as in "four of a category or more", is true or false.
+    fn settled(&mut self, count: NodeId, range: TextRange) -> NodeId {
+        match self.f.b.known(count) {
+            Some(truth) => self.f.b.add(Node::Truth(truth), range),
+            None => count,
+        }
     }
 
     /// `count(…) op n`, with the n-th greatest margin instead of a plain number.

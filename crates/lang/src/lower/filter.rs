@@ -99,7 +99,7 @@ fn of_the_object(stmt: &Stmt, condition: ExprId) -> bool {
 
 impl Builder {
     /// The truth of a condition that no layout can change; `None` if one might.
-    fn known(&self, id: NodeId) -> Option<bool> {
+    pub(super) fn known(&self, id: NodeId) -> Option<bool> {
         let known = |id: &NodeId| stacker::maybe_grow(64 << 10, 1 << 20, || self.known(*id));
         match self.node(id) {
             Node::Truth(truth) => Some(*truth),

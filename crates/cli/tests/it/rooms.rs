@@ -1,0 +1,69 @@
+//! Rooms from one sentence: a way in, light, ways to what is used, backs at walls, nothing askew, and nothing that falls.
+
+use crate::checkers::{facts, judge, oracle};
+use crate::support::{python, root, scenelang, skip};
+use scenelang_lang::{Options, compile_file};
+use std::process::Command;
+
+/// What every room keeps to, whatever it is for.
+const ALWAYS: [&str; 4] = ["backsToWalls", "squareToWalls", "waysFree", "doorsFree"];
+
+/// Each fourth of the requests, so that they are tried side by side.
+fn hold(first: usize) {
+    let requests = std::fs::read_to_string(root().join("tests/requests/rooms.txt")).unwrap();
+    let mut wrong = String::new();
+    for request in requests.lines().skip(first).step_by(4) {
+        let folder = tempfile::tempdir().unwrap();
+        let ended = scenelang(folder.path(), ["synth", request, "-o", "out"]);
+        if ended.code != 0 {
+            wrong += &format!("{request}: exit {}\n{}\n", ended.code, ended.stderr);
+            continue;
+        }
+        let scene = folder.path().join("out/room.scene");
+        let program = compile_file("room", &scene, Options::default()).program.unwrap();
+        let has = |role: &str| program.objects.iter().any(|object| object.role == role);
+        for role in ["door", "light"] {
+            if !has(role) {
+                wrong += &format!("{request}: no {role}\n");
+            }
+        }
+        let report =
+            scenelang(folder.path(), ["check", "out/room.layout.json", "--format", "json"]).reports().remove(0);
+        for row in report["constraints"].as_array().unwrap() {
+            let guideline = row["guideline"].as_str().unwrap_or("");
+            if row["satisfied"] == false && ALWAYS.contains(&guideline) {
+                wrong += &format!("{request}: {guideline} {}\n", row["id"]);
+            }
+        }
+        if let Some(python) = python() {
+            let file = folder.path().join("facts.json");
+            std::fs::write(&file, facts(&program).to_string()).unwrap();
+            let layout = folder.path().join("out/room.layout.json");
+            let found = judge("physics", Command::new(&python).arg(oracle("physics.py")).arg(layout).arg(&file));
+            wrong += &found.map_or(String::new(), |found| format!("{request}: {found}\n"));
+        } else {
+            skip("physics not checked: no .venv");
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn first_fourth() {
+    hold(0);
+}
+
+#[test]
+fn second_fourth() {
+    hold(1);
+}
+
+#[test]
+fn third_fourth() {
+    hold(2);
+}
+
+#[test]
+fn last_fourth() {
+    hold(3);
+}
