@@ -276,7 +276,7 @@ impl Floor {
     fn unreached(&self) -> usize {
         let (columns, rows) = self.cells();
         let reached = self.reached();
-        let far = HALF_WAY + 0.05;
+        let far = HALF_WAY + 0.12;
         // Only the cells around a thing are near it: a hall has very many others.
         let near = |goal: &Block| {
             let [i, j] = [0, 2].map(|k| {
