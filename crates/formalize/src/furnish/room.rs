@@ -86,7 +86,13 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
             eat.clone().for_each(|line| eat_at(&mut plan, line));
         }
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
-        let few = matches!(line.count, Count::Fixed(..=3)) || matches!(line.place, Place::Rows(_));
+        let few = match line.count {
+            Count::Fixed(n) => n <= 3,
+            // A bed and a desk for each of two or three.
+            Count::People(each) => plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0,
+            Count::Area(_) => false,
+        };
+        let few = few || matches!(line.place, Place::Rows(_));
         plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
         let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
         inventory(&mut plan, line);
