@@ -143,3 +143,35 @@ fn polygon(corners: &[Vec2]) -> Polygon {
 pub(super) fn vec(c: Coord) -> Vec2 {
     Vec2::new(c.x, c.y)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn rectangle([x, z, w, d]: [f64; 4]) -> Vec<Vec2> {
+        [(-w, -d), (w, -d), (w, d), (-w, d)].map(|(i, k)| Vec2::new(x + i / 2.0, z + k / 2.0)).to_vec()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        /// What gets through with a polygon around the disc gets through with the disc, and that with a polygon in it.
+        #[test]
+        fn few_corners_tell_the_same(
+            boxes in proptest::collection::vec([-2.0..2.0_f64, -2.0..2.0_f64, 0.3..1.5_f64, 0.3..1.5_f64], 2..9),
+            radius in 0.1..0.5_f64,
+        ) {
+            let obstacle = |b: &[f64; 4]| Obstacle { object: None, outline: rectangle(*b) };
+            let ground = Ground::new([rectangle([0.0, 0.0, 5.0, 5.0])], boxes.iter().map(obstacle));
+            let through = |radius: f64, corners: usize, reach: f64| {
+                let floor = ground.free(radius, corners, None);
+                let near = |k: usize| floor.pieces_near(&rectangle(boxes[k]), reach, corners);
+                near(0).iter().any(|piece| near(1).contains(piece))
+            };
+            let apothem = |corners: usize| (std::f64::consts::PI / corners as f64).cos();
+            let fine = through(radius, 256, radius + 0.05);
+            prop_assert!(fine || !through(radius / apothem(24), 24, radius + 0.05));
+            prop_assert!(!fine || through(radius, 32, (radius + 0.05) / apothem(32)));
+        }
+    }
+}

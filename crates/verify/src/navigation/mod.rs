@@ -33,8 +33,10 @@ pub(crate) const PERSON: f64 = 0.5;
 
 /// Corners of a full circle where only "is there a way" is asked: narrow gaps need it fine.
 const FINE: usize = 256;
-/// Corners of the circle drawn around the disc, which is tried first: what it gets through, the disc does, too.
+/// Corners of the polygons around the disc and in it that are tried first: what the one gets through the disc does, too, and
+/// what the other does not, the disc does not. Each in the disc is one of the fine circle's.
 const AROUND: usize = 24;
+const WITHIN: usize = 32;
 /// Corners of a full circle where the way is measured: 0.2 mm per turn round a corner.
 const COARSE: usize = 64;
 
@@ -124,15 +126,18 @@ pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f6
     if storey != self::storey(world, b) {
         return false;
     }
-    // A polygon with few corners around the disc costs a tenth, and usually gets through as well.
-    let around = radius / scenelang_layout::rotation::sin_cos(180.0 / AROUND as f64).1;
-    [(around, AROUND), (radius, FINE)].into_iter().any(|(wide, corners)| {
-        let walk = Walk { radius: wide, corners, storey };
+    let apothem = |corners: usize| scenelang_layout::rotation::sin_cos(180.0 / corners as f64).1;
+    let through = |radius: f64, corners: usize, reach: f64| {
+        let walk = Walk { radius, corners, storey };
         let floor = world.walks.floor(world, walk);
-        let near = |obb: &Obb| world.walks.near(walk, &floor, &obb.footprint(), radius + NEAR);
+        let near = |obb: &Obb| world.walks.near(walk, &floor, &obb.footprint(), reach);
         let from = near(a);
         !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
-    })
+    };
+    let reach = radius + NEAR;
+    // Few corners cost a tenth, and nearly always tell.
+    through(radius / apothem(AROUND), AROUND, reach)
+        || through(radius, WITHIN, reach / apothem(WITHIN)) && through(radius, FINE, reach)
 }
 
 /// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
