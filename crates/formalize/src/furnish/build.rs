@@ -84,7 +84,7 @@ impl Building {
             }
         }
         let bed = nouns::ending(noun).is_some() && noun.ends_with("bed") && d > 1.8;
-        if bed && w >= 1.2 {
+        if bed && (w >= 1.2 || noun.ends_with("hospital bed")) {
             for side in [-1.0, 1.0] {
                 keep(side * (w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);
             }

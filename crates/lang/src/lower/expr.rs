@@ -380,9 +380,19 @@ impl<'a> Lowerer<'a, '_> {
         Ok(Val::Truth(node))
     }
 
-    /// A count that no layout can change, as in "four of a category or more", is true or false.
+    /// A count of what is plainly true, as in "four of a category or more", is true or false itself. What compares numbers
+    /// has a margin, and keeps it.
     fn settled(&mut self, count: NodeId, range: TextRange) -> NodeId {
-        match self.f.b.known(count) {
+        let (mut plain, mut open) = (true, vec![count]);
+        while let Some(id) = open.pop() {
+            plain = plain
+                && matches!(
+                    self.f.b.node(id),
+                    Node::Truth(_) | Node::Not(_) | Node::And(_) | Node::Or(_) | Node::AtLeast(..)
+                );
+            self.f.b.node(id).for_each_child(|child| open.push(child));
+        }
+        match self.f.b.known(count).filter(|_| plain) {
             Some(truth) => self.f.b.add(Node::Truth(truth), range),
             None => count,
         }
