@@ -121,9 +121,9 @@ pub(super) fn picture(a: &Ask) -> Model {
     let field = |hex: u32| Stuff(Finish::Paper, hex).surface();
     m.mesh.crisp(art.z(layer(0)), &field(colors[2]));
     match *dice.pick(&[0, 0, 1, 2]) {
-        0 => landscape(&mut m, art, [layer(1), layer(2)], &mut dice, colors.map(field)),
-        1 => fields(&mut m, art, [layer(1), layer(2)], &mut dice, colors.map(field)),
-        _ => discs(&mut m, art, layer(1), &mut dice, colors.map(field)),
+        0 => landscape(&mut m, art, [layer(1), layer(2)], &mut dice, &colors.map(field)),
+        1 => fields(&mut m, art, [layer(1), layer(2)], &mut dice, &colors.map(field)),
+        _ => discs(&mut m, art, layer(1), &mut dice, &colors.map(field)),
     }
     m
 }
@@ -135,7 +135,7 @@ fn circle([x, y]: [f64; 2], r: f64) -> Vec<(f64, f64)> {
 }
 
 /// Land, a sun and a hill.
-fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: [Surface; 4]) {
+fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     let horizon = dice.between(0.3, 0.5);
     m.mesh.crisp(art.y(art.min.y..art.min.y + horizon * s.y).z(near.clone()), &colors[0]);
@@ -153,7 +153,7 @@ fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &
 }
 
 /// Three fields of colour with a narrow one across them.
-fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: [Surface; 4]) {
+fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     let x = art.min.x + dice.between(0.3, 0.6) * s.x;
     let y = art.min.y + dice.between(0.35, 0.65) * s.y;
@@ -165,7 +165,7 @@ fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut
 }
 
 /// Three discs beside each other.
-fn discs(m: &mut Model, art: Block, near: Range<f64>, dice: &mut Dice, colors: [Surface; 4]) {
+fn discs(m: &mut Model, art: Block, near: Range<f64>, dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     for (k, color) in [0, 3, 1].into_iter().enumerate() {
         let r = dice.between(0.1, 0.155) * s.x.min(s.y * 1.6);

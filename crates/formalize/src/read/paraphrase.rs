@@ -7,8 +7,8 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let done = apart(tokens, i) || seats(tokens, i) || opposite(tokens, i) || opens(tokens, i);
-        let _said = done || extends(tokens, i) || walls(tokens, i);
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] = [apart, seats, opposite, opens, extends, walls];
+        let _turned = turns.iter().any(|turn| turn(tokens, i));
         i += 1;
     }
 }
@@ -26,14 +26,12 @@ fn ends(tokens: &[Token], i: usize) -> bool {
 fn put(tokens: &mut Vec<Token>, from: usize, to: usize, words: &[&str]) {
     let (Some(first), Some(last)) = (tokens.get(from), tokens.get(to - 1)) else { return };
     let at = first.at.start..last.at.end;
-    let like = first.clone();
     let new = |text: &&str| Token {
         kind: Kind::Word,
         text: (*text).to_owned(),
         at: at.clone(),
         owner: false,
         capital: false,
-        ..like.clone()
     };
     tokens.splice(from..to, words.iter().map(new).collect::<Vec<_>>());
 }

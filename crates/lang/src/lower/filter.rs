@@ -3,7 +3,8 @@
 use super::{Builder, Lowered, Lowerer, Poison};
 use crate::ast::{ExprId, ExprKind, Stmt};
 use crate::program::{Arg, Comparison, Node, NodeId, ObjectId};
-use scenelang_base::{Diagnostic, TextRange, codes};
+use rustc_hash::FxHashMap;
+use scenelang_base::{Diagnostic, FileId, TextRange, codes};
 use std::rc::Rc;
 
 impl Lowerer<'_, '_> {
@@ -11,7 +12,7 @@ impl Lowerer<'_, '_> {
     pub(super) fn filtered(&mut self, set: Rc<[ObjectId]>, condition: ExprId) -> Lowered<Rc<[ObjectId]>> {
         // Guidelines ask the same set for a role once for each object.
         let place = self.f.place.map(|place| (place.file, place.offset, condition));
-        if let Some((from, kept)) = place.and_then(|key| self.filtered.get(&key))
+        if let Some([from, kept]) = place.and_then(|key| self.filtered.get(&key))
             && *from == set
         {
             return Ok(Rc::clone(kept));
@@ -24,7 +25,7 @@ impl Lowerer<'_, '_> {
         }
         let kept: Rc<[ObjectId]> = kept.into();
         if let Some(key) = place.filter(|_| self.f.place.is_some_and(|p| of_the_object(p.stmt, condition))) {
-            self.filtered.insert(key, (set, Rc::clone(&kept)));
+            self.filtered.insert(key, [set, Rc::clone(&kept)]);
         }
         Ok(kept)
     }
@@ -85,14 +86,14 @@ impl Lowerer<'_, '_> {
     }
 }
 
+/// What passed a filter, by where it stands: the set, and what is left of it.
+pub(super) type Filtered = FxHashMap<(Option<FileId>, u32, ExprId), [Rc<[ObjectId]>; 2]>;
+
 /// Whether a filter names nothing but properties of the object that it is about.
 fn of_the_object(stmt: &Stmt, condition: ExprId) -> bool {
     let kind = &stmt.expr(condition).kind;
-    let mut all = match kind {
-        ExprKind::Own(_) | ExprKind::Text(_) | ExprKind::Bool(_) => true,
-        ExprKind::Not(_) | ExprKind::Binary(..) | ExprKind::Compare(..) => true,
-        _ => false,
-    };
+    let read = matches!(kind, ExprKind::Own(_) | ExprKind::Text(_) | ExprKind::Bool(_));
+    let mut all = read || matches!(kind, ExprKind::Not(_) | ExprKind::Binary(..) | ExprKind::Compare(..));
     kind.for_each_child(|part| all = all && of_the_object(stmt, part));
     all
 }

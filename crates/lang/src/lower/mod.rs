@@ -71,7 +71,7 @@ pub(crate) fn lower<'a>(
         guidelines: Guidelines::of(units),
         values_open: Vec::new(),
         texts: FxHashMap::default(),
-        filtered: FxHashMap::default(),
+        filtered: filter::Filtered::default(),
         steps: 0,
         nodes: 0,
         exhausted: false,
@@ -117,8 +117,8 @@ struct Lowerer<'a, 'b> {
     values_open: Vec<String>,
     /// Texts of objects' properties that were asked for, by the property.
     texts: FxHashMap<(ObjectId, SmolStr), SmolStr>,
-    /// What passed a filter that names nothing but properties of the object, by where it stands: the set, and what is left of it.
-    filtered: FxHashMap<(Option<FileId>, u32, ExprId), (Rc<[ObjectId]>, Rc<[ObjectId]>)>,
+    /// Of filters that name nothing but properties of the object.
+    filtered: filter::Filtered,
     guidelines: Guidelines,
     steps: u64,
     nodes: usize,
