@@ -204,14 +204,20 @@ impl Plan<'_> {
     /// A thing that is there already gets a place with what goes with it. Whether one was found; else nothing is added.
     pub fn place_asked(&mut self, thing: usize, root: &Root<'_>) -> bool {
         let mut skip = Vec::new();
-        for _ in 0..ATTEMPTS {
+        for attempt in 0..2 * ATTEMPTS {
+            let narrow = attempt % 2 == 1;
             let before = self.mark();
-            if self.try_group(thing, root.n, root, &skip).is_some() {
+            self.ground.iter_mut().for_each(|ground| ground.narrow = narrow);
+            let placed = self.try_group(thing, root.n, root, &skip).is_some();
+            self.ground.iter_mut().for_each(|ground| ground.narrow = false);
+            if placed {
                 self.miss(&skip);
                 self.settle();
                 return true;
             }
             match self.take_back(before, thing) {
+                // First with narrower ways, then with less.
+                _ if !narrow => {}
                 Some(part) => skip.push(part),
                 None => return false,
             }

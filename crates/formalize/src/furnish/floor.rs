@@ -124,6 +124,8 @@ pub struct Floor {
     flats: Vec<Block>,
     /// Before doors: nothing lies there but a doormat.
     swing: Vec<Block>,
+    /// Whether ways may be narrower: what is asked for in a small room stands there all the same.
+    pub narrow: bool,
 }
 
 impl Floor {
@@ -138,6 +140,7 @@ impl Floor {
             goals: Vec::new(),
             flats: Vec::new(),
             swing: Vec::new(),
+            narrow: false,
         }
     }
 
@@ -276,7 +279,7 @@ impl Floor {
     fn unreached(&self) -> usize {
         let (columns, rows) = self.cells();
         let reached = self.reached();
-        let far = HALF_WAY + 0.12;
+        let far = HALF_WAY + if self.narrow { 0.2 } else { 0.12 };
         // Only the cells around a thing are near it: a hall has very many others.
         let near = |goal: &Block| {
             let [i, j] = [0, 2].map(|k| {
@@ -323,12 +326,13 @@ impl Floor {
                 }
             }
         };
-        let margin = HALF_WAY - 0.02;
+        let margin = HALF_WAY - if self.narrow { 0.05 } else { 0.02 };
         for body in self.bodies.iter().filter(|body| body.low[1] < HEAD && body.high[1] > 0.08) {
             // What is in the wall leaves the way free; curtains and pictures before it do not.
             let within =
                 |k: usize| body.low[k] > -self.size[k] / 2.0 - 0.02 && body.high[k] < self.size[k] / 2.0 + 0.02;
-            if !within(0) || !within(2) {
+            let thin = [0, 2].iter().any(|k| body.high[*k] - body.low[*k] < 0.15);
+            if !within(0) || !within(2) || self.narrow && thin {
                 continue;
             }
             close([body.low[0] - margin, body.low[2] - margin], [body.high[0] + margin, body.high[2] + margin]);
