@@ -1,6 +1,7 @@
 //! What follows from what is said: seats for people.
 
 use crate::brief::{Brief, Fact, Group, Look, Number, Rel, Source, Thing, What};
+use crate::furnish::kinds;
 use crate::read::lexicon::{get, plural, singular};
 
 /// "A table for twelve people; the chairs …": so many chairs.
@@ -22,7 +23,13 @@ pub fn seats(brief: &mut Brief) {
     let (Some(people), false) = (people, ruled_out || brief.things.iter().any(is_seat)) else { return };
     let open = |i: &Thing| brief.rooms.get(i.room).is_none_or(|room| !room.only);
     let one = |i: &Thing| i.number.said().is_none_or(|n| n == 1);
-    let Some(table) = brief.things.iter().position(|i| i.group == Group::Table && one(i) && open(i)) else { return };
+    // Who works or eats elsewhere in such rooms does not sit at every table.
+    let seats_all = |i: &Thing| {
+        let kind = brief.rooms.get(i.room).and_then(|room| kinds::of(&room.name));
+        kind.is_none_or(|kind| kinds::seats_all(kind, &i.name()))
+    };
+    let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i);
+    let Some(table) = brief.things.iter().position(sits) else { return };
     let why = format!("{people} people sit there");
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));

@@ -4,7 +4,7 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::kinds::{Line, Place};
+use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::room::{gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
@@ -12,6 +12,9 @@ use super::{groups, slots, stand};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
 use std::cell::RefCell;
+
+/// So many of what nobody uses stand in corners.
+const CORNERS: usize = 4;
 
 /// Round tables that are asked for are circles, as large as those need who sit at them.
 pub fn rounded(plan: &mut Plan, brief: &Brief) {
@@ -24,7 +27,8 @@ pub fn rounded(plan: &mut Plan, brief: &Brief) {
         }
         let seats = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
         let seats = seats.filter(|t| stand::group(&t.category) == Group::Seat);
-        let n = seats.map(|t| t.count).max().or(plan.people).unwrap_or(0).div_ceil(thing.count.max(1));
+        let people = plan.people.filter(|_| seats_all(plan.kind, &thing.category.replace('_', " ")));
+        let n = seats.map(|t| t.count).max().or(people).unwrap_or(0).div_ceil(thing.count.max(1));
         let usual = Plan::size(&thing.category.replace('_', " "));
         let fits = plan.draft.rooms[plan.room].size;
         let most = fits[0].min(fits[2]) - 1.6;
@@ -98,10 +102,13 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let has_back = stand::has_back(&it.category) && !apart;
     let is_on_floor = stand::on_floor(plan.draft, &it);
     let wall = if is_on_floor && it.count <= 4 && has_back { at_a_wall(plan, thing) } else { AtWall::No };
-    if !at_wall_like && own_place.is_none() {
+    let aside = own.map_or_else(|| stand::is_aside(&it.category), |place| *place == Place::Corner);
+    let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
+    if !at_wall_like && !aside && own_place.is_none() {
         straighten(plan, thing);
     }
-    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run: matches!(own, Some(Place::Run)) };
+    let like =
+        Like { line: own_place, at_wall: has_back || at_wall_like, in_run: matches!(own, Some(Place::Run)), aside };
     if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);
@@ -116,6 +123,8 @@ struct Like {
     at_wall: bool,
     /// In a run.
     in_run: bool,
+    /// In a corner, or at least at a wall.
+    aside: bool,
 }
 
 /// Says that a thing stands at a wall, which is only preferred where the request places it.
@@ -175,6 +184,8 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                 Place::Service(gap) => choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9)),
                 _ => near(line, floor, shape, nominal),
             }
+        } else if like.aside {
+            choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
         } else if like.at_wall && it.count <= 8 {
             choice.wall(floor, shape, before)
         } else {

@@ -39,6 +39,8 @@ pub struct Building {
     pub skip: Vec<&'static str>,
     /// Things at which seats stand that are asked for: they get no others.
     pub seated: Vec<usize>,
+    /// Whether there is no floor for seats that belong to it.
+    pub is_crowded: bool,
     /// Where the elements of each thing are, for one element of the first.
     frames: BTreeMap<usize, Vec<Pose>>,
     /// What each thing but the first is in the table of groups.
@@ -285,6 +287,7 @@ impl Plan<'_> {
         }
         self.building = None;
         self.ground = Some(ground);
+        self.lacking += usize::from(self.matters && group.is_crowded);
         self.note_places(&group, &poses);
         Some(poses)
     }

@@ -219,10 +219,11 @@ fn is_claimed(part: &Part) -> bool {
 fn takes(part: &Part, category: &str) -> bool {
     let asked = category.replace('_', " ");
     let seat = stand::group(part.noun) == Group::Seat;
+    let easy = asked != part.noun && stand::is_easy(&asked);
     asked == part.noun
-        || asked.ends_with(&format!(" {}", part.noun))
+        || asked.ends_with(&format!(" {}", part.noun)) && !easy
         || stand::are_kin(part.noun, &asked)
-        || seat && counts_as(part.noun, &asked)
+        || seat && counts_as(part.noun, &asked) && !easy
 }
 
 /// Whether such a part goes with a thing, or with what goes with that.

@@ -141,6 +141,12 @@ pub fn of(room: &str) -> Option<&'static Kind> {
     })
 }
 
+/// Whether all who are in such a room sit at a table of this name: not where each has a place of their own elsewhere.
+pub fn seats_all(kind: &Kind, table: &str) -> bool {
+    let mut places = kind.lines.iter().filter(|line| matches!(line.count, Count::People(_)));
+    places.all(|line| super::stand::counts_as(line.noun, table))
+}
+
 /// A word in the singular.
 fn one(word: &str) -> String {
     let word = word.trim_end_matches("'s").trim_end_matches('\'');

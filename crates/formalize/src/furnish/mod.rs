@@ -148,19 +148,29 @@ fn persons(brief: &mut Brief) {
     }
 }
 
-/// A request that names no room but what a kind of room is called by: "a cosy bar".
+/// A request that names no room but what a kind of room is called by: "a cosy bar", "a bar with booths".
 fn named(brief: &mut Brief) {
     let [room] = &mut brief.rooms[..] else { return };
     if room.name != "room" {
         return;
     }
-    let Some(first) = brief.things.first().filter(|thing| brief.things.len() == 1 && thing.part.is_none()) else {
+    let Some(first) = brief.things.first().filter(|thing| thing.part.is_none() && !thing.number.many()) else {
         return;
     };
-    if kinds::of(&first.name()).is_some_and(|kind| kind.name != "room") {
+    // "A bar with booths" begins with the room.
+    let after = brief.request.get(first.source.at().end..).unwrap_or("");
+    let has = brief.things.len() == 1 || after.trim_start().starts_with("with ");
+    if has && kinds::of(&first.name()).is_some_and(|kind| kind.name != "room") {
         room.name = first.name();
-        // It is the room, and not a thing in it, where nothing is said of it.
-        if brief.facts.is_empty() {
+        // It is the room, and not a thing in it, where nothing is said of it but what it has.
+        let begin = first.source.at().start;
+        let listed = |fact: &Fact| {
+            let own = fact.of.iter().any(|of| brief.things[*of].source.at() == fact.source.at());
+            own || fact.source.at().start == begin
+        };
+        brief.facts.retain(|fact| !listed(fact) || fact.of.contains(&0));
+        let objects = |fact: &Fact| fact.what.objects().unwrap_or_default().contains(&0);
+        if !brief.facts.iter().any(|fact| fact.of.contains(&0) || objects(fact)) {
             room.source = first.source.clone();
             brief.remove(&[0]);
         }

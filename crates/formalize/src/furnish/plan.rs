@@ -3,7 +3,7 @@
 use super::build::Building;
 use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
-use super::kinds::{Kind, Place};
+use super::kinds::{Kind, Place, seats_all};
 use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
 use super::{place, stand, taste};
 use crate::brief::Group;
@@ -286,7 +286,8 @@ impl<'a> Plan<'a> {
             Where::Above(..) => own[0] = own[0].min(of[0]),
             Where::Under(wider, deeper, _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
             Where::Around(n, _) | Where::LongSides(n, _) => {
-                if let Some(people) = self.people {
+                let seats_all = seats_all(self.kind, &category.replace('_', " "));
+                if let Some(people) = self.people.filter(|_| seats_all) {
                     *n = people.div_ceil(anchors).min(capacity(of, own, round));
                 }
             }
@@ -314,6 +315,13 @@ impl<'a> Plan<'a> {
         let [w, _, d] = self.draft.rooms[self.room].size;
         let rug_fits = own[0].min(own[2]) < w.min(d) - 0.4 && own[0].max(own[2]) < w.max(d) - 0.4;
         if each == 0 || !rug_fits || stands && !self.has_room(own, each * anchors, false) {
+            // A table without its seats wants a larger room.
+            if each > 0
+                && seat
+                && let Some(group) = &mut self.building
+            {
+                group.is_crowded = true;
+            }
             return;
         }
         let flush = matches!(at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));

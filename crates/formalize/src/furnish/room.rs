@@ -74,6 +74,14 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     // What goes with something else waits for that.
     let (with_asked, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
     let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
+    // Many tables leave the place where such rooms have their counter.
+    let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
+    let is_early = |line: &Line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_));
+    let early: Vec<&Line> = kind.lines.iter().take(MATTER).filter(|line| is_early(line)).collect();
+    let early = if asked.iter().any(many) { early } else { Vec::new() };
+    for line in &early {
+        matter(&mut plan, line, true);
+    }
     for thing in asked.iter().chain(&with_asked).filter(|_| !crowd) {
         asked::stand_up(&mut plan, *thing);
     }
@@ -93,10 +101,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
             Count::Area(_) => false,
         };
         let few = few || matches!(line.place, Place::Rows(_));
-        plan.matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
-        let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
-        inventory(&mut plan, line);
-        plan.lacking += usize::from(plan.matters && !closed && plan.draft.things.len() == things);
+        let matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
+        if !early.contains(&line) {
+            matter(&mut plan, line, matters);
+        }
     }
     for thing in waiting.iter().filter(|_| !crowd) {
         asked::stand_up(&mut plan, *thing);
@@ -104,6 +112,19 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
     lacking
+}
+
+/// Whether things of a category are tables.
+fn tables(category: &str) -> bool {
+    stand::group(category) == crate::brief::Group::Table
+}
+
+/// Adds a line of the inventory, and notes where it matters and finds no room.
+fn matter(plan: &mut Plan, line: &Line, matters: bool) {
+    plan.matters = matters;
+    let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
+    inventory(plan, line);
+    plan.lacking += usize::from(matters && !closed && plan.draft.things.len() == things);
 }
 
 /// Adds what one eats at, if there is room for its seats, too.

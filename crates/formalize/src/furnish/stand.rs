@@ -8,7 +8,9 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 39] = [
+const KIN: [&[&str]; 40] = [
+    &["projector screen", "projection screen", "screen"],
+    &["armchair", "reading chair", "lounge chair", "easy chair", "recliner", "club chair"],
     &["tv", "television", "screen", "monitor", "display"],
     &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
     &["nightstand", "bedside table", "night table", "bedside cabinet"],
@@ -31,7 +33,6 @@ const KIN: [&[&str]; 39] = [
     &["kitchen table", "island", "kitchen island"],
     &["coffee table", "low table"],
     &["exam table", "examination table", "examination bed", "examination couch", "exam bed", "treatment table"],
-    &["armchair", "lounge chair", "recliner", "easy chair"],
     &["washing machine", "washer"],
     &["computer", "laptop", "pc"],
     &["bathtub", "tub", "bath"],
@@ -50,19 +51,32 @@ const KIN: [&[&str]; 39] = [
     &["curtain", "drape", "blind", "blinds"],
 ];
 
+/// Chairs that stand at no table.
+const EASY: [&str; 10] =
+    ["reading", "lounge", "rocking", "easy", "accent", "club", "waiting", "massage", "wing", "egg"];
+
+/// Whether this is a chair that stands at no table.
+pub fn is_easy(chair: &str) -> bool {
+    chair.split(' ').any(|word| EASY.contains(&word))
+}
+
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
 pub fn counts_as(noun: &str, asked: &str) -> bool {
     let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
     let (head, other) = (last(noun), last(asked));
     let one_word = !noun.contains(' ') || !asked.contains(' ');
+    // A chair at a table is not taken for one that is asked for to read in.
+    let easy = is_easy(asked) && !is_easy(noun);
     noun == asked
-        || head == other && (one_word || noun.ends_with(&format!(" {asked}")) || asked.ends_with(&format!(" {noun}")))
+        || !easy
+            && head == other
+            && (one_word || noun.ends_with(&format!(" {asked}")) || asked.ends_with(&format!(" {noun}")))
         || KIN.iter().any(|kin| {
             let among = |word: &str| kin.contains(&word);
             among(noun) && among(asked)
                 || among(asked) && among(&head)
                 || among(noun) && among(&other) && !asked.contains(' ')
-                || among(&head) && among(&other) && one_word
+                || !easy && among(&head) && among(&other) && one_word
         })
 }
 
@@ -101,6 +115,14 @@ pub fn has_back(category: &str) -> bool {
 /// How much floor before a thing that stands at a wall is free for its use, in metres; `None`: none is kept free.
 pub fn access(category: &str) -> Option<f64> {
     nouns::ending(category).filter(|noun| noun.stands == Stands::Back && noun.access > 0.0).map(|noun| noun.access)
+}
+
+/// Whether a thing has no front and nobody steps up to it, as a plant: it stands out of the way.
+pub fn is_aside(category: &str) -> bool {
+    nouns::ending(category).is_some_and(|noun| {
+        let [w, h, d] = noun.size;
+        noun.stands == Stands::Floor && !noun.front && noun.access == 0.0 && h > 0.2 && w * d < 0.6
+    }) && group(category) == Group::Floor
 }
 
 /// How much floor all around a thing is free for those who walk round it, as at a pool table; `None`: none is kept free.
@@ -158,6 +180,9 @@ mod tests {
             ("office chair", "chair", true),
             ("office chair", "swivel chair", true),
             ("office chair", "dining chair", false),
+            ("chair", "reading chair", false),
+            ("reading chair", "chair", true),
+            ("armchair", "reading chair", true),
             ("kitchen table", "farmhouse table", true),
             ("tv stand", "tv", false),
             ("plant", "plant stand", false),

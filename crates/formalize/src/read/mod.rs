@@ -24,6 +24,7 @@ mod rooms;
 pub(crate) mod several;
 mod talk;
 mod token;
+mod zones;
 
 use crate::brief::{Brief, MOST_GUIDED, Room, Word};
 use crate::complete::{Extent, complete};
@@ -72,6 +73,7 @@ pub fn brief(request: &str) -> Brief {
     let answers = talk::turns(&mut tokens);
     owner::places(&mut tokens);
     paraphrase::plain(&mut tokens);
+    zones::plain(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
     let mut used = vec![false; tokens.len()];
     let mut grammar = vec![false; tokens.len()];

@@ -23,7 +23,7 @@ fn ends(tokens: &[Token], i: usize) -> bool {
 }
 
 /// Puts words in the place of others, where these stood.
-fn put(tokens: &mut Vec<Token>, from: usize, to: usize, words: &[&str]) {
+pub(super) fn put(tokens: &mut Vec<Token>, from: usize, to: usize, words: &[&str]) {
     let (Some(first), Some(last)) = (tokens.get(from), tokens.get(to - 1)) else { return };
     let at = first.at.start..last.at.end;
     let new = |text: &&str| Token {
@@ -79,6 +79,13 @@ fn apart(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "A table that seats eight": "a table for eight".
 fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "A bar and seating for twenty": for twenty.
+    let goes_on = word(tokens, i) == "seating" && word(tokens, i + 1) == "for";
+    let listed = i > 1 && matches!(word(tokens, i - 1), "and" | "with") || i > 1 && tokens[i - 1].is(",");
+    if goes_on && listed && super::number::count(&tokens[(i + 2).min(tokens.len())..]).is_some() {
+        put(tokens, i - 1, i + 2, &["for"]);
+        return true;
+    }
     let that = usize::from(matches!(word(tokens, i), "that" | "which"));
     let verb = word(tokens, i + that);
     let counts = i > 0 && super::number::count(&tokens[(i + that + 1).min(tokens.len())..]).is_some();
@@ -167,6 +174,7 @@ mod tests {
             ("no two plants are closer than 1 m to the sofa", "no two plants are closer than 1 m to the sofa"),
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),
+            ("a cafe with a bar and seating for twenty", "a cafe with a bar for twenty"),
             ("the sofa here and the tv opposite.", "the sofa here and the tv opposite it ."),
             ("on the opposite side, opposite the bed", "on the opposite side , opposite the bed"),
             ("the fridge opens towards the table", "the fridge facing the table"),

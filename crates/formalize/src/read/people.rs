@@ -27,6 +27,8 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
         "patients",
         "readers",
     ];
+    // "A table for eight and a sideboard".
+    const GO_ON: [&str; 11] = ["and", "with", "plus", "in", "at", "near", "by", "under", "next", "beside", "where"];
     const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
     const MOST: f64 = 120.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
@@ -38,7 +40,9 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
         let (n, words) = number::count(&tokens[i + 1..])?;
         // "For six" without a noun speaks of people, too.
         let who = tokens.get(i + 1 + words).filter(|_| of.is_none());
-        let ends = |who: &Token| matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!'));
+        let ends = |who: &Token| {
+            matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!')) || GO_ON.iter().any(|word| who.is(word))
+        };
         let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
         (n > 1.0 && n <= MOST && speaks_of_people).then(|| {
             let named = who.is_some_and(|who| !ends(who));
@@ -62,6 +66,7 @@ pub fn count(rooms: &mut [Room], tokens: &[Token]) -> Range<usize> {
 pub fn phrase(request: &str) -> Range<usize> {
     let (mut tokens, _) = tokens(request, super::MOST_WORDS);
     super::paraphrase::plain(&mut tokens);
+    super::zones::plain(&mut tokens);
     people(&tokens).map_or(0..0, |(_, said)| tokens[said.start].at.start..tokens[said.end - 1].at.end)
 }
 

@@ -160,6 +160,26 @@ fn number(rest: &str) -> (usize, f64) {
     (len, text.parse().unwrap_or(0.0))
 }
 
+/// Several who own something, written with an apostrophe that is no closing quote.
+const OWNERS: [&str; 16] = [
+    "kids",
+    "boys",
+    "girls",
+    "teachers",
+    "students",
+    "pupils",
+    "nurses",
+    "doctors",
+    "guests",
+    "visitors",
+    "players",
+    "workers",
+    "parents",
+    "teenagers",
+    "toddlers",
+    "twins",
+];
+
 fn word(rest: &str) -> (usize, String, bool) {
     let mut len = 0;
     let mut chars = rest.char_indices().peekable();
@@ -171,9 +191,15 @@ fn word(rest: &str) -> (usize, String, bool) {
         }
         len = i + c.len_utf8();
     }
-    let text = rest[..len].to_lowercase().replace('’', "'").replace('_', "-");
+    // "Café" and "cafe" are one word.
+    let text = rest[..len].to_lowercase().replace('’', "'").replace('_', "-").replace(['é', 'è', 'ê'], "e");
     // What is no possessive of a thing: "it's", "let's", "there's".
     let owner = text.strip_suffix("'s").filter(|w| !["it", "let", "there", "that", "here", "what", "who"].contains(w));
+    // "The kids' bedroom".
+    let closes = rest[len..].starts_with("' ") || rest[len..].starts_with("’ ");
+    if closes && OWNERS.contains(&text.as_str()) {
+        return (len + rest[len..].find(' ').unwrap_or(0), text, true);
+    }
     match owner {
         Some(w) => (len, w.to_owned(), true),
         None => {

@@ -84,6 +84,10 @@ impl Reader<'_> {
         if again && self.sides(i) {
             return;
         }
+        if let Some((of, among)) = self.listed_between(i, rel).filter(|_| many) {
+            self.drop_usual(&[of]);
+            return self.relate(&[of], rel, &[among]);
+        }
         let object = self.its(i, end, rel);
         let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
         let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
@@ -131,6 +135,19 @@ impl Reader<'_> {
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }
+    }
+
+    /// "Two beds and a dresser between them": the dresser, and the beds.
+    fn listed_between(&self, i: usize, rel: Rel) -> Option<(usize, usize)> {
+        let [.., among, of] = self.recent[..] else { return None };
+        let own = self.chunks.get(i.checked_sub(1)?)?.np().and_then(|np| self.find(np)) == Some(of);
+        let (list, one) = (&self.brief.things[among], &self.brief.things[of]);
+        let joined = self
+            .tokens
+            .iter()
+            .any(|t| (list.source.at().end..one.source.at().start).contains(&t.at.start) && (t.is("and") || t.is(",")));
+        let fits = list.number.many() && !one.number.many() && among != of;
+        (rel == Rel::Between && own && joined && fits && self.s.pending.is_none()).then_some((of, among))
     }
 
     /// What "its", "it" and "them" of a relation stand for.

@@ -1,0 +1,160 @@
+//! Parts of a room that are named by what one does there, from `data/zones.txt`: "an office with a meeting corner" has a
+//! table with chairs. Where the request goes on with what such a part has, that alone counts.
+
+use super::lexicon::get;
+use super::number;
+use super::paraphrase::put;
+use super::token::{Kind, Token};
+use crate::furnish::kinds;
+use std::sync::OnceLock;
+
+/// What follows the name of an activity.
+const PLACES: [&str; 12] =
+    ["area", "areas", "corner", "corners", "nook", "nooks", "space", "spaces", "spot", "spots", "zone", "zones"];
+/// What precedes such a part in a list of what a room has.
+const LISTS: [&str; 11] =
+    ["with", "and", "plus", "has", "have", "having", "featuring", "including", "includes", "add", "want"];
+/// What precedes the things that such a part has.
+const HAS: [&str; 7] = ["with", "has", "having", "featuring", "including", "containing", "holding"];
+/// What follows a part that is a room of its own, or of which something else is told.
+const OWN: [&str; 5] = ["of", "measuring", "is", "are", "that"];
+/// Homes have rooms by these names.
+const HOMES: [&str; 10] =
+    ["apartment", "flat", "house", "condo", "cabin", "cottage", "bungalow", "penthouse", "villa", "loft"];
+/// The most words of a room's name.
+const LONGEST: usize = 4;
+
+/// A line of the table.
+struct Zone {
+    names: Vec<&'static str>,
+    alone: Vec<&'static str>,
+    things: Vec<&'static str>,
+    present: Vec<&'static str>,
+}
+
+fn all() -> &'static [Zone] {
+    static ZONES: OnceLock<Vec<Zone>> = OnceLock::new();
+    ZONES.get_or_init(|| {
+        let lines = include_str!("../../data/zones.txt").lines().filter(|l| !l.starts_with('#') && !l.is_empty());
+        lines.filter_map(zone).collect()
+    })
+}
+
+fn zone(line: &'static str) -> Option<Zone> {
+    let [names, things, present] = line.split('|').map(str::trim).collect::<Vec<_>>()[..] else { return None };
+    let list = |text: &'static str| text.split(',').map(str::trim).collect::<Vec<_>>();
+    Some(Zone {
+        names: list(names).into_iter().filter(|name| !name.ends_with('*')).collect(),
+        alone: list(names).into_iter().filter_map(|name| name.strip_suffix('*')).collect(),
+        things: things.split(' ').collect(),
+        present: list(present),
+    })
+}
+
+/// Turns "a meeting corner" into what such a corner has.
+pub fn plain(tokens: &mut Vec<Token>) {
+    if tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home))) {
+        return;
+    }
+    let mut i = 0;
+    while i < tokens.len() {
+        if let Some((zone, end)) = named(tokens, i)
+            && let Some(from) = begin(tokens, i)
+        {
+            replace(tokens, zone, from, end);
+        }
+        i += 1;
+    }
+}
+
+/// The part of a room whose name begins at a word, and where the name ends.
+fn named(tokens: &[Token], i: usize) -> Option<(&'static Zone, usize)> {
+    let first = tokens.get(i).filter(|t| t.word())?;
+    // A room that is not closed off is a part of another one.
+    if first.is("open") && tokens.get(i + 1).is_some_and(|t| t.is("kitchen")) {
+        return all().iter().find(|zone| zone.alone.contains(&"open-kitchen")).map(|zone| (zone, i + 2));
+    }
+    let placed = tokens.get(i + 1).is_some_and(|t| t.word() && PLACES.iter().any(|place| t.is(place)));
+    all().iter().find_map(|zone| {
+        let is = |names: &[&str]| names.iter().any(|name| first.is(name));
+        (is(&zone.names) && placed).then_some((zone, i + 2)).or(is(&zone.alone).then_some((zone, i + 1)))
+    })
+}
+
+/// Where the noun phrase begins whose noun is such a part: at an article that follows a word of a list.
+fn begin(tokens: &[Token], i: usize) -> Option<usize> {
+    let mut from = i;
+    while from > 0 && get().is_look(&tokens[from - 1].text) {
+        from -= 1;
+    }
+    let article = from.checked_sub(1).filter(|k| tokens[*k].is("a") || tokens[*k].is("an"))?;
+    let before = tokens.get(article.checked_sub(1)?)?;
+    let listed = matches!(before.kind, Kind::Sign(',')) || LISTS.iter().any(|word| before.is(word));
+    listed.then_some(article)
+}
+
+fn replace(tokens: &mut Vec<Token>, zone: &Zone, from: usize, end: usize) {
+    let next = tokens.get(end).map_or("", |t| t.text.as_str());
+    if HAS.contains(&next) && tokens.get(end + 1).is_some_and(Token::word) {
+        // "A reading corner with an armchair": the armchair.
+        let first = tokens[end + 1].text.clone();
+        return put(tokens, from, end + 2, &[&first]);
+    }
+    let told = OWN.contains(&next) || number::count(&tokens[end.min(tokens.len())..]).is_some();
+    let is_there = || {
+        let kind = kind(&tokens[..from]);
+        kind.is_some_and(|kind| kind.lines.iter().any(|line| line.least == 0.0 && zone.present.contains(&line.noun)))
+    };
+    if !told && !is_there() {
+        put(tokens, from, end, &zone.things);
+    }
+}
+
+/// The kind of the room that was named last.
+fn kind(tokens: &[Token]) -> Option<&'static kinds::Kind> {
+    (0..tokens.len()).rev().find_map(|last| {
+        (last.saturating_sub(LONGEST - 1)..=last).find_map(|first| {
+            let words: Vec<String> = tokens[first..=last].iter().map(|t| t.text.clone()).collect();
+            let (n, _) = get().room_ending(&words)?;
+            (n == words.len()).then(|| kinds::of(&words.join(" "))).flatten()
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn every_line_is_read() {
+        let lines = include_str!("../../data/zones.txt").lines().filter(|l| !l.starts_with('#') && !l.is_empty());
+        assert_eq!(lines.count(), all().len());
+        for zone in all() {
+            let noun = zone.present.iter().find(|noun| scenelang_lang::nouns::noun(noun).is_none());
+            assert_eq!(noun, None, "{:?}", zone.names);
+        }
+    }
+
+    #[test]
+    fn a_part_of_a_room_is_what_it_has() {
+        for (text, becomes) in [
+            ("an office with a meeting corner", "an office with a round table"),
+            ("a bedroom with a cozy reading nook by the window", "a bedroom with a reading chair by the window"),
+            ("a classroom with a reading corner with a rug", "a classroom with a rug"),
+            ("a bedroom with a desk and a play area", "a bedroom with a desk and a play mat and a toy box"),
+            ("a pizzeria with an open kitchen", "a pizzeria with a kitchen counter"),
+            ("a living room with a workspace", "a living room with a desk"),
+            // What such rooms have anyway.
+            ("a bakery with a seating area", "a bakery with a seating area"),
+            // What is a room.
+            ("an apartment with a dining area", "an apartment with a dining area"),
+            ("a cafe. The dining area is 4 m wide", "a cafe . the dining area is 4 m wide"),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
