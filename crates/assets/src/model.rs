@@ -73,6 +73,11 @@ impl Model {
         self.solid_drum(b);
         self.mesh.drum(b, s);
     }
+    /// A disc that fills a box, with its axis along x (0) or z (2): the solid is the box.
+    pub fn disc(&mut self, axis: usize, b: Block, s: &Surface) {
+        self.solid(b);
+        self.mesh.disc(axis, b, s);
+    }
     /// A turned profile; the solid is its cylinder.
     pub fn lathe(&mut self, b: Block, profile: &[(f64, f64)], s: &Surface) {
         self.solid_drum(b);

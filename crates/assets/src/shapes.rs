@@ -205,6 +205,22 @@ impl Mesh {
         let path: Vec<Station> = points.iter().map(|p| (*p, radius, radius)).collect();
         self.sweep(&path, Vec3::new(0.3, 0.9, 0.2), 10, s);
     }
+    /// A disc that fills a box, with its axis along x (0) or z (2).
+    pub(crate) fn disc(&mut self, axis: usize, b: Block, s: &Surface) {
+        const SIDES: usize = 20;
+        let (c, half) = (b.center(), b.size() / 2.0);
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let at = |k: usize| {
+            // Exact at the quarters, so that the disc fills the box.
+            let (sin, cos) = match 4 * k / SIDES {
+                quarter if 4 * k % SIDES == 0 => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarter % 4],
+                _ => (TAU * k as f64 / SIDES as f64).sin_cos(),
+            };
+            (c[u] + half[u] * cos, c[v] + half[v] * sin)
+        };
+        let round: Vec<(f64, f64)> = (0..SIDES).map(at).collect();
+        self.extrude(axis, &round, b.min[axis]..b.max[axis], s);
+    }
     /// A convex polygon carried straight along an axis (0 x, 1 y, 2 z). Its points are in the two axes that follow:
     /// (y, z), (z, x) or (x, y).
     pub(crate) fn extrude(&mut self, axis: usize, polygon: &[(f64, f64)], range: Range<f64>, s: &Surface) {

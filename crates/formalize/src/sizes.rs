@@ -11,13 +11,9 @@ const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
 /// The usual size of a thing of this name.
 pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     let name = words.join(" ");
-    // What a plain noun means in some rooms: a table of a café is no table for six.
-    if let Some(noun) = nouns::noun(&name).filter(|_| words.len() > 1 && is_meant(&name)) {
-        return noun.size;
-    }
-    // An examination bed is no double bed.
-    let is_kind = |noun: &&nouns::Noun| words.len() > 1 && group == Group::Bed && noun.size[1] >= 0.7;
-    if let Some(noun) = nouns::noun(&name).filter(is_kind) {
+    // "A reading chair" is known by its whole name.
+    let stands = matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor);
+    if let Some(noun) = nouns::noun(&name).filter(|_| words.len() > 1 && (stands || is_meant(&name))) {
         return noun.size;
     }
     if let Some(size) = own_size(words) {

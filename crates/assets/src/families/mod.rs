@@ -2,17 +2,21 @@
 
 mod bathroom;
 mod beds;
+mod care;
 mod decor;
 mod electronics;
 mod fittings;
 mod kitchen;
 mod leisure;
 mod lighting;
+mod music;
 mod openings;
 mod panels;
+mod play;
 mod robots;
 mod safety;
 mod seating;
+mod shop;
 mod sport;
 mod storage;
 mod tables;
@@ -72,9 +76,11 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("device", electronics::device),
     ("dish", decor::dish),
     ("dispenser", bathroom::dispenser),
+    ("dollhouse", play::dollhouse),
     ("display_case", storage::display_case),
     ("dock", robots::dock),
     ("door", openings::door),
+    ("drum_kit", music::drum_kit),
     ("drone", robots::drone),
     ("dumbbell_rack", sport::dumbbell_rack),
     ("easel", panels::easel),
@@ -95,8 +101,11 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("game_table", tables::game_table),
     ("garage_door", fittings::garage_door),
     ("gondola", storage::gondola),
+    ("guitar", music::strings),
+    ("hammock", play::hammock),
     ("hand_truck", fittings::hand_truck),
     ("hood", kitchen::hood),
+    ("ironing_board", shop::ironing_board),
     ("kettlebell", sport::kettlebell),
     ("kettle", kitchen::kettle),
     ("keyboard", electronics::keyboard),
@@ -106,11 +115,13 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("laptop", electronics::laptop),
     ("lectern", tables::lectern),
     ("locker", storage::locker),
+    ("lounger", care::lounger),
     ("machine", robots::machine),
     ("microwave", kitchen::microwave),
     ("mirror", panels::mirror),
     ("mobile_robot", robots::mobile_robot),
     ("monitor", electronics::monitor),
+    ("motorcycle", vehicles::motorcycle),
     ("office_chair", seating::office_chair),
     ("ottoman", seating::ottoman),
     ("pallet", robots::pallet),
@@ -125,13 +136,16 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("pillar", openings::pillar),
     ("plant", decor::plant),
     ("platform", tables::platform),
+    ("potters_wheel", shop::potters_wheel),
     ("printer", electronics::printer),
     ("projection_screen", panels::screen),
     ("projector", electronics::projector),
     ("rack", storage::rack),
     ("radiator", leisure::radiator),
     ("robot_arm", robots::robot_arm),
+    ("rocking_horse", play::rocking_horse),
     ("rug", panels::rug),
+    ("saw", shop::saw),
     ("sconce", lighting::sconce),
     ("server_rack", storage::server_rack),
     ("shelf", storage::open_shelf),
@@ -154,6 +168,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("toilet", bathroom::toilet),
     ("tool_board", fittings::tool_board),
     ("towel_rail", bathroom::towel_rail),
+    ("treatment_chair", care::treatment_chair),
     ("treadmill", leisure::treadmill),
     ("tv_stand", storage::tv_stand),
     ("urinal", bathroom::urinal),

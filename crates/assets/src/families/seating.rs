@@ -2,7 +2,7 @@
 
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
-use crate::looks::{Finish, is, shade, stuff};
+use crate::looks::{Finish, Stuff, is, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
 use crate::shapes::sphere;
@@ -42,7 +42,11 @@ pub(super) fn chair(a: &Ask) -> Model {
     let post = 0.035_f64.min(0.1 * a.w).min(0.1 * a.d);
     let under = seat - thick;
     m.surface = Some(seat);
-    m.legs(b.y(0.0..under).inset(0.02, 0.0, 0.015), 1.1 * post, &legs);
+    let runner = if a.says(&["rocking", "rocker"]) { 0.05 * a.h } else { 0.0 };
+    for side in b.x(b.min.x + 0.02..b.min.x + 0.02 + post).both_sides().into_iter().filter(|_| runner > 0.0) {
+        m.board(side.y(0.0..runner), &legs);
+    }
+    m.legs(b.y(runner..under).inset(0.02, 0.0, if runner > 0.0 { 0.16 * a.d } else { 0.015 }), 1.1 * post, &legs);
     let board = b.y(under..seat).z(b.min.z + if soft { 0.0 } else { 0.4 * post }..b.max.z);
     if soft {
         m.cushion(board, &main)
@@ -195,6 +199,9 @@ pub(super) fn bench(a: &Ask) -> Model {
 
 /// Sofas, and armchairs as the narrow ones: base, back, two arms, loose cushions; with `corner` or `sectional`, a chaise.
 pub(super) fn sofa(a: &Ask) -> Model {
+    if a.says(&["booth", "banquette"]) {
+        return booth(a);
+    }
     let mut m = Model::default();
     let b = a.whole();
     let main = a.main(stuff::CLOTH);
@@ -203,7 +210,8 @@ pub(super) fn sofa(a: &Ask) -> Model {
     m.surface = Some(seat);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     let arm = 0.17_f64.min(0.14 * a.w);
-    let chaise = a.d > 1.2 && a.says(&["sectional", "corner", "chaise", "lshaped"]);
+    let bent = a.says(&["sectional", "corner", "chaise", "lshaped"]) || a.says(&["l"]) && a.says(&["shaped", "shape"]);
+    let chaise = a.d > 1.2 && bent;
     let front = if chaise { -z + (0.95_f64).min(0.65 * a.d) } else { z };
     let back = 0.24_f64.min(0.27 * (front + z));
     let rest = seat + 0.42 * (a.h - seat);
@@ -244,6 +252,26 @@ pub(super) fn sofa(a: &Ask) -> Model {
         m.mesh.crisp(f, &wood);
         let ahead = front - f.max.z - 0.04 * a.d;
         m.mesh.crisp(f.moved(0.0, 0.0, ahead.max(0.0)), &wood);
+    }
+    m
+}
+
+/// A padded bench with a high back in upright channels, as in restaurants.
+fn booth(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(Stuff(Finish::Leather, 0x6e2f2c));
+    let wood = a.second(stuff::WALNUT);
+    let seat = seat_height(a.h, 0.46);
+    let (thick, back) = (0.12_f64.min(0.3 * seat), 0.18_f64.min(0.3 * a.d));
+    m.surface = Some(seat);
+    m.board(b.y(0.0..seat - thick).z(b.min.z + back..b.max.z - 0.06 * a.d), &wood);
+    m.cushion(b.y(seat - thick..seat).z(b.min.z + back..b.max.z), &main);
+    m.solid(b.z(b.min.z..b.min.z + back));
+    m.mesh.board(b.z(b.min.z..b.min.z + 0.35 * back), &wood);
+    let pad = b.y(seat - thick..0.96 * a.h).z(b.min.z + 0.3 * back..b.min.z + back);
+    for channel in pad.split(0, pieces(a.w, 0.16, 2, 12), 0.0) {
+        m.mesh.rounded(channel, 0.3 * channel.size().x.min(channel.size().z), 2, &main);
     }
     m
 }

@@ -1,29 +1,9 @@
 //! What stands in a gym: benches with a barbell, racks of dumbbells, kettlebells.
 
 use crate::ask::Ask;
-use crate::block::{Block, pieces};
+use crate::block::pieces;
 use crate::looks::{Finish, Stuff, stuff};
-use crate::mesh::Surface;
 use crate::model::Model;
-
-/// A disc across x that fills a box.
-fn disc(m: &mut Model, b: Block, s: &Surface) {
-    m.solid(b);
-    let (c, half) = (b.center(), b.size() / 2.0);
-    let at = |k: usize| {
-        let (sin, cos) = match k {
-            0 => (0.0, 1.0),
-            4 => (1.0, 0.0),
-            8 => (0.0, -1.0),
-            12 => (-1.0, 0.0),
-            _ => (k as f64 * std::f64::consts::PI / 8.0).sin_cos(),
-        };
-        (c.y + half.y * cos, c.z + half.z * sin)
-    };
-    let mut round: Vec<(f64, f64)> = (0..16).map(at).collect();
-    round.reverse();
-    m.mesh.extrude(0, &round, b.min.x..b.max.x, s);
-}
 
 /// A padded bench along z, and behind it two uprights with a barbell.
 pub(super) fn weight_bench(a: &Ask) -> Model {
@@ -47,7 +27,7 @@ pub(super) fn weight_bench(a: &Ask) -> Model {
     m.mesh.rounded(b.share(0.0..1.0, 0.845..0.875, 0.19..0.21), 0.012, 2, &stuff::CHROME.surface());
     for (x, r) in [(0.05..0.09, 0.14), (0.1..0.13, 0.11)] {
         for plate in b.share(x.clone(), 0.86 - r..0.86 + r, 0.2 - 0.73 * r..0.2 + 0.73 * r).both_sides() {
-            disc(&mut m, plate, &stuff::RUBBER.surface());
+            m.disc(0, plate, &stuff::RUBBER.surface());
         }
     }
     m.surface = Some(0.42 * a.h);

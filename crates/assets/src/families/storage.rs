@@ -56,7 +56,29 @@ pub(super) fn cabinet(a: &Ask) -> Model {
     let low = a.h < 1.0 && a.w > 0.7 && !a.says(&["kitchen", "base", "wall", "filing", "storage"]);
     let (face, deep) = casing(&mut m, a, &main, low.then_some(&legs));
     let grip = if low { stuff::BRASS } else { stuff::STEEL }.surface();
-    if a.says(&["glass", "display", "vitrine", "china"]) || a.made_of(&[Finish::Glass]) {
+    if a.says(&["china", "curio", "hutch"]) && a.h > 1.2 {
+        // Cups and plates behind glass, and doors below.
+        let cut = face.min.y + 0.4 * face.size().y;
+        doors(&mut m, face.y(face.min.y..cut - 0.01), pieces(a.w, 0.48, 1, 8), deep, &shade(&main, 1.1), &grip);
+        let upper = face.y(cut..face.max.y);
+        let (shade_of, china) = (shade(&main, 0.6), stuff::CERAMIC.surface());
+        m.mesh.crisp(upper.z(face.max.z - deep..face.max.z - 0.9 * deep), &shade_of);
+        for row in upper.split(1, 3, 0.03) {
+            for dish in row.share(0.04..0.96, 0.0..0.55, 0.0..1.0).split(0, pieces(a.w, 0.16, 2, 10), 0.02) {
+                m.mesh.crisp(dish.z(face.max.z - 0.9 * deep..face.max.z - 0.6 * deep), &china);
+            }
+        }
+        for post in upper.split(0, pieces(a.w, 0.48, 1, 8), 0.0) {
+            for edge in [post.share(0.0..0.06, 0.0..1.0, 0.0..1.0), post.share(0.94..1.0, 0.0..1.0, 0.0..1.0)] {
+                m.mesh.crisp(edge.z(face.max.z - 0.55 * deep..face.max.z - 0.4 * deep), &main);
+            }
+            let pull = post.share(0.46..0.5, 0.1..0.2, 0.0..1.0);
+            m.mesh.crisp(pull.z(face.max.z - 0.4 * deep..face.max.z), &grip);
+        }
+        for rail in [upper.share(0.0..1.0, 0.0..0.05, 0.0..1.0), upper.share(0.0..1.0, 0.95..1.0, 0.0..1.0)] {
+            m.mesh.crisp(rail.z(face.max.z - 0.55 * deep..face.max.z - 0.4 * deep), &main);
+        }
+    } else if a.says(&["glass", "display", "vitrine"]) || a.made_of(&[Finish::Glass]) {
         doors(&mut m, face, pieces(a.w, 0.45, 1, 6), deep, &stuff::GLASS.surface(), &grip);
     } else {
         doors(&mut m, face, pieces(a.w, 0.48, 1, 8), deep, &shade(&main, 1.1), &grip);

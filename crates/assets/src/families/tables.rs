@@ -97,6 +97,30 @@ fn trestles(m: &mut Model, b: Block, s: &Surface) {
     );
 }
 
+/// A desk along the back of its box with a return at the right; its user sits in the corner between them.
+fn corner_desk(a: &Ask, main: &Surface, thick: f64) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let legs = a.legs(main);
+    let under = a.h - thick;
+    let (long, back) = (0.65_f64.min(0.5 * a.d), b.min.z);
+    let wing = b.x(b.max.x - 0.55_f64.min(0.4 * a.w)..b.max.x).z(back + long..b.max.z);
+    m.rounded(b.y(under..a.h).z(back..back + long), 0.008, main);
+    m.rounded(wing.y(under..a.h), 0.008, main);
+    let side = 0.035_f64.min(0.08 * a.w).min(0.2 * long);
+    m.board(b.x(b.min.x..b.min.x + side).y(0.0..under).z(back + 0.01 * a.d..back + 0.97 * long), &legs);
+    m.board(b.y(0.35 * a.h..under).x(b.min.x + side..b.max.x).z(back..back + 0.5 * side), main);
+    // Drawers under the end of the return.
+    let chest =
+        wing.y(0.0..under).z(wing.max.z - 0.5_f64.min(0.6 * wing.size().z)..wing.max.z).inset(0.02 * a.w, 0.0, 0.0);
+    m.solid(chest);
+    let deep = 0.05 * chest.size().z;
+    m.mesh.board(chest.z(chest.min.z..chest.max.z - deep), main);
+    drawers(&mut m, chest, 3, deep, &shade(main, 1.08), &stuff::BLACK_STEEL.surface());
+    m.board(wing.x(b.max.x - side..b.max.x).y(0.0..under).z(back + 0.1 * long..back + long), &legs);
+    m
+}
+
 /// A desk; its user sits at +z. Wide ones have drawers on the right; `standing` ones two lifting columns, school desks four
 /// legs.
 pub(super) fn desk(a: &Ask) -> Model {
@@ -105,6 +129,10 @@ pub(super) fn desk(a: &Ask) -> Model {
     let main = a.main(stuff::OAK);
     let thick = 0.03_f64.min(0.1 * a.h);
     let under = a.h - thick;
+    let bent = a.says(&["corner", "lshaped"]) || a.says(&["l"]) && a.says(&["shaped", "shape"]);
+    if bent && a.d > 0.55 * a.w {
+        return corner_desk(a, &main, thick);
+    }
     m.rounded(b.y(under..a.h), 0.008, &main);
     if a.says(&["standing", "adjustable", "electric", "sit", "motorized"]) {
         let steel = a.second(stuff::GRAY);

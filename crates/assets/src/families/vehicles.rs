@@ -1,4 +1,4 @@
-//! What people drive: a car with its cabin, windows, wheels and lights. The front is at +z.
+//! What people drive: a car with its cabin, windows, wheels and lights; a motorcycle. The front is at +z.
 
 use crate::ask::Ask;
 use crate::block::{Block, block};
@@ -62,5 +62,39 @@ pub(super) fn car(a: &Ask) -> Model {
     }
     let bumper = block(-0.96 * x..0.96 * x, sill..0.3 * a.h, z - 0.03 * a.d..z - 0.001 * a.d);
     m.mesh.crisp(bumper, &shade(&dark, 1.2));
+    m
+}
+
+/// Two wheels in a row, an engine between them, tank, saddle and handlebar.
+pub(super) fn motorcycle(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let paint = a.main(Stuff(Finish::Paint, 0x8c2f2b));
+    let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
+    let r = (0.27 * a.h).min(0.18 * a.d);
+    for at in [-a.d / 2.0 + r, a.d / 2.0 - r] {
+        wheel(&mut m, b.share(0.42..0.58, 0.0..1.0, 0.0..1.0).y(0.0..2.0 * r).z(at - r..at + r));
+    }
+    m.board(b.share(0.32..0.68, 0.18..0.52, 0.36..0.62), &chrome);
+    let tank = b.share(0.32..0.68, 0.52..0.74, 0.46..0.72);
+    m.solid(tank);
+    m.mesh.rounded(tank, 0.3 * tank.size().min(), 3, &paint);
+    let saddle = b.share(0.34..0.66, 0.56..0.68, 0.14..0.48);
+    m.solid(saddle);
+    m.mesh.rounded(saddle, 0.3 * saddle.size().min(), 2, &dark);
+    for fork in b.share(0.36..0.41, 0.24..0.86, 0.8..0.85).both_sides() {
+        m.board(fork, &chrome);
+    }
+    m.board(b.share(0.41..0.59, 0.66..0.74, 0.7..0.84), &dark);
+    m.board(b.share(0.0..1.0, 0.92..0.96, 0.76..0.8), &chrome);
+    m.board(b.share(0.4..0.6, 0.84..0.94, 0.74..0.84), &dark);
+    let lamp = b.share(0.38..0.62, 0.74..0.86, 0.84..0.92);
+    m.disc(2, lamp, &Stuff(Finish::Glow, 0xfff4d6).surface());
+    for mirror in b.share(0.1..0.2, 0.96..1.0, 0.76..0.78).both_sides() {
+        m.board(mirror, &dark);
+    }
+    for pipe in b.share(0.68..0.76, 0.2..0.28, 0.06..0.5).both_sides().into_iter().skip(1) {
+        m.board(pipe, &chrome);
+    }
     m
 }

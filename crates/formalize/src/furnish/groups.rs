@@ -18,7 +18,7 @@ pub enum Along {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Where {
     /// Before its front; turned by so much.
-    Front(f64, f64),
+    Front(f64, f64, f64),
     /// Behind its back; turned by so much.
     Back(f64, f64),
     /// At its left (1) or right (-1) side; turned by so much.
@@ -110,7 +110,7 @@ fn part(line: &'static str) -> Option<Part> {
         _ => Along::Middle,
     };
     let at = match head {
-        "front" => Where::Front(n(0)?, n(1).unwrap_or(180.0)),
+        "front" => Where::Front(n(0)?, n(1).unwrap_or(180.0), n(2).unwrap_or(0.0)),
         "behind" => Where::Back(n(0)?, n(1).unwrap_or(0.0)),
         "left" => Where::Side(n(0)?, along, 1.0, n(2).unwrap_or(0.0)),
         "right" => Where::Side(n(0)?, along, -1.0, n(2).unwrap_or(0.0)),

@@ -84,7 +84,8 @@ pub fn refine(brief: &mut Brief) {
             continue;
         }
         let known = |words: &str| scenelang_lang::nouns::noun(words).is_some();
-        let said = thing.look.features.iter().map(|feature| format!("{feature} {}", thing.words[0]));
+        let said = thing.look.features.iter();
+        let said = said.map(|feature| format!("{} {}", feature.replace('-', " "), thing.words[0]));
         let said = said.enumerate().find(|(_, name)| known(name));
         let meant = || {
             let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;

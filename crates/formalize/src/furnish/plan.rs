@@ -401,9 +401,9 @@ impl<'a> Plan<'a> {
             {
                 "diningSet"
             }
-            ("desk", "chair", Where::Front(..)) => "deskSet",
+            ("desk", "chair", Where::Front(gap, ..)) if *gap >= 0.0 => "deskSet",
             ("bed", "nightstand", _) => "bedSet",
-            ("sofa", "table", Where::Front(..)) => "seatingGroup",
+            ("sofa", "table", Where::Front(gap, ..)) if *gap >= 0.0 => "seatingGroup",
             _ => return,
         };
         let text = format!("assert {call}({}, {});", of.name, part.name);

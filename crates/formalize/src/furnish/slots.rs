@@ -55,7 +55,7 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         slot(-left * (width / 2.0 + gap + w / 2.0), z, Level::Floor, yaw)
     };
     match *at {
-        Where::Front(gap, yaw) => vec![slot(0.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)],
+        Where::Front(gap, yaw, x) => vec![slot(x * width / 2.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)],
         Where::Back(gap, yaw) => vec![slot(0.0, -depth / 2.0 - gap - d / 2.0, Level::Floor, yaw)],
         Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],
         Where::Sides(gap, along) => vec![beside(gap, along, 1.0, 0.0), beside(gap, along, -1.0, 0.0)],

@@ -117,11 +117,12 @@ pub fn access(category: &str) -> Option<f64> {
     nouns::ending(category).filter(|noun| noun.stands == Stands::Back && noun.access > 0.0).map(|noun| noun.access)
 }
 
-/// Whether a thing has no front and nobody steps up to it, as a plant: it stands out of the way.
+/// Whether a thing is small and nobody steps up to it, as a plant or a cello: it stands out of the way.
 pub fn is_aside(category: &str) -> bool {
     nouns::ending(category).is_some_and(|noun| {
         let [w, h, d] = noun.size;
-        noun.stands == Stands::Floor && !noun.front && noun.access == 0.0 && h > 0.2 && w * d < 0.6
+        let least = if noun.front { 0.4 } else { 0.6 };
+        noun.stands == Stands::Floor && noun.access == 0.0 && h > 0.2 && w * d < least
     }) && group(category) == Group::Floor
 }
 

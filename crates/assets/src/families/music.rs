@@ -1,0 +1,90 @@
+//! What people play on: a drum kit, and strings on a stand.
+
+use crate::ask::Ask;
+use crate::block::Block;
+use crate::looks::{Finish, Stuff, shade, stuff};
+use crate::mesh::Surface;
+use crate::model::Model;
+
+/// A shell with two skins and bright hoops, upright.
+fn drum(m: &mut Model, b: Block, shell: &Surface) {
+    let (skin, hoop) = (stuff::SHEET.surface(), stuff::CHROME.surface());
+    m.solid_drum(b);
+    m.mesh.drum(b.share(0.02..0.98, 0.1..0.9, 0.02..0.98), shell);
+    for rim in [b.share(0.0..1.0, 0.0..0.12, 0.0..1.0), b.share(0.0..1.0, 0.86..0.98, 0.0..1.0)] {
+        m.mesh.drum(rim, &hoop);
+    }
+    m.mesh.drum(b.share(0.04..0.96, 0.96..1.0, 0.04..0.96), &skin);
+}
+
+/// A bass drum on its side, two toms over it, a floor tom, a snare, and three cymbals; who plays sits at -z.
+pub(super) fn drum_kit(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let shell = a.main(Stuff(Finish::Paint, 0x9c2b2e));
+    let (chrome, bronze) = (stuff::CHROME.surface(), stuff::BRASS.surface());
+    let bass = b.share(0.33..0.67, 0.0..0.5, 0.45..0.95);
+    m.disc(2, bass, &shell);
+    for hoop in [bass.share(0.0..1.0, 0.0..1.0, 0.0..0.08), bass.share(0.0..1.0, 0.0..1.0, 0.92..1.0)] {
+        m.mesh.disc(2, hoop.inset(-0.004 * a.w, 0.0, 0.0), &shade(&shell, 0.6));
+    }
+    m.mesh.disc(2, bass.share(0.06..0.94, 0.06..0.94, 0.99..1.02), &stuff::SHEET.surface());
+    for tom in b.share(0.3..0.49, 0.54..0.7, 0.42..0.66).both_sides() {
+        drum(&mut m, tom, &shell);
+        m.mesh.crisp(tom.share(0.46..0.54, -0.3..0.05, 0.46..0.54), &chrome);
+    }
+    for low in [b.share(0.7..0.94, 0.2..0.5, 0.22..0.52), b.share(0.12..0.34, 0.34..0.5, 0.2..0.48)] {
+        drum(&mut m, low, &shell);
+        let foot = low.share(0.3..0.7, 0.0..1.0, 0.3..0.7).y(0.0..low.min.y);
+        m.solid(foot);
+        for (x, z) in [(0.0, 0.0), (0.88, 0.0), (0.0, 0.88), (0.88, 0.88)] {
+            m.mesh.crisp(foot.share(x..x + 0.12, 0.0..1.0, z..z + 0.12), &chrome);
+        }
+    }
+    let cymbals = [
+        (b.share(0.0..0.26, 0.96..1.0, 0.5..0.8), 0.05),
+        (b.share(0.72..1.0, 0.93..0.97, 0.62..1.0), 0.05),
+        (b.share(0.02..0.22, 0.68..0.72, 0.0..0.24), 0.06),
+    ];
+    for (plate, thin) in cymbals {
+        m.solid_drum(plate);
+        m.mesh.lathe(plate, &[(1.0, 0.0), (1.0, 0.2), (0.3, 0.5), (0.2, 1.0)], 24, &bronze);
+        let stand = plate.share(0.5 - thin..0.5 + thin, 0.0..1.0, 0.5 - thin..0.5 + thin).y(0.0..plate.min.y);
+        m.board(stand, &chrome);
+        let foot = plate.share(0.2..0.8, 0.0..1.0, 0.2..0.8).y(0.0..0.02 * a.h);
+        m.solid(foot);
+        m.mesh.crisp(foot.share(0.0..1.0, 0.0..1.0, 0.44..0.56), &chrome);
+        m.mesh.crisp(foot.share(0.44..0.56, 0.0..1.0, 0.0..1.0), &chrome);
+    }
+    m
+}
+
+/// A guitar, a violin, a cello or a double bass on its stand: body with a waist, neck, head, strings.
+pub(super) fn strings(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let bowed = a.says(&["cello", "violin", "viola", "double", "contrabass"]);
+    let body = a.main(if bowed { Stuff(Finish::Wood, 0x8a4b22) } else { Stuff(Finish::Wood, 0xc98d46) });
+    let dark = stuff::DARK_PLASTIC.surface();
+    // The body leans on a stand whose feet fill the floor of the box.
+    let foot = b.share(0.0..1.0, 0.0..0.05, 0.0..1.0);
+    m.solid(foot);
+    for bar in [foot.share(0.0..1.0, 0.0..1.0, 0.84..1.0), foot.share(0.42..0.58, 0.0..1.0, 0.0..0.9)] {
+        m.mesh.crisp(bar, &dark);
+    }
+    m.board(b.share(0.44..0.56, 0.05..0.5, 0.0..0.16), &dark);
+    let lower = b.share(0.06..0.94, 0.05..0.36, 0.2..0.8);
+    let upper = b.share(0.16..0.84, 0.33..0.56, 0.2..0.8);
+    for part in [lower, upper] {
+        m.disc(2, part, &body);
+    }
+    let face = shade(&body, 1.15);
+    m.mesh.disc(2, b.share(0.36..0.64, 0.34..0.44, 0.79..0.83), &dark);
+    m.mesh.crisp(b.share(0.34..0.66, 0.16..0.19, 0.8..0.88), &dark);
+    m.board(b.share(0.44..0.56, 0.5..0.92, 0.6..0.84), &shade(&body, 0.6));
+    m.board(b.share(0.4..0.6, 0.91..1.0, 0.52..0.8), &face);
+    for string in b.share(0.46..0.475, 0.18..0.93, 0.86..0.87).both_sides() {
+        m.mesh.crisp(string, &stuff::STEEL.surface());
+    }
+    m
+}
