@@ -11,9 +11,10 @@ const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
 /// The usual size of a thing of this name.
 pub fn usual(group: Group, words: &[String]) -> [f64; 3] {
     let name = words.join(" ");
-    // "A reading chair" is known by its whole name.
+    // "A velvet reading chair" is a reading chair.
     let stands = matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor);
-    if let Some(noun) = nouns::noun(&name).filter(|_| words.len() > 1 && (stands || is_meant(&name))) {
+    let known = (0..words.len().saturating_sub(1)).find_map(|from| nouns::noun(&words[from..].join(" ")));
+    if let Some(noun) = known.filter(|noun| stands || noun.name == name.replace(' ', "_") && is_meant(&name)) {
         return noun.size;
     }
     if let Some(size) = own_size(words) {

@@ -105,6 +105,8 @@ impl Building {
         ceiling: f64,
     ) {
         let Some(anchors) = self.frames.get(&of).cloned() else { return };
+        // Toys on a mat are in the way, what stands on a table is not.
+        let is_mat = self.shape.pieces.iter().any(|piece| piece.thing == of && piece.flat);
         let mut frames = Vec::new();
         for anchor in &anchors {
             for slot in places {
@@ -112,6 +114,7 @@ impl Building {
                     Level::Floor => 0.0,
                     Level::Above(y) => y,
                     Level::Ceiling => ceiling - size[1],
+                    Level::Top if is_mat => 0.01,
                     // What lies on something is in nobody's way.
                     Level::Top | Level::At(_) => return,
                 };

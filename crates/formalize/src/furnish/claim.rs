@@ -15,6 +15,8 @@ use crate::names::words;
 const DEEP: usize = 2;
 /// Between a desk and those who visit, and between it and a second chair beside it (metres).
 const VISITOR: f64 = 0.4;
+/// Before an L-shaped desk or sofa, for what is said to look at it (metres).
+const FACING: f64 = 0.05;
 const SECOND: f64 = 0.25;
 
 impl Plan<'_> {
@@ -48,6 +50,15 @@ impl Plan<'_> {
             return false;
         }
         let round = stand::round(&anchor.category, &anchor.look.features);
+        // What is said to look at it stands before it, and not in its corner.
+        let faces = |s: &Statement| {
+            matches!(s.source, Source::Stated(_))
+                && words(&s.text).contains(&it.name.as_str())
+                && calls(&s.text).iter().any(|call| ["looksAt", "facing", "inFrontOf"].contains(call))
+        };
+        let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
+        let before = Part { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
+        let part = if in_corner && self.draft.statements.iter().any(faces) { &before } else { part };
         let mut places: Vec<Slot> = wheres(part, each, wall)
             .iter()
             .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))

@@ -41,6 +41,12 @@ pub struct Sizes {
     pub round: bool,
 }
 
+/// L-shaped desks and sofas are at least so deep; others have low tables and chairs so far before them (metres).
+const BENT: f64 = 1.2;
+const LOW: f64 = 0.6;
+const BEFORE_SEATS: f64 = 0.42;
+const AT_DESKS: f64 = 0.05;
+
 /// The places of the parts of one kind.
 pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
     let ([width, height, depth], [w, _, d]) = (sizes.of, sizes.own);
@@ -55,6 +61,11 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         slot(-left * (width / 2.0 + gap + w / 2.0), z, Level::Floor, yaw)
     };
     match *at {
+        // What is no deeper than usual has no corner to stand in.
+        Where::Front(gap, yaw, _) if gap < 0.0 && depth < BENT => {
+            let gap = if sizes.own[1] < LOW { BEFORE_SEATS } else { AT_DESKS };
+            vec![slot(0.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)]
+        }
         Where::Front(gap, yaw, x) => vec![slot(x * width / 2.0, depth / 2.0 + gap + d / 2.0, Level::Floor, yaw)],
         Where::Back(gap, yaw) => vec![slot(0.0, -depth / 2.0 - gap - d / 2.0, Level::Floor, yaw)],
         Where::Side(gap, along, left, yaw) => vec![beside(gap, along, left, yaw)],

@@ -19,6 +19,8 @@ use std::marker::PhantomData;
 
 /// What a look for a path over the floor takes.
 const PATH: u64 = 150_000;
+/// Of several paths over one floor each takes such a part of that.
+const SHARED: u64 = 20;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
 
@@ -313,6 +315,24 @@ impl LocalSearch<'_> {
         }
         self.set(t, found.0, found.1);
         found.1
+    }
+
+    /// Calls something while the paths that preferences ask for are those that there are.
+    pub(super) fn with_paths<T>(&mut self, ask: impl FnOnce(&Self) -> T) -> T {
+        let before = self.work;
+        for at in 0..self.path_preferences.len() {
+            self.find_paths_of(self.path_preferences[at]);
+        }
+        // The floor is the same for all of them.
+        self.work = before + (self.work - before).min(PATH) + (self.work - before) / SHARED;
+        let found = ask(self);
+        for at in 0..self.path_preferences.len() {
+            let t = self.path_preferences[at];
+            self.assume(t, |_| true);
+            let (cost, holds) = self.mixed(t);
+            self.set(t, cost, holds);
+        }
+        found
     }
 
     fn assume(&mut self, t: usize, says: impl Fn(usize) -> bool) {

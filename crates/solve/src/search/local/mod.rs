@@ -185,8 +185,9 @@ pub(crate) struct LocalSearch<'a> {
     air: f64,
     /// Terms that ask for paths, each with its way.
     walks: Vec<(usize, usize)>,
-    /// Terms that ask for paths beside other things.
+    /// Terms that ask for paths beside other things: those that must hold, and preferences.
     path_terms: Vec<usize>,
+    path_preferences: Vec<usize>,
     /// The instance that terms without code are judged on; whether there are such.
     instance: Instance,
     follows: bool,
@@ -321,8 +322,8 @@ impl<'a> LocalSearch<'a> {
             (0..judges.len()).filter(|&t| which(&judges[t])).collect()
         };
         let (onlookers, mut path_terms) = (terms(&looks_around), terms(&walks));
-        // Preferences that ask for paths beside other things take them for granted.
-        path_terms.retain(|&t| frame.terms[t].is_hard());
+        // A search takes paths for granted that preferences ask for; what it finds is held against them.
+        let path_preferences = path_terms.extract_if(.., |t| !frame.terms[*t].is_hard()).collect();
         let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();
@@ -401,6 +402,7 @@ impl<'a> LocalSearch<'a> {
             air: 0.0,
             onlookers,
             path_terms,
+            path_preferences,
             instance: Instance::new(world.clone()),
             follows,
             walks: judges

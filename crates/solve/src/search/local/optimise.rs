@@ -42,6 +42,7 @@ impl LocalSearch<'_> {
         self.stake = self.stakes(preferences);
         self.weigh_anew();
         let (mut best, mut found) = (self.standing(preferences), self.found());
+        let mut real = self.standing_with_paths(preferences);
         let patience = PATIENCE[0] * self.count() + PATIENCE[1];
         let most = (ROUNDS * quality).ceil() as usize;
         let end = end.min(self.work + (WORK * quality * self.count() as f64) as u64);
@@ -53,10 +54,13 @@ impl LocalSearch<'_> {
             if self.is_allowed() {
                 let now = self.standing(preferences);
                 if now.is_better(&best) && self.is_allowed_paths(limit) {
-                    if now.met > best.met {
-                        (idle, rounds) = (0, 0);
+                    let with_paths = self.standing_with_paths(preferences);
+                    if with_paths.is_better(&real) {
+                        if now.met > best.met {
+                            (idle, rounds) = (0, 0);
+                        }
+                        (best, real, found) = (now, with_paths, self.found());
                     }
-                    (best, found) = (now, self.found());
                 }
             }
             if idle > patience {

@@ -119,7 +119,7 @@ impl LocalSearch<'_> {
         settled: bool,
     ) {
         let late = || limit.is_over();
-        let (found, before) = (self.found(), self.standing(all));
+        let (found, before, real) = (self.found(), self.standing(all), self.standing_with_paths(all));
         let (reluctance, weights) = (self.reluctance.clone(), self.weight.clone());
         self.demanded.clone_from(&preference.parts);
         preference.parts.iter().for_each(|&t| self.weight[t] = DEMANDED);
@@ -135,7 +135,8 @@ impl LocalSearch<'_> {
         self.weight = weights;
         self.reluctance = reluctance;
         self.note_demand(preference);
-        if !done || !self.standing(all).is_better(&before) || settled && !self.is_met(preference) {
+        let better = done && self.standing(all).is_better(&before) && (!settled || self.is_met(preference));
+        if !better || !self.standing_with_paths(all).is_better(&real) {
             self.show(&found);
         }
     }
@@ -172,6 +173,11 @@ impl LocalSearch<'_> {
     pub(super) fn standing(&self, preferences: &[Preference]) -> Standing {
         let met = preferences.iter().filter(|p| self.is_met(p)).map(|p| p.weight).sum();
         Standing { met, cost: self.preferences_cost() }
+    }
+
+    /// The same with the paths that there are, where preferences ask for some.
+    pub(super) fn standing_with_paths(&mut self, preferences: &[Preference]) -> Standing {
+        self.with_paths(|local| local.standing(preferences))
     }
 
     /// Where everything is.
