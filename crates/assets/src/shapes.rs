@@ -213,7 +213,9 @@ impl Mesh {
         let at = |k: usize| {
             // Exact at the quarters, so that the disc fills the box.
             let (sin, cos) = match 4 * k / SIDES {
-                quarter if 4 * k % SIDES == 0 => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarter % 4],
+                quarter if (4 * k).is_multiple_of(SIDES) => {
+                    [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarter % 4]
+                }
                 _ => (TAU * k as f64 / SIDES as f64).sin_cos(),
             };
             (c[u] + half[u] * cos, c[v] + half[v] * sin)

@@ -198,9 +198,9 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
     for fact in named.brief.facts.iter().filter(|f| !f.not) {
         let What::Rel(Rel::Under, to) = &fact.what else { continue };
         for w in to.iter().filter(|w| named.brief.things[**w].group == Group::Window) {
-            // As high above it as it reaches from the wall: so `below` has it.
-            let top = fact.of.iter().map(|a| named.sizes[*a][1] + named.sizes[*a][2] / 2.0).fold(0.0, f64::max);
-            let sill = ((top + 0.05) * 20.0).ceil() / 20.0;
+            // It need not stand quite at the wall.
+            let top = fact.of.iter().map(|a| named.sizes[*a][1]).fold(0.0, f64::max);
+            let sill = ((top + 0.1) * 20.0).ceil() / 20.0;
             let ceiling = named.room_sizes.get(named.brief.things[*w].room).map_or(2.7, |s| s[1]);
             // Where the window begins if nothing is said.
             if sill <= ((ceiling - named.sizes[*w][1]) / 2.0).min(0.9) {

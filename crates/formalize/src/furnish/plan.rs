@@ -7,7 +7,7 @@ use super::kinds::{Kind, Place, seats_all};
 use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
 use super::{place, stand, taste};
 use crate::brief::Group;
-use crate::draft::{Draft, Source, Statement, Thing};
+use crate::draft::{Draft, OpeningKind, Source, Statement, Thing};
 use crate::names::{Names, identifier};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
@@ -229,6 +229,7 @@ impl<'a> Plan<'a> {
             return;
         }
         let loaded = stand::loaded(self.draft, thing);
+        let is_under_window = self.is_under_window(&self.draft.things[thing].name);
         let mut taken: Vec<Taken> = Vec::new();
         for part in groups::of(name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
@@ -238,12 +239,19 @@ impl<'a> Plan<'a> {
             if !roofed && matches!(part.at, Where::Over)
                 || self.counted < part.least
                 || on_top && loaded
-                || hung && wall == AtWall::No
+                || hung && (wall == AtWall::No || is_under_window)
             {
                 continue;
             }
             self.part(thing, part, wall, deep, &mut taken);
         }
+    }
+
+    /// Whether a thing is said to stand under a window, where nothing hangs above it.
+    fn is_under_window(&self, name: &str) -> bool {
+        let windows = self.draft.openings.iter().filter(|opening| opening.kind == OpeningKind::Window);
+        let above: Vec<String> = windows.map(|window| format!("above({}, {name}", window.name)).collect();
+        self.draft.statements.iter().any(|s| above.iter().any(|text| s.text.contains(text)))
     }
 
     /// How many elements of a thing that is there already need a part: none if such things are there.

@@ -8,7 +8,8 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 40] = [
+const KIN: [&[&str]; 41] = [
+    &["toy box", "toy chest", "toy storage"],
     &["projector screen", "projection screen", "screen"],
     &["armchair", "reading chair", "lounge chair", "easy chair", "recliner", "club chair"],
     &["tv", "television", "screen", "monitor", "display"],

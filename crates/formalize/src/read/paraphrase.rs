@@ -81,7 +81,7 @@ fn apart(tokens: &mut Vec<Token>, i: usize) -> bool {
 fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     // "A bar and seating for twenty": for twenty.
     let goes_on = word(tokens, i) == "seating" && word(tokens, i + 1) == "for";
-    let listed = i > 1 && matches!(word(tokens, i - 1), "and" | "with") || i > 1 && tokens[i - 1].is(",");
+    let listed = i > 1 && (matches!(word(tokens, i - 1), "and" | "with") || tokens[i - 1].is(","));
     if goes_on && listed && super::number::count(&tokens[(i + 2).min(tokens.len())..]).is_some() {
         put(tokens, i - 1, i + 2, &["for"]);
         return true;

@@ -44,11 +44,24 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
             matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!')) || GO_ON.iter().any(|word| who.is(word))
         };
         let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
-        (n > 1.0 && n <= MOST && speaks_of_people).then(|| {
+        // "Six tables for two" are for twelve.
+        let tables = if of.is_none() { tables(&tokens[..i]) } else { Some(1.0) };
+        let all = n * tables?;
+        (n > 1.0 && all <= MOST && speaks_of_people).then(|| {
             let named = who.is_some_and(|who| !ends(who));
-            (n as usize, first..i + 1 + words + usize::from(named))
+            (all as usize, first..i + 1 + words + usize::from(named))
         })
     })
+}
+
+/// How many tables it is said of, if these words end with some: one, if with none or one; `None`, if nobody says how many.
+fn tables(before: &[Token]) -> Option<f64> {
+    const AHEAD: usize = 4;
+    if !before.last().is_some_and(|t| t.is("tables")) {
+        return Some(1.0);
+    }
+    let from = before.len().saturating_sub(AHEAD);
+    (from..before.len()).find_map(|i| number::count(&before[i..]).map(|(n, _)| n))
 }
 
 /// Writes it into the room that is spoken of there. The tokens that say so.

@@ -57,10 +57,12 @@ impl Named<'_> {
             Rel::Under
                 if matches!(gb, Group::Wall | Group::Window | Group::Screen | Group::Ceiling) || self.hangs(b) =>
             {
-                out.push(format!("{verb} {};", pairs(&call("below"))));
                 if gb == Group::Window {
-                    // At the wall that the window is in, not somewhere below its height.
+                    // The window is over it, in the wall that it stands at: a bed reaches far into the room from there.
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("above({y}, {x})"))));
                     out.push(format!("{verb} {};", pairs(&far(NEAR))));
+                } else {
+                    out.push(format!("{verb} {};", pairs(&call("below"))));
                 }
                 if matches!(gb, Group::Wall | Group::Screen | Group::Ceiling) && self.counts[a] == 1 && m == 1 {
                     out.push(format!("{verb} {};", pairs(&|x, y| format!("over({y}, {x})"))));
