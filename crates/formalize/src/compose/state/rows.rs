@@ -11,6 +11,9 @@ impl Named<'_> {
         let of = self.name(a);
         let n = self.counts[a];
         let elements = self.elements(a);
+        // Who works at desks that face each other sits at their outer sides.
+        let desks = self.brief.things[a].words.last().is_some_and(|w| w == "desk" || w == "workstation");
+        let pattern = if desks && pattern == Pattern::FaceToFace { Pattern::BackToBack } else { pattern };
         if self.brief.things[a].part.is_some() && elements.len() > 1 {
             // Some of several: each with the next.
             let each = |f: &dyn Fn(&str, &str) -> String| {

@@ -6,6 +6,10 @@ use crate::brief::{Group, Rel, What};
 use crate::compose::sizes;
 use crate::write::number;
 
+/// What is lower than this may stand at the foot of a bed, so far from it (metres).
+const LOW: f64 = 0.7;
+const AT_FOOT: f64 = 0.6;
+
 /// A relation of one thing to another that is not denied.
 #[derive(Clone, Copy)]
 pub(super) struct Said {
@@ -117,6 +121,11 @@ impl Named<'_> {
                 if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, What::Gap(..))) {
                     // All of a room lies before a window; what stands in front of it is close.
                     out.push(format!("{verb} {};", pairs(&far(BEFORE))));
+                }
+                let low = self.sizes[a][1] < LOW && matches!(ga, Group::Seat | Group::Storage | Group::Table);
+                if rel == Rel::InFrontOf && gb == Group::Bed && low {
+                    // A chest before a bed stands at its foot.
+                    out.push(format!("{verb} {};", pairs(&far(AT_FOOT))));
                 }
                 if ga == Group::Seat && matches!(gb, Group::Table) {
                     // Rows of chairs before a lectern are not drawn up to it.
