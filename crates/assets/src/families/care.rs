@@ -4,7 +4,7 @@ use crate::ask::Ask;
 use crate::looks::{Finish, Stuff, stuff};
 use crate::model::Model;
 
-/// A padded seat on a column, with a rest for the legs, a back and a head rest; who lies in it looks to +z.
+/// A padded seat on a column, with a rest for the legs, a back and a head rest. The feet are at +z.
 pub(super) fn treatment_chair(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();

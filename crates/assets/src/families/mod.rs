@@ -16,12 +16,12 @@ mod play;
 mod robots;
 mod safety;
 mod seating;
-mod shop;
 mod sport;
 mod storage;
 mod tables;
 mod toys;
 mod vehicles;
+mod workshop;
 
 use crate::ask::Ask;
 use crate::model::Model;
@@ -105,7 +105,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("hammock", play::hammock),
     ("hand_truck", fittings::hand_truck),
     ("hood", kitchen::hood),
-    ("ironing_board", shop::ironing_board),
+    ("ironing_board", workshop::ironing_board),
     ("kettlebell", sport::kettlebell),
     ("kettle", kitchen::kettle),
     ("keyboard", electronics::keyboard),
@@ -136,7 +136,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("pillar", openings::pillar),
     ("plant", decor::plant),
     ("platform", tables::platform),
-    ("potters_wheel", shop::potters_wheel),
+    ("potters_wheel", workshop::potters_wheel),
     ("printer", electronics::printer),
     ("projection_screen", panels::screen),
     ("projector", electronics::projector),
@@ -145,7 +145,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("robot_arm", robots::robot_arm),
     ("rocking_horse", play::rocking_horse),
     ("rug", panels::rug),
-    ("saw", shop::saw),
+    ("saw", workshop::saw),
     ("sconce", lighting::sconce),
     ("server_rack", storage::server_rack),
     ("shelf", storage::open_shelf),

@@ -17,7 +17,7 @@ fn drum(m: &mut Model, b: Block, shell: &Surface) {
     m.mesh.drum(b.share(0.04..0.96, 0.96..1.0, 0.04..0.96), &skin);
 }
 
-/// A bass drum on its side, two toms over it, a floor tom, a snare, and three cymbals; who plays sits at -z.
+/// A bass drum on its side, two toms over it, a floor tom, a snare, and three cymbals. The drummer sits at -z.
 pub(super) fn drum_kit(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();

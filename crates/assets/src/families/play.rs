@@ -29,9 +29,7 @@ pub(super) fn rocking_horse(a: &Ask) -> Model {
     m.board(b.share(0.4..0.6, 0.66..0.96, 0.6..0.68), &red);
     let bar = b.share(0.08..0.92, 0.78..0.82, 0.72..0.76);
     m.board(bar, &shade(&wood, 0.7));
-    for tail in b.share(0.42..0.58, 0.3..0.6, 0.06..0.14).both_sides().into_iter().take(1) {
-        m.board(tail, &red);
-    }
+    m.board(b.share(0.42..0.58, 0.3..0.6, 0.06..0.14), &red);
     for eye in b.share(0.24..0.3, 0.89..0.93, 0.84..0.88).both_sides() {
         m.mesh.ball(eye, &stuff::DARK_PLASTIC.surface());
     }

@@ -93,8 +93,6 @@ pub(super) fn motorcycle(a: &Ask) -> Model {
     for mirror in b.share(0.1..0.2, 0.96..1.0, 0.76..0.78).both_sides() {
         m.board(mirror, &dark);
     }
-    for pipe in b.share(0.68..0.76, 0.2..0.28, 0.06..0.5).both_sides().into_iter().skip(1) {
-        m.board(pipe, &chrome);
-    }
+    m.board(b.share(0.68..0.76, 0.2..0.28, 0.06..0.5), &chrome);
     m
 }

@@ -12,7 +12,7 @@ const ALWAYS: [&str; 4] = ["backsToWalls", "squareToWalls", "waysFree", "doorsFr
 const KNOWN: [(&str, &str); 4] = [
     // The basin stands at the foot of the strip between bed and curtain, 0.33 m are left.
     ("A hospital room with two beds.", "bedsideCabinet[0]"),
-    // Whoever asks for a dresser between the beds has them moved apart after they had a way of their own.
+    // The dresser pushes the beds apart after the ways were planned.
     ("A bedroom with twin beds and a dresser between them.", "twinBed[1]"),
     // 0.72 m are left.
     ("A restaurant kitchen.", "sink[1]"),

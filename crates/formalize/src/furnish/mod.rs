@@ -66,7 +66,6 @@ pub fn measure(brief: &mut Brief) {
 
 /// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
 pub fn refine(brief: &mut Brief) {
-    sleepers(brief);
     persons(brief);
     named(brief);
     for at in 0..brief.things.len() {
@@ -126,25 +125,6 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     match line.count {
         kinds::Count::Area(each) if rows => Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize),
         _ => None,
-    }
-}
-
-/// A bedroom for a child is a children's room, one for a baby a nursery.
-fn sleepers(brief: &mut Brief) {
-    const WHO: [(&str, &[&str]); 3] = [
-        ("kids bedroom", &["child", "children", "kid", "kids", "toddler", "toddlers", "boy", "girl"]),
-        ("teen bedroom", &["teenage", "teenager", "teen", "teenagers", "gamer"]),
-        ("nursery", &["baby", "newborn", "infant"]),
-    ];
-    let [room] = &mut brief.rooms[..] else { return };
-    let said = brief.request.to_lowercase();
-    let words: Vec<&str> = said.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
-    let after = words.windows(2).position(|pair| pair == ["bedroom", "for"] || pair == ["room", "for"]);
-    let (Some(after), true) = (after, ["bedroom", "room"].contains(&room.name.as_str())) else { return };
-    let whom = words.iter().skip(after + 2).take(3);
-    let kind = whom.flat_map(|word| WHO.iter().find(|(_, who)| who.contains(word))).next();
-    if let Some((kind, _)) = kind {
-        room.name = (*kind).to_owned();
     }
 }
 

@@ -8,7 +8,7 @@ use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
 use super::{place, stand, taste};
 use crate::brief::Group;
 use crate::draft::{Draft, OpeningKind, Source, Statement, Thing};
-use crate::names::{Names, identifier};
+use crate::names::{Names, identifier, words};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
@@ -250,8 +250,9 @@ impl<'a> Plan<'a> {
     /// Whether a thing is said to stand under a window, where nothing hangs above it.
     fn is_under_window(&self, name: &str) -> bool {
         let windows = self.draft.openings.iter().filter(|opening| opening.kind == OpeningKind::Window);
-        let above: Vec<String> = windows.map(|window| format!("above({}, {name}", window.name)).collect();
-        self.draft.statements.iter().any(|s| above.iter().any(|text| s.text.contains(text)))
+        let above: Vec<String> = windows.map(|window| format!("above({}, ", window.name)).collect();
+        let says = |text: &str| above.iter().any(|above| text.contains(above)) && words(text).contains(&name);
+        self.draft.statements.iter().any(|s| says(&s.text))
     }
 
     /// How many elements of a thing that is there already need a part: none if such things are there.

@@ -7,7 +7,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] = [apart, seats, opposite, opens, extends, walls];
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] = [apart, seats, sleepers, opposite, opens, extends, walls];
         let _turned = turns.iter().any(|turn| turn(tokens, i));
         i += 1;
     }
@@ -96,6 +96,31 @@ fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A bedroom for a teenage gamer" is a teen bedroom, "a room for two kids" a kids bedroom for two.
+fn sleepers(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WHO: [(&str, &[&str]); 3] = [
+        ("kids", &["child", "children", "kid", "kids", "toddler", "toddlers", "boy", "girl"]),
+        ("teen", &["teenage", "teenager", "teen", "teenagers", "gamer"]),
+        ("baby", &["baby", "newborn", "infant"]),
+    ];
+    if !matches!(word(tokens, i), "bedroom" | "room") || word(tokens, i + 1) != "for" {
+        return false;
+    }
+    let kind_of = |k: usize| WHO.iter().find(|(_, who)| who.contains(&word(tokens, k))).map(|(kind, _)| *kind);
+    let one = matches!(word(tokens, i + 2), "a" | "an" | "my" | "our" | "the");
+    let few = matches!(word(tokens, i + 2), "two" | "three");
+    let first = i + 2 + usize::from(one || few);
+    let Some(kind) = kind_of(first) else { return false };
+    // "A newborn baby", "a teenage gamer".
+    let last = if kind_of(first + 1).is_some() { first + 1 } else { first };
+    let is_said = i > 0 && word(tokens, i - 1) == kind;
+    if is_said || (!ends(tokens, last + 1) && word(tokens, last + 1) != "with") {
+        return false;
+    }
+    put(tokens, i, if few { i + 1 } else { last + 1 }, &[kind, "bedroom"]);
+    true
+}
+
 /// "The sofa against the wall and the television opposite": opposite it.
 fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "opposite" && i > 1 && ends(tokens, i + 1) && tokens[i - 1].word();
@@ -175,6 +200,11 @@ mod tests {
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),
             ("a cafe with a bar and seating for twenty", "a cafe with a bar for twenty"),
+            ("a bedroom for a teenage gamer", "a teen bedroom"),
+            ("a room for two kids with desks", "a kids bedroom for two kids with desks"),
+            ("a room for a newborn", "a baby bedroom"),
+            ("a room for twelve children", "a room for twelve children"),
+            ("a room for children's books", "a room for children books"),
             ("the sofa here and the tv opposite.", "the sofa here and the tv opposite it ."),
             ("on the opposite side, opposite the bed", "on the opposite side , opposite the bed"),
             ("the fridge opens towards the table", "the fridge facing the table"),
