@@ -1,7 +1,7 @@
 //! What people play on: a drum kit, and strings on a stand.
 
 use crate::ask::Ask;
-use crate::block::Block;
+use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
@@ -85,6 +85,40 @@ pub(super) fn strings(a: &Ask) -> Model {
     m.board(b.share(0.4..0.6, 0.91..1.0, 0.52..0.8), &face);
     for string in b.share(0.46..0.475, 0.18..0.93, 0.86..0.87).both_sides() {
         m.mesh.crisp(string, &stuff::STEEL.surface());
+    }
+    m
+}
+
+/// A round foot, a stand and a head behind a grille; one for a table is as high as it is made.
+pub(super) fn microphone(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let (dark, steel) = (a.main(stuff::DARK_PLASTIC), stuff::STEEL.surface());
+    let foot = 0.03_f64.min(0.12 * a.h);
+    m.drum(b.y(0.0..foot), &dark);
+    let (r, thick) = (0.06_f64.min(0.2 * a.w.min(a.d)), 0.012_f64.min(0.06 * a.w.min(a.d)));
+    let head = a.h - (3.2 * r).min(0.45 * a.h);
+    m.drum(block(-thick..thick, foot..head, -thick..thick), &dark);
+    let body = head + 0.45 * (a.h - head);
+    m.drum(block(-0.5 * r..0.5 * r, head..body, -0.5 * r..0.5 * r), &dark);
+    let grille = block(-r..r, body..a.h, -r..r);
+    m.solid(grille);
+    m.mesh.ball(grille, &steel);
+    m
+}
+
+/// Two cups, lying, and the band between them.
+pub(super) fn headphones(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::DARK_PLASTIC);
+    for cup in b.share(0.0..0.24, 0.0..1.0, 0.5..1.0).both_sides() {
+        m.solid(cup);
+        m.mesh.cushion(cup, &main);
+    }
+    m.board(b.share(0.1..0.9, 0.0..0.8, 0.0..0.1), &main);
+    for arm in b.share(0.1..0.18, 0.1..0.7, 0.1..0.5).both_sides() {
+        m.board(arm, &main);
     }
     m
 }

@@ -244,7 +244,16 @@ pub(super) fn machine(a: &Ask) -> Model {
 pub(super) fn tank(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    if a.says(&["barrel", "drum", "keg", "cask"]) {
+    if a.says(&["wine", "wooden", "oak", "cask"]) {
+        let hoop = stuff::BLACK_STEEL.surface();
+        m.lathe(b, &[(0.8, 0.0), (0.92, 0.2), (0.97, 0.4), (0.97, 0.6), (0.92, 0.8), (0.8, 1.0)], &a.main(stuff::OAK));
+        for (at, wide) in [(0.04, 0.86), (0.26, 0.96), (0.47, 1.0), (0.68, 0.96), (0.9, 0.86)] {
+            let by = (1.0 - wide) / 2.0;
+            m.mesh.drum(b.share(by..1.0 - by, at..at + 0.06, by..1.0 - by), &hoop);
+        }
+        return m;
+    }
+    if a.says(&["barrel", "drum", "keg"]) {
         let main = a.main(Stuff(Finish::Paint, 0x3a6a9a));
         let ribs = [
             (0.95, 0.0),

@@ -76,3 +76,20 @@ pub(super) fn kettlebell(a: &Ask) -> Model {
     m.mesh.rounded(b.share(0.18..0.82, 0.88..1.0, 0.4..0.6), 0.02, 2, &main);
     m
 }
+
+/// Two rails on posts, one higher than the other, for dancers.
+pub(super) fn barre(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let (wood, steel) = (a.main(stuff::OAK), stuff::STEEL.surface());
+    for post in b.share(0.06..0.09, 0.03..0.97, 0.44..0.56).both_sides() {
+        m.board(post, &steel);
+    }
+    for foot in b.share(0.05..0.1, 0.0..0.03, 0.0..1.0).both_sides() {
+        m.board(foot, &steel);
+    }
+    for rail in [0.66..0.7, 0.96..1.0] {
+        m.board(b.share(0.0..1.0, rail, 0.4..0.6), &wood);
+    }
+    m
+}

@@ -1,4 +1,5 @@
-//! What people drive: a car with its cabin, windows, wheels and lights; a motorcycle. The front is at +z.
+//! What people drive: a car with its cabin, windows, wheels and lights; a motorcycle, a bicycle, a forklift. The front is
+//! at +z.
 
 use crate::ask::Ask;
 use crate::block::{Block, block};
@@ -94,5 +95,70 @@ pub(super) fn motorcycle(a: &Ask) -> Model {
         m.board(mirror, &dark);
     }
     m.board(b.share(0.68..0.76, 0.2..0.28, 0.06..0.5), &chrome);
+    m
+}
+
+/// Two wheels in a frame of tubes, with saddle, pedals and handlebar.
+pub(super) fn bicycle(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let paint = a.main(Stuff(Finish::Paint, 0x2f6f8f));
+    let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
+    let r = (0.33 * a.h).min(0.24 * a.d);
+    for at in [-a.d / 2.0 + r, a.d / 2.0 - r] {
+        wheel(&mut m, b.share(0.46..0.54, 0.0..1.0, 0.0..1.0).y(0.0..2.0 * r).z(at - r..at + r));
+    }
+    let at = |y: f64, z: f64| Vec3::new(0.0, y * a.h, b.min.z + z * a.d);
+    let (crank, seat, head) = (at(0.3, 0.45), at(0.82, 0.34), at(0.78, 0.72));
+    let (rear, front) = (Vec3::new(0.0, r, b.min.z + r), Vec3::new(0.0, r, b.max.z - r));
+    m.solid(b.share(0.46..0.54, 0.26..0.84, 0.3..0.76));
+    for path in [[rear, crank], [rear, seat], [crank, seat], [crank, head], [seat, head], [head, front]] {
+        m.mesh.tube(&path, (0.018 * a.h).min(0.02 * a.d).min(0.04 * a.w), &paint);
+    }
+    m.board(b.share(0.36..0.64, 0.88..0.94, 0.24..0.42), &dark);
+    m.board(b.share(0.48..0.52, 0.8..0.88, 0.32..0.36), &chrome);
+    m.board(b.share(0.47..0.53, 0.76..0.97, 0.7..0.74), &chrome);
+    m.board(b.share(0.12..0.88, 0.96..0.99, 0.71..0.74), &chrome);
+    for grip in b.share(0.0..0.14, 0.95..1.0, 0.66..0.74).both_sides() {
+        m.board(grip, &dark);
+    }
+    m.board(b.share(0.3..0.7, 0.27..0.3, 0.43..0.47), &dark);
+    m
+}
+
+/// A body with its counterweight behind, a seat under a guard, a mast and two forks.
+pub(super) fn forklift(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let paint = a.main(Stuff(Finish::Paint, 0xe0a020));
+    let (dark, steel) = (stuff::DARK_PLASTIC.surface(), stuff::BLACK_STEEL.surface());
+    let r = (0.13 * a.h).min(0.12 * a.d);
+    for at in [b.min.z + 0.1 * a.d + r, b.min.z + 0.52 * a.d - r] {
+        for side in b.share(0.0..0.18, 0.0..1.0, 0.0..1.0).y(0.0..2.0 * r).z(at - r..at + r).both_sides() {
+            wheel(&mut m, side);
+        }
+    }
+    m.rounded(b.share(0.06..0.94, 0.08..0.46, 0.0..0.2), 0.04 * a.h, &paint);
+    m.board(b.share(0.18..0.82, 0.08..0.4, 0.2..0.58), &paint);
+    m.board(b.share(0.3..0.7, 0.4..0.46, 0.22..0.4), &dark);
+    m.board(b.share(0.3..0.7, 0.46..0.68, 0.18..0.23), &dark);
+    m.board(b.share(0.46..0.54, 0.4..0.62, 0.5..0.53), &dark);
+    for post in b.share(0.1..0.15, 0.4..0.92, 0.14..0.18).both_sides() {
+        m.board(post, &dark);
+    }
+    for post in b.share(0.1..0.15, 0.4..0.92, 0.54..0.58).both_sides() {
+        m.board(post, &dark);
+    }
+    m.board(b.share(0.0..1.0, 0.92..0.96, 0.12..0.6), &dark);
+    for upright in b.share(0.24..0.32, 0.03..1.0, 0.59..0.63).both_sides() {
+        m.board(upright, &steel);
+    }
+    for bar in [0.08..0.12, 0.4..0.44, 0.94..0.98] {
+        m.board(b.share(0.32..0.68, bar, 0.59..0.63), &steel);
+    }
+    m.board(b.share(0.2..0.8, 0.06..0.24, 0.63..0.65), &steel);
+    for fork in b.share(0.26..0.36, 0.02..0.05, 0.63..1.0).both_sides() {
+        m.board(fork, &steel);
+    }
     m
 }

@@ -9,6 +9,9 @@ const MORE: f64 = 0.7;
 const SHARED: f64 = 0.02;
 /// A place that takes more than this has curtains or chairs of its own.
 const OWN: f64 = 2.0;
+/// Beds with nothing beside them have so much between them, and at least so much; what is wider has something beside it.
+const BETWEEN: [f64; 2] = [0.75, 0.45];
+const NARROW: f64 = 1.25;
 /// What is less deep is no bed.
 const BED: f64 = 1.2;
 /// From one place that is tried to the next.
@@ -46,10 +49,14 @@ fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option
     if n == 0 || rest < 0.0 {
         return (n == 0).then(Vec::new);
     }
-    let most = if each > OWN || depth < BED { MORE } else { SHARED };
+    let [most, least] = match each {
+        _ if each > OWN || depth < BED => [MORE, 0.0],
+        _ if each < NARROW => BETWEEN,
+        _ => [SHARED, 0.0],
+    };
     let away = back.max(depth / 2.0) + seek::BEHIND;
     let mut more = (rest / n as f64).min(most);
-    while more >= 0.0 {
+    while more >= least {
         let step = each + more;
         let slack = length - (n as f64 - 1.0) * step - each;
         let tries = (slack / 2.0 / STEP).max(0.0) as i64;

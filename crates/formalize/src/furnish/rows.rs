@@ -94,21 +94,30 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let flat = size[1] < 0.05;
     let facing = !toward && n >= 4 && noun.ends_with("desk");
     let places = if facing { pairs([w, d], size, front, n) } else { None };
-    let places = places.or_else(|| grid(plan, noun, size, reach, n, toward));
-    let Some(mut places) = turned(plan, noun, size, reach, n, toward).or(places) else {
-        plan.lacking += usize::from(plan.matters);
+    let matters = plan.matters || asked.is_some();
+    let is_table = stand::group(noun) == crate::brief::Group::Table;
+    let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..1] };
+    let tries = more.iter().filter_map(|more| {
+        let upright = || grid(plan, noun, size, reach, n, (toward, *more));
+        let mut places =
+            turned(plan, noun, size, reach, n, (toward, *more)).or_else(|| places.clone()).or_else(upright)?;
+        if let Some(ground) = &plan.ground {
+            // What stands there already, and doors, leave less.
+            let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
+            let cell = [cell_w, size[1].max(0.9), cell_d];
+            let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
+            let shape = Shape { pieces: vec![piece], free: Vec::new() };
+            places.retain(|at| ground.fits(&shape, at));
+        }
+        Some(places)
+    });
+    // The first with the most places.
+    let Some(places) = tries.reduce(|best, next| if next.len() > best.len() { next } else { best }) else {
+        plan.lacking += usize::from(matters);
         return false;
     };
-    if let Some(ground) = &plan.ground {
-        // What stands there already, and doors, leave less.
-        let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
-        let cell = [cell_w, size[1].max(0.9), cell_d];
-        let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
-        let shape = Shape { pieces: vec![piece], free: Vec::new() };
-        places.retain(|at| ground.fits(&shape, at));
-    }
     let n = places.len();
-    plan.lacking += usize::from(plan.matters && n < wanted);
+    plan.lacking += usize::from(matters && n < wanted);
     if n == 0 || asked.is_some() && n < wanted {
         return false;
     }
@@ -135,7 +144,14 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
 }
 
 /// Tables with chairs at two of their sides, a quarter turned, where they would otherwise stand in a single line.
-fn turned(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, toward: bool) -> Option<Vec<Pose>> {
+fn turned(
+    plan: &Plan,
+    noun: &str,
+    size: [f64; 3],
+    reach: [f64; 4],
+    n: usize,
+    toward: (bool, f64),
+) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
     let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
     if !even || n < SINGLE || stand::group(noun) != crate::brief::Group::Table {
@@ -165,12 +181,24 @@ const DESKS: f64 = 1.25;
 const SEATS: (f64, f64) = (0.06, 0.5);
 /// The aisle in the middle of rows of so many seats or more.
 const AISLE: (f64, usize) = (1.1, 6);
+/// How much farther from what is before them (metres) rows are tried that are asked for, where something is in their way.
+const FARTHER: [f64; 4] = [0.0, 0.5, 1.0, 1.5];
+/// The aisle between pews, and what is between one and the back of the next.
+const PEWS: (f64, f64) = (1.1, 0.36);
 /// What is looked at from all sides, and how much room is around it.
 const EXHIBITED: [&str; 4] = ["sculpture", "statue", "pedestal", "plinth"];
 const EXHIBITS: f64 = 2.2;
 
-/// Places in columns and lines that look to the back of the room or away from it.
-fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, toward: bool) -> Option<Vec<Pose>> {
+/// Places in columns and lines that look to the back of the room or away from it, and so much farther from there than
+/// usual.
+fn grid(
+    plan: &Plan,
+    noun: &str,
+    size: [f64; 3],
+    reach: [f64; 4],
+    n: usize,
+    (toward, farther): (bool, f64),
+) -> Option<Vec<Pose>> {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let [left, right, back, front] = reach;
     let (cell_w, cell_d) = (left + right, back + front);
@@ -188,7 +216,7 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
         true => counter.unwrap_or(2.6).min(if counter.is_some() { 0.42 } else { 0.33 } * d),
         false if rack => aisle_of_racks,
         false => side,
-    };
+    } + farther;
     let (free_w, free_d) = (w - 2.0 * side, d - ahead - side);
     if cell_w > free_w || cell_d > free_d {
         return None;
@@ -201,6 +229,7 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
         (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
         (_, true) => vec![(TABLES, TABLES), narrow],
         _ if alone => vec![SEATS],
+        _ if seat && (cell_d - size[2]).abs() < 0.02 => vec![PEWS, narrow],
         _ => vec![narrow],
     };
     // Long rows of seats have an aisle in the middle.
@@ -218,6 +247,12 @@ fn grid(plan: &Plan, noun: &str, size: [f64; 3], reach: [f64; 4], n: usize, towa
     // As square as the room; racks stand in long rows.
     let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
     let lines_used = n.div_ceil(columns).max(square);
+    // Full lines rather than a short last one, where that takes one more or one less.
+    let full = |lines_used: &usize| {
+        (1..=lines).contains(lines_used) && n.is_multiple_of(*lines_used) && n / lines_used <= columns
+    };
+    let lines_used =
+        [lines_used, lines_used + 1, lines_used - 1].into_iter().find(full).filter(|_| !rack).unwrap_or(lines_used);
     let columns_used = n.div_ceil(lines_used);
     // As many seats on one side of the aisle as on the other.
     let columns_used =
@@ -283,11 +318,13 @@ fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, n: usize) -> Option<Vec<P
 }
 
 impl Plan<'_> {
-    /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle.
+    /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle. Not each
+    /// of several has a bin.
     fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
-        for part in
-            groups::of(noun, self.kind.dress).iter().filter(|p| !self.is_closed(p.noun) && self.counted >= p.least)
+        for part in groups::of(noun, self.kind.dress)
+            .iter()
+            .filter(|p| !self.is_closed(p.noun) && p.noun != "bin" && self.counted >= p.least)
         {
             let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
             let sizes = super::slots::Sizes { of, own, round: stand::round(noun, &[]) };

@@ -8,7 +8,7 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 41] = [
+const KIN: [&[&str]; 44] = [
     &["toy box", "toy chest", "toy storage"],
     &["projector screen", "projection screen", "screen"],
     &["armchair", "reading chair", "lounge chair", "easy chair", "recliner", "club chair"],
@@ -30,9 +30,20 @@ const KIN: [&[&str]; 41] = [
     &["chest of drawers", "dresser", "drawer", "drawer unit", "chest"],
     &["office chair", "desk chair", "task chair", "swivel chair", "ergonomic chair", "gaming chair", "executive chair"],
     &["lab stool", "swivel stool", "work stool"],
-    &["dining table", "kitchen table", "farmhouse table", "trestle table", "bistro table", "pedestal table"],
+    &[
+        "dining table",
+        "kitchen table",
+        "farmhouse table",
+        "trestle table",
+        "bistro table",
+        "pedestal table",
+        "breakfast table",
+    ],
     &["kitchen table", "island", "kitchen island"],
     &["coffee table", "low table"],
+    &["desk", "computer desk", "office desk", "workstation", "computer workstation"],
+    &["lab bench", "laboratory bench", "lab table", "laboratory table", "lab station"],
+    &["craft table", "cutting table", "work table", "craft desk"],
     &["exam table", "examination table", "examination bed", "examination couch", "exam bed", "treatment table"],
     &["washing machine", "washer"],
     &["computer", "laptop", "pc"],
@@ -154,6 +165,8 @@ pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
     draft.statements.iter().any(|s| {
         let named = words(&s.text);
         let related = other.is_some_and(|other| named.contains(&other));
+        // Two on both sides of a table face each other.
+        let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));
         matches!(s.source, Source::Stated(_)) && named.contains(&name) && !related && !s.text.contains("onFloor(")
     })
 }
@@ -186,6 +199,10 @@ mod tests {
             ("reading chair", "chair", true),
             ("armchair", "reading chair", true),
             ("kitchen table", "farmhouse table", true),
+            ("kitchen table", "breakfast table", true),
+            ("computer desk", "workstation", true),
+            ("lab bench", "lab table", true),
+            ("workbench", "lab table", false),
             ("tv stand", "tv", false),
             ("plant", "plant stand", false),
         ] {

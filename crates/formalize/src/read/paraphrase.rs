@@ -1,13 +1,15 @@
 //! Ways of saying things that are turned into another way before anything is read: "no two plants closer than 1 m" are
 //! "plants at least 1 m apart". Every word that is left is where it was, so that it is accounted for.
 
+use super::lexicon::{get, singular};
 use super::token::{Kind, Token};
 
 /// Turns what can be said more plainly. Shared words keep their places in the request.
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] = [apart, seats, sleepers, opposite, opens, extends, walls];
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
+            [apart, seats, stools, sleepers, purpose, opposite, opens, extends, walls];
         let _turned = turns.iter().any(|turn| turn(tokens, i));
         i += 1;
     }
@@ -96,6 +98,24 @@ fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A counter for eight": a bar counter and eight bar stools.
+fn stools(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "counter" | "bar") || word(tokens, i + 1) != "for" || i == 0 {
+        return false;
+    }
+    let Some((_, used)) = super::number::count(&tokens[i + 2..]) else { return false };
+    let last = i + 2 + used;
+    let people = usize::from(matches!(word(tokens, last), "people" | "persons" | "guests" | "customers"));
+    if used != 1 || !ends(tokens, last + people) {
+        return false;
+    }
+    let stools = ["bar", "stools"].map(|text| Token { text: text.to_owned(), kind: Kind::Word, ..tokens[i].clone() });
+    tokens.splice(last..last + people, stools);
+    put(tokens, i + 1, i + 2, &["and"]);
+    put(tokens, i, i + 1, &["bar", "counter"]);
+    true
+}
+
 /// "A bedroom for a teenage gamer" is a teen bedroom, "a room for two kids" a kids bedroom for two.
 fn sleepers(tokens: &mut Vec<Token>, i: usize) -> bool {
     const WHO: [(&str, &[&str]); 3] = [
@@ -118,6 +138,27 @@ fn sleepers(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     put(tokens, i, if few { i + 1 } else { last + 1 }, &[kind, "bedroom"]);
+    true
+}
+
+/// "A workshop for bicycle repair" is a bicycle repair workshop, "a room for meetings" a meeting room.
+fn purpose(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const MOST: usize = 3;
+    let noun = word(tokens, i).to_owned();
+    if !matches!(noun.as_str(), "room" | "studio" | "workshop" | "shop" | "store") || word(tokens, i + 1) != "for" {
+        return false;
+    }
+    let said = (1..=MOST).rev().find_map(|n| {
+        let after = i + 2 + n;
+        let whole = ends(tokens, after) || word(tokens, after) == "with";
+        let mut what: Vec<String> = (i + 2..after).map(|k| word(tokens, k).to_owned()).collect();
+        let last = what.last_mut().filter(|_| whole)?;
+        *last = singular(last);
+        what.push(noun.clone());
+        get().room(&what.join(" ")).map(|_| (after, what))
+    });
+    let Some((after, name)) = said else { return false };
+    put(tokens, i, after, &name.iter().map(String::as_str).collect::<Vec<_>>());
     true
 }
 
@@ -169,7 +210,7 @@ fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     let from = (0..i).rev().find(|k| begins(&tokens[*k])).map_or(0, |k| k + 1);
     let things: Vec<String> = tokens[from..i].iter().map(|t| t.text.clone()).collect();
     let Some((noun, looks)) = things.split_last().filter(|(_, looks)| looks.len() <= 2) else { return false };
-    let one = super::lexicon::singular(noun);
+    let one = singular(noun);
     let counted = looks.iter().any(|w| matches!(w.as_str(), "the" | "all" | "both" | "some" | "there"));
     if one == *noun || counted || super::number::count(&tokens[from..i]).is_some() {
         return false;
@@ -200,6 +241,11 @@ mod tests {
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),
             ("a cafe with a bar and seating for twenty", "a cafe with a bar for twenty"),
+            ("a workshop for bicycle repair", "a bicycle repair workshop"),
+            ("a room for meetings with a screen", "a meeting room with a screen"),
+            ("a shop for two", "a shop for two"),
+            ("a counter for eight and four tables", "a bar counter and eight bar stools and four tables"),
+            ("a bar for six people", "a bar counter and six bar stools"),
             ("a bedroom for a teenage gamer", "a teen bedroom"),
             ("a room for two kids with desks", "a kids bedroom for two kids with desks"),
             ("a room for a newborn", "a baby bedroom"),

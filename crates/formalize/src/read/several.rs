@@ -49,7 +49,7 @@ const HOMES: [&str; 11] =
 /// Parts of a room that are no rooms where they are listed as what a room has.
 const PARTS: [&str; 8] = ["area", "nook", "corner", "space", "alcove", "zone", "place", "interior"];
 /// Words for a room that only one other leads to.
-const OWN: [&str; 7] = ["own", "en-suite", "ensuite", "en", "private", "attached", "adjoining"];
+const OWN: [&str; 8] = ["own", "en-suite", "ensuite", "en", "private", "attached", "adjoining", "walk-in"];
 
 /// Words before a word for a home that make no other thing of it; a test cabin is none.
 const WHOSE: [&str; 9] =

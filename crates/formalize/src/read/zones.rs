@@ -61,7 +61,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
         // "I want a reading nook": that is the room.
         if let Some((zone, end)) = named(tokens, i)
             && let Some(from) = begin(tokens, i)
-            && let Some(kind) = kind(&tokens[..from])
+            && let Some((at, kind)) = kind(&tokens[..from])
+            // "A hotel with a lobby, a lounge and a bar": rooms, each of them.
+            && (end > i + 1 || begin(tokens, at).is_none())
         {
             replace(tokens, zone, kind, from, end);
         }
@@ -109,12 +111,16 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &Kind, from: usize, end: 
     }
 }
 
-/// The kind of the room that was named last.
-fn kind(tokens: &[Token]) -> Option<&'static Kind> {
+/// The kind of the room that was named last, and where its name begins.
+fn kind(tokens: &[Token]) -> Option<(usize, &'static Kind)> {
     (0..tokens.len()).rev().find_map(|last| {
-        let words: Vec<&str> =
-            tokens[last.saturating_sub(LONGEST - 1)..=last].iter().map(|t| t.text.as_str()).collect();
-        kinds::of(&words.join(" "))
+        let from = |first: usize| tokens[first..=last].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+        let found = kinds::of(&from(last.saturating_sub(LONGEST - 1)))?;
+        let begins = |first: &usize| {
+            kinds::of(&from(*first)).is_some_and(|kind| kind.name == found.name) && tokens[*first].word()
+        };
+        let article = (0..last).rev().find(|k| tokens[*k].is("a") || tokens[*k].is("an")).map_or(0, |k| k + 1);
+        Some((article.min(last), found)).filter(|(at, _)| begins(at)).or(Some((last, found)))
     })
 }
 

@@ -194,7 +194,8 @@ impl Scan<'_> {
 
     fn look(&mut self, _: &str) -> Option<Step> {
         let used = self.used;
-        let (kind, n) = look_at(self.from(used))?;
+        // "A wine cellar" is no red one.
+        let (kind, n) = look_at(self.from(used)).filter(|(_, n)| room_here(self.from(used)).is_none_or(|m| m <= *n))?;
         let after = self.from(used + n);
         if self.nouns.is_empty() || before_noun(after) {
             // "standing there", "double": only before something
@@ -274,9 +275,21 @@ impl Scan<'_> {
                 let ends = ["s", "ed", "ing", "ly"].iter().any(|e| t.text.ends_with(e));
                 t.word() && !self.lexicon.known(&t.text) && !ends
             });
+        let first = self.used;
         self.name(n, false);
+        if self.is_in_another(first) {
+            return Some(Step::Go);
+        }
         let ends = after.is_none() && !more && !before_noun(self.from(self.used));
         Some(if ends { Step::Stop } else { Step::Go })
+    }
+
+    /// "an attic bedroom", "a hotel gym": the second name of a room says what it is. A kitchen dining room is both.
+    fn is_in_another(&self, first: usize) -> bool {
+        const BOTH: [&str; 2] = ["kitchen", "living"];
+        let rest = self.from(self.used);
+        let second = room_here(rest).map(|n| rest[..n].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" "));
+        !BOTH.contains(&self.text(first)) && second.and_then(|name| self.lexicon.room(&name)).is_some_and(|k| !k.loose)
     }
 
     /// "a tool wall", "six wall panels": things.
