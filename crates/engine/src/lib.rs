@@ -4,19 +4,26 @@
 //! - [`State`]: poses, one way to write them, and back again.
 //! - [`Mirror`]: the same layout in other numbers, brought up to date where it is needed.
 //! - [`Index`]: from objects, regions and variables to the formulas that a change of them can alter.
+//! - [`frame`]: what a program demands, worked out once: terms, rules, what each object is held by.
+//! - [`candidate`]: a whole layout with what each demand costs in it, and trials that are judged by what they touch;
+//!   [`penalty`] says what a formula costs.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
 //! - [`check`], [`smallest_move`]: the verdict with the moves that repair what fails.
 //! - [`check_file`] and its like: the same of files.
 //!
 //! Absent here: what holds in one layout (`verify`), and any search for a whole layout (`solve`).
 
+pub mod candidate;
 mod explain;
 mod file;
+pub mod frame;
 mod index;
+pub mod limit;
 mod live;
 mod mirror;
 mod moved;
 mod moves;
+pub mod penalty;
 pub mod pose;
 mod rows;
 mod state;

@@ -1,8 +1,8 @@
 //! Several layouts of one scene that differ in kind, not in centimetres.
 
 use crate::pipeline::solve;
-use crate::problem::limit::Limit;
 use crate::problem::{End, Options, Outcome, Placed, Problem, Progress};
+use scenelang_engine::limit::Limit;
 use scenelang_lang::program::RegionId;
 use scenelang_layout::{Layout, Placement};
 use std::ops::ControlFlow;

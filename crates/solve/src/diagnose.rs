@@ -6,9 +6,9 @@
 
 use crate::pipeline::finish;
 use crate::pipeline::solve;
-use crate::problem::limit::Limit;
 use crate::problem::setup::Setup;
 use crate::problem::{Options, Outcome, Placed, Problem, Unsatisfied, What};
+use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId, ObjectId, Owner};
 use scenelang_layout::Layout;

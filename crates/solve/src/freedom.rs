@@ -1,11 +1,11 @@
 //! What a program leaves open: in which directions each object could go, how far, and whether it could turn, by itself,
 //! with everything that holds still holding.
 
-use crate::problem::limit::Limit;
 use crate::problem::setup::setup;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::Snapshot;
-use crate::search::state::{Change, State};
+use scenelang_engine::candidate::{Candidate, Change};
+use scenelang_engine::limit::Limit;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Layout;
 use std::fmt;
@@ -68,7 +68,7 @@ impl fmt::Display for Freedom {
 pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: u64) -> Free {
     let problem = Problem { program: problem.program, start: layout.clone(), placed: Placed::All };
     let setup = setup(&problem, options);
-    let mut state = State::new(&setup.frame, setup.world.clone());
+    let mut state = Candidate::new(&setup.frame, setup.world.clone());
     let all: Vec<Change> = setup.given.iter().filter_map(|(id, pose)| Some(Change::Object(*id, (*pose)?))).collect();
     if state.attempt(&all, f64::INFINITY).is_some() {
         state.keep();
@@ -101,7 +101,7 @@ pub fn freedom(problem: &Problem<'_>, options: &Options, layout: &Layout, work: 
 
 /// A layout, and trials with one object of it.
 struct Look<'a> {
-    state: State<'a>,
+    state: Candidate<'a>,
     start: Snapshot,
     /// How much is violated in it.
     before: usize,
@@ -167,7 +167,7 @@ impl Look<'_> {
 }
 
 /// How much is violated, ways over the floor left out.
-fn violated(state: &State<'_>) -> usize {
+fn violated(state: &Candidate<'_>) -> usize {
     let walks = |check: usize| state.frame.terms.get(check).is_some_and(|t| t.walks);
     state.violated().into_iter().filter(|check| !walks(*check)).count()
 }

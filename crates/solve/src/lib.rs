@@ -30,8 +30,8 @@ pub use external::view::{Concern, Move, Proposal, View};
 pub use freedom::{FAR, Free, Freedom, freedom};
 pub use pipeline::{solve, solve_with};
 pub use problem::draws::draws;
-pub use problem::limit::Stop;
 pub use problem::pose::Pose;
 pub use problem::{
     End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, QUALITY, Standing, Unsatisfied, What,
 };
+pub use scenelang_engine::limit::Stop;

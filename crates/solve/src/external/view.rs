@@ -1,9 +1,9 @@
 //! What a step of the solver from outside sees of a layout under search, and what it may propose.
 
 use crate::problem::What;
-use crate::problem::checks::Check;
 use crate::problem::pose::Pose;
-use crate::search::state::State;
+use scenelang_engine::candidate::Candidate;
+use scenelang_engine::frame::checks::Check;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Vec3;
@@ -12,7 +12,7 @@ use scenelang_verify::{World, judge, rules};
 /// A layout under search, to be read.
 #[derive(Clone, Copy)]
 pub struct View<'v> {
-    state: &'v State<'v>,
+    state: &'v Candidate<'v>,
 }
 
 /// A constraint or a physical rule, and how it stands in the layout.
@@ -52,7 +52,7 @@ pub struct Proposal {
 }
 
 impl<'v> View<'v> {
-    pub(crate) fn new(state: &'v State<'v>) -> Self {
+    pub(crate) fn new(state: &'v Candidate<'v>) -> Self {
         Self { state }
     }
     /// What must hold.

@@ -1,6 +1,6 @@
 //! EnforceBounds: what a proposal has left outside every region is brought back in, the shortest way.
 
-use crate::search::state::State;
+use scenelang_engine::candidate::Candidate;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Vec3, inside_clearance};
 use scenelang_verify::rules;
@@ -11,7 +11,7 @@ const WALLS: usize = 8;
 const EASE: f64 = 1e-4;
 
 /// Brings movable objects back into their regions.
-pub(crate) fn enforce(state: &mut State<'_>) {
+pub(crate) fn enforce(state: &mut Candidate<'_>) {
     for id in outside(state) {
         let Ok((Some(region), _)) = rules::bounds::best(state.world(), id) else { continue };
         let mut pose = state.pose(id);
@@ -37,6 +37,6 @@ pub(crate) fn enforce(state: &mut State<'_>) {
 }
 
 /// Movable objects that no region holds.
-pub(crate) fn outside(state: &State<'_>) -> Vec<ObjectId> {
+pub(crate) fn outside(state: &Candidate<'_>) -> Vec<ObjectId> {
     state.placed().filter(|&id| state.frame.is_movable(id) && state.is_violated(state.numbering.bounds(id))).collect()
 }

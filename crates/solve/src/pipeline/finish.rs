@@ -3,7 +3,7 @@
 use crate::problem::pose::round_to;
 use crate::problem::setup::Setup;
 use crate::problem::{Standing, Unsatisfied, What};
-use crate::search::state::State;
+use scenelang_engine::candidate::Candidate;
 use scenelang_lang::program::{ConstraintKind, Owner, Pinned, RegionId};
 use scenelang_layout::{Layout, Value, Vec3};
 use scenelang_verify::{Options, Truth, World, judge, rules};
@@ -14,7 +14,7 @@ const DIGITS: f64 = 1e-6;
 /// The layout of a state; numbers are cut to six digits where that does no harm.
 pub(crate) fn layout(
     setup: &Setup<'_>,
-    state: &State<'_>,
+    state: &Candidate<'_>,
     options: &Options,
 ) -> (Layout, (Vec<Unsatisfied>, Vec<Standing>)) {
     let short = compose(setup, state, |x| round_to(x, DIGITS));
@@ -28,7 +28,7 @@ pub(crate) fn layout(
     if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
 }
 
-fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
+fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
     let mut layout = setup.layout.clone();
     let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
     for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
@@ -46,7 +46,7 @@ fn compose(setup: &Setup<'_>, state: &State<'_>, cut: impl Fn(f64) -> f64 + Copy
         placement.rot = vec(pose.rot, pins.rot);
         placement.scale = vec(pose.scale, pins.scale);
     }
-    for (id, (_, value)) in crate::problem::frame::variables(state.frame.program).zip(&mut layout.variables) {
+    for (id, (_, value)) in scenelang_engine::frame::variables(state.frame.program).zip(&mut layout.variables) {
         *value = match state.world().variable(id) {
             Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
             Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {

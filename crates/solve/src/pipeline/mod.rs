@@ -12,17 +12,17 @@ pub(crate) mod stay;
 
 use crate::diagnose;
 use crate::external::steps::Steps;
-use crate::problem::limit::Limit;
 use crate::problem::pose::Pose;
 use crate::problem::setup::{Setup, setup};
 use crate::problem::sound::sound;
 use crate::problem::{End, Options, Outcome, Phase, Problem, Progress, QUALITY};
 use crate::search::local::LocalSearch;
-use crate::search::state::State;
 use crate::search::{Best, Search};
 use portfolio::Member;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
+use scenelang_engine::candidate::Candidate;
+use scenelang_engine::limit::Limit;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -133,7 +133,7 @@ pub fn solve_with(
 }
 
 /// The layout of a local search as that of the search proper.
-fn show(local: &LocalSearch<'_>, state: &mut State<'_>) {
+fn show(local: &LocalSearch<'_>, state: &mut Candidate<'_>) {
     let changes = local.changes();
     if state.attempt(&changes, f64::INFINITY).is_some() {
         state.keep();
@@ -141,7 +141,7 @@ fn show(local: &LocalSearch<'_>, state: &mut State<'_>) {
 }
 
 /// How long it takes to judge a layout in which ways over the floor are looked for.
-fn judging(state: &mut State<'_>, local: &LocalSearch<'_>) -> Duration {
+fn judging(state: &mut Candidate<'_>, local: &LocalSearch<'_>) -> Duration {
     show(local, state);
     let begun = Instant::now();
     state.look_at_ways();
@@ -170,7 +170,7 @@ impl<'r, 'a> Run<'r, 'a> {
         attempt: u64,
         steps: &mut Steps<'_>,
         progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> (State<'r>, ControlFlow<()>) {
+    ) -> (Candidate<'r>, ControlFlow<()>) {
         let mut search = self.search(attempt);
         let going = self.run(&mut search, attempt, steps, progress);
         if self.best.is_none() && search.best.is_none() {
@@ -189,7 +189,7 @@ impl<'r, 'a> Run<'r, 'a> {
     }
 
     fn search(&self, attempt: u64) -> Search<'r> {
-        let mut state = State::new(&self.setup.frame, self.setup.world.clone());
+        let mut state = Candidate::new(&self.setup.frame, self.setup.world.clone());
         state.work = self.work;
         state.limit = self.limit.clone();
         Search { state, chance: self.chance(attempt), options: self.options, best: None }
@@ -350,7 +350,7 @@ impl<'r, 'a> Run<'r, 'a> {
     }
 
     /// A state that shows a layout.
-    fn at(&self, snapshot: &crate::search::Snapshot, old: State<'r>) -> State<'r> {
+    fn at(&self, snapshot: &crate::search::Snapshot, old: Candidate<'r>) -> Candidate<'r> {
         let chance = ChaCha8Rng::seed_from_u64(self.options.seed);
         let mut search = Search { state: old, chance, options: self.options, best: None };
         search.restore(snapshot);

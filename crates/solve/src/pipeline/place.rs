@@ -4,31 +4,9 @@
 //! before its chairs, a shelf before what stands on it.
 
 use crate::external::steps::Steps;
-use crate::problem::frame::Hold;
-use crate::problem::terms::Term;
 use crate::search::Search;
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::Vec3;
-
-/// Comes before everything that stands in a room.
-const IN_WALLS: f64 = 10.0;
-/// How early an object comes, by its terms, what holds it, and its size.
-pub(crate) fn priority<'t>(terms: impl Iterator<Item = &'t Term>, hold: Hold, size: Vec3) -> f64 {
-    let volume: f64 = size.iter().product();
-    let large = ((volume.max(1e-9).log10() + 3.0) / 3.5).clamp(0.0, 1.2);
-    let (mut alone, mut all) = (0.0, 0.5);
-    for term in terms.filter(|t| t.is_hard()) {
-        let others = term.objects.len() - 1;
-        let weight = 1.0 / others.max(1) as f64;
-        all += weight;
-        if others == 0 {
-            alone += weight;
-        }
-    }
-    let wall = if matches!(hold, Hold::Door(..)) { IN_WALLS } else { 0.0 };
-    wall + 1.5 * alone / all + 1.3 * large
-}
 
 /// Puts objects where they are given a place.
 fn as_given(search: &mut Search<'_>, given: &[(ObjectId, Option<crate::problem::pose::Pose>)]) {

@@ -2,9 +2,9 @@
 //! that needs less work wins. So a search that came to a bad end costs half of the time and not all of it, and the result
 //! does not depend on how many threads there are.
 
-use crate::problem::limit::Limit;
 use crate::search::local::LocalSearch;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::limit::Limit;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The work that the first one has for itself, and so the first round of both; each round is twice the one before.

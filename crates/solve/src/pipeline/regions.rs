@@ -2,12 +2,12 @@
 //!
 //! Rooms that share a door share a wall; all others keep their own walls apart, too: twice η between neighbours.
 
-use crate::problem::frame::Hold;
 use crate::problem::pose::Pose;
 use crate::problem::pose::round_to;
 use crate::search::Search;
 use crate::search::least_squares::{Targets, least_squares};
-use crate::search::state::{Change, State};
+use scenelang_engine::candidate::{Candidate, Change};
+use scenelang_engine::frame::Hold;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::{Aabb, Vec3};
 
@@ -48,31 +48,31 @@ pub(crate) fn arrange(search: &mut Search<'_>, growth: f64, kept: &dyn Fn(Region
     if search.state.total() > 0.0 {
         let targets = Targets {
             regions: all,
-            variables: crate::problem::frame::variables(frame.program).collect(),
+            variables: scenelang_engine::frame::variables(frame.program).collect(),
             ..Targets::default()
         };
         least_squares(&mut search.state, &targets);
     }
 }
 
-fn apply(state: &mut State<'_>, changes: &[Change]) {
+fn apply(state: &mut Candidate<'_>, changes: &[Change]) {
     if !changes.is_empty() && state.attempt(changes, f64::INFINITY).is_some() {
         state.keep();
     }
 }
 
-fn is_fixed(state: &State<'_>, id: RegionId) -> bool {
+fn is_fixed(state: &Candidate<'_>, id: RegionId) -> bool {
     state.frame.region_pins[id.0 as usize].pos || state.world().region(id).is_ok_and(|r| r.outlined)
 }
 
 /// Objects that are to be in a region, as far as the program says; of a single region all.
-fn content(state: &State<'_>, id: RegionId) -> Vec<ObjectId> {
+fn content(state: &Candidate<'_>, id: RegionId) -> Vec<ObjectId> {
     let frame = state.frame;
     let only = frame.program.regions.len() == 1;
     frame.objects().filter(|o| only || frame.regions[o.0 as usize].contains(&id)).collect()
 }
 
-fn size(state: &State<'_>, id: RegionId, growth: f64) -> Vec3 {
+fn size(state: &Candidate<'_>, id: RegionId, growth: f64) -> Vec3 {
     let (mut covered, mut longest, mut tallest) = (0.0, 0.0f64, 0.0f64);
     for object in content(state, id) {
         let scale = state.pose(object).scale;
@@ -88,7 +88,7 @@ fn size(state: &State<'_>, id: RegionId, growth: f64) -> Vec3 {
     Vec3::new(round_to(width, 0.1), round_to(HEIGHT.max(tallest + 0.3), 0.1), round_to(depth, 0.1))
 }
 
-fn outline(state: &State<'_>, id: RegionId) -> Aabb {
+fn outline(state: &Candidate<'_>, id: RegionId) -> Aabb {
     let prism = state.world().region(id).map(|r| &r.prism);
     Aabb::of(prism.into_iter().flat_map(|p| p.polygon.corners()).map(|c| Vec3::new(c.x, 0.0, c.y)))
 }

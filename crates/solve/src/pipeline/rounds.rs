@@ -8,7 +8,7 @@ use crate::problem;
 use crate::problem::Phase;
 use crate::problem::pose::Pose;
 use crate::search::Search;
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
 use scenelang_lang::program::ObjectId;
 use std::ops::ControlFlow;
 

@@ -1,12 +1,12 @@
 //! SelectBatch: which violated constraints are taken up next.
 
 use crate::search::chance::Chance;
-use crate::search::state::State;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::candidate::Candidate;
 
 /// Chooses at most `k` of the unsatisfied checks: the first by weight, cost and noise; the others likewise, but those
 /// that share objects with it first, so that what hangs together is repaired together.
-pub(crate) fn batch(state: &State<'_>, unsatisfied: &[usize], k: usize, chance: &mut ChaCha8Rng) -> Vec<usize> {
+pub(crate) fn batch(state: &Candidate<'_>, unsatisfied: &[usize], k: usize, chance: &mut ChaCha8Rng) -> Vec<usize> {
     let mut scored: Vec<(f64, usize)> =
         unsatisfied.iter().map(|&c| (state.weight[c] * (0.1 + state.cost(c)) * chance.unit(), c)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));

@@ -2,7 +2,7 @@
 
 use crate::problem::pose::Pose;
 use crate::search::Search;
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
 use scenelang_lang::program::ObjectId;
 
 /// How often all objects are gone through: one that goes back may make room for another.

@@ -1,19 +1,13 @@
 //! What the solver is given and what it gives back, as values.
 
-pub(crate) mod checks;
 pub(crate) mod draws;
-pub(crate) mod equations;
-pub(crate) mod frame;
-pub(crate) mod limit;
-pub(crate) mod rules;
 pub(crate) mod setup;
 pub(crate) mod sound;
-pub(crate) mod terms;
 pub(crate) mod values;
 
 pub(crate) use scenelang_engine::pose;
 
-use crate::problem::limit::Stop;
+use scenelang_engine::limit::Stop;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Layout;

@@ -1,12 +1,12 @@
 //! Before the search: draws, fixed outlines, sizes that constraints ask for, and the world that the search starts from.
 
 use crate::problem::draws;
-use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
-use crate::problem::terms::{self, Term};
 use crate::problem::{Options, Problem, values};
 use crate::search::least_squares::{Targets, least_squares};
-use crate::search::state::{Change, State};
+use scenelang_engine::candidate::{Candidate, Change};
+use scenelang_engine::frame::Frame;
+use scenelang_engine::frame::terms::{self, Term};
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId, VariableKind};
 use scenelang_layout::{Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
@@ -179,7 +179,7 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
     }
     let frame = Frame::new(program, speaking, None, |id| layout.objects[id.0 as usize].1.scale);
     let world = World::<f64>::new(program, layout, &options.judge);
-    let mut state = State::new(&frame, world);
+    let mut state = Candidate::new(&frame, world);
     let all: Vec<Change> = frame.objects().map(|id| Change::Object(id, state.pose(id))).collect();
     if state.attempt(&all, f64::INFINITY).is_some() {
         state.keep_sizes();

@@ -2,14 +2,14 @@
 //! keep their sizes while places are looked for.
 
 use super::Options;
-use super::checks::Numbering;
-use super::frame::Frame;
-use super::limit::Limit;
-use super::terms::{self, Term};
 use crate::search::local::LocalSearch;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use scenelang_engine::Reads;
+use scenelang_engine::frame::Frame;
+use scenelang_engine::frame::checks::Numbering;
+use scenelang_engine::frame::terms::{self, Term};
+use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
 use scenelang_lang::program::{Allowances, Owner, Pinned, VariableId};
 use scenelang_layout::{Layout, Value, Vec3};

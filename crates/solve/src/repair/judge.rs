@@ -1,8 +1,8 @@
 //! What is to hold after a change, and whether it does: every layout that is offered is judged here as a whole.
 
 use super::{Damaged, RepairOptions, Unjudged, Which};
-use crate::problem::limit::Limit;
 use rustc_hash::FxHashSet;
+use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Judged;

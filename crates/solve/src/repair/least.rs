@@ -5,7 +5,7 @@ use super::moves::changes;
 use super::room::Room;
 use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, half_turn, round_turn};
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
 use scenelang_lang::program::ObjectId;
 
 /// So often a way is halved; where a look is dear, so often.

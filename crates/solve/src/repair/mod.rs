@@ -22,11 +22,11 @@ mod room;
 mod tests;
 mod whole;
 
-use crate::problem::limit::Stop;
 use crate::problem::pose::{Pose, half_turn};
 pub use edit::edited;
 use judge::Judge;
 use scenelang_base::{Edit, SourceMap};
+use scenelang_engine::limit::Stop;
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;

@@ -6,7 +6,7 @@ use super::room::{self, Fixtures, Room, describe};
 use super::{Alternative, RepairOptions, least, whole};
 use crate::problem::pose::Pose;
 use crate::search::Snapshot;
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
 use scenelang_engine::smallest_move;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;

@@ -3,15 +3,15 @@
 use super::judge::Judge;
 use super::{Alternative, EACH, How, Moved, RepairOptions};
 use crate::problem::Options;
-use crate::problem::checks::Check;
-use crate::problem::frame::{Frame, variables};
 use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, Ride, half_turn};
-use crate::problem::terms;
-use crate::search::state::{Change, State};
 use crate::search::{Search, Snapshot};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
+use scenelang_engine::candidate::{Candidate, Change};
+use scenelang_engine::frame::checks::Check;
+use scenelang_engine::frame::terms;
+use scenelang_engine::frame::{Frame, variables};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::{Layout, Value as Written, Vec3};
 use scenelang_verify::check::Subject;
@@ -76,7 +76,7 @@ impl<'r, 'a> Room<'r, 'a> {
             .objects()
             .filter_map(|id| fixtures.world.object(id).ok().map(|thing| Change::Object(id, Pose::of(thing))))
             .collect();
-        let mut state = State::new(frame, fixtures.world.clone());
+        let mut state = Candidate::new(frame, fixtures.world.clone());
         state.limit = judge.limit.clone();
         if state.attempt(&placed, f64::INFINITY).is_some() {
             state.keep();
@@ -320,7 +320,7 @@ fn turned(new: Vec3, old: Vec3) -> Vec3 {
 }
 
 /// Where the layout has an object. What rules of the program shift by less than their tolerance has not moved.
-fn before(world: &World<f64>, state: &State<'_>, id: ObjectId) -> Pose {
+fn before(world: &World<f64>, state: &Candidate<'_>, id: ObjectId) -> Pose {
     let now = state.pose(id);
     let Ok(pose) = world.object(id).map(Pose::of) else { return now };
     let tolerances = &world.options.tolerances;

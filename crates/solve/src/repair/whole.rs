@@ -5,11 +5,11 @@ use super::RepairOptions;
 use super::moves::changes;
 use super::room::Room;
 use crate::pipeline::solve;
-use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::Snapshot;
-use crate::search::state::Change;
+use scenelang_engine::candidate::Change;
+use scenelang_engine::frame::Frame;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
 

@@ -3,13 +3,11 @@
 pub(crate) mod chance;
 pub(crate) mod least_squares;
 pub(crate) mod local;
-pub(crate) mod penalty;
-pub(crate) mod state;
 
 use crate::problem::pose::Pose;
 use crate::problem::{Options, Phase, Progress};
-use crate::search::state::{Change, State};
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::candidate::{Candidate, Change};
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::Value;
 
@@ -23,17 +21,17 @@ pub(crate) struct Snapshot {
 
 impl Snapshot {
     /// Of a state.
-    pub fn of(state: &State<'_>) -> Self {
+    pub fn of(state: &Candidate<'_>) -> Self {
         let program = state.frame.program;
         Self {
             objects: state.frame.objects().map(|o| state.is_placed(o).then(|| state.pose(o))).collect(),
             regions: (0..program.regions.len() as u32).map(|r| state.region_pose(RegionId(r))).collect(),
-            variables: crate::problem::frame::variables(program).map(|v| state.world().variable(v).ok()).collect(),
+            variables: scenelang_engine::frame::variables(program).map(|v| state.world().variable(v).ok()).collect(),
         }
     }
 
     /// Brings a state to this layout.
-    pub fn show(&self, state: &mut State<'_>) {
+    pub fn show(&self, state: &mut Candidate<'_>) {
         let mut changes = Vec::new();
         for (index, pose) in self.objects.iter().enumerate() {
             let id = ObjectId(index as u32);
@@ -86,7 +84,7 @@ impl Best {
 /// A search in progress.
 pub(crate) struct Search<'a> {
     /// The layout.
-    pub state: State<'a>,
+    pub state: Candidate<'a>,
     /// Chance.
     pub chance: ChaCha8Rng,
     /// How to solve.
@@ -146,7 +144,7 @@ impl<'a> Search<'a> {
     pub fn is_ready(&self, id: ObjectId, waiting: &[ObjectId]) -> bool {
         let frame = self.state.frame;
         let container = match frame.hold(id) {
-            crate::problem::frame::Hold::Container(c) => Some(c),
+            scenelang_engine::frame::Hold::Container(c) => Some(c),
             _ => None,
         };
         frame.sources[id.0 as usize].iter().copied().chain(container).all(|o| o == id || !waiting.contains(&o))

@@ -6,8 +6,8 @@
 mod system;
 
 use crate::problem::pose::{Pose, round_turn};
-use crate::search::state::{Change, State};
 use scenelang_engine::Mirror;
+use scenelang_engine::candidate::{Candidate, Change};
 use scenelang_lang::program::{ObjectId, RegionId, VariableId, VariableKind};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Number, Scratch, Truth, Value};
@@ -51,7 +51,7 @@ struct Worlds {
 }
 
 /// Gives the targets numbers with which what touches them is violated less, if there are such.
-pub(crate) fn least_squares(state: &mut State<'_>, targets: &Targets) {
+pub(crate) fn least_squares(state: &mut Candidate<'_>, targets: &Targets) {
     let unknowns = unknowns(state, targets);
     if unknowns.is_empty() {
         return;
@@ -70,7 +70,7 @@ pub(crate) fn least_squares(state: &mut State<'_>, targets: &Targets) {
 }
 
 /// Which numbers are free.
-fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
+fn unknowns(state: &Candidate<'_>, targets: &Targets) -> Vec<Unknown> {
     let frame = state.frame;
     let mut list = Vec::new();
     for &id in targets.sizes.iter().filter(|id| !frame.fixed(**id).scale) {
@@ -99,7 +99,7 @@ fn unknowns(state: &State<'_>, targets: &Targets) -> Vec<Unknown> {
 }
 
 /// Objects that move with an entity: itself, and those whose rules follow it.
-fn touched_objects(state: &State<'_>, entity: Entity) -> Vec<ObjectId> {
+fn touched_objects(state: &Candidate<'_>, entity: Entity) -> Vec<ObjectId> {
     let mut list = if let Entity::Object(id) = entity { vec![id] } else { Vec::new() };
     for owner in rules_after(state, entity).iter().map(|&r| state.frame.rules.list[r].owner) {
         if !list.contains(&owner) {
@@ -110,7 +110,7 @@ fn touched_objects(state: &State<'_>, entity: Entity) -> Vec<ObjectId> {
 }
 
 /// Rules that follow an entity, in order.
-fn rules_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
+fn rules_after<'a>(state: &Candidate<'a>, entity: Entity) -> &'a [usize] {
     match entity {
         Entity::Object(id) => &state.frame.followers[id.0 as usize],
         Entity::Region(id) => &state.frame.region_followers[id.0 as usize],
@@ -119,7 +119,7 @@ fn rules_after<'a>(state: &State<'a>, entity: Entity) -> &'a [usize] {
 }
 
 /// The changes that give unknowns their values.
-fn changes(state: &State<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Change> {
+fn changes(state: &Candidate<'_>, unknowns: &[Unknown], values: &[f64]) -> Vec<Change> {
     let mut list: Vec<Change> = Vec::new();
     for group in unknowns.chunk_by(|a, b| a.entity == b.entity) {
         let start = unknowns.iter().position(|u| u.entity == group[0].entity).unwrap_or(0);

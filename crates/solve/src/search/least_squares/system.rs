@@ -4,12 +4,12 @@
 //! these.
 
 use super::{Entity, K, Slope, Unknown, Worlds, lift, numbers, rules_after, touched_objects, with_numbers};
-use crate::problem::checks::Check;
 use crate::problem::pose::Pose;
-use crate::search::penalty::Penalty;
-use crate::search::state::State;
 use nalgebra::{DMatrix, DVector};
 use scenelang_engine::Mirror;
+use scenelang_engine::candidate::Candidate;
+use scenelang_engine::frame::checks::Check;
+use scenelang_engine::penalty::Penalty;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Algebra, Dual, Number, Scratch, World};
@@ -39,7 +39,7 @@ struct Equation {
 
 /// The residuals of some checks as functions of some unknowns.
 pub(super) struct System<'s, 'a> {
-    state: &'s State<'a>,
+    state: &'s Candidate<'a>,
     worlds: &'s mut Worlds,
     /// What is to be found.
     pub unknowns: Vec<Unknown>,
@@ -55,7 +55,7 @@ pub(super) struct System<'s, 'a> {
 
 impl<'s, 'a> System<'s, 'a> {
     /// For a state and worlds that agree with it.
-    pub fn new(state: &'s State<'a>, worlds: &'s mut Worlds, unknowns: Vec<Unknown>) -> Self {
+    pub fn new(state: &'s Candidate<'a>, worlds: &'s mut Worlds, unknowns: Vec<Unknown>) -> Self {
         let mut entities: Vec<Entity> = unknowns.iter().map(|u| u.entity).collect();
         entities.dedup();
         let mut rules: Vec<usize> = entities.iter().flat_map(|e| rules_after(state, *e)).copied().collect();
@@ -308,7 +308,7 @@ impl<'s, 'a> System<'s, 'a> {
 }
 
 /// Obeys a rule in a world.
-fn follow<N: Number>(state: &State<'_>, index: usize, mirror: &mut Mirror<N>) {
+fn follow<N: Number>(state: &Candidate<'_>, index: usize, mirror: &mut Mirror<N>) {
     let rule = &state.frame.rules.list[index];
     if let Some(pose) = rule.apply(mirror.world()).filter(|_| state.is_placed(rule.owner)) {
         mirror.set(rule.owner, pose);
@@ -317,7 +317,7 @@ fn follow<N: Number>(state: &State<'_>, index: usize, mirror: &mut Mirror<N>) {
 
 /// What a check misses in a world; the work of finding it.
 fn residuals<N: Number>(
-    state: &State<'_>,
+    state: &Candidate<'_>,
     index: usize,
     world: &World<N>,
     scratch: &mut Scratch<N>,

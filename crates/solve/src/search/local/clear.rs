@@ -1,7 +1,7 @@
 //! `clear` on boxes: the space on a side of a thing, what reaches into it, and the room that it must stay in.
 
 use super::{LocalSearch, Span};
-use crate::search::penalty;
+use scenelang_engine::penalty;
 use scenelang_lang::program::{Formula, Node, Side};
 use scenelang_verify::coded::{Block, Flat};
 use scenelang_verify::{Surroundings, World, surroundings};

@@ -3,8 +3,8 @@
 
 use super::moves::Inputs;
 use super::{Home, LocalSearch, Room};
-use crate::problem::limit::Limit;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::limit::Limit;
 
 /// So many steps without a new best, and all begins anew, in a room that is full: per object, and per root of the number
 /// of objects, whichever is less. Large scenes are better begun anew than waited for.

@@ -2,9 +2,9 @@
 
 use super::variables::MovedVariable;
 use super::{CodedRule, Judge, LocalSearch, Ran, Span, TOUCHING};
-use crate::problem::checks::Check;
-use crate::problem::rules::Sets;
-use crate::search::penalty::Penalty;
+use scenelang_engine::frame::checks::Check;
+use scenelang_engine::frame::rules::Sets;
+use scenelang_engine::penalty::Penalty;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::{self, Block, Flat, INPUTS};
 use std::marker::PhantomData;

@@ -9,11 +9,11 @@
 
 use super::moves::Inputs;
 use super::{LocalSearch, TOUCHING, setup};
-use crate::problem::checks::Check;
-use crate::problem::frame::Frame;
 use crate::problem::pose::Pose;
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::frame::Frame;
+use scenelang_engine::frame::checks::Check;
 use scenelang_lang::program::{Node, ObjectId};
 use scenelang_verify::coded::{self, INPUTS};
 use scenelang_verify::{Truth, World, rules};
@@ -299,6 +299,6 @@ impl LocalSearch<'_> {
         self.work += ASKED;
         let Some(truth) = truth(self.instance.world()) else { return (0.0, true) };
         let margin = if truth.margin.is_finite() { truth.margin } else { FAR_OFF };
-        (crate::search::penalty::cost(truth.holds, target(truth.holds) - margin), truth.holds)
+        (scenelang_engine::penalty::cost(truth.holds, target(truth.holds) - margin), truth.holds)
     }
 }

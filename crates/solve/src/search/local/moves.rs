@@ -4,8 +4,8 @@
 use super::judge::carried;
 use super::{Home, Judge, LocalSearch, Ran, Stretch, Wall};
 use crate::search::chance::Chance;
-use crate::search::penalty::Penalty;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::penalty::Penalty;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::rotation::sin_cos;
 use scenelang_verify::coded::{Flat, INPUTS};

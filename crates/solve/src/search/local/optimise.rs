@@ -8,10 +8,10 @@
 
 use super::LocalSearch;
 use super::preferences::Preference;
-use crate::problem::checks::Check;
-use crate::problem::limit::Limit;
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::frame::checks::Check;
+use scenelang_engine::limit::Limit;
 
 /// What the heaviest preference costs: at first, by how much more each time that no move helps, and at most.
 const AT_FIRST: f64 = 0.1;

@@ -4,9 +4,9 @@
 use super::LocalSearch;
 use super::moves::Inputs;
 use super::paths::PathGroup;
-use crate::problem::limit::Limit;
-use crate::problem::terms::Force;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::frame::terms::Force;
+use scenelang_engine::limit::Limit;
 
 /// How often all preferences are gone through.
 const PASSES: usize = 2;

@@ -5,8 +5,8 @@ use super::moves::{Inputs, turned};
 use super::paths::PathGroup;
 use super::{Judge, LocalSearch};
 use crate::search::chance::Chance;
-use crate::search::penalty;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::penalty;
 
 /// How many places are looked at until one is found in which nothing is violated.
 const PLACES: usize = 12;

@@ -2,8 +2,8 @@
 
 use super::rooms::{Field, Room, Stretch, stretches};
 use super::{CodedRule, Home, Judge, LocalSearch};
-use crate::problem::frame::{Frame, Hold};
 use crate::problem::pose::Pose;
+use scenelang_engine::frame::{Frame, Hold};
 use scenelang_lang::program::{Formula, Node, ObjectId, ObjectProperty, RegionId};
 use scenelang_verify::coded::Block;
 use scenelang_verify::{Scratch, Value, World};

@@ -4,9 +4,9 @@
 use super::judge::carried;
 use super::moves::Inputs;
 use super::{Home, Judge, LocalSearch};
-use crate::problem::checks::Check;
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::frame::checks::Check;
 use scenelang_lang::program::ObjectId;
 
 /// What a violated check gains in weight when nothing can be moved for it.

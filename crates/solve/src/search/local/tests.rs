@@ -2,14 +2,14 @@
 //! back; and of plain boxes it is what the evaluator says.
 
 use super::LocalSearch;
-use crate::problem::checks::Check;
-use crate::problem::limit::Limit;
 use crate::problem::setup::setup;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::chance::Chance;
-use crate::search::state::State;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
+use scenelang_engine::candidate::Candidate;
+use scenelang_engine::frame::checks::Check;
+use scenelang_engine::limit::Limit;
 use scenelang_lang::{Options as Reading, compile_text};
 use scenelang_layout::Layout;
 use std::path::Path;
@@ -60,7 +60,7 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
         let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
         let problem = Problem { program, start: Layout::default(), placed: Placed::None };
         let setup = setup(&problem, &Options::default());
-        let mut state = State::new(&setup.frame, setup.world.clone());
+        let mut state = Candidate::new(&setup.frame, setup.world.clone());
         let numbering = state.numbering;
         let mut world = setup.world.clone();
         for id in setup.frame.objects() {

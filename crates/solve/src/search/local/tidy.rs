@@ -5,9 +5,9 @@
 
 use super::moves::turned;
 use super::{Home, LocalSearch, Wall};
-use crate::problem::limit::Limit;
 use crate::problem::pose::round_to;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::limit::Limit;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::coded::INPUTS;
 

@@ -6,10 +6,10 @@
 
 use super::LocalSearch;
 use super::moves::Inputs;
-use crate::problem::frame::Frame;
 use crate::problem::values;
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::frame::Frame;
 use scenelang_lang::program::{ObjectId, VariableId, VariableKind};
 use scenelang_verify::coded;
 use scenelang_verify::vector::V3;
@@ -49,11 +49,11 @@ impl Variables {
     /// Those that have a value.
     pub fn new(frame: &Frame<'_>, world: &World<f64>) -> Self {
         let has_value = |id| world.variable(id).is_ok();
-        debug_assert!(crate::problem::frame::variables(frame.program).all(has_value));
+        debug_assert!(scenelang_engine::frame::variables(frame.program).all(has_value));
         Self {
             is_fixed: {
                 let of_sizes = values::of_sizes(frame.program);
-                crate::problem::frame::variables(frame.program).map(|id| of_sizes.contains(&id)).collect()
+                scenelang_engine::frame::variables(frame.program).map(|id| of_sizes.contains(&id)).collect()
             },
             kinds: frame.program.variables.iter().map(|variable| variable.kind).collect(),
             terms_of: Vec::new(),

@@ -8,8 +8,8 @@ use super::LocalSearch;
 use super::course::Course;
 use super::moves::Inputs;
 use super::paths::PathGroup;
-use crate::problem::limit::Limit;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::limit::Limit;
 
 /// What it costs that a thing leaves its place: at first, and in each further search.
 const CHARGE: f64 = 0.05;

@@ -3,8 +3,8 @@
 //!
 //! Each equation sets something of one object, that which comes last in the order of placement, and none in a circle.
 
-use crate::problem::rules::{Fixed, Rule, Rules, Sets};
-use crate::problem::terms::Term;
+use super::rules::{Fixed, Rule, Rules, Sets};
+use super::terms::Term;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
     Arg, Arith, Axis, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, RegionProperty, Unit,
@@ -13,7 +13,7 @@ use scenelang_lang::program::{
 use scenelang_verify::surroundings;
 
 /// Adds rules from equations to those there are. `priority`: which objects are placed first.
-pub(crate) fn add(mut rules: Rules, program: &Program, terms: &[Term], priority: &[f64]) -> Rules {
+pub(super) fn add(mut rules: Rules, program: &Program, terms: &[Term], priority: &[f64]) -> Rules {
     let objects = rules.fixed.len();
     for term in terms.iter().filter(|t| t.is_hard()) {
         let mut owners = term.objects.clone();

@@ -3,8 +3,8 @@
 //! A search that moves a table need not find out that its chairs have to follow: an equation such as
 //! `chair.pos.x = table.pos.x + 0.4` is obeyed, not searched for. So rows and grids move as one.
 
+use crate::Reads;
 use rustc_hash::FxHashSet;
-use scenelang_engine::Reads;
 use scenelang_lang::Program;
 use scenelang_lang::program::{Formula, ObjectId, Owner, Pinned, RegionId, VariableId};
 use scenelang_verify::vector::V3;
@@ -12,7 +12,7 @@ use scenelang_verify::{Number, Value, World, evaluate};
 
 /// What a rule sets.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Sets {
+pub enum Sets {
     /// The position: the formula's value.
     Pos,
     /// The rotation: the formula's value.
@@ -29,7 +29,7 @@ pub(crate) enum Sets {
 
 /// Sets something of an object, given everything else.
 #[derive(Clone, Debug)]
-pub(crate) struct Rule {
+pub struct Rule {
     /// Whose.
     pub owner: ObjectId,
     /// What.
@@ -42,7 +42,7 @@ pub(crate) struct Rule {
 
 /// Which properties of an object are set by rules.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Fixed {
+pub struct Fixed {
     /// Coordinates.
     pub pos: [bool; 3],
     /// The rotation (of an equation: at least the yaw).
@@ -93,7 +93,7 @@ impl Rule {
 }
 
 /// The pins of objects as rules. Those of regions are obeyed before the search.
-pub(crate) fn pins(program: &Program) -> Vec<Rule> {
+pub fn pins(program: &Program) -> Vec<Rule> {
     let of_object = program.pins.iter().filter_map(|pin| {
         let (Owner::Object(id), Some(formula)) = (pin.owner, pin.values.first()) else { return None };
         let sets = match pin.property {
@@ -109,7 +109,7 @@ pub(crate) fn pins(program: &Program) -> Vec<Rule> {
 
 /// Something that a rule can read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Source {
+pub enum Source {
     /// An object.
     Object(ObjectId),
     /// A region.
@@ -119,7 +119,7 @@ pub(crate) enum Source {
 }
 
 /// Rules in an order in which each comes after those that it depends on.
-pub(crate) struct Rules {
+pub struct Rules {
     /// The rules.
     pub list: Vec<Rule>,
     /// By object.

@@ -9,7 +9,7 @@ use scenelang_verify::{Number, Scratch, Tolerances, Truth, Value, declared};
 use std::marker::PhantomData;
 
 /// What a violated atom costs beyond the metres that it is off: fewer violations come first.
-pub(crate) const BASE: f64 = 0.1;
+pub const BASE: f64 = 0.1;
 /// What a violated fact costs that has no metres.
 const FACT: f64 = 0.5;
 /// What a formula costs that cannot be judged.
@@ -19,12 +19,12 @@ const PER_DEGREE: f64 = 0.02;
 /// Beyond so many metres more do not cost much more.
 const FAR: f64 = 4.0;
 /// The part of the cost of a missing metre that counts where the atom holds.
-pub(crate) const COMFORT: f64 = 0.2;
+pub const COMFORT: f64 = 0.2;
 /// How much more than nothing the margin of an inequality should be (metres, or fiftieths of a degree).
 const EASE: f64 = 1e-3;
 
 /// Where the truths are that a formula is made of.
-pub(crate) trait Truths<N: Number> {
+pub trait Truths<N: Number> {
     /// That of a node, as last evaluated; `None`: it has none.
     fn truth(&self, node: NodeId) -> Option<Truth<N>>;
 }
@@ -39,7 +39,7 @@ impl<N: Number> Truths<N> for Scratch<N> {
 }
 
 /// A formula as last evaluated.
-pub(crate) struct Penalty<'a, N: Number, T: Truths<N>> {
+pub struct Penalty<'a, N: Number, T: Truths<N>> {
     /// The formula.
     pub formula: &'a Formula,
     /// The values of its nodes.
@@ -188,7 +188,7 @@ impl<N: Number> Atom<N> {
 }
 
 /// The cost of an atom that is `missing` so many metres (or their equivalent) to comfort.
-pub(crate) fn cost(holds: bool, missing: f64) -> f64 {
+pub fn cost(holds: bool, missing: f64) -> f64 {
     let missing = missing.max(0.0);
     if holds {
         // Rounding is no discomfort.

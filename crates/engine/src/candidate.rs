@@ -3,13 +3,13 @@
 //! A trial is made, judged, and then kept or taken back. Judging stops as soon as it is clear that the trial is worse
 //! than the caller cares for; costs only add up.
 
-use crate::problem::checks::{Check, Numbering};
-use crate::problem::frame::{Frame, Hold};
-use crate::problem::limit::Limit;
-use crate::problem::pose::{Pose, Ride};
-use crate::problem::terms::Force;
-use crate::search::penalty::{self, Penalty};
-use scenelang_engine::State as Moving;
+use crate::State;
+use crate::frame::checks::{Check, Numbering};
+use crate::frame::terms::Force;
+use crate::frame::{Frame, Hold};
+use crate::limit::Limit;
+use crate::penalty::{self, Penalty};
+use crate::pose::{Pose, Ride};
 use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_layout::{Aabb, Vec2, obb};
 use scenelang_verify::{Scratch, Tolerances, Truth, Value, World, rules};
@@ -24,7 +24,7 @@ const LIMBO: f64 = -1e5;
 
 /// A step of a trial.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Change {
+pub enum Change {
     /// An object goes elsewhere.
     Object(ObjectId, Pose),
     /// An object without a place takes the one that its rules give it.
@@ -44,10 +44,10 @@ struct Journal {
 }
 
 /// One layout under search.
-pub(crate) struct State<'a> {
+pub struct Candidate<'a> {
     /// What stays the same.
     pub frame: &'a Frame<'a>,
-    layout: Moving,
+    layout: State,
     /// How checks are numbered.
     pub numbering: Numbering,
     /// By check: how much it counts. Stubborn ones come to count more.
@@ -71,7 +71,7 @@ pub(crate) struct State<'a> {
     now: u32,
 }
 
-impl<'a> State<'a> {
+impl<'a> Candidate<'a> {
     /// Nothing placed yet; regions and variables as the world has them.
     pub fn new(frame: &'a Frame<'a>, world: World<f64>) -> Self {
         let n = frame.program.objects.len();
@@ -85,7 +85,7 @@ impl<'a> State<'a> {
         }
         let mut state = Self {
             frame,
-            layout: Moving::new(world),
+            layout: State::new(world),
             numbering,
             weight,
             seats: vec![None; n],
@@ -107,7 +107,7 @@ impl<'a> State<'a> {
     }
 
     /// The layout.
-    pub fn layout(&self) -> &Moving {
+    pub fn layout(&self) -> &State {
         &self.layout
     }
     /// The layout, as the evaluator sees it.
@@ -657,7 +657,7 @@ impl<'a> State<'a> {
 }
 
 /// Whether two upright boxes overlap, seen from above.
-pub(crate) fn overlap_in_plan(a: &Aabb, b: &Aabb) -> bool {
+pub fn overlap_in_plan(a: &Aabb, b: &Aabb) -> bool {
     a.min.x < b.max.x - TOUCHING
         && b.min.x < a.max.x - TOUCHING
         && a.min.z < b.max.z - TOUCHING

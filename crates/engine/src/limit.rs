@@ -40,7 +40,7 @@ impl PartialEq for Stop {
 
 /// The end of a search by the clock or by request.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Limit {
+pub struct Limit {
     end: Option<Instant>,
     stop: Stop,
 }

@@ -3,7 +3,7 @@
 //! A term is small, so that moving one object needs only the terms that read it. The parts of a preference over
 //! many objects share its weight: what comes closer to holding is better, though only what holds as a whole counts in the end.
 
-use scenelang_engine::Reads;
+use crate::Reads;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId};
 
@@ -12,7 +12,7 @@ const FEW: usize = 4;
 
 /// How a term counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Force {
+pub enum Force {
     /// It must hold.
     Hard,
     /// It counts by this weight.
@@ -21,7 +21,7 @@ pub(crate) enum Force {
 
 /// A part of a constraint that is judged by itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Term {
+pub struct Term {
     /// The constraint that it is a part of: an index into `Program::constraints`.
     pub constraint: usize,
     /// Hard or soft.
@@ -52,7 +52,7 @@ impl std::ops::Deref for Term {
 }
 
 /// All terms of a program; pins are none: they are obeyed, not searched for.
-pub(crate) fn split(program: &Program) -> Vec<Term> {
+pub fn split(program: &Program) -> Vec<Term> {
     let mut terms = Vec::new();
     for (index, constraint) in program.constraints.iter().enumerate() {
         match constraint.kind {

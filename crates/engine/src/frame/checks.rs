@@ -4,7 +4,7 @@ use scenelang_lang::program::ObjectId;
 
 /// Something that can be violated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Check {
+pub enum Check {
     /// A stated term: an index into `Frame::terms`.
     Term(usize),
     /// P-COLLIDE of two objects, smaller id first.
@@ -17,7 +17,7 @@ pub(crate) enum Check {
 
 /// How checks are numbered: terms, then bounds, support, pairs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Numbering {
+pub struct Numbering {
     terms: usize,
     objects: usize,
 }

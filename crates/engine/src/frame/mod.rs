@@ -1,11 +1,14 @@
-//! What stays the same during a search: terms, rules, how each object is held, who has to do with whom.
+//! What a program demands of every layout, worked out once: terms, rules, how each object is held, who has to do with whom.
 
-use super::equations;
-use crate::pipeline::place;
-use crate::problem::rules::{self, Fixed, Rules, Sets, Source};
-use crate::problem::terms::Term;
+pub mod checks;
+mod equations;
+mod priority;
+pub mod rules;
+pub mod terms;
+
+use crate::Index;
+use rules::{Fixed, Rules, Sets, Source};
 use rustc_hash::FxHashMap;
-use scenelang_engine::Index;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
     Axis, MountedOn, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Region, RegionId, VariableId,
@@ -13,10 +16,11 @@ use scenelang_lang::program::{
 use scenelang_layout::Vec3;
 use scenelang_verify::rules::{Scope, Support};
 use std::sync::Arc;
+use terms::Term;
 
 /// Which properties of a region the program assigns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Pins {
+pub struct Pins {
     /// `pos`.
     pub pos: bool,
     /// `rot`.
@@ -27,7 +31,7 @@ pub(crate) struct Pins {
 
 /// What keeps an object where it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Hold {
+pub enum Hold {
     /// It rests on a floor or on something else.
     Rests,
     /// It hangs on a wall of the region.
@@ -43,7 +47,7 @@ pub(crate) enum Hold {
 }
 
 /// What stays the same during a search.
-pub(crate) struct Frame<'a> {
+pub struct Frame<'a> {
     /// The program.
     pub program: &'a Program,
     /// Its constraints, taken apart.
@@ -100,7 +104,7 @@ impl<'a> Frame<'a> {
         let holds: Vec<Hold> = objects.clone().map(|o| hold(program, scope.as_ref(), o)).collect();
         let priority: Vec<f64> = objects
             .clone()
-            .map(|o| place::priority(index.of_object(o).iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
+            .map(|o| priority::of(index.of_object(o).iter().map(|&t| &terms[t]), holds[o.0 as usize], size(o)))
             .collect();
         let rules = equations::add(Rules::new(rules::pins(program), n), program, &terms, &priority);
         let regions = objects.clone().map(|o| regions_of(&terms, index.of_object(o))).collect();
@@ -238,15 +242,17 @@ fn is_level(nodes: &[Node], id: NodeId) -> bool {
 
 /// The other objects of an array. All of an array share one list: of 6,000 objects each has 5,999 others.
 #[derive(Clone, Debug)]
-pub(crate) struct Siblings {
+pub struct Siblings {
     own: ObjectId,
     all: Arc<[ObjectId]>,
 }
 
 impl Siblings {
+    /// Whether there are no others.
     pub fn is_empty(&self) -> bool {
         self.all.len() <= 1
     }
+    /// The others, in the order of the array.
     pub fn iter(&self) -> impl Iterator<Item = &ObjectId> {
         self.all.iter().filter(|o| **o != self.own)
     }
@@ -299,6 +305,6 @@ fn regions_of(terms: &[Term], of: &[usize]) -> Vec<RegionId> {
 }
 
 /// All decision variables.
-pub(crate) fn variables(program: &Program) -> impl Iterator<Item = VariableId> {
+pub fn variables(program: &Program) -> impl Iterator<Item = VariableId> {
     (0..program.variables.len() as u32).map(VariableId)
 }
