@@ -139,6 +139,7 @@ codes! {
     W0501 "parts that do not fill the box"
     W0502 "rooms closer than their walls"
     W0503 "an object crosses a wall"
+    W0504 "changed since it was exported"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
 

@@ -207,6 +207,14 @@ pub fn normal(path: &Path) -> PathBuf {
     out
 }
 
+/// A path as seen from a folder, with `/` between the parts; both from the same start.
+pub fn relative(path: &Path, folder: &Path) -> String {
+    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(shared).map(|_| "..".as_ref());
+    let down = path.components().skip(shared).map(|c| c.as_os_str());
+    up.chain(down).collect::<PathBuf>().to_string_lossy().replace('\\', "/")
+}
+
 /// The path from the top.
 fn whole(path: &Path) -> PathBuf {
     normal(&std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf()))

@@ -30,6 +30,8 @@ pub enum Command {
     View(View),
     /// Write a layout as it is in other formats: Unity project, glTF, pictures, a page to look at
     Export(Export),
+    /// Write the program and the layout of a GLB file or a Unity project, as the scene stands there now
+    Import(Import),
     /// Write programs in the standard form
     Fmt(Fmt),
     /// Write a small commented program to start from
@@ -396,6 +398,20 @@ pub struct Export {
     /// Only these formats: unity, glb, plan, picture, preview; separated by commas
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::export::format)]
     pub only: Vec<String>,
+}
+
+/// `scenelang import`
+#[derive(ClapArgs, Debug)]
+pub struct Import {
+    /// What `synth` or `export` wrote, edited or not: `room.glb`, or the folder of a Unity project
+    #[arg(value_name = "FILE.glb | PROJECT")]
+    pub scene: PathBuf,
+    /// The folder to write to
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `synth --format`, `diff --format`, `eval --format`, `trace --format`

@@ -123,6 +123,9 @@ pub fn judge(
             Ok(scene) => question.judge_by(&found, |options| {
                 let (called, at, text) = (&scene.layout_name, &scene.layout_path, scene.layout.clone());
                 let mut checked = check_layout_text(called, at, text, options, compile, &scene);
+                if !scene.changes.is_empty() {
+                    checked.preface(called, scene.changes.clone(), options);
+                }
                 checked.report.file.clone_from(&name);
                 checked
             }),

@@ -13,6 +13,7 @@ mod export;
 mod fix;
 mod fmt;
 mod formalize;
+mod import;
 mod input;
 mod inspect;
 mod interrupt;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Command::Synth(synth) => synth::run(&synth),
         Command::View(view) => view::run(&view),
         Command::Export(args) => export::run(&args),
+        Command::Import(args) => import::run(&args),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),

@@ -140,15 +140,7 @@ pub fn explain(failure: &Failure) -> u8 {
 pub fn relative(scene: &Path, layout: &Path) -> String {
     let absolute = |p: &Path| std::path::absolute(p).unwrap_or_else(|_| p.to_path_buf());
     let (scene, folder) = (absolute(scene), absolute(layout));
-    let folder = folder.parent().map(Path::to_path_buf).unwrap_or_default();
-    let (a, b): (Vec<_>, Vec<_>) = (scene.components().collect(), folder.components().collect());
-    let shared = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
-    let mut out = PathBuf::new();
-    for _ in shared..b.len() {
-        out.push("..");
-    }
-    out.extend(&a[shared..]);
-    out.to_string_lossy().replace('\\', "/")
+    scenelang_base::door::relative(&scene, folder.parent().unwrap_or(Path::new("")))
 }
 
 fn read(path: &Path) -> Result<String, String> {

@@ -7,6 +7,7 @@ use crate::model::Advisers;
 use crate::state::{Event, State, Stop, guarded};
 use crate::text::Text;
 use scenelang_analysis::Judging;
+use scenelang_base::door::relative;
 use scenelang_base::owned::{self, Standing};
 use scenelang_base::{Edit, FileId, SourceMap};
 use scenelang_engine::check_read;
@@ -90,7 +91,7 @@ impl Job {
         }
         let mut layout = layout.clone();
         if layout.scene.is_none() {
-            layout.scene = Some(relative(&self.path, &path));
+            layout.scene = Some(relative(&self.path, path.parent().unwrap_or(Path::new(""))));
         }
         let document = self.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.document);
         let text = layout_file::to_json(&layout, document);
@@ -343,14 +344,4 @@ fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) 
         versions,
         client,
     })
-}
-
-/// The path of a program seen from the folder of its layout.
-fn relative(program: &Path, layout: &Path) -> String {
-    let folder = layout.parent().unwrap_or(Path::new(""));
-    let (a, b): (Vec<_>, Vec<_>) = (program.components().collect(), folder.components().collect());
-    let shared = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
-    let up = std::iter::repeat_n("..".as_ref(), b.len() - shared);
-    let path: PathBuf = up.chain(a[shared..].iter().map(|c| c.as_os_str())).collect();
-    path.to_string_lossy().replace('\\', "/")
 }

@@ -136,3 +136,16 @@ fn only_regular_files_are_read_and_only_so_much() {
     large.set_len(MOST + 1).unwrap();
     assert_eq!(door.read(&at("in/large")).unwrap_err().kind(), io::ErrorKind::FileTooLarge);
 }
+
+#[test]
+fn paths_are_named_as_a_folder_sees_them() {
+    for (path, folder, wanted) in [
+        ("rooms/parts.scene", "rooms", "parts.scene"),
+        ("parts.scene", "rooms/big", "../../parts.scene"),
+        ("../lib/parts.scene", "../rooms", "../lib/parts.scene"),
+        ("/a/b/c.scene", "/a/d", "../b/c.scene"),
+        ("parts.scene", "", "parts.scene"),
+    ] {
+        assert_eq!(relative(Path::new(path), Path::new(folder)), wanted, "{path} from {folder}");
+    }
+}

@@ -83,6 +83,73 @@ fn what_an_edited_layout_breaks_is_shown() {
     assert!(ended.stdout.contains("`bed`"), "{}", ended.stdout);
 }
 
+/// Changes the document of a GLB file.
+fn edit_glb(path: &Path, change: impl FnOnce(&mut Value)) {
+    let bytes = fs::read(path).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    let mut document: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+    change(&mut document);
+    let mut json = document.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let size = (json.len() as u32).to_le_bytes();
+    fs::write(path, [&bytes[..12], &size, b"JSON", &json, &bytes[20 + length..]].concat()).unwrap();
+}
+
+#[test]
+fn what_comes_back_is_what_was_made() {
+    let (folder, _) = folder_with("bedroom");
+    assert_eq!(scenelang(folder.path(), ["synth", "bedroom.scene", "-o", "out"]).code, 0);
+    let made = |file: &str| fs::read_to_string(folder.path().join(file)).unwrap();
+    for (carrier, back) in [("out/bedroom.glb", "a"), ("out/unity", "b")] {
+        let ended = scenelang(folder.path(), ["import", carrier, "-o", back]);
+        assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{carrier}");
+        for file in ["bedroom.scene", "bedroom.layout.json"] {
+            assert_eq!(made(&format!("{back}/{file}")), made(&format!("out/{file}")), "{carrier}: {file}");
+        }
+        let again = scenelang(folder.path(), ["check", &format!("{back}/bedroom.layout.json")]);
+        assert_eq!(again.code, 0, "{}", again.stdout);
+    }
+}
+
+#[test]
+fn a_program_comes_back_with_its_imports() {
+    let made = with_imports();
+    let ended = scenelang(&made.path().join("rooms"), ["synth", "study.scene", "-o", "../out"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let ended = scenelang(made.path(), ["import", "out/study.glb", "-o", "back"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    // One of them stood above the program, which is in a folder of its own therefore.
+    for file in ["above.scene", "scene/lib/words.scene", "scene/study.scene", "scene/study.layout.json"] {
+        assert!(made.path().join("back").join(file).is_file(), "{file}: {}", ended.stdout);
+    }
+    assert_eq!(scenelang(made.path(), ["check", "back/scene/study.layout.json"]).code, 0);
+}
+
+#[test]
+fn a_scene_is_judged_as_it_stands_now() {
+    let (folder, _) = folder_with("bedroom");
+    assert_eq!(scenelang(folder.path(), ["synth", "bedroom.scene", "-o", "out"]).code, 0);
+    edit_glb(&folder.path().join("out/bedroom.glb"), |document| {
+        let bed = document["nodes"].as_array_mut().unwrap().iter_mut().find(|node| node["name"] == "bed").unwrap();
+        bed["translation"][1] = 1.0.into();
+    });
+    let (code, report) = rows(folder.path(), "out/bedroom.glb");
+    assert_eq!(code, 1);
+    assert_eq!(report["diagnostics"][0]["code"], "W0504");
+    assert_eq!(report["diagnostics"][0]["message"], "`bed` was moved by +1.000 m along y");
+    // It is taken over, and nothing is changed but the bed.
+    assert_eq!(scenelang(folder.path(), ["import", "out/bedroom.glb", "-o", "back"]).code, 0);
+    let ended =
+        scenelang(folder.path(), ["diff", "out/bedroom.layout.json", "back/bedroom.layout.json", "--format", "json"]);
+    let found: Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!(ended.code, 1);
+    assert!(found.to_string().contains("bed"), "{found:#}");
+    // What was moved there is somebody's work, so the file is not replaced.
+    let again = scenelang(folder.path(), ["synth", "bedroom.scene", "-o", "out"]);
+    assert_eq!(again.code, 2, "{}", again.stdout);
+    assert!(again.stderr.contains("bedroom.glb was edited since scenelang wrote it"), "{}", again.stderr);
+}
+
 #[test]
 fn what_is_not_ours_is_refused() {
     let folder = tempfile::tempdir().unwrap();

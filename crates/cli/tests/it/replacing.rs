@@ -14,7 +14,7 @@ const BROKEN: &str = r#"{ "format": "scenelang.layout/1", "scene": "broken.scene
 const MINE: &str = "this is mine\n";
 
 /// Every command that writes: its arguments, and a file that it writes.
-const COMMANDS: [(&[&str], &str); 10] = [
+const COMMANDS: [(&[&str], &str); 11] = [
     (&["solve", "room.scene"], "room.layout.json"),
     (&["solve", "room.scene", "-o", "other.json"], "other.json"),
     (&["solve", "room.scene", "--alternatives", "2", "-o", "some.layout.json"], "some.2.layout.json"),
@@ -23,6 +23,7 @@ const COMMANDS: [(&[&str], &str); 10] = [
     (&["synth", REQUEST, "-o", "asked"], "asked/room.scene"),
     (&["synth", "room.scene", "-o", "out"], "out/room.layout.json"),
     (&["export", "room.layout.json", "--only", "plan,glb", "-o", "out"], "out/plan.svg"),
+    (&["import", "room.glb", "-o", "back"], "back/room.scene"),
     (&["eval", "requests", "requests", "--untried", "-o", "programs"], "programs/one.scene"),
     (&["bench", "solve", "room.scene", "-o", "record.json", "--layouts", "layouts"], "record.json"),
 ];
@@ -38,6 +39,8 @@ fn prepared() -> tempfile::TempDir {
     fs::write(at("broken.scene"), "object box; assert box.pos.x >= 1;").unwrap();
     fs::write(at("broken.layout.json"), BROKEN).unwrap();
     assert_eq!(scenelang(folder.path(), ["solve", "room.scene"]).code, 0);
+    assert_eq!(scenelang(folder.path(), ["export", "room.layout.json", "--only", "glb", "-o", "made"]).code, 0);
+    fs::copy(at("made/room.glb"), at("room.glb")).unwrap();
     folder
 }
 

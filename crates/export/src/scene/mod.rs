@@ -15,9 +15,9 @@ pub use view::View;
 use crate::geometry::mesh::Group;
 use nalgebra::Matrix3;
 use scenelang_assets::Surface;
-use scenelang_lang::sources::normal;
+use scenelang_base::door::{normal, relative};
 use scenelang_layout::{Convex, Placement, Prism, Vec3, rotation};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A scene ready to be written in any format.
 #[derive(Clone, Debug)]
@@ -176,31 +176,5 @@ impl Scene {
         let texts: serde_json::Map<String, serde_json::Value> =
             imports.iter().map(|(name, text)| (seen(name), text.as_str().into())).collect();
         (!texts.is_empty()).then(|| texts.into())
-    }
-}
-
-/// A path as seen from a folder, with `/` between the parts.
-fn relative(path: &Path, folder: &Path) -> String {
-    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
-    let up = folder.components().skip(shared).map(|_| "..".as_ref());
-    let down = path.components().skip(shared).map(|c| c.as_os_str());
-    up.chain(down).collect::<PathBuf>().to_string_lossy().replace('\\', "/")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn imports_are_named_as_the_main_file_sees_them() {
-        for (path, folder, wanted) in [
-            ("rooms/parts.scene", "rooms", "parts.scene"),
-            ("parts.scene", "rooms/big", "../../parts.scene"),
-            ("../lib/parts.scene", "../rooms", "../lib/parts.scene"),
-            ("/a/b/c.scene", "/a/d", "../b/c.scene"),
-            ("parts.scene", "", "parts.scene"),
-        ] {
-            assert_eq!(relative(Path::new(path), Path::new(folder)), wanted, "{path} from {folder}");
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! What exporters write for one small scene, read back by hand.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod back;
 mod fixture;
 mod glb;
 mod pictures;

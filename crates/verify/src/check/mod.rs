@@ -120,6 +120,13 @@ impl Checked {
         Self { sources, program: None, layout: None, verdict, report }
     }
 
+    /// Puts what there is to say besides before all else; `name` is what the file is called.
+    pub fn preface(&mut self, name: &str, mut said: Vec<Diagnostic>, options: &Options) {
+        said.append(&mut self.verdict.diagnostics);
+        self.verdict.diagnostics = said;
+        self.report = build(name, &self.verdict, self.program.as_ref(), &self.sources, options);
+    }
+
     /// Leaves out warnings of these codes; errors stay.
     pub fn silence(&mut self, codes: &[Code]) {
         let silent = |code: &str| code.starts_with('W') && codes.iter().any(|c| c.as_str() == code);

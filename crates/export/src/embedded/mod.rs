@@ -1,10 +1,18 @@
-//! The program and the layout that a GLB file or a Unity project carries, read back.
+//! The program and the layout that a GLB file or a Unity project carries, read back as the scene stands now.
 //!
-//! Absent here: what somebody has moved in such a file since. The layout is the one that was embedded.
+//! Somebody may have moved a desk in Blender or in Unity since. So the transforms of the objects are read, too ([`glb`],
+//! [`unity`]) and held against the layout that was embedded ([`edits`]): what was moved is where it was moved to, and
+//! each change is reported. A scene that nobody changed gives the embedded layout back, to the byte.
+
+mod documents;
+mod edits;
+mod glb;
+mod stand;
+mod unity;
 
 use scenelang_base::{Diagnostic, codes};
+use scenelang_lang::library::IMPORTED;
 use scenelang_lang::sources::{Loader, normal, unreadable};
-use scenelang_layout::file::decode;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io;
@@ -26,9 +34,33 @@ pub struct Embedded {
     pub layout_name: String,
     /// The path of the same.
     pub layout_path: PathBuf,
-    /// The layout's text.
+    /// The path of the program's main file.
+    pub main: PathBuf,
+    /// The layout's text: the embedded one, with what was changed in the scene since.
     pub layout: String,
+    /// What was changed, one warning for each thing.
+    pub changes: Vec<Diagnostic>,
     files: BTreeMap<PathBuf, String>,
+}
+
+impl Embedded {
+    /// The files of the program, each with its path as if it stood beside the layout; the standard library is everywhere.
+    pub fn files(&self) -> impl Iterator<Item = (&Path, &str)> {
+        let is_ours = |path: &Path| path.components().rev().nth(1).is_some_and(|folder| folder.as_os_str() == "std");
+        let in_library = move |path: &Path, text: &str| is_ours(path) && IMPORTED.iter().any(|(_, own)| *own == text);
+        let all = self.files.iter().map(|(path, text)| (path.as_path(), text.as_str()));
+        all.filter(move |(path, text)| !in_library(path, text))
+    }
+
+    /// Takes over how the things of the scene stand now.
+    fn as_it_stands(mut self, standing: &[stand::Standing]) -> Self {
+        let edited = edits::apply(&self.layout, standing);
+        self.changes = edited.changes;
+        if let Some(layout) = edited.layout {
+            self.layout = layout;
+        }
+        self
+    }
 }
 
 impl Loader for Embedded {
@@ -55,40 +87,9 @@ pub fn carrier(path: &Path) -> Option<Carrier> {
 /// It cannot be read, is not what its name says, or holds no scene of ours.
 pub fn read(name: &str, path: &Path, carrier: Carrier, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
     match carrier {
-        Carrier::Glb => glb(name, path, loader),
-        Carrier::Unity => unity(name, path, loader),
+        Carrier::Glb => glb::read(name, path, loader),
+        Carrier::Unity => unity::read(name, path, loader),
     }
-}
-
-fn glb(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
-    let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
-    let Some(document) = json_chunk(&bytes) else { return Err(nothing(format!("{name} is not a GLB file"))) };
-    let own = &document["scenes"][document["scene"].as_u64().unwrap_or(0) as usize]["extras"]["scenelang"];
-    let (Some(spec), Some(layout)) = (own["spec"].as_str(), own["layout"].as_str()) else {
-        return Err(nothing(format!("{name} is a GLB file without a program and a layout in it")));
-    };
-    Ok(embedded(format!("{name}/layout.json"), path.join("layout.json"), layout, spec, &own["imports"]))
-}
-
-/// The first chunk of a GLB file: a header of 12 bytes, then length, kind and data of each chunk.
-fn json_chunk(bytes: &[u8]) -> Option<Value> {
-    let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes);
-    if !bytes.starts_with(b"glTF") || number(4)? != 2 || bytes.get(16..20)? != b"JSON" {
-        return None;
-    }
-    let end = 20_usize.checked_add(number(12)? as usize)?;
-    serde_json::from_slice(bytes.get(20..end)?).ok()
-}
-
-fn unity(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
-    let text = |file: &str| loader.load(&path.join("Assets/Scenelang").join(file)).ok().map(decode).transpose();
-    let (spec, layout) = (text("spec.scene.txt")?, text("layout.json")?);
-    let (Some(spec), Some(layout)) = (spec, layout) else {
-        return Err(nothing(format!("{name} is a Unity project without a program and a layout in it")));
-    };
-    let imports = text("imports.json")?.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-    let file = "Assets/Scenelang/layout.json";
-    Ok(embedded(format!("{name}/{file}"), path.join(file), &layout, &spec, &imports))
 }
 
 fn nothing(message: String) -> Box<Diagnostic> {
@@ -96,6 +97,7 @@ fn nothing(message: String) -> Box<Diagnostic> {
     Box::new(Diagnostic::without_place(codes::E0008, message).note(note))
 }
 
+/// What a carrier holds, before anybody looks at how the scene stands now.
 fn embedded(layout_name: String, layout_path: PathBuf, layout: &str, spec: &str, imports: &Value) -> Embedded {
     let folder = layout_path.parent().unwrap_or(Path::new(""));
     let document: Value = serde_json::from_str(layout.trim_start_matches('\u{feff}')).unwrap_or_default();
@@ -105,6 +107,6 @@ fn embedded(layout_name: String, layout_path: PathBuf, layout: &str, spec: &str,
     let texts = imports.as_object().into_iter().flatten();
     let mut files: BTreeMap<PathBuf, String> =
         texts.filter_map(|(path, text)| Some((normal(&beside.join(path)), text.as_str()?.to_owned()))).collect();
-    files.insert(main, spec.to_owned());
-    Embedded { layout_name, layout_path, layout: layout.to_owned(), files }
+    files.insert(main.clone(), spec.to_owned());
+    Embedded { layout_name, layout_path, main, layout: layout.to_owned(), changes: Vec::new(), files }
 }

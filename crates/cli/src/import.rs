@@ -1,0 +1,61 @@
+//! `scenelang import`: the program and the layout of a GLB file or a Unity project, as the scene stands there now.
+
+use crate::args::Import;
+use crate::targets::{Target, find};
+use crate::{FAILED, GOOD, out, replace};
+use scenelang_base::door::{Door, Named, relative};
+use scenelang_export::OutFile;
+use scenelang_export::embedded::{self, Embedded};
+use std::path::{Component, Path, PathBuf};
+
+/// Writes the files; 0 if they are written, 2 if not.
+pub fn run(args: &Import) -> u8 {
+    match import(args) {
+        Ok(written) => {
+            written.iter().for_each(|path| out::show(&format!("{}\n", path.display())));
+            GOOD
+        }
+        Err(why) => {
+            eprintln!("error: {why}");
+            FAILED
+        }
+    }
+}
+
+fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
+    let targets = find(std::slice::from_ref(&args.scene));
+    let [Target::Carrier(path, kind)] = targets.as_slice() else {
+        return Err(format!("{} is neither a GLB file nor the folder of a Unity project", args.scene.display()));
+    };
+    replace::unedited(&args.output, args.force)?;
+    let door = Door::of(path).named(&Named::new([path.as_path()]));
+    let name = path.display().to_string();
+    let scene = embedded::read(&name, path, *kind, &door).map_err(|finding| {
+        let notes: String = finding.notes.iter().map(|note| format!("\n  {note}")).collect();
+        format!("{}{notes}", finding.message)
+    })?;
+    for change in &scene.changes {
+        eprintln!("{name}: {}", change.message);
+    }
+    replace::folder(&args.output, &files(&scene), &[path], args.force)
+}
+
+/// The files of a scene, as they stood in relation to each other. Where one stood above the folder of the program, that
+/// folder is a folder below.
+fn files(scene: &Embedded) -> Vec<OutFile> {
+    let folder = scene.layout_path.parent().unwrap_or(Path::new(""));
+    let programs: Vec<(PathBuf, &str)> =
+        scene.files().map(|(path, text)| (relative(path, folder).into(), text)).collect();
+    let above = |path: &Path| path.components().take_while(|part| *part == Component::ParentDir).count();
+    let depth = programs.iter().map(|(path, _)| above(path)).max().unwrap_or(0);
+    let place = |path: &Path| -> PathBuf {
+        let up = above(path);
+        let below = std::iter::repeat_n("scene", depth - up).map(PathBuf::from);
+        below.chain(std::iter::once(path.components().skip(up).collect())).collect()
+    };
+    let main = PathBuf::from(relative(&scene.main, folder));
+    let layout = place(Path::new(&format!("{}.layout.json", main.file_stem().unwrap_or_default().to_string_lossy())));
+    let mut out: Vec<OutFile> = programs.iter().map(|(path, text)| OutFile::new(place(path), *text)).collect();
+    out.push(OutFile::new(layout, scene.layout.as_str()));
+    out
+}

@@ -1,0 +1,170 @@
+//! The scene in a Unity project: program and layout as text assets, objects by the script that each of them carries. Poses
+//! are those in relation to the root of the scene, so that all of it may stand anywhere.
+
+use super::documents::{Document, documents};
+use super::stand::{Place, Standing, transform};
+use super::{Embedded, embedded, nothing};
+use nalgebra::Matrix4;
+use scenelang_base::Diagnostic;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::file::decode;
+use sha2::{Digest, Sha256};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+const GAME_OBJECT: u32 = 1;
+const TRANSFORM: u32 = 4;
+const MESH_FILTER: u32 = 33;
+const MONO_BEHAVIOUR: u32 = 114;
+const PREFAB_INSTANCE: u32 = 1001;
+/// Game objects that are deeper than this are not looked at.
+const DEEPEST: usize = 64;
+
+/// Reads a project.
+pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
+    let text = |file: &str| loader.load(&path.join(file)).ok().map(decode).transpose();
+    let own = |file: &str| text(&format!("Assets/Scenelang/{file}"));
+    let (spec, layout) = (own("spec.scene.txt")?, own("layout.json")?);
+    let (Some(spec), Some(layout)) = (spec, layout) else {
+        return Err(nothing(format!("{name} is a Unity project without a program and a layout in it")));
+    };
+    let imports = own("imports.json")?.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
+    let file = "Assets/Scenelang/layout.json";
+    let found = embedded(format!("{name}/{file}"), path.join(file), &layout, &spec, &imports);
+    for scene in scenes(&text("ProjectSettings/EditorBuildSettings.asset")?.unwrap_or_default()) {
+        let Some(text) = text(&scene)? else { continue };
+        let things = Things::new(documents(&text));
+        // Whoever has edited the layout itself wants that judged.
+        if let Some(standing) = things.standing().filter(|_| things.layout_sum() == Some(sum(&layout))) {
+            return Ok(found.as_it_stands(&standing));
+        }
+    }
+    Ok(found)
+}
+
+/// The scenes that a project is built of.
+fn scenes(settings: &str) -> Vec<String> {
+    let paths = settings.lines().filter_map(|line| line.trim().trim_start_matches("- ").strip_prefix("path: "));
+    // A path that leads out of the project is none of its scenes; the door refuses it, too.
+    paths.map(|path| path.trim_matches(['"', '\'']).to_owned()).filter(|p| p.starts_with("Assets/")).collect()
+}
+
+fn sum(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The documents of a scene, by what they refer to.
+struct Things {
+    all: Vec<Document>,
+    /// By anchor of a game object: its transform.
+    transforms: BTreeMap<i64, usize>,
+    by_anchor: BTreeMap<i64, usize>,
+}
+
+impl Things {
+    fn new(all: Vec<Document>) -> Self {
+        let owner = |d: &Document| d.reference("m_GameObject");
+        let of = |class: u32| all.iter().enumerate().filter(move |(_, d)| d.class == class);
+        let transforms = of(TRANSFORM).filter_map(|(i, d)| Some((owner(d)?, i))).collect();
+        let by_anchor = all.iter().enumerate().map(|(i, d)| (d.anchor, i)).collect();
+        Self { transforms, by_anchor, all }
+    }
+
+    /// The script of a scene of ours.
+    fn root(&self) -> Option<&Document> {
+        self.all.iter().find(|d| d.class == MONO_BEHAVIOUR && d.text("layoutSha256").is_some())
+    }
+
+    /// The sum of the layout that the scene was written with.
+    fn layout_sum(&self) -> Option<String> {
+        self.root()?.text("layoutSha256")
+    }
+
+    fn get(&self, anchor: i64) -> Option<&Document> {
+        self.by_anchor.get(&anchor).map(|&i| &self.all[i])
+    }
+
+    fn name(&self, object: i64) -> String {
+        self.get(object).and_then(|d| d.text("m_Name")).unwrap_or_default()
+    }
+
+    fn father(&self, transform: &Document) -> Option<&Document> {
+        transform.reference("m_Father").and_then(|id| self.get(id))
+    }
+
+    /// Everything that one sees; `None`: there is no scene of ours.
+    fn standing(&self) -> Option<Vec<Standing>> {
+        let root = self.root()?.reference("m_GameObject")?;
+        let scripts = self.all.iter().filter(|d| d.class == MONO_BEHAVIOUR && d.text("declaration").is_some());
+        let ids: BTreeMap<i64, String> =
+            scripts.filter_map(|d| Some((d.reference("m_GameObject")?, d.text("id")?))).collect();
+        let seen: BTreeSet<i64> =
+            self.all.iter().filter(|d| d.class == MESH_FILTER).filter_map(|d| d.reference("m_GameObject")).collect();
+        let mut out = Vec::new();
+        for object in self.all.iter().filter(|d| d.class == GAME_OBJECT) {
+            let (id, is_seen) = (ids.get(&object.anchor), seen.contains(&object.anchor));
+            let Some(&transform) = self.transforms.get(&object.anchor) else { continue };
+            if id.is_none() && !is_seen || object.text("m_IsActive").as_deref() == Some("0") {
+                continue;
+            }
+            let above = self.above(&self.all[transform]);
+            // What hangs on one of our objects belongs to it.
+            if id.is_none() && above.iter().any(|o| ids.contains_key(o)) {
+                continue;
+            }
+            let names: Vec<String> = above.iter().take_while(|o| **o != root).map(|o| self.name(*o)).collect();
+            let is_building = names.iter().any(|name| name == "Building");
+            let father = names.first().filter(|name| id.is_some() && *name != "Objects");
+            let lost = id.is_some() && names.is_empty();
+            out.push(Standing {
+                id: id.cloned(),
+                name: self.name(object.anchor),
+                parent: father.cloned().or_else(|| lost.then(|| "the scene".to_owned())),
+                is_building,
+                is_seen,
+                place: self.within(&self.all[transform], root).and_then(|m| Place::of(&m)),
+            });
+        }
+        // What was put there as a prefab has its name among the changes to it, if anywhere.
+        let prefabs = self.all.iter().filter(|d| d.class == PREFAB_INSTANCE);
+        out.extend(prefabs.map(|d| Standing {
+            id: None,
+            name: format!("the prefab {}", d.anchor),
+            parent: None,
+            is_building: false,
+            is_seen: true,
+            place: None,
+        }));
+        Some(out)
+    }
+
+    /// The game objects above a transform, nearest first.
+    fn above(&self, transform: &Document) -> Vec<i64> {
+        let mut found = Vec::new();
+        let mut at = self.father(transform);
+        while let Some(father) = at.filter(|_| found.len() < DEEPEST) {
+            found.extend(father.reference("m_GameObject"));
+            at = self.father(father);
+        }
+        found
+    }
+
+    /// A transform in relation to that of a game object above it, or to the world where that is not above it.
+    fn within(&self, transform: &Document, root: i64) -> Option<Matrix4<f64>> {
+        let mut found = local(transform)?;
+        let mut at = self.father(transform);
+        for _ in 0..DEEPEST {
+            let Some(father) = at.filter(|d| d.reference("m_GameObject") != Some(root)) else { return Some(found) };
+            found = local(father)? * found;
+            at = self.father(father);
+        }
+        None
+    }
+}
+
+fn local(document: &Document) -> Option<Matrix4<f64>> {
+    let xyz = ["x", "y", "z"];
+    let pos = document.numbers("m_LocalPosition", xyz)?;
+    let rot = document.numbers("m_LocalRotation", ["x", "y", "z", "w"])?;
+    Some(transform(pos, rot, document.numbers("m_LocalScale", xyz).unwrap_or([1.0; 3])))
+}
