@@ -66,7 +66,7 @@ impl Walk<'_> {
         if is_object || is_building || is_seen {
             let place = Place::of(&unmirrored(&here));
             let parent = parent.map(str::to_owned);
-            self.seen.push(Standing { id, name: name.clone(), parent, is_building, is_seen, place });
+            self.seen.push(Standing { id, name: name.clone(), parent, is_building, place });
         }
         // What hangs on one of our objects belongs to it.
         for child in indices(&node["children"]) {

@@ -12,7 +12,7 @@ mod unity;
 
 use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::library::IMPORTED;
-use scenelang_lang::sources::{Loader, normal, unreadable};
+use scenelang_lang::sources::{Loader, normal};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io;

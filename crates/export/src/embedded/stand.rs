@@ -17,8 +17,6 @@ pub(super) struct Standing {
     pub parent: Option<String>,
     /// Whether it is a piece of the building.
     pub is_building: bool,
-    /// Whether something of it can be seen.
-    pub is_seen: bool,
     /// Its frame; `None`: that is sheared, or no number.
     pub place: Option<Place>,
 }

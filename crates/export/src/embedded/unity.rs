@@ -121,7 +121,6 @@ impl Things {
                 name: self.name(object.anchor),
                 parent: father.cloned().or_else(|| lost.then(|| "the scene".to_owned())),
                 is_building,
-                is_seen,
                 place: self.within(&self.all[transform], root).and_then(|m| Place::of(&m)),
             });
         }
@@ -132,7 +131,6 @@ impl Things {
             name: format!("the prefab {}", d.anchor),
             parent: None,
             is_building: false,
-            is_seen: true,
             place: None,
         }));
         Some(out)
