@@ -592,3 +592,19 @@ pub(super) fn parasol(a: &Ask) -> Model {
     m.mesh.lathe(canopy, &[(1.0, 0.0), (1.0, 0.12), (0.5, 0.66), (0.04, 1.0)], 8, &main);
     m
 }
+
+/// A loaf with cuts across its crust.
+pub(super) fn bread(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let crust = a.main(Stuff(Finish::Ceramic, 0xb9783a));
+    let round = 0.45 * a.h.min(a.w).min(a.d);
+    m.rounded(b, round, &crust);
+    let cuts = if a.w > a.d { b.split(0, 4, 0.0) } else { b.split(2, 4, 0.0) };
+    for cut in cuts {
+        let size = cut.size();
+        let line = cut.inset(0.38 * size.x, 0.0, 0.38 * size.z).y(0.97 * a.h..a.h);
+        m.mesh.crisp(line, &shade(&crust, 1.5));
+    }
+    m
+}

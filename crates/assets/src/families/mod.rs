@@ -18,6 +18,7 @@ mod safety;
 mod seating;
 mod sport;
 mod storage;
+mod studio;
 mod tables;
 mod toys;
 mod vehicles;
@@ -38,6 +39,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("alarm", safety::alarm),
     ("aquarium", decor::aquarium),
     ("armchair", seating::sofa),
+    ("backdrop", studio::backdrop),
     ("ball", decor::ball),
     ("basket", leisure::basket),
     ("barre", sport::barre),
@@ -45,6 +47,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("bed", beds::bed),
     ("bench", seating::bench),
     ("bin", leisure::bin),
+    ("bread", decor::bread),
     ("bicycle", vehicles::bicycle),
     ("blinds", openings::blinds),
     ("board", panels::board),
@@ -56,6 +59,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("candle", lighting::candle),
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
+    ("camera_tripod", studio::camera_tripod),
     ("car", vehicles::car),
     ("chair", seating::chair),
     ("chandelier", lighting::chandelier),
@@ -83,6 +87,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("dock", robots::dock),
     ("door", openings::door),
     ("drum_kit", music::drum_kit),
+    ("drill_press", workshop::drill_press),
     ("drone", robots::drone),
     ("dumbbell_rack", sport::dumbbell_rack),
     ("easel", panels::easel),
@@ -117,6 +122,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("ladder", openings::ladder),
     ("lamp", lighting::lamp),
     ("laptop", electronics::laptop),
+    ("lathe", workshop::lathe),
     ("lectern", tables::lectern),
     ("locker", storage::locker),
     ("lounger", care::lounger),
@@ -125,6 +131,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("microwave", kitchen::microwave),
     ("mirror", panels::mirror),
     ("mobile_robot", robots::mobile_robot),
+    ("mixing_desk", studio::mixing_desk),
     ("monitor", electronics::monitor),
     ("motorcycle", vehicles::motorcycle),
     ("office_chair", seating::office_chair),
@@ -156,6 +163,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("shelf", storage::open_shelf),
     ("shower", bathroom::shower),
     ("sink", kitchen::sink),
+    ("softbox", studio::softbox),
     ("sofa", seating::sofa),
     ("cushion", beds::soft),
     ("speaker", electronics::speaker),

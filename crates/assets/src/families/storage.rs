@@ -402,11 +402,28 @@ pub(super) fn display_case(a: &Ask) -> Model {
     let glass = b.y(base..a.h - t.min(0.05 * a.h)).inset(0.003, 0.0, 0.003);
     m.mesh.crisp(glass, &stuff::GLASS.surface());
     let rows = pieces(glass.size().y, 0.4, 1, 5);
-    for shelf in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).skip(1) {
-        m.mesh.crisp(shelf.y(shelf.min.y..shelf.min.y + 0.5 * t), &stuff::STEEL.surface());
+    let goods = if a.says(&["bakery", "pastry", "cake", "food", "bread"]) { BAKED } else { EXHIBITS };
+    let mut dice = a.dice();
+    for (row, shelf) in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).into_iter().enumerate() {
+        let board = if row == 0 { shelf.min.y } else { shelf.min.y + 0.5 * t };
+        if row > 0 {
+            m.mesh.crisp(shelf.y(shelf.min.y..board), &stuff::STEEL.surface());
+        }
+        for place in shelf.split(0, pieces(shelf.size().x, 0.2, 2, 8), 0.0) {
+            let size = place.size();
+            let high = (0.14_f64).min(0.5 * size.y) * (0.6 + 0.4 * dice.unit());
+            let thing = place.inset(0.28 * size.x, 0.0, 0.3 * size.z).y(board..board + high);
+            m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 2, &dice.pick(goods).surface());
+        }
     }
     m
 }
+
+/// What is shown in a case, as colours tell.
+const BAKED: &[Stuff] =
+    &[Stuff(Finish::Ceramic, 0xb9783a), Stuff(Finish::Ceramic, 0xd8a25a), Stuff(Finish::Ceramic, 0x7a4a2b)];
+const EXHIBITS: &[Stuff] =
+    &[Stuff(Finish::Ceramic, 0xe8e4da), Stuff(Finish::Ceramic, 0x6f8f9b), Stuff(Finish::Ceramic, 0xc58b5a)];
 
 /// A pole with hooks on a round foot.
 pub(super) fn coat_rack(a: &Ask) -> Model {

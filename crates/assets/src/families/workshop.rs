@@ -80,3 +80,49 @@ pub(super) fn ironing_board(a: &Ask) -> Model {
     }
     m
 }
+
+/// A drill press: a foot, a column, a table on it, and the head with its chuck above the table.
+pub(super) fn drill_press(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let body = a.main(Stuff(Finish::Paint, 0x3f6f5e));
+    let (iron, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
+    m.board(b.share(0.0..1.0, 0.0..0.04, 0.0..1.0), &iron);
+    m.drum(b.share(0.4..0.6, 0.04..0.72, 0.08..0.28), &iron);
+    m.board(b.share(0.2..0.8, 0.46..0.49, 0.3..0.9), &iron);
+    m.board(b.share(0.42..0.58, 0.4..0.46, 0.2..0.6), &iron);
+    m.board(b.share(0.2..0.8, 0.72..0.94, 0.04..0.86), &body);
+    m.board(b.share(0.14..0.86, 0.94..1.0, 0.02..0.9), &shade(&body, 0.8));
+    m.drum(b.share(0.42..0.58, 0.64..0.72, 0.5..0.7), &dark);
+    m.mesh.crisp(b.share(0.485..0.515, 0.54..0.64, 0.585..0.615), &iron);
+    for (x, y) in [(0.8..0.86, 0.76..0.9), (0.8..0.86, 0.81..0.85)] {
+        m.mesh.crisp(b.share(x, y, 0.5..0.54), &dark);
+    }
+    m.surface = Some(0.49 * a.h);
+    m
+}
+
+/// A lathe: two pedestals, a bed, the headstock with its chuck at the left, the tailstock at the right, a guard behind.
+pub(super) fn lathe(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let body = a.main(Stuff(Finish::Paint, 0x4f6b82));
+    let (iron, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
+    for side in [b.share(0.0..0.26, 0.0..0.5, 0.1..0.9), b.share(0.78..1.0, 0.0..0.5, 0.1..0.9)] {
+        m.board(side, &body);
+    }
+    m.board(b.share(0.0..1.0, 0.5..0.58, 0.0..1.0), &shade(&body, 0.8));
+    m.board(b.share(0.28..1.0, 0.58..0.64, 0.3..0.7), &iron);
+    m.board(b.share(0.0..0.28, 0.58..0.94, 0.2..0.86), &body);
+    m.disc(0, b.share(0.28..0.34, 0.7..0.88, 0.38..0.64), &iron);
+    m.board(b.share(0.84..0.96, 0.64..0.82, 0.34..0.68), &body);
+    m.disc(0, b.share(0.76..0.84, 0.75..0.81, 0.48..0.56), &iron);
+    m.board(b.share(0.52..0.64, 0.64..0.74, 0.28..0.94), &iron);
+    m.mesh.disc(2, b.share(0.55..0.61, 0.65..0.73, 0.94..0.97), &dark);
+    m.board(b.share(0.0..1.0, 0.58..1.0, 0.0..0.04), &shade(&body, 1.15));
+    let panel = b.share(0.05..0.2, 0.66..0.86, 0.86..0.88);
+    m.mesh.board(panel, &dark);
+    m.mesh.crisp(b.share(0.08..0.11, 0.74..0.78, 0.88..0.89), &stuff::RED.surface());
+    m.surface = Some(0.64 * a.h);
+    m
+}

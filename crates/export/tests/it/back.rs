@@ -221,7 +221,7 @@ fn documents_that_make_no_sense_are_survived() {
         |d| node(d, "table")["children"] = json!([0]),
         |d| node(d, "table")["translation"] = json!(["a", null, 1e999]),
         |d| node(d, "table")["rotation"] = json!([0, 0, 0, 0]),
-        |d| node(d, "table")["matrix"] = json!([0; 16]),
+        |d| node(d, "table")["matrix"] = json!(vec![0; 16]),
         |d| d["scenes"][0]["nodes"] = json!([99, -1, "x", 0, 0]),
     ];
     for change in odd {
