@@ -13,6 +13,7 @@ mod export;
 mod fix;
 mod fmt;
 mod formalize;
+mod formats;
 mod input;
 mod inspect;
 mod interrupt;
