@@ -1,5 +1,5 @@
 //! What `synth` writes, judged by programs that are not ours: Khronos' glTF validator, a Unity parser, a physics engine,
-//! a browser. The scripts that call them are in `tests/oracles/`.
+//! Pixar's USD library, a browser. The scripts that call them are in `tests/oracles/`.
 
 use crate::support::{browser, folder_with, for_each_example, has_node_package, python, root, run, scenelang, skip};
 use scenelang_lang::{Options, Program, compile_file};
@@ -10,7 +10,8 @@ use std::process::Command;
 /// Makes all files of an example; the folder they are in.
 fn synth(folder: &Path, scene: &Path) -> PathBuf {
     let out = folder.join("out");
-    let ended = scenelang(folder, ["synth", &scene.display().to_string(), "-o", &out.display().to_string()]);
+    let (scene, to) = (scene.display().to_string(), out.display().to_string());
+    let ended = scenelang(folder, ["synth", &scene, "-o", &to, "--all-formats"]);
     assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
     out
 }
@@ -47,6 +48,28 @@ pub(crate) fn facts(program: &Program) -> serde_json::Value {
     json!({ "held": held, "overlap": overlap })
 }
 
+/// The files for simulators, each loaded by a reader that is not ours, and the bounds of all things in all formats.
+fn simulators(out: &Path, name: &str, python: &Path) -> Vec<String> {
+    let at = |file: String| out.join(file);
+    let (layout, world) = (at(format!("{name}.layout.json")), at(format!("sdf/{name}.sdf")));
+    let (usd, usdz) = (at(format!("{name}.usda")), at(format!("{name}.usdz")));
+    let (mjcf, told) = (at(format!("{name}.mjcf.xml")), at(format!("{name}.mjcf.json")));
+    let call = |script: &str| {
+        let mut command = Command::new(python);
+        command.arg(oracle(script));
+        command
+    };
+    [
+        judge("MuJoCo", call("mjcf.py").args([mjcf, told])),
+        judge("USD", call("usd.py").args([usd, usdz])),
+        judge("SDF", call("sdf.py").arg(world)),
+        judge("bounds", call("bounds.py").args([&layout, out, Path::new(name)])),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
 mod agree_on_every_example {
     use super::*;
 
@@ -74,8 +97,9 @@ mod agree_on_every_example {
                 let command = &mut Command::new(&python);
                 found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(&facts_file)));
             }
+            found.extend(simulators(&out, name, &python));
         } else {
-            skip("Unity project and physics not checked: no .venv");
+            skip("Unity project, physics and files for simulators not checked: no .venv");
         }
         match browser() {
             Some(browser) if root().join("viewer/dist/viewer.js").exists() => {
