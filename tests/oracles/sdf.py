@@ -83,8 +83,10 @@ def main():
         if shutil.which(command[0]):
             ended = subprocess.run(command, capture_output=True, text=True)
             checker = command[0]
-            if ended.returncode or "Valid." not in ended.stdout or ended.stderr.strip():
-                wrong.append(f"{command[0]}: {ended.stdout}{ended.stderr}".strip())
+            said = ended.stdout + ended.stderr
+            # "Library error" speaks of the checker's own libraries.
+            if ended.returncode or "Valid." not in said or re.search(r"^(\x1b\[\S*m)*(Error|Warning)", said, re.M):
+                wrong.append(f"{command[0]}: {said}".strip())
             break
     print(json.dumps({"models": models, "checker": checker, "wrong": wrong}))
     return 1 if wrong else 0

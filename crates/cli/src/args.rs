@@ -399,6 +399,10 @@ pub struct Export {
     /// Which formats
     #[command(flatten)]
     pub formats: Formats,
+    /// Also write `mjcf`, load it in MuJoCo, and say what overlaps and how far things move in two seconds. It needs Python
+    /// with the package mujoco; SCENELANG_PYTHON names which
+    #[arg(long = "try")]
+    pub trial: bool,
     /// How the outcome is written
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,

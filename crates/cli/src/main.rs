@@ -33,6 +33,7 @@ mod synth;
 mod table;
 mod targets;
 mod trace;
+mod trial;
 mod view;
 mod watch;
 

@@ -20,6 +20,13 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug)]
 pub struct Mjcf;
 
+impl Mjcf {
+    /// The path of the model, relative to the output folder.
+    pub fn model(scene: &Scene) -> String {
+        format!("{}.mjcf.xml", scene.name)
+    }
+}
+
 impl Exporter for Mjcf {
     fn name(&self) -> &'static str {
         "mjcf"
@@ -28,7 +35,7 @@ impl Exporter for Mjcf {
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let physics = Physics::of(scene);
         Ok(vec![
-            OutFile::new(format!("{}.mjcf.xml", scene.name), document(scene, &physics)),
+            OutFile::new(Self::model(scene), document(scene, &physics)),
             OutFile::new(format!("{}.mjcf.json", scene.name), format!("{:#}\n", metadata(scene, &physics))),
         ])
     }
