@@ -1,12 +1,13 @@
 """Reads every format that a scene was written in, and holds the world bounds of its objects against each other.
 
-usage: bounds.py LAYOUT.json FOLDER NAME
+usage: bounds.py LAYOUT.json FOLDER
 
 FOLDER has what `scenelang export --all-formats` wrote of the layout. Each reader below knows one format, by its own
 description, and gives the points of each object in the frame of the layout (left-handed, y up). What is drawn must agree
 among the formats that draw (GLB, Unity, USD, OBJ, SDF), the solid among those that collide, and with the layout.
 Prints one JSON object. Exit 0: all agree to 0.1 mm; 1: some do not; 2: a file cannot be read.
 """
+import glob
 import json
 import math
 import os
@@ -266,16 +267,20 @@ def compare(what, readings, names, found):
 
 
 def main():
-    layout, folder, name = sys.argv[1:]
-    at = lambda file: os.path.join(folder, file)  # noqa: E731
+    layout, folder = sys.argv[1:]
+
+    def one(pattern):
+        (path,) = glob.glob(os.path.join(glob.escape(folder), pattern))
+        return path
+
     try:
         told = read_layout(layout)
-        usd, usdz, sdf = read_usd(at(f"{name}.usda")), read_usd(at(f"{name}.usdz")), read_sdf(at(f"sdf/{name}.sdf"))
+        usd, usdz, sdf = read_usd(one("*.usda")), read_usd(one("*.usdz")), read_sdf(one("sdf/*.sdf"))
         drawn = {
-            "glb": read_glb(at(f"{name}.glb")), "unity": read_unity(at("unity")), "usd": usd[0], "usdz": usdz[0],
-            "obj": read_obj(at(f"obj/{name}.obj")), "sdf": sdf[0],
+            "glb": read_glb(one("*.glb")), "unity": read_unity(one("unity")), "usd": usd[0], "usdz": usdz[0],
+            "obj": read_obj(one("obj/*.obj")), "sdf": sdf[0],
         }
-        mjcf = read_mjcf(at(f"{name}.mjcf.xml"), at(f"{name}.mjcf.json"))
+        mjcf = read_mjcf(one("*.mjcf.xml"), one("*.mjcf.json"))
         solid = {"layout": told, "mjcf": mjcf, "usd": usd[1], "usdz": usdz[1], "sdf": sdf[1]}
     except Exception as problem:  # whatever it is, the verdict is: a file cannot be read
         print(f"cannot read: {type(problem).__name__}: {problem}", file=sys.stderr)

@@ -3,13 +3,16 @@
 //!
 //! Frame: the scene's own (left-handed, y up, metres); who writes converts with a [`Frame`](crate::geometry::frame::Frame).
 //!
-//! A body is rigid as a whole. A thing that moves in itself would have a body for each part that moves, and a joint in each
-//! of those; every writer goes through [`Physics::bodies`].
+//! A body is rigid but for the pieces of it that move: see [`Moving`].
 
+#[cfg(test)]
+pub(crate) mod fixture;
 mod inertia;
+mod joint;
 mod shape;
 
 pub(crate) use inertia::Inertia;
+pub(crate) use joint::{Joint, Motion, Movable, Moving};
 pub(crate) use shape::{Geom, Shape};
 
 use crate::Scene;
@@ -17,6 +20,7 @@ use crate::geometry::mesh::Group;
 use crate::scene::{Body as Holding, Object, Role, Shell};
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
+use std::borrow::Cow;
 
 /// How well things grip, by the law of Coulomb; one for all.
 pub(crate) const FRICTION: f64 = 0.8;
@@ -32,7 +36,7 @@ pub(crate) struct Physics<'a> {
     pub through: Vec<[usize; 2]>,
 }
 
-/// A rigid body.
+/// A rigid body, and what moves against it.
 pub(crate) struct Body<'a> {
     /// As in the program: `chair[0]`; of the building `office/wall2`.
     pub name: &'a str,
@@ -47,9 +51,11 @@ pub(crate) struct Body<'a> {
     /// Its solid; empty where it stops nothing.
     pub geoms: Vec<Geom>,
     /// What is seen of it, in its frame.
-    pub drawn: &'a [Group],
+    pub drawn: Cow<'a, [Group]>,
     /// Mass and how it is distributed; of a loose body.
     pub inertia: Option<Inertia>,
+    /// What is no part of it and hangs on it.
+    pub moving: Vec<Moving>,
 }
 
 /// What a body is in the scene.
@@ -62,18 +68,28 @@ pub(crate) enum What<'a> {
 }
 
 impl<'a> Body<'a> {
-    fn object(object: &'a Object) -> Self {
+    /// An object, and what of it can be opened.
+    fn object(object: &'a Object, movable: &[Movable<'_>]) -> Self {
         let loose = object.body == Holding::Free;
-        Self {
+        let geoms = shape::of_object(object);
+        let mut body = Self {
             name: &object.name,
             what: What::Object(object),
             pos: object.place.pos,
             axes: object.axes,
             loose,
-            geoms: shape::of_object(object),
-            drawn: &object.mesh,
-            inertia: loose.then(|| Inertia::of(object.solid.iter().zip(object.weights.iter().copied()))),
+            geoms: Vec::new(),
+            drawn: Cow::Borrowed(&object.mesh),
+            inertia: None,
+            moving: Vec::new(),
+        };
+        let mut fixed: Vec<usize> = (0..geoms.len()).collect();
+        if let Some(pieces) = joint::take_apart(object, &geoms, movable) {
+            (fixed, body.moving, body.drawn) = (pieces.fixed, pieces.moving, Cow::Owned(pieces.drawn));
         }
+        body.inertia = loose.then(|| joint::inertia(object, &fixed));
+        body.geoms = fixed.into_iter().map(|part| geoms[part].clone()).collect();
+        body
     }
 
     fn shell(shell: &'a Shell) -> Self {
@@ -84,8 +100,9 @@ impl<'a> Body<'a> {
             axes: Matrix3::identity(),
             loose: false,
             geoms: shape::of_shell(shell),
-            drawn: std::slice::from_ref(&shell.group),
+            drawn: Cow::Borrowed(std::slice::from_ref(&shell.group)),
             inertia: None,
+            moving: Vec::new(),
         }
     }
 
@@ -119,7 +136,7 @@ impl<'a> Body<'a> {
 impl<'a> Physics<'a> {
     /// The bodies of a scene.
     pub fn of(scene: &'a Scene) -> Self {
-        let objects = scene.objects.iter().map(Body::object);
+        let objects = scene.objects.iter().map(|object| Body::object(object, &[]));
         // A wall that is all door has nothing to show.
         let shells = scene.shells.iter().filter(|s| !s.group.indices.is_empty()).map(Body::shell);
         let bodies: Vec<Body<'a>> = objects.chain(shells).collect();

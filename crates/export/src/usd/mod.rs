@@ -5,6 +5,7 @@
 //! USD is right-handed: x is negated. What stands still has colliders and no rigid body. Colliders have the purpose `guide`,
 //! so that they are not drawn. Things that are equal share a prim of the abstract scope `Shapes` by reference.
 
+mod joints;
 mod package;
 mod shapes;
 mod text;
@@ -57,10 +58,13 @@ const SUN: f64 = 500.0;
 
 /// The layer of a scene.
 fn layer(scene: &Scene) -> String {
-    let physics = Physics::of(scene);
+    write_layer(scene, &Physics::of(scene))
+}
+
+fn write_layer(scene: &Scene, physics: &Physics<'_>) -> String {
     let mut out = Usda::new(&metadata(scene));
     let looks = Looks::of(scene);
-    let shapes = Shapes::of(&physics, &looks);
+    let shapes = Shapes::of(physics, &looks);
     shapes.write(&mut out);
     out.begin("def Xform", "World", &["kind = \"assembly\"".into(), schemas(&["MaterialBindingAPI"])]);
     out.line(&format!("rel material:binding:physics = <{SURFACE}>"));
@@ -69,12 +73,14 @@ fn layer(scene: &Scene) -> String {
     out.line(&scalar("float physics:gravityMagnitude", GRAVITY));
     out.end();
     looks.write(&mut out, scene);
-    let paths = paths(&physics);
+    let paths = paths(physics);
     for (folder, objects) in [("Building", false), ("Objects", true)] {
-        out.begin("def Scope", folder, &[]);
+        out.begin("def Scope", folder, &["kind = \"group\"".into()]);
         for (index, body) in physics.bodies.iter().enumerate().filter(|(_, b)| b.as_object().is_some() == objects) {
-            let through = physics.through.iter().filter(|[a, _]| *a == index).map(|[_, b]| paths[*b].as_str());
-            write_body(&mut out, body, &paths[index], &through.collect::<Vec<_>>(), shapes.of_body(index));
+            let others = physics.through.iter().filter(|[a, _]| *a == index).map(|&[_, b]| b);
+            let through: Vec<String> = others.flat_map(|b| joints::paths(&physics.bodies[b], &paths[b])).collect();
+            let through: Vec<&str> = through.iter().map(String::as_str).collect();
+            write_body(&mut out, body, &paths[index], &through, shapes.of_body(index));
         }
         out.end();
     }
@@ -125,32 +131,65 @@ fn leaf(path: &str) -> &str {
 }
 
 fn write_body(out: &mut Usda, body: &Body<'_>, path: &str, through: &[&str], shape: shapes::Use<'_>) {
+    let base = Piece { inertia: body.inertia.as_ref(), through, shape };
     let mut apis = vec!["SemanticsLabelsAPI:category", "SemanticsLabelsAPI:instance"];
-    if body.inertia.is_some() {
-        apis.extend(["PhysicsRigidBodyAPI", "PhysicsMassAPI"]);
+    let mut metadata = vec![format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into()];
+    let whole = body.moving.is_empty();
+    if whole {
+        apis.extend(base.apis());
+        metadata.extend(base.reference());
     }
-    if !through.is_empty() {
-        apis.push("PhysicsFilteredPairsAPI");
-    }
-    let mut metadata = vec![format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into(), schemas(&apis)];
-    if let shapes::Use::Shared(shared) = shape {
-        metadata.push(format!("prepend references = <{shared}>"));
-    }
+    metadata.push(schemas(&apis));
     out.begin("def Xform", leaf(path), &metadata);
     out.line(&format!("token[] semantics:labels:category = [{}]", quoted(body.category())));
     out.line(&format!("token[] semantics:labels:instance = [{}]", quoted(body.name)));
     place(out, &body.pos, &body.axes, None);
-    if let Some(inertia) = &body.inertia {
-        mass(out, inertia);
-    }
-    if !through.is_empty() {
-        let targets: Vec<String> = through.iter().map(|path| format!("<{path}>")).collect();
-        out.line(&format!("prepend rel physics:filteredPairs = [{}]", targets.join(", ")));
-    }
-    if let shapes::Use::Own(shape) = shape {
-        shape.write(out);
+    if whole {
+        base.write(out);
+    } else {
+        joints::write(out, path, &base, &body.moving);
     }
     out.end();
+}
+
+/// What is rigid.
+struct Piece<'a> {
+    /// Of what is loose.
+    inertia: Option<&'a Inertia>,
+    /// What it does not push, by path.
+    through: &'a [&'a str],
+    shape: shapes::Use<'a>,
+}
+
+impl Piece<'_> {
+    /// The schemas that its prim needs.
+    fn apis(&self) -> Vec<&'static str> {
+        let body: &[&str] = if self.inertia.is_some() { &["PhysicsRigidBodyAPI", "PhysicsMassAPI"] } else { &[] };
+        let pairs: &[&str] = if self.through.is_empty() { &[] } else { &["PhysicsFilteredPairsAPI"] };
+        [body, pairs].concat()
+    }
+
+    /// Where its shape comes from, if it is not its own.
+    fn reference(&self) -> Option<String> {
+        match self.shape {
+            shapes::Use::Shared(path, _) => Some(format!("prepend references = <{path}>")),
+            shapes::Use::Own(..) => None,
+        }
+    }
+
+    /// What stands in its prim.
+    fn write(&self, out: &mut Usda) {
+        if let Some(inertia) = self.inertia {
+            mass(out, inertia);
+        }
+        if !self.through.is_empty() {
+            let targets: Vec<String> = self.through.iter().map(|path| format!("<{path}>")).collect();
+            out.line(&format!("prepend rel physics:filteredPairs = [{}]", targets.join(", ")));
+        }
+        if let shapes::Use::Own(shape) = &self.shape {
+            shape.write(out);
+        }
+    }
 }
 
 /// The transform of a prim.

@@ -7,6 +7,7 @@ use crate::geometry::mesh::Group;
 use crate::names::Identifiers;
 use crate::physics::{Geom, Physics, Shape};
 use scenelang_layout::Vec3;
+use std::collections::BTreeMap;
 
 /// The shapes of all bodies.
 pub(super) struct Shapes<'a> {
@@ -27,16 +28,27 @@ struct Body<'a> {
 
 /// How a body gets its shape.
 pub(super) enum Use<'a> {
-    /// From the prim at this path.
-    Shared(&'a str),
+    /// From the prim at a path.
+    Shared(&'a str, &'a Looks),
     /// It is written in the body's own prim.
     Own(Own<'a>),
 }
 
+impl<'a> Use<'a> {
+    /// The materials.
+    pub fn looks(&self) -> &'a Looks {
+        match self {
+            Self::Shared(_, looks) => looks,
+            Self::Own(own) => own.looks,
+        }
+    }
+}
+
 /// A shape to be written.
 pub(super) struct Own<'a> {
-    looks: &'a Looks,
-    body: &'a Body<'a>,
+    pub looks: &'a Looks,
+    pub drawn: &'a [Group],
+    pub geoms: &'a [Geom],
 }
 
 impl<'a> Shapes<'a> {
@@ -45,7 +57,7 @@ impl<'a> Shapes<'a> {
         let mut names = Identifiers::default();
         let mut of = Vec::with_capacity(physics.bodies.len());
         for body in &physics.bodies {
-            let (drawn, geoms) = (body.drawn, &body.geoms[..]);
+            let (drawn, geoms) = (&body.drawn[..], &body.geoms[..]);
             let known = all.iter().position(|b| b.drawn == drawn && b.geoms == geoms);
             match known {
                 Some(index) if all[index].shared.is_none() => {
@@ -59,13 +71,17 @@ impl<'a> Shapes<'a> {
         Self { looks, all, of }
     }
 
-    /// The shape of a body.
+    /// The shape of a body, but for what of it moves.
     pub fn of_body(&self, index: usize) -> Use<'_> {
         let body = &self.all[self.of[index]];
         match &body.shared {
-            Some(path) => Use::Shared(path),
-            None => Use::Own(Own { looks: self.looks, body }),
+            Some(path) => Use::Shared(path, self.looks),
+            None => Use::Own(self.own(body)),
         }
+    }
+
+    fn own(&self, body: &Body<'a>) -> Own<'a> {
+        Own { looks: self.looks, drawn: body.drawn, geoms: body.geoms }
     }
 
     /// Writes what several bodies have.
@@ -77,7 +93,7 @@ impl<'a> Shapes<'a> {
         for body in &self.all {
             if let Some(path) = &body.shared {
                 out.begin("def Xform", leaf(path), &[]);
-                Own { looks: self.looks, body }.write(out);
+                self.own(body).write(out);
                 out.end();
             }
         }
@@ -87,35 +103,80 @@ impl<'a> Shapes<'a> {
 
 impl Own<'_> {
     pub fn write(&self, out: &mut Usda) {
-        for (i, group) in self.body.drawn.iter().filter(|g| !g.indices.is_empty()).enumerate() {
+        for (i, group) in self.drawn.iter().filter(|g| !g.indices.is_empty()).enumerate() {
             out.begin("def Mesh", &format!("look_{i}"), &[schemas(&["MaterialBindingAPI"])]);
             mesh(out, group);
             out.line(&format!("rel material:binding = <{}>", self.looks.paths[group.surface]));
             out.end();
         }
-        for (i, geom) in self.body.geoms.iter().enumerate() {
+        for (i, geom) in self.geoms.iter().enumerate() {
             collider(out, &format!("solid_{i}"), geom);
         }
     }
 }
 
-/// Points, normals and triangles.
+/// Points, triangles, and a normal for each corner of each.
 fn mesh(out: &mut Usda, group: &Group) {
-    let points = || group.positions.iter().map(|p| FRAME.corner(*p));
+    let welded = Welded::of(group);
+    let points = || welded.points.iter().copied();
     let ends = points().fold([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]], |[lo, hi], p| {
         [std::array::from_fn(|i| lo[i].min(p[i])), std::array::from_fn(|i| hi[i].max(p[i]))]
     });
     out.line(&format!("float3[] extent = {}", triples(ends.into_iter())));
-    out.line(&format!("int[] faceVertexCounts = [{}]", vec!["3"; group.indices.len() / 3].join(", ")));
-    let turned = group.indices.chunks_exact(3).flat_map(|t| [t[0], t[2], t[1]]);
-    let indices: Vec<String> = turned.map(|i| i.to_string()).collect();
+    out.line(&format!("int[] faceVertexCounts = [{}]", vec!["3"; welded.corners.len() / 3].join(", ")));
+    let indices: Vec<String> = welded.corners.iter().map(|(point, _)| point.to_string()).collect();
     out.line(&format!("int[] faceVertexIndices = [{}]", indices.join(", ")));
-    let normals = triples(group.normals.iter().map(|n| FRAME.corner(*n)));
+    let normals = triples(welded.corners.iter().map(|(_, normal)| *normal));
     out.line(&format!("normal3f[] normals = {normals} ("));
-    out.line("    interpolation = \"vertex\"");
+    out.line("    interpolation = \"faceVarying\"");
     out.line(")");
     out.line(&format!("point3f[] points = {}", triples(points())));
     out.line("uniform token subdivisionScheme = \"none\"");
+}
+
+/// A mesh as USD wants it: corners in the same place are one point, where they belong to the same solid. Solids that touch
+/// stay apart, so that no edge has more than two faces.
+struct Welded {
+    points: Vec<[f32; 3]>,
+    /// For each corner of each triangle its point and its normal.
+    corners: Vec<(u32, [f32; 3])>,
+}
+
+impl Welded {
+    fn of(group: &Group) -> Self {
+        let mut out = Self { points: Vec::new(), corners: Vec::with_capacity(group.indices.len()) };
+        // Solids come one after the other; one has ended when every edge was run both ways.
+        let mut known: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+        let mut open: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+        for t in group.indices.chunks_exact(3) {
+            let corner = |i: u32| {
+                let place = FRAME.corner(group.positions[i as usize]).map(|c| c + 0.0);
+                let point = *known.entry(place.map(f32::to_bits)).or_insert_with(|| {
+                    out.points.push(place);
+                    out.points.len() as u32 - 1
+                });
+                (point, FRAME.corner(group.normals[i as usize]))
+            };
+            let corners = [t[0], t[2], t[1]].map(corner);
+            let [a, b, c] = corners.map(|(point, _)| point);
+            if a == b || b == c || c == a {
+                continue;
+            }
+            out.corners.extend(corners);
+            for edge in [[a, b], [b, c], [c, a]] {
+                let back = [edge[1], edge[0]];
+                match open.get_mut(&back) {
+                    Some(1) => drop(open.remove(&back)),
+                    Some(count) => *count -= 1,
+                    None => *open.entry(edge).or_default() += 1,
+                }
+            }
+            if open.is_empty() {
+                known.clear();
+            }
+        }
+        out
+    }
 }
 
 fn collider(out: &mut Usda, name: &str, geom: &Geom) {
@@ -146,4 +207,22 @@ fn collider(out: &mut Usda, name: &str, geom: &Geom) {
     }
     out.line("uniform token purpose = \"guide\"");
     out.end();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix3;
+    use scenelang_layout::{Convex, Obb};
+
+    #[test]
+    fn each_solid_has_its_own_points_each_once() {
+        let block = |x| Convex::from_box(&Obb { center: Vec3::new(x, 0.0, 0.0), axes: Matrix3::identity(), half: Vec3::repeat(0.5) });
+        let mut group = Group::new(0);
+        [0.0, 1.0].map(|x| group.solid(&block(x)));
+        let welded = Welded::of(&group);
+        assert_eq!((group.positions.len(), welded.points.len(), welded.corners.len()), (48, 16, 72));
+        assert!(welded.corners[..36].iter().all(|(point, _)| *point < 8));
+        assert!(welded.corners[36..].iter().all(|(point, _)| *point >= 8));
+    }
 }
