@@ -231,7 +231,7 @@ def read_sdf(path):
     name_of, drawn, solid = "{https://github.com/scenelang/scenelang}id", {}, {}
     for model in ElementTree.parse(path).getroot().find("world").findall("model"):
         matrix, at = sdf_pose(model)
-        for part in list(model.find("link")):
+        for part in [part for link in model.findall("link") for part in link]:
             if part.tag not in ("collision", "visual"):
                 continue
             own, off = sdf_pose(part)

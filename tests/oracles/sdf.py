@@ -30,17 +30,17 @@ def structure(root, folder):
     wrong += [f"the name {n}" for n in names if not re.fullmatch(r"[A-Za-z]\w*", n or "", re.ASCII) or n == "world"]
     wrong += ["names are not unique"] if len(set(names)) != len(names) else []
     for model in world.findall("model"):
-        name, link = model.get("name"), model.find("link")
-        if numbers(model, "pose", 6) is None or model.findtext("static") not in ("true", "false") or link is None:
+        name, links = model.get("name"), model.findall("link")
+        if numbers(model, "pose", 6) is None or model.findtext("static") not in ("true", "false") or not links:
             wrong.append(f"{name}: pose, static or link")
-            continue
-        parts = [e.get("name") for e in link if e.tag in ("collision", "visual")]
-        if len(set(parts)) != len(parts) or None in parts:
-            wrong.append(f"{name}: names of its parts")
-        for part in link.findall("collision") + link.findall("visual"):
-            wrong += [f"{name}: {w}" for w in geometry(part, folder)]
-        if model.findtext("static") == "false":
-            wrong += [f"{name}: {w}" for w in inertia(link)]
+        for link in links:
+            parts = [e.get("name") for e in link if e.tag in ("collision", "visual")]
+            if len(set(parts)) != len(parts) or None in parts:
+                wrong.append(f"{name}: names of its parts")
+            for part in link.findall("collision") + link.findall("visual"):
+                wrong += [f"{name}: {w}" for w in geometry(part, folder)]
+            if model.findtext("static") == "false":
+                wrong += [f"{name}: {w}" for w in inertia(link)]
     return wrong, len(world.findall("model"))
 
 

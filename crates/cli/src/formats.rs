@@ -29,6 +29,7 @@ pub fn notes(lost: &[Loss]) -> String {
 
 /// The same for programs.
 pub fn json(lost: &[Loss]) -> Value {
-    let entry = |loss: &Loss| json!({ "format": loss.format, "what": loss.what.key(), "message": loss.what.to_string() });
+    let entry =
+        |loss: &Loss| json!({ "format": loss.format, "what": loss.what.key(), "message": loss.what.to_string() });
     lost.iter().map(entry).collect()
 }

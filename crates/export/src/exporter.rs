@@ -71,13 +71,8 @@ pub fn exporters() -> Vec<Box<dyn Exporter>> {
 
 /// All exporters: the usual ones, then those that run only when they are asked for.
 pub fn all_exporters() -> Vec<Box<dyn Exporter>> {
-    let further: [Box<dyn Exporter>; 5] = [
-        Box::new(mjcf::Mjcf),
-        Box::new(usd::Usd),
-        Box::new(usd::Usdz),
-        Box::new(sdf::Sdf),
-        Box::new(obj::Obj),
-    ];
+    let further: [Box<dyn Exporter>; 5] =
+        [Box::new(mjcf::Mjcf), Box::new(usd::Usd), Box::new(usd::Usdz), Box::new(sdf::Sdf), Box::new(obj::Obj)];
     exporters().into_iter().chain(further).collect()
 }
 

@@ -56,13 +56,16 @@ impl fmt::Display for Lost {
             Self::Lights(1) => f.write_str("the light is lost"),
             Self::Lights(n) => write!(f, "the {n} lights are lost"),
             Self::Meshes => f.write_str("things are shown as their solids, without rounded edges and small details"),
-            Self::Program => f.write_str("program, layout and report are not in the files, so `check` cannot judge them"),
+            Self::Program => {
+                f.write_str("program, layout and report are not in the files, so `check` cannot judge them")
+            }
         }
     }
 }
 
 /// What some exporters leave out of a scene, exporter by exporter.
 pub fn losses(scene: &Scene, exporters: &[Box<dyn Exporter>]) -> Vec<Loss> {
-    let of = |e: &dyn Exporter| e.lost(scene).into_iter().map(|what| Loss { format: e.name(), what }).collect::<Vec<_>>();
+    let of =
+        |e: &dyn Exporter| e.lost(scene).into_iter().map(|what| Loss { format: e.name(), what }).collect::<Vec<_>>();
     exporters.iter().flat_map(|e| of(e.as_ref())).collect()
 }

@@ -155,7 +155,9 @@ fn assets(xml: &mut Xml, scene: &Scene, physics: &Physics<'_>) -> Meshes {
     for body in &physics.bodies {
         let pieces = body.moving.iter().map(|m| (m.name.as_str(), &m.geoms));
         let geoms = std::iter::once((body.name, &body.geoms)).chain(pieces);
-        for (owner, i, geom) in geoms.flat_map(|(owner, geoms)| geoms.iter().enumerate().map(move |(i, g)| (owner, i, g))) {
+        for (owner, i, geom) in
+            geoms.flat_map(|(owner, geoms)| geoms.iter().enumerate().map(move |(i, g)| (owner, i, g)))
+        {
             let Shape::Hull(hull) = &geom.shape else { continue };
             meshes.entry(key(hull)).or_insert_with(|| {
                 let name = format!("{owner}/{i}");
@@ -213,9 +215,9 @@ fn write_body(xml: &mut Xml, body: &Body<'_>, scene: &Scene, meshes: &Meshes) {
     xml.begin("body", &[("name", own(body.name)), ("pos", &pos), ("quat", &wxyz(FRAME.quaternion(&body.axes)))]);
     if body.loose {
         xml.empty("freejoint", &[("name", own(body.name))]);
-    }
-    if let Some(inertia) = &body.inertia {
-        write_inertia(xml, inertia);
+        if let Some(inertia) = &body.inertia {
+            write_inertia(xml, inertia);
+        }
     }
     let group = body.is_ceiling().then_some(HIDDEN);
     write_geoms(xml, body.name, &body.geoms, group, scene, meshes);
@@ -326,13 +328,12 @@ mod tests {
         let text = String::from_utf8(document(&scene, &physics)).unwrap();
         let xml = roxmltree::Document::parse(&text).unwrap();
         let joints: Vec<_> = xml.descendants().filter(|n| n.has_tag_name("joint")).collect();
-        let told: Vec<_> = joints
-            .iter()
-            .map(|j| ["name", "type", "pos", "axis"].map(|key| j.attribute(key).unwrap()))
-            .collect();
+        let told: Vec<_> =
+            joints.iter().map(|j| ["name", "type", "pos", "axis"].map(|key| j.attribute(key).unwrap())).collect();
         let door = ["cupboard/door", "hinge", "-0.39 0.23 0.65", "0 0 -1"];
         assert_eq!(told, [door, ["cupboard/drawer", "slide", "0 0 0", "0 1 0"]]);
-        let hung = |j: &roxmltree::Node<'_, '_>| j.parent().unwrap().parent().unwrap().attribute("name") == Some("cupboard");
+        let hung =
+            |j: &roxmltree::Node<'_, '_>| j.parent().unwrap().parent().unwrap().attribute("name") == Some("cupboard");
         assert!(joints.iter().all(hung));
         assert_eq!(text.matches("<exclude").count(), 3, "the pieces of one thing do not push each other");
         assert_eq!(metadata(&scene, &physics)["bodies"]["cupboard/door"]["joint"], "cupboard/door");

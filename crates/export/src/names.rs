@@ -1,7 +1,7 @@
 //! Names from object names: of files, safe on every system, and of things in formats that know only plain identifiers.
 //! Each once.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Hands out file stems.
 #[derive(Debug, Default)]
@@ -38,6 +38,8 @@ impl Stems {
 #[derive(Debug, Default)]
 pub(crate) struct Identifiers {
     taken: BTreeSet<String>,
+    /// The number to be tried next, by identifier.
+    next: BTreeMap<String, usize>,
 }
 
 impl Identifiers {
@@ -57,11 +59,11 @@ impl Identifiers {
             out.insert_str(0, "n_");
             out.truncate(out.trim_end_matches('_').len());
         }
+        let next = self.next.entry(out.to_ascii_lowercase()).or_insert(2);
         let mut candidate = out.clone();
-        let mut n = 2;
         while !self.taken.insert(candidate.to_ascii_lowercase()) {
-            candidate = format!("{out}_{n}");
-            n += 1;
+            candidate = format!("{out}_{next}");
+            *next += 1;
         }
         candidate
     }
@@ -90,7 +92,9 @@ mod tests {
     fn identifiers_are_plain_and_unique() {
         let mut names = Identifiers::default();
         let taken: Vec<String> =
-            ["chair[0]", "a/wall2", "Chair_0", "__model__", "3d", "灯", "", "chair_0_2", "l\"<x>\n"].map(|n| names.take(n)).into();
+            ["chair[0]", "a/wall2", "Chair_0", "__model__", "3d", "灯", "", "chair_0_2", "l\"<x>\n"]
+                .map(|n| names.take(n))
+                .into();
         assert_eq!(taken, ["chair_0", "a_wall2", "Chair_0_2", "model", "n_3d", "n", "n_2", "chair_0_2_2", "l_x"]);
     }
 }

@@ -30,7 +30,9 @@ mod tests {
 
     #[test]
     fn numbers_are_short_and_come_back() {
-        for (value, text) in [(1.0, "1"), (-0.0, "0"), (0.1, "0.1"), (1e-17, "0"), (-2.5e-7, "-0.00000025"), (1e15, "1000000000000000")] {
+        for (value, text) in
+            [(1.0, "1"), (-0.0, "0"), (0.1, "0.1"), (1e-17, "0"), (-2.5e-7, "-0.00000025"), (1e15, "1000000000000000")]
+        {
             assert_eq!(number(value), text);
         }
         let third = 1.0 / 3.0;

@@ -117,9 +117,10 @@ fn model(xml: &mut Xml, body: &Body<'_>, name: &str, meshes: &mut Meshes) {
     xml.text("scenelang:category", body.category());
     // In a model that is static no joint moves: what stays is then held by a joint.
     let held = !body.loose && !body.moving.is_empty();
-    xml.text("static", if body.loose || held { "false" } else { "true" });
+    let still = !body.loose && !held;
+    xml.text("static", if still { "true" } else { "false" });
     xml.text("pose", &pose(&body.pos, &body.axes));
-    link(xml, "link", name, body.inertia.as_ref(), (&body.geoms, &body.drawn), meshes);
+    link(xml, "link", name, body.inertia.as_ref().filter(|_| !still), (&body.geoms, &body.drawn), meshes);
     if held {
         xml.begin("joint", &[("name", "held"), ("type", "fixed")]);
         xml.text("parent", "world");
@@ -294,7 +295,8 @@ mod tests {
         let children = |tag: &'static str| model.children().filter(move |n| n.has_tag_name(tag));
         let links: Vec<_> = children("link").map(|n| n.attribute("name").unwrap()).collect();
         assert_eq!(links, ["link", "door", "drawer"]);
-        let joints: Vec<_> = children("joint").map(|n| [n.attribute("name").unwrap(), n.attribute("type").unwrap()]).collect();
+        let joints: Vec<_> =
+            children("joint").map(|n| [n.attribute("name").unwrap(), n.attribute("type").unwrap()]).collect();
         assert_eq!(joints, [["held", "fixed"], ["door_joint", "revolute"], ["drawer_joint", "prismatic"]]);
         assert_eq!(children("static").next().unwrap().text(), Some("false"));
     }

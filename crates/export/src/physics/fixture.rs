@@ -25,8 +25,16 @@ pub fn cupboard() -> Scene {
     let report = serde_json::json!({ "eta": 0.03, "constraints": [] });
     let files = [compiled.main];
     let (sources, layout_text) = (&compiled.sources, LAYOUT);
-    Scene::build(&SceneInput { name: "room", program: &program, sources, files: &files, layout: &layout, layout_text, report: &report })
-        .unwrap()
+    Scene::build(&SceneInput {
+        name: "room",
+        program: &program,
+        sources,
+        files: &files,
+        layout: &layout,
+        layout_text,
+        report: &report,
+    })
+    .unwrap()
 }
 
 /// What of it can be opened: the door by 110°, the drawer by 30 cm.

@@ -97,7 +97,8 @@ mod tests {
         let part = Convex::from_part(&Part::Hull { points }).unwrap();
         let turned = part.moved(&scenelang_layout::rotation::matrix(Vec3::new(30.0, 50.0, 70.0)), &Vec3::repeat(5.0));
         let moments = |c: &Convex| {
-            let mut values: Vec<f64> = Inertia::of([(c, 2.0)].into_iter()).tensor.symmetric_eigenvalues().iter().copied().collect();
+            let mut values: Vec<f64> =
+                Inertia::of([(c, 2.0)].into_iter()).tensor.symmetric_eigenvalues().iter().copied().collect();
             values.sort_by(f64::total_cmp);
             values
         };

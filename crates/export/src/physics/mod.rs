@@ -52,7 +52,7 @@ pub(crate) struct Body<'a> {
     pub geoms: Vec<Geom>,
     /// What is seen of it, in its frame.
     pub drawn: Cow<'a, [Group]>,
-    /// Mass and how it is distributed; of a loose body.
+    /// Mass and how it is distributed; nobody needs to know what the building weighs.
     pub inertia: Option<Inertia>,
     /// What is no part of it and hangs on it.
     pub moving: Vec<Moving>,
@@ -87,7 +87,7 @@ impl<'a> Body<'a> {
         if let Some(pieces) = joint::take_apart(object, &geoms, movable) {
             (fixed, body.moving, body.drawn) = (pieces.fixed, pieces.moving, Cow::Owned(pieces.drawn));
         }
-        body.inertia = loose.then(|| joint::inertia(object, &fixed));
+        body.inertia = Some(joint::inertia(object, &fixed));
         body.geoms = fixed.into_iter().map(|part| geoms[part].clone()).collect();
         body
     }

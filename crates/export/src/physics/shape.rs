@@ -111,7 +111,8 @@ fn prisms(polygon: &[Vec2], low: f64, high: f64, surface: usize) -> Vec<Geom> {
         return vec![Geom::block(&obb, surface)];
     }
     let prism = |t: [usize; 3]| {
-        let points: Vec<Vec3> = [low, high].iter().flat_map(|&y| t.map(|i| Vec3::new(polygon[i].x, y, polygon[i].y))).collect();
+        let points: Vec<Vec3> =
+            [low, high].iter().flat_map(|&y| t.map(|i| Vec3::new(polygon[i].x, y, polygon[i].y))).collect();
         // A sliver that has no hull carries nothing either.
         Convex::from_hull(&points).map(|hull| Geom::hull(hull, surface))
     };

@@ -181,7 +181,8 @@ fn object(
     let solid = convex::local_solid(place, Geometry::Parts);
     let dressed = wardrobe.furnish(declared, place, &solid);
     let looks = weight::looks(&solid, &dressed.mesh);
-    let weights: Vec<f64> = solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
+    let weights: Vec<f64> =
+        solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
     let axes = rotation::matrix(place.rot);
     let allow = &input.program.allow;
     let is = |other: &program::ObjectId| other.0 as usize == id;

@@ -56,10 +56,8 @@ pub(super) fn weight(part: &Convex, surface: &Surface) -> f64 {
 
 /// For each part the surface of most of what is drawn within it; where nothing is, of most of the thing.
 pub(super) fn looks(parts: &[Convex], mesh: &[Group]) -> Vec<usize> {
-    let triangles: Vec<(usize, Vec3, f64)> = mesh
-        .iter()
-        .flat_map(|group| group.triangles().map(|t| (group.surface, middle(t), area(t))))
-        .collect();
+    let triangles: Vec<(usize, Vec3, f64)> =
+        mesh.iter().flat_map(|group| group.triangles().map(|t| (group.surface, middle(t), area(t)))).collect();
     let most = |within: &dyn Fn(&Vec3) -> bool| {
         let mut sums: Vec<(usize, f64)> = Vec::new();
         for (surface, _, area) in triangles.iter().filter(|(_, middle, _)| within(middle)) {
@@ -102,14 +100,7 @@ mod tests {
     }
 
     fn of(name: &str) -> Surface {
-        Surface {
-            name: name.into(),
-            color: [0.5; 3],
-            roughness: 0.5,
-            metallic: 0.0,
-            emissive: None,
-            opacity: 1.0,
-        }
+        Surface { name: name.into(), color: [0.5; 3], roughness: 0.5, metallic: 0.0, emissive: None, opacity: 1.0 }
     }
 
     #[test]

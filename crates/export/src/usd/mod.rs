@@ -131,7 +131,7 @@ fn leaf(path: &str) -> &str {
 }
 
 fn write_body(out: &mut Usda, body: &Body<'_>, path: &str, through: &[&str], shape: shapes::Use<'_>) {
-    let base = Piece { inertia: body.inertia.as_ref(), through, shape };
+    let base = Piece { inertia: body.inertia.as_ref().filter(|_| body.loose), through, shape };
     let mut apis = vec!["SemanticsLabelsAPI:category", "SemanticsLabelsAPI:instance"];
     let mut metadata = vec![format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into()];
     let whole = body.moving.is_empty();

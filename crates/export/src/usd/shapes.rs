@@ -1,7 +1,7 @@
 //! What bodies look like and what they stop others with: meshes of one material each, and colliders. What several bodies
 //! have is written once.
 
-use super::text::{Usda, schemas, scalar, triple, triples};
+use super::text::{Usda, scalar, schemas, triple, triples};
 use super::{FRAME, Looks, leaf, place};
 use crate::geometry::mesh::Group;
 use crate::names::Identifiers;
@@ -217,7 +217,13 @@ mod tests {
 
     #[test]
     fn each_solid_has_its_own_points_each_once() {
-        let block = |x| Convex::from_box(&Obb { center: Vec3::new(x, 0.0, 0.0), axes: Matrix3::identity(), half: Vec3::repeat(0.5) });
+        let block = |x| {
+            Convex::from_box(&Obb {
+                center: Vec3::new(x, 0.0, 0.0),
+                axes: Matrix3::identity(),
+                half: Vec3::repeat(0.5),
+            })
+        };
         let mut group = Group::new(0);
         [0.0, 1.0].map(|x| group.solid(&block(x)));
         let welded = Welded::of(&group);
