@@ -330,7 +330,7 @@ mod tests {
         let joints: Vec<_> = xml.descendants().filter(|n| n.has_tag_name("joint")).collect();
         let told: Vec<_> =
             joints.iter().map(|j| ["name", "type", "pos", "axis"].map(|key| j.attribute(key).unwrap())).collect();
-        let door = ["cupboard/door", "hinge", "-0.39 0.23 0.65", "0 0 -1"];
+        let door = ["cupboard/door", "hinge", "-0.39 0.23 0.65", "0 0 1"];
         assert_eq!(told, [door, ["cupboard/drawer", "slide", "0 0 0", "0 1 0"]]);
         let hung =
             |j: &roxmltree::Node<'_, '_>| j.parent().unwrap().parent().unwrap().attribute("name") == Some("cupboard");

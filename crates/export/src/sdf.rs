@@ -128,7 +128,8 @@ fn model(xml: &mut Xml, body: &Body<'_>, name: &str, meshes: &mut Meshes) {
         xml.end();
     }
     let mut names = Identifiers::default();
-    ["link", "held"].map(|taken| names.take(taken));
+    names.take("link");
+    names.take("held");
     for piece in &body.moving {
         let own = names.take(piece.name.rsplit('/').next().unwrap_or_default());
         link(xml, &own, &format!("{name}.{own}"), Some(&piece.inertia), (&piece.geoms, &piece.drawn), meshes);

@@ -43,7 +43,7 @@ pub fn movable() -> [Movable<'static>; 2] {
         Movable {
             name: "door",
             motion: Motion::Hinge,
-            axis: Vec3::y(),
+            axis: -Vec3::y(),
             anchor: Vec3::new(-0.39, 0.65, 0.23),
             limits: [0.0, 110.0],
             parts: &[1],

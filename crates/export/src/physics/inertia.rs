@@ -27,7 +27,10 @@ impl Inertia {
                 (part.spread + off * off.transpose()) * *m
             })
             .sum::<Matrix3<f64>>();
-        Self { mass, center, tensor: Matrix3::identity() * second.trace() - second }
+        let tensor = Matrix3::identity() * second.trace() - second;
+        // What rounding leaves off the diagonal says nothing.
+        let least = tensor.trace() * 1e-12;
+        Self { mass, center, tensor: tensor.map(|v| if v.abs() < least { 0.0 } else { v }) }
     }
 }
 

@@ -7,6 +7,7 @@ use crate::scene::Object;
 use scenelang_layout::{Convex, Vec3};
 
 /// How a piece moves.
+#[cfg_attr(not(test), expect(dead_code, reason = "layouts do not say yet what of a thing moves"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {
     /// It turns about an axis.
@@ -129,7 +130,7 @@ fn joint(told: &Movable<'_>, inertia: &Inertia) -> Joint {
     Joint { motion: told.motion, axis, anchor: told.anchor, range, damping: load / REST }
 }
 
-/// A triangle belongs to a part that it is no farther from than this, metres.
+/// A triangle belongs to a part whose box it is no farther out of than this, metres.
 const NEAR: f64 = 0.002;
 
 /// The triangles that belong to certain parts; those of no part are asked for as `None`. Where several parts are about a
@@ -137,10 +138,10 @@ const NEAR: f64 = 0.002;
 fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<Group> {
     let volume = |c: &Convex| (c.aabb().max - c.aabb().min).product();
     let part_of = |t: [[f32; 3]; 3]| {
-        let middle = t.map(|p| Vec3::from(p.map(f64::from))).iter().sum::<Vec3>() / 3.0;
+        let corners = t.map(|p| Vec3::from(p.map(f64::from)));
         let about = |c: &Convex| {
             let (min, max) = (c.aabb().min, c.aabb().max);
-            (0..3).all(|i| (min[i] - NEAR..=max[i] + NEAR).contains(&middle[i]))
+            corners.iter().all(|p| (0..3).all(|i| (min[i] - NEAR..=max[i] + NEAR).contains(&p[i])))
         };
         let near = object.solid.iter().enumerate().filter(|(_, c)| about(c));
         near.min_by(|a, b| f64::total_cmp(&volume(a.1), &volume(b.1))).map(|(index, _)| index)

@@ -61,7 +61,7 @@ fn layer(scene: &Scene) -> String {
     write_layer(scene, &Physics::of(scene))
 }
 
-fn write_layer(scene: &Scene, physics: &Physics<'_>) -> String {
+pub(crate) fn write_layer(scene: &Scene, physics: &Physics<'_>) -> String {
     let mut out = Usda::new(&metadata(scene));
     let looks = Looks::of(scene);
     let shapes = Shapes::of(physics, &looks);
