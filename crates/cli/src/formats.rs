@@ -9,10 +9,11 @@ use serde_json::{Value, json};
 /// The exporters asked for, Unity's for a pipeline; the usual ones if none are.
 pub fn chosen(asked: &Formats, pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
     let known = if asked.all_formats || !asked.only.is_empty() { all_exporters() } else { exporters() };
-    let wanted = |e: &Box<dyn Exporter>| asked.only.is_empty() || asked.only.iter().any(|o| o == e.name());
     let unity = Unity { pipeline };
-    let own = |e: Box<dyn Exporter>| if e.name() == unity.name() { Box::new(unity) as _ } else { e };
-    known.into_iter().filter(wanted).map(own).collect()
+    let own =
+        |e: Box<dyn Exporter>| -> Box<dyn Exporter> { if e.name() == unity.name() { Box::new(unity) } else { e } };
+    let wanted = known.into_iter().filter(|e| asked.only.is_empty() || asked.only.iter().any(|o| o == e.name()));
+    wanted.map(own).collect()
 }
 
 /// `--only`: the name of an exporter.

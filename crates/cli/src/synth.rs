@@ -100,21 +100,7 @@ pub fn run(args: &Synth) -> u8 {
     stages.leave(Stage::Export);
     let seconds = std::mem::take(&mut stages.seconds);
     drop(stages);
-    match args.format {
-        SummaryFormat::Human => {
-            human(&solved, &written, &seconds, &args.output);
-            eprint!("{}", formats::notes(&lost));
-            model::summary(model.as_ref(), solved.advice.as_ref());
-        }
-        SummaryFormat::Json => {
-            let mut summary = json(&solved, &written, &seconds);
-            summary["lost"] = formats::json(&lost);
-            if let Some(said) = model::json(model.as_ref(), solved.advice.as_ref()) {
-                summary["model"] = said;
-            }
-            println!("{summary}");
-        }
-    }
+    tell(args, &solved, &written, &lost, &seconds, model.as_ref());
     if interrupted {
         let so_far = if solved.first.layout().incomplete {
             "; the layout is the best so far, and marked as incomplete"
@@ -222,6 +208,32 @@ fn chosen(args: &Synth) -> Vec<Box<dyn Exporter>> {
         Pipeline::Urp => unity::Pipeline::Urp,
     };
     formats::chosen(&args.formats, pipeline)
+}
+
+/// Prints what was done.
+fn tell(
+    args: &Synth,
+    solved: &Solved,
+    written: &[PathBuf],
+    lost: &[Loss],
+    seconds: &[(Stage, Duration)],
+    model: Option<&Asked>,
+) {
+    match args.format {
+        SummaryFormat::Human => {
+            human(solved, written, seconds, &args.output);
+            eprint!("{}", formats::notes(lost));
+            model::summary(model, solved.advice.as_ref());
+        }
+        SummaryFormat::Json => {
+            let mut summary = json(solved, written, seconds);
+            summary["lost"] = formats::json(lost);
+            if let Some(said) = model::json(model, solved.advice.as_ref()) {
+                summary["model"] = said;
+            }
+            println!("{summary}");
+        }
+    }
 }
 
 fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], folder: &Path) {

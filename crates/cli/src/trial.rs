@@ -73,8 +73,7 @@ impl Trial {
     }
 
     fn drifts(&self) -> impl Iterator<Item = (String, f64)> + '_ {
-        // What flies out of the numbers goes farther than anything.
-        self.moves().filter(|(_, far)| !(*far <= DRIFT))
+        self.moves().filter(|(_, far)| *far > DRIFT)
     }
 
     /// The outcome for programs.
