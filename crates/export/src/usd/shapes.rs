@@ -103,10 +103,12 @@ impl<'a> Shapes<'a> {
 
 impl Own<'_> {
     pub fn write(&self, out: &mut Usda) {
-        for (i, group) in self.drawn.iter().filter(|g| !g.indices.is_empty()).enumerate() {
+        let meshes =
+            self.drawn.iter().flat_map(|group| Welded::of(group).into_iter().map(|mesh| (group.surface, mesh)));
+        for (i, (surface, mesh)) in meshes.enumerate() {
             out.begin("def Mesh", &format!("look_{i}"), &[schemas(&["MaterialBindingAPI"])]);
-            mesh(out, group);
-            out.line(&format!("rel material:binding = <{}>", self.looks.paths[group.surface]));
+            mesh.write(out);
+            out.line(&format!("rel material:binding = <{}>", self.looks.paths[surface]));
             out.end();
         }
         for (i, geom) in self.geoms.iter().enumerate() {
@@ -115,67 +117,86 @@ impl Own<'_> {
     }
 }
 
-/// Points, triangles, and a normal for each corner of each.
-fn mesh(out: &mut Usda, group: &Group) {
-    let welded = Welded::of(group);
-    let points = || welded.points.iter().copied();
-    let ends = points().fold([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]], |[lo, hi], p| {
-        [std::array::from_fn(|i| lo[i].min(p[i])), std::array::from_fn(|i| hi[i].max(p[i]))]
-    });
-    out.line(&format!("float3[] extent = {}", triples(ends.into_iter())));
-    out.line(&format!("int[] faceVertexCounts = [{}]", vec!["3"; welded.corners.len() / 3].join(", ")));
-    let indices: Vec<String> = welded.corners.iter().map(|(point, _)| point.to_string()).collect();
-    out.line(&format!("int[] faceVertexIndices = [{}]", indices.join(", ")));
-    let normals = triples(welded.corners.iter().map(|(_, normal)| *normal));
-    out.line(&format!("normal3f[] normals = {normals} ("));
-    out.line("    interpolation = \"faceVarying\"");
-    out.line(")");
-    out.line(&format!("point3f[] points = {}", triples(points())));
-    out.line("uniform token subdivisionScheme = \"none\"");
-}
-
-/// A mesh as USD wants it: corners in the same place are one point, where they belong to the same solid. Solids that touch
-/// stay apart, so that no edge has more than two faces.
+/// A mesh as USD wants it: no two points are in the same place, and no edge has more than two faces.
+#[derive(Default)]
 struct Welded {
     points: Vec<[f32; 3]>,
     /// For each corner of each triangle its point and its normal.
     corners: Vec<(u32, [f32; 3])>,
+    /// Points by where they are.
+    known: BTreeMap<[u32; 3], u32>,
 }
 
 impl Welded {
-    fn of(group: &Group) -> Self {
-        let mut out = Self { points: Vec::new(), corners: Vec::with_capacity(group.indices.len()) };
+    /// The meshes of a group: as few as there can be where solids that touch are in different ones.
+    fn of(group: &Group) -> Vec<Self> {
+        let mut out: Vec<Self> = Vec::new();
         // Solids come one after the other; one has ended when every edge was run both ways.
-        let mut known: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+        let mut solid = Self::default();
         let mut open: BTreeMap<[u32; 2], u32> = BTreeMap::new();
         for t in group.indices.chunks_exact(3) {
-            let corner = |i: u32| {
-                let place = FRAME.corner(group.positions[i as usize]).map(|c| c + 0.0);
-                let point = *known.entry(place.map(f32::to_bits)).or_insert_with(|| {
-                    out.points.push(place);
-                    out.points.len() as u32 - 1
-                });
+            let corners = [t[0], t[2], t[1]].map(|i| {
+                let point = solid.point(FRAME.corner(group.positions[i as usize]));
                 (point, FRAME.corner(group.normals[i as usize]))
-            };
-            let corners = [t[0], t[2], t[1]].map(corner);
+            });
             let [a, b, c] = corners.map(|(point, _)| point);
             if a == b || b == c || c == a {
                 continue;
             }
-            out.corners.extend(corners);
-            for edge in [[a, b], [b, c], [c, a]] {
-                let back = [edge[1], edge[0]];
-                match open.get_mut(&back) {
-                    Some(1) => drop(open.remove(&back)),
+            solid.corners.extend(corners);
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                match open.get_mut(&[to, from]) {
+                    Some(1) => drop(open.remove(&[to, from])),
                     Some(count) => *count -= 1,
-                    None => *open.entry(edge).or_default() += 1,
+                    None => *open.entry([from, to]).or_default() += 1,
                 }
             }
             if open.is_empty() {
-                known.clear();
+                std::mem::take(&mut solid).join(&mut out);
             }
         }
+        solid.join(&mut out);
         out
+    }
+
+    /// The point in a place.
+    fn point(&mut self, place: [f32; 3]) -> u32 {
+        let place = place.map(|c| c + 0.0);
+        *self.known.entry(place.map(f32::to_bits)).or_insert_with(|| {
+            self.points.push(place);
+            self.points.len() as u32 - 1
+        })
+    }
+
+    /// Adds a solid to the first mesh that it does not touch.
+    fn join(self, meshes: &mut Vec<Self>) {
+        if self.corners.is_empty() {
+            return;
+        }
+        let Some(mesh) = meshes.iter_mut().find(|m| self.known.keys().all(|place| !m.known.contains_key(place))) else {
+            return meshes.push(self);
+        };
+        let first = mesh.points.len() as u32;
+        mesh.points.extend(self.points);
+        mesh.corners.extend(self.corners.into_iter().map(|(point, normal)| (first + point, normal)));
+        mesh.known.extend(self.known.into_iter().map(|(place, point)| (place, first + point)));
+    }
+
+    fn write(&self, out: &mut Usda) {
+        let points = || self.points.iter().copied();
+        let ends = points().fold([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]], |[lo, hi], p| {
+            [std::array::from_fn(|i| lo[i].min(p[i])), std::array::from_fn(|i| hi[i].max(p[i]))]
+        });
+        out.line(&format!("float3[] extent = {}", triples(ends.into_iter())));
+        out.line(&format!("int[] faceVertexCounts = [{}]", vec!["3"; self.corners.len() / 3].join(", ")));
+        let indices: Vec<String> = self.corners.iter().map(|(point, _)| point.to_string()).collect();
+        out.line(&format!("int[] faceVertexIndices = [{}]", indices.join(", ")));
+        let normals = triples(self.corners.iter().map(|(_, normal)| *normal));
+        out.line(&format!("normal3f[] normals = {normals} ("));
+        out.line("    interpolation = \"faceVarying\"");
+        out.line(")");
+        out.line(&format!("point3f[] points = {}", triples(points())));
+        out.line("uniform token subdivisionScheme = \"none\"");
     }
 }
 
@@ -201,7 +222,10 @@ fn collider(out: &mut Usda, name: &str, geom: &Geom) {
             out.begin("def Mesh", name, &[schemas(&[solid, "PhysicsMeshCollisionAPI"])]);
             let mut group = Group::new(geom.surface);
             group.solid(hull);
-            mesh(out, &group);
+            // A convex body is one solid.
+            if let Some(mesh) = Welded::of(&group).first() {
+                mesh.write(out);
+            }
             out.line("uniform token physics:approximation = \"convexHull\"");
         }
     }
@@ -216,19 +240,14 @@ mod tests {
     use scenelang_layout::{Convex, Obb};
 
     #[test]
-    fn each_solid_has_its_own_points_each_once() {
+    fn solids_that_touch_are_in_different_meshes() {
         let block = |x| {
-            Convex::from_box(&Obb {
-                center: Vec3::new(x, 0.0, 0.0),
-                axes: Matrix3::identity(),
-                half: Vec3::repeat(0.5),
-            })
+            let half = Vec3::repeat(0.5);
+            Convex::from_box(&Obb { center: Vec3::new(x, 0.0, 0.0), axes: Matrix3::identity(), half })
         };
         let mut group = Group::new(0);
-        [0.0, 1.0].map(|x| group.solid(&block(x)));
-        let welded = Welded::of(&group);
-        assert_eq!((group.positions.len(), welded.points.len(), welded.corners.len()), (48, 16, 72));
-        assert!(welded.corners[..36].iter().all(|(point, _)| *point < 8));
-        assert!(welded.corners[36..].iter().all(|(point, _)| *point >= 8));
+        [0.0, 1.0, 5.0].iter().for_each(|&x| group.solid(&block(x)));
+        let counts: Vec<_> = Welded::of(&group).iter().map(|m| (m.points.len(), m.corners.len())).collect();
+        assert_eq!(counts, [(16, 72), (8, 36)]);
     }
 }
