@@ -361,6 +361,9 @@ pub struct Synth {
     /// How the summary is written
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
+    /// Which formats are written beside program, layout and report
+    #[command(flatten)]
+    pub formats: Formats,
     /// Shaders that the Unity materials are for
     #[arg(long, value_enum, default_value_t = Pipeline::Builtin)]
     pub pipeline: Pipeline,
@@ -395,9 +398,16 @@ pub struct Export {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
-    /// Only these formats: unity, glb, plan, picture, preview; separated by commas
-    #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::export::format)]
-    pub only: Vec<String>,
+    /// Which formats
+    #[command(flatten)]
+    pub formats: Formats,
+    /// Also write `mjcf`, load it in MuJoCo, and say what overlaps and how far things move in two seconds. It needs Python
+    /// with the package mujoco; SCENELANG_PYTHON names which
+    #[arg(long = "try")]
+    pub trial: bool,
+    /// How the outcome is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
 }
 
 /// `scenelang import`
@@ -414,7 +424,19 @@ pub struct Import {
     pub force: bool,
 }
 
-/// `synth --format`, `diff --format`, `eval --format`, `trace --format`
+/// Which formats `export` and `synth` write.
+#[derive(ClapArgs, Debug, Clone, Default)]
+pub struct Formats {
+    /// Only these formats: unity, glb, plan, picture, preview, which are the usual ones, and mjcf, usd, usdz, sdf, obj;
+    /// separated by commas
+    #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
+    pub only: Vec<String>,
+    /// All formats, not only the usual ones
+    #[arg(long, conflicts_with = "only")]
+    pub all_formats: bool,
+}
+
+/// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table

@@ -13,6 +13,7 @@ mod export;
 mod fix;
 mod fmt;
 mod formalize;
+mod formats;
 mod import;
 mod input;
 mod inspect;
@@ -33,6 +34,7 @@ mod synth;
 mod table;
 mod targets;
 mod trace;
+mod trial;
 mod view;
 mod watch;
 

@@ -6,9 +6,9 @@ use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
-use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, interrupt, out, replace, settings};
+use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, formats, interrupt, out, replace, settings};
 use scenelang_base::door::Door;
-use scenelang_export::{Exporter, OutFile, exporters, unity};
+use scenelang_export::{Exporter, Loss, OutFile, losses, unity};
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
@@ -84,12 +84,13 @@ pub fn run(args: &Synth) -> u8 {
     stages.enter(Stage::Export);
     // A layout that was found is not lost to a Ctrl-C while it is exported.
     interrupt::gently();
-    let written = exported(&solved, &stem, args.pipeline).and_then(|exported| {
-        let files = exported.as_ref().map_or_else(|| own_files(&solved, &stem), Clone::clone);
+    let written = exported(&solved, &stem, &chosen(args)).and_then(|exported| {
+        let interrupted = exported.is_none();
+        let (files, lost) = exported.unwrap_or_else(|| (own_files(&solved, &stem), Vec::new()));
         let inputs: Vec<&Path> = solved.compiled.sources.iter().map(|(_, file)| file.path()).collect();
-        Ok((replace::folder(&args.output, &files, &inputs, args.force)?, exported.is_none()))
+        Ok((replace::folder(&args.output, &files, &inputs, args.force)?, lost, interrupted))
     });
-    let (written, interrupted) = match written {
+    let (written, lost, interrupted) = match written {
         Ok(written) => written,
         Err(message) => {
             drop(stages);
@@ -99,19 +100,7 @@ pub fn run(args: &Synth) -> u8 {
     stages.leave(Stage::Export);
     let seconds = std::mem::take(&mut stages.seconds);
     drop(stages);
-    match args.format {
-        SummaryFormat::Human => {
-            human(&solved, &written, &seconds, &args.output);
-            model::summary(model.as_ref(), solved.advice.as_ref());
-        }
-        SummaryFormat::Json => {
-            let mut summary = json(&solved, &written, &seconds);
-            if let Some(said) = model::json(model.as_ref(), solved.advice.as_ref()) {
-                summary["model"] = said;
-            }
-            println!("{summary}");
-        }
-    }
+    tell(args, &solved, &written, &lost, &seconds, model.as_ref());
     if interrupted {
         let so_far = if solved.first.layout().incomplete {
             "; the layout is the best so far, and marked as incomplete"
@@ -187,20 +176,24 @@ fn permitted(args: &Synth, path: &Path, asked: bool, stem: &str) -> Result<(), S
     replace::unedited(&args.output, args.force)
 }
 
-/// All files of the scene; `None`: Ctrl-C was pressed before they were made.
-fn exported(solved: &Solved, stem: &str, pipeline: Pipeline) -> Result<Option<Vec<OutFile>>, String> {
+/// All files of the scene, and what is not in them; `None`: Ctrl-C was pressed before they were made.
+fn exported(
+    solved: &Solved,
+    stem: &str,
+    exporters: &[Box<dyn Exporter>],
+) -> Result<Option<(Vec<OutFile>, Vec<Loss>)>, String> {
     let mut files = own_files(solved, stem);
     if interrupt::asked() {
         return Ok(None);
     }
     let scene = scenelang_synth::scene(solved, stem).map_err(|e| e.to_string())?;
-    for exporter in chosen(pipeline) {
+    for exporter in exporters {
         files.extend(exporter.files(&scene).map_err(|e| e.to_string())?);
         if interrupt::asked() {
             return Ok(None);
         }
     }
-    Ok(Some(files))
+    Ok(Some((files, losses(&scene, exporters))))
 }
 
 fn fail(message: &str) -> u8 {
@@ -208,15 +201,39 @@ fn fail(message: &str) -> u8 {
     FAILED
 }
 
-/// The usual exporters, Unity's for the pipeline asked for.
-fn chosen(pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
-    let pipeline = match pipeline {
+/// The exporters asked for.
+fn chosen(args: &Synth) -> Vec<Box<dyn Exporter>> {
+    let pipeline = match args.pipeline {
         Pipeline::Builtin => unity::Pipeline::BuiltIn,
         Pipeline::Urp => unity::Pipeline::Urp,
     };
-    let unity: Box<dyn Exporter> = Box::new(unity::Unity { pipeline });
-    let name = unity.name();
-    std::iter::once(unity).chain(exporters().into_iter().filter(|e| e.name() != name)).collect()
+    formats::chosen(&args.formats, pipeline)
+}
+
+/// Prints what was done.
+fn tell(
+    args: &Synth,
+    solved: &Solved,
+    written: &[PathBuf],
+    lost: &[Loss],
+    seconds: &[(Stage, Duration)],
+    model: Option<&Asked>,
+) {
+    match args.format {
+        SummaryFormat::Human => {
+            human(solved, written, seconds, &args.output);
+            eprint!("{}", formats::notes(lost));
+            model::summary(model, solved.advice.as_ref());
+        }
+        SummaryFormat::Json => {
+            let mut summary = json(solved, written, seconds);
+            summary["lost"] = formats::json(lost);
+            if let Some(said) = model::json(model, solved.advice.as_ref()) {
+                summary["model"] = said;
+            }
+            println!("{summary}");
+        }
+    }
 }
 
 fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], folder: &Path) {

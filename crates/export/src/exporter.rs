@@ -1,6 +1,7 @@
 //! What an exporter is, the list of them, and the one function that writes their files.
 
-use crate::{Scene, glb, picture, plan, preview, unity};
+use crate::loss::Lost;
+use crate::{Scene, glb, mjcf, obj, picture, plan, preview, sdf, unity, usd};
 use scenelang_base::door::Door;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,11 @@ pub trait Exporter: fmt::Debug {
     /// # Errors
     /// The scene has something that the format cannot say.
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError>;
+    /// What of the scene is not in them.
+    fn lost(&self, scene: &Scene) -> Vec<Lost> {
+        let _ = scene;
+        Vec::new()
+    }
 }
 
 /// Why nothing, or not everything, was written.
@@ -52,7 +58,7 @@ impl fmt::Display for ExportError {
 
 impl std::error::Error for ExportError {}
 
-/// All exporters with their usual options, in the order in which they run.
+/// The exporters that run unless others are asked for, with their usual options, in the order in which they run.
 pub fn exporters() -> Vec<Box<dyn Exporter>> {
     vec![
         Box::new(unity::Unity::default()),
@@ -61,6 +67,13 @@ pub fn exporters() -> Vec<Box<dyn Exporter>> {
         Box::new(picture::Picture),
         Box::new(preview::Preview),
     ]
+}
+
+/// All exporters: the usual ones, then those that run only when they are asked for.
+pub fn all_exporters() -> Vec<Box<dyn Exporter>> {
+    let further: [Box<dyn Exporter>; 5] =
+        [Box::new(mjcf::Mjcf), Box::new(usd::Usd), Box::new(usd::Usdz), Box::new(sdf::Sdf), Box::new(obj::Obj)];
+    exporters().into_iter().chain(further).collect()
 }
 
 /// Writes what some exporters make of a scene below `dir`, and says which files. Nothing is written unless all

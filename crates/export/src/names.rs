@@ -1,6 +1,7 @@
-//! File names from object names: safe on every system, each once.
+//! Names from object names: of files, safe on every system, and of things in formats that know only plain identifiers.
+//! Each once.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Hands out file stems.
 #[derive(Debug, Default)]
@@ -33,6 +34,41 @@ impl Stems {
     }
 }
 
+/// Hands out identifiers: ASCII letters, digits and single underscores, a letter first.
+#[derive(Debug, Default)]
+pub(crate) struct Identifiers {
+    taken: BTreeSet<String>,
+    /// The number to be tried next, by identifier.
+    next: BTreeMap<String, usize>,
+}
+
+impl Identifiers {
+    /// An identifier for a name: `chair[0]` becomes `chair_0`, `office/wall2` `office_wall2`. What would be the same for two
+    /// names gets numbers, also where only the case differs.
+    pub fn take(&mut self, name: &str) -> String {
+        let mut out = String::new();
+        for c in name.chars() {
+            if c.is_ascii_alphanumeric() {
+                out.push(c);
+            } else if !out.is_empty() && !out.ends_with('_') {
+                out.push('_');
+            }
+        }
+        out.truncate(out.trim_end_matches('_').len());
+        if !out.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            out.insert_str(0, "n_");
+            out.truncate(out.trim_end_matches('_').len());
+        }
+        let next = self.next.entry(out.to_ascii_lowercase()).or_insert(2);
+        let mut candidate = out.clone();
+        while !self.taken.insert(candidate.to_ascii_lowercase()) {
+            candidate = format!("{out}_{next}");
+            *next += 1;
+        }
+        candidate
+    }
+}
+
 /// Names that Windows keeps for devices.
 fn reserved(stem: &str) -> bool {
     let lower = stem.to_ascii_lowercase();
@@ -50,5 +86,15 @@ mod tests {
         let taken: Vec<String> =
             ["chair[0]", "chair[10]", "Chair[0]", "con", "lämp", "l_mp", "灯", "chair_0"].map(|n| stems.take(n)).into();
         assert_eq!(taken, ["chair_0", "chair_10", "Chair_0-2", "con_", "l_mp", "l_mp-2", "_", "chair_0-3"]);
+    }
+
+    #[test]
+    fn identifiers_are_plain_and_unique() {
+        let mut names = Identifiers::default();
+        let taken: Vec<String> =
+            ["chair[0]", "a/wall2", "Chair_0", "__model__", "3d", "灯", "", "chair_0_2", "l\"<x>\n"]
+                .map(|n| names.take(n))
+                .into();
+        assert_eq!(taken, ["chair_0", "a_wall2", "Chair_0_2", "model", "n_3d", "n", "n_2", "chair_0_2_2", "l_x"]);
     }
 }

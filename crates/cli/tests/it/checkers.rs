@@ -1,5 +1,5 @@
 //! What `synth` writes, judged by programs that are not ours: Khronos' glTF validator, a Unity parser, a physics engine,
-//! a browser. The scripts that call them are in `tests/oracles/`.
+//! Pixar's USD library, a browser. The scripts that call them are in `tests/oracles/`.
 
 use crate::support::{browser, folder_with, for_each_example, has_node_package, python, root, run, scenelang, skip};
 use scenelang_lang::{Options, Program, compile_file};
@@ -10,7 +10,8 @@ use std::process::Command;
 /// Makes all files of an example; the folder they are in.
 fn synth(folder: &Path, scene: &Path) -> PathBuf {
     let out = folder.join("out");
-    let ended = scenelang(folder, ["synth", &scene.display().to_string(), "-o", &out.display().to_string()]);
+    let (scene, to) = (scene.display().to_string(), out.display().to_string());
+    let ended = scenelang(folder, ["synth", &scene, "-o", &to, "--all-formats"]);
     assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
     out
 }
@@ -47,6 +48,29 @@ pub(crate) fn facts(program: &Program) -> serde_json::Value {
     json!({ "held": held, "overlap": overlap })
 }
 
+/// The files for simulators, each loaded by a reader that is not ours, and the bounds of all things in all formats.
+fn simulators(out: &Path, name: &str, python: &Path) -> Vec<String> {
+    let at = |file: String| out.join(file);
+    let world = std::fs::read_dir(out.join("sdf")).unwrap().map(|e| e.unwrap().path()).find(|p| p.is_file()).unwrap();
+    let layout = at(format!("{name}.layout.json"));
+    let (usd, usdz) = (at(format!("{name}.usda")), at(format!("{name}.usdz")));
+    let (mjcf, told) = (at(format!("{name}.mjcf.xml")), at(format!("{name}.mjcf.json")));
+    let call = |script: &str| {
+        let mut command = Command::new(python);
+        command.arg(oracle(script));
+        command
+    };
+    [
+        judge("MuJoCo", call("mjcf.py").args([mjcf, told])),
+        judge("USD", call("usd.py").args([usd, usdz])),
+        judge("SDF", call("sdf.py").arg(world)),
+        judge("bounds", call("bounds.py").args([&layout, out])),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
 mod agree_on_every_example {
     use super::*;
 
@@ -74,8 +98,9 @@ mod agree_on_every_example {
                 let command = &mut Command::new(&python);
                 found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(&facts_file)));
             }
+            found.extend(simulators(&out, name, &python));
         } else {
-            skip("Unity project and physics not checked: no .venv");
+            skip("Unity project, physics and files for simulators not checked: no .venv");
         }
         match browser() {
             Some(browser) if root().join("viewer/dist/viewer.js").exists() => {
@@ -89,4 +114,35 @@ mod agree_on_every_example {
         assert!(found.is_empty(), "{}", found.join("\n"));
     }
     for_each_example!(hold);
+}
+
+/// Names that must be escaped, or that formats keep for themselves, and words that look like the end of something.
+const STRANGE: &str = r#"
+region raum; raum.pos <- vec3(0, 0, 0); raum.scale <- vec3(4, 2.6, 4);
+object 灯; object world; object sun; object base; object ŝeĝo[2];
+灯.category <- "lamp \"/><&]]> ../\\ 灯 -->";
+world.category <- "</World> </mujoco>"; world.color <- "\"red\" & ../";
+sun.category <- "chair'; rm"; sun.material <- "<oak>";
+ŝeĝo.category <- "chair";
+灯.dimensions <- vec3(0.3, 0.4, 0.3);
+world.dimensions <- vec3(0.5, 0.5, 0.5);
+base.dimensions <- vec3(0.3, 0.1, 0.3);
+assert on(灯, world);
+assert forall c in ŝeĝo: gap(c, world) >= 0.1;
+"#;
+
+#[test]
+fn names_that_are_hard_to_write_break_no_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = "a \"b\" & 'c' <é>";
+    let scene = folder.path().join(format!("{name}.scene"));
+    std::fs::write(&scene, STRANGE).unwrap();
+    let out = synth(folder.path(), &scene);
+    match python() {
+        Some(python) => {
+            let found = simulators(&out, name, &python);
+            assert!(found.is_empty(), "{}", found.join("\n"));
+        }
+        None => skip("files for simulators not checked: no .venv"),
+    }
 }

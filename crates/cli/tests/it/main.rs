@@ -14,6 +14,7 @@ mod documents;
 mod editors;
 mod evaluation;
 mod examples;
+mod exporting;
 mod faults;
 mod fixing;
 mod formats;

@@ -346,5 +346,5 @@ fn a_layout_is_exported_as_it_is() {
     let again = run(&["check", "out/meeting-room.glb", "--format", "json"]);
     let report: Value = serde_json::from_slice(&again.stdout).unwrap();
     assert_eq!(report["ok"], false);
-    assert_eq!(run(&["export", &layout, "--only", "obj"]).status.code(), Some(2));
+    assert_eq!(run(&["export", &layout, "--only", "fbx"]).status.code(), Some(2));
 }

@@ -1,7 +1,53 @@
 //! The way from the scene's left-handed frame to the frames of others.
 
 use nalgebra::Matrix3;
-use scenelang_layout::Vec3;
+use scenelang_layout::{Vec3, rotation};
+
+/// A right-handed frame of others. Either is reached by a reflection, so triangles run the other way round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// y up: x is negated (glTF, USD, OBJ).
+    YUp,
+    /// z up: y and z change places (MuJoCo, SDF).
+    ZUp,
+}
+
+impl Frame {
+    /// A point or a direction.
+    pub fn point(self, p: Vec3) -> Vec3 {
+        match self {
+            Self::YUp => mirrored(p),
+            Self::ZUp => Vec3::new(p.x, p.z, p.y),
+        }
+    }
+
+    /// Extents along the axes.
+    pub fn extents(self, size: Vec3) -> Vec3 {
+        match self {
+            Self::YUp => size,
+            Self::ZUp => Vec3::new(size.x, size.z, size.y),
+        }
+    }
+
+    /// A rotation, or any tensor.
+    pub fn tensor(self, m: &Matrix3<f64>) -> Matrix3<f64> {
+        let s = Matrix3::from_columns(&[Vec3::x(), Vec3::y(), Vec3::z()].map(|e| self.point(e)));
+        s * m * s
+    }
+
+    /// A rotation as a unit quaternion x, y, z, w.
+    pub fn quaternion(self, m: &Matrix3<f64>) -> [f64; 4] {
+        rotation::quaternion(&self.tensor(m))
+    }
+
+    /// A corner or a normal of a mesh.
+    pub fn corner(self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        match self {
+            Self::YUp => [0.0 - x, y, z],
+            Self::ZUp => [x, z, y],
+        }
+    }
+}
 
 /// A point in a right-handed frame: x negated (glTF, OBJ). Triangles then run the other way round.
 pub fn mirrored(p: Vec3) -> Vec3 {
@@ -45,6 +91,20 @@ mod tests {
             let back = about(0.0, y, 0.0) * about(x, 0.0, 0.0) * about(0.0, 0.0, z);
             assert!((m - back).amax() < 1e-7, "{t}");
         }
+    }
+
+    #[test]
+    fn a_frame_turns_points_as_it_turns_rotations() {
+        let p = Vec3::new(0.3, -1.2, 2.5);
+        for frame in [Frame::YUp, Frame::ZUp] {
+            for t in triples() {
+                let turned = from_quaternion(frame.quaternion(&matrix(t))) * frame.point(p);
+                assert!((turned - frame.point(matrix(t) * p)).norm() < 1e-9, "{frame:?} {t}");
+                assert!(frame.tensor(&matrix(t)).determinant() > 0.0);
+            }
+        }
+        assert_eq!(Frame::ZUp.point(Vec3::y()), Vec3::z());
+        assert_eq!(Frame::YUp.point(Vec3::z()), Vec3::z());
     }
 
     #[test]

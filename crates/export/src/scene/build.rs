@@ -2,12 +2,11 @@
 
 use super::dress::{Dresser, Wardrobe};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
-use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene};
-use crate::geometry::mesh::{Group, enclosed};
+use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, weight};
 use crate::names::Stems;
 use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::program::{self, Program};
-use scenelang_layout::{Aabb, Convex, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, convex, rotation};
+use scenelang_layout::{Aabb, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -54,8 +53,8 @@ impl fmt::Display for BuildError {
 
 impl std::error::Error for BuildError {}
 
-/// Kilograms per cubic metre of solid: furniture is mostly wood and air.
-const DENSITY: f64 = 250.0;
+/// Things that are no farther from each other than this might touch, metres.
+const TOUCHING: f64 = 0.01;
 
 pub(super) fn build(input: &SceneInput<'_>) -> Result<Scene, BuildError> {
     let mut wardrobe = Wardrobe::default();
@@ -84,6 +83,7 @@ pub(super) fn build(input: &SceneInput<'_>) -> Result<Scene, BuildError> {
         shells.push(ground(&objects, wall, &mut wardrobe));
     }
     let file = |&id: &FileId| (input.sources.get(id).name().to_owned(), input.sources.get(id).text().to_owned());
+    let overlaps = overlaps(input.program, &objects);
     Ok(Scene {
         name: input.name.to_owned(),
         program: input.files.iter().map(file).collect(),
@@ -95,6 +95,7 @@ pub(super) fn build(input: &SceneInput<'_>) -> Result<Scene, BuildError> {
         regions,
         shells,
         lamps,
+        overlaps,
     })
 }
 
@@ -179,6 +180,9 @@ fn object(
     let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
     let solid = convex::local_solid(place, Geometry::Parts);
     let dressed = wardrobe.furnish(declared, place, &solid);
+    let looks = weight::looks(&solid, &dressed.mesh);
+    let weights: Vec<f64> =
+        solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
     let axes = rotation::matrix(place.rot);
     let allow = &input.program.allow;
     let is = |other: &program::ObjectId| other.0 as usize == id;
@@ -201,8 +205,10 @@ fn object(
         place: place.clone(),
         axes,
         mesh: dressed.mesh,
-        mass: (solid_volume(&solid) * DENSITY).clamp(0.1, 500.0),
+        mass: weights.iter().sum(),
         solid,
+        looks,
+        weights,
         body,
         declaration: declaration(input.sources, declared.span),
         rows: Vec::new(),
@@ -211,15 +217,20 @@ fn object(
     })
 }
 
-fn solid_volume(solid: &[Convex]) -> f64 {
-    solid
-        .iter()
-        .map(|body| {
-            let mut group = Group::new(0);
-            group.solid(body);
-            enclosed(&group)
-        })
-        .sum()
+/// Pairs of objects that the program lets overlap, as far as they are near each other.
+fn overlaps(program: &Program, objects: &[Object]) -> Vec<[usize; 2]> {
+    let allow = &program.allow;
+    if allow.collide.is_empty() && allow.contents.is_empty() {
+        return Vec::new();
+    }
+    let boxes: Vec<Aabb> = objects.iter().map(|o| convex::aabb(&o.world_solid().collect::<Vec<_>>())).collect();
+    let id = |index: u32| program::ObjectId(index);
+    let allowed = |a: u32, b: u32| {
+        let within = allow.contents.iter().any(|&(x, y)| (x, y) == (id(a), id(b)) || (x, y) == (id(b), id(a)));
+        within || allow.collide.contains(id(a), id(b))
+    };
+    let near = broad::pairs_within(&boxes, TOUCHING).into_iter().filter(|&(a, b)| allowed(a, b));
+    near.map(|(a, b)| [a as usize, b as usize]).collect()
 }
 
 /// `object chair[6];` — from the word before the declared name to the statement's end.

@@ -32,6 +32,11 @@ impl Wardrobe {
         })
     }
 
+    /// The surface of an index.
+    pub fn surface(&self, index: usize) -> &Surface {
+        &self.surfaces[index]
+    }
+
     /// The table.
     pub fn into_surfaces(self) -> Vec<Surface> {
         self.surfaces
@@ -47,7 +52,8 @@ impl Wardrobe {
             features: &declared.features,
             size: Some(place.scale),
         });
-        let mesh = if place.parts.is_empty() || same_solid(&asset, solid) {
+        let drawn = !asset.mesh.groups.is_empty() && (place.parts.is_empty() || same_solid(&asset, solid));
+        let mesh = if drawn {
             asset.mesh.groups.into_iter().map(|g| self.group(g)).collect()
         } else {
             // The layout has parts of its own: a picture of something else would not show what was verified.

@@ -7,6 +7,7 @@ mod build;
 mod dress;
 pub mod shell;
 pub mod view;
+mod weight;
 
 pub use build::{BuildError, SceneInput};
 pub use shell::{Role, Shell};
@@ -42,6 +43,8 @@ pub struct Scene {
     pub shells: Vec<Shell>,
     /// One lamp for each room.
     pub lamps: Vec<Lamp>,
+    /// Objects, by index, that may overlap and are so near each other that they might; smaller index first.
+    pub overlaps: Vec<[usize; 2]>,
 }
 
 /// A row of the report.
@@ -94,9 +97,13 @@ pub struct Object {
     pub mesh: Vec<Group>,
     /// Its convex parts, or its box, in its own frame: what the verifier judged.
     pub solid: Vec<Convex>,
+    /// The surface of each of these parts: that of most of what is drawn within it.
+    pub looks: Vec<usize>,
+    /// Kilograms of each of these parts, an estimate from its material, surface and volume.
+    pub weights: Vec<f64>,
     /// How it takes part in physics.
     pub body: Body,
-    /// Kilograms, an estimate from its volume.
+    /// Kilograms, all parts together.
     pub mass: f64,
     /// The statement that declares it.
     pub declaration: String,

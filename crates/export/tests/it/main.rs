@@ -6,5 +6,6 @@ mod fixture;
 mod glb;
 mod pictures;
 mod scene;
+mod simulators;
 mod unity;
 mod written;

@@ -1,12 +1,12 @@
 //! All exporters together: what is written, and that it is the same each time.
 
 use crate::fixture::scene;
-use scenelang_export::{ExportError, Exporter, OutFile, Scene, exporters, write_all};
+use scenelang_export::{ExportError, Exporter, OutFile, Scene, all_exporters, write_all};
 
 #[test]
 fn the_same_scene_gives_the_same_bytes() {
     // The picture has a test of its own; twice is long without optimisation.
-    for exporter in exporters().iter().filter(|e| e.name() != "picture") {
+    for exporter in all_exporters().iter().filter(|e| e.name() != "picture") {
         assert_eq!(exporter.files(&scene()).unwrap(), exporter.files(&scene()).unwrap(), "{}", exporter.name());
     }
 }
@@ -14,10 +14,12 @@ fn the_same_scene_gives_the_same_bytes() {
 #[test]
 fn paths_are_relative_and_below_the_output_folder() {
     let dir = tempfile::tempdir().unwrap();
-    let some: Vec<Box<dyn Exporter>> = exporters().into_iter().filter(|e| e.name() != "picture").collect();
+    let some: Vec<Box<dyn Exporter>> = all_exporters().into_iter().filter(|e| e.name() != "picture").collect();
     let written = write_all(&scene(), dir.path(), &some).unwrap();
     assert!(written.iter().all(|p| p.starts_with(dir.path()) && p.is_file()));
-    for name in ["room.glb", "plan.svg", "plan.png", "preview.html", "unity/Assets/Scenes/room.unity"] {
+    let usual = ["room.glb", "plan.svg", "plan.png", "preview.html", "unity/Assets/Scenes/room.unity"];
+    let further = ["room.mjcf.xml", "room.mjcf.json", "room.usda", "room.usdz", "sdf/room.sdf", "obj/room.obj"];
+    for name in usual.iter().chain(&further) {
         assert!(written.contains(&dir.path().join(name)), "{name}");
     }
 }

@@ -1,0 +1,36 @@
+//! `--only` and `--all-formats`: which formats are written, and what they leave out.
+
+use crate::args::Formats;
+use scenelang_base::plain;
+use scenelang_export::unity::{Pipeline, Unity};
+use scenelang_export::{Exporter, Loss, all_exporters, exporters};
+use serde_json::{Value, json};
+
+/// The exporters asked for, Unity's for a pipeline; the usual ones if none are.
+pub fn chosen(asked: &Formats, pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
+    let known = if asked.all_formats || !asked.only.is_empty() { all_exporters() } else { exporters() };
+    let unity = Unity { pipeline };
+    let own =
+        |e: Box<dyn Exporter>| -> Box<dyn Exporter> { if e.name() == unity.name() { Box::new(unity) } else { e } };
+    let wanted = known.into_iter().filter(|e| asked.only.is_empty() || asked.only.iter().any(|o| o == e.name()));
+    wanted.map(own).collect()
+}
+
+/// `--only`: the name of an exporter.
+pub fn name(text: &str) -> Result<String, String> {
+    let all = all_exporters();
+    let names: Vec<_> = all.iter().map(|e| e.name()).collect();
+    if names.contains(&text) { Ok(text.to_owned()) } else { Err(format!("there are {}", names.join(", "))) }
+}
+
+/// What is left out, for people.
+pub fn notes(lost: &[Loss]) -> String {
+    lost.iter().map(|loss| format!("note: {}: {}\n", loss.format, plain::line(&loss.what.to_string()))).collect()
+}
+
+/// The same for programs.
+pub fn json(lost: &[Loss]) -> Value {
+    let entry =
+        |loss: &Loss| json!({ "format": loss.format, "what": loss.what.key(), "message": loss.what.to_string() });
+    lost.iter().map(entry).collect()
+}

@@ -1,0 +1,126 @@
+//! `export`, and which formats it and `synth` write.
+
+use crate::support::{Ended, binary, python, run, scenelang, skip};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// A rug that a bed stands on by permission, and a lamp that hangs in the air if it says so.
+const ROOM: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(4, 2.6, 4);\n\
+    object bed;\nbed.category <- \"bed\";\nbed.dimensions <- vec3(1.6, 0.55, 2);\n\
+    object rug;\nrug.category <- \"rug\";\nrug.dimensions <- vec3(2, 0.01, 2);\n\
+    allowCollide(bed, rug);\nassert bed.pos = vec3(0, 0, 0);\nassert rug.pos = vec3(0.2, 0, 0);\n";
+
+/// A folder with the room and its layout.
+fn solved() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), ROOM).unwrap();
+    let ended = scenelang(folder.path(), ["solve", "room.scene"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    folder
+}
+
+fn export(folder: &Path, more: &[&str]) -> Ended {
+    scenelang(folder, ["export", "room.layout.json", "-o", "out"].iter().chain(more))
+}
+
+/// Files and folders directly in the output folder.
+fn written(folder: &Path) -> BTreeSet<String> {
+    let names = fs::read_dir(folder.join("out")).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| !name.starts_with('.')).collect()
+}
+
+#[test]
+fn only_the_usual_formats_are_written_unless_others_are_asked_for() {
+    let folder = solved();
+    assert_eq!(export(folder.path(), &[]).code, 0);
+    let usual = ["picture.png", "plan.png", "plan.svg", "preview.html", "room.glb", "unity"].map(str::to_owned);
+    assert_eq!(written(folder.path()), BTreeSet::from(usual.clone()));
+    let further = ["obj", "room.mjcf.json", "room.mjcf.xml", "room.usda", "room.usdz", "sdf"].map(str::to_owned);
+    assert_eq!(export(folder.path(), &["--all-formats"]).code, 0);
+    assert_eq!(written(folder.path()), usual.into_iter().chain(further).collect());
+    let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "some", "--only", "mjcf", "--format", "json"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    let told: Value = serde_json::from_str(&ended.stdout).unwrap();
+    let files: BTreeSet<&str> = told["files"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    let own = ["some/report.json", "some/room.layout.json", "some/room.scene"];
+    assert_eq!(files, own.into_iter().chain(["some/room.mjcf.json", "some/room.mjcf.xml"]).collect());
+    assert_eq!(told["lost"][0]["what"], "meshes");
+}
+
+#[test]
+fn what_a_format_cannot_hold_is_said() {
+    let folder = solved();
+    let ended = export(folder.path(), &["--only", "usd,sdf"]);
+    let pair = "note: sdf: the permission to share space is lost: bed and rug may be pushed apart";
+    assert!(ended.stderr.contains(pair), "{}", ended.stderr);
+    assert!(!ended.stderr.contains("usd:"), "{}", ended.stderr);
+    let ended = export(folder.path(), &["--only", "usd,sdf", "--format", "json"]);
+    let told: Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!((&told["format"], &told["ok"]), (&"scenelang.export/1".into(), &true.into()));
+    let lost: Vec<&str> = told["lost"].as_array().unwrap().iter().filter_map(|l| l["what"].as_str()).collect();
+    assert_eq!(lost, ["overlaps", "program"]);
+    assert!(told["files"].as_array().unwrap().contains(&"out/room.usda".into()));
+}
+
+#[test]
+fn a_name_that_is_no_format_is_refused_and_the_formats_are_listed() {
+    let folder = solved();
+    let ended = export(folder.path(), &["--only", "fbx"]);
+    assert_eq!(ended.code, 2);
+    for name in ["unity", "glb", "plan", "picture", "preview", "mjcf", "usd", "usdz", "sdf", "obj"] {
+        assert!(ended.stderr.contains(name), "{name}: {}", ended.stderr);
+    }
+    assert_eq!(export(folder.path(), &["--only", "usd", "--all-formats"]).code, 2);
+}
+
+#[test]
+fn two_runs_write_the_same_bytes() {
+    let folder = solved();
+    let formats = ["--only", "mjcf,usd,usdz,sdf,obj"];
+    let sums = || {
+        assert_eq!(export(folder.path(), &formats).code, 0);
+        fs::read_to_string(folder.path().join("out/.scenelang-files.sha256")).unwrap()
+    };
+    let first = sums();
+    fs::remove_dir_all(folder.path().join("out")).unwrap();
+    assert_eq!(sums(), first);
+}
+
+#[test]
+fn a_trial_says_what_overlaps_and_what_moves() {
+    let Some(python) = python() else { return skip("no trial: no .venv") };
+    let folder = solved();
+    let tried = |args: &[&str]| {
+        let command = &mut binary();
+        command.args(["export", "room.layout.json", "-o", "out", "--force", "--only", "mjcf", "--try"]).args(args);
+        run(command.env("SCENELANG_PYTHON", &python).current_dir(folder.path()), b"")
+    };
+    // What is imported is not what lies around.
+    fs::write(folder.path().join("mujoco.py"), "raise SystemExit(9)").unwrap();
+    let ended = tried(&[]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    assert!(ended.stdout.contains("nothing overlaps by more than 2 mm"), "{}", ended.stdout);
+    let told: Value = serde_json::from_str(&tried(&["--format", "json"]).stdout).unwrap();
+    assert_eq!(told["trial"]["ok"], true, "{told}");
+    // Lifted by hand, it falls.
+    let path = folder.path().join("room.layout.json");
+    let mut layout: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    layout["objects"]["bed"]["pos"][1] = 0.2.into();
+    fs::write(&path, layout.to_string()).unwrap();
+    let ended = tried(&[]);
+    assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
+    assert!(ended.stdout.contains("bed moves by "), "{}", ended.stdout);
+}
+
+#[test]
+fn a_trial_without_an_engine_says_what_is_missing_and_the_files_are_written() {
+    let folder = solved();
+    let command = &mut binary();
+    command.args(["export", "room.layout.json", "-o", "out", "--only", "usd", "--try"]);
+    let ended = run(command.env("SCENELANG_PYTHON", "no-such-python").current_dir(folder.path()), b"");
+    assert_eq!(ended.code, 2);
+    assert!(ended.stderr.contains("--try needs Python with the package `mujoco`"), "{}", ended.stderr);
+    assert!(written(folder.path()).contains("room.mjcf.xml"));
+}

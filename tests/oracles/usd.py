@@ -1,0 +1,60 @@
+"""Validates USD files with all validators of Pixar's own library.
+
+usage: usd.py FILE.usda FILE.usdz …
+
+Also reads back what an engine needs: rigid bodies have a mass and colliders, every body has labels, no file needs another.
+Prints one JSON object a file. Exit 0: no issue; 1: issues; 2: a file cannot be opened.
+"""
+import json
+import sys
+
+from pxr import Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdUtils, UsdValidation
+
+
+def bodies(stage):
+    wrong, loose = [], 0
+    for prim in [p for folder in ("Objects", "Building") for p in stage.GetPrimAtPath(f"/World/{folder}").GetChildren()]:
+        labels = {name: list(UsdSemantics.LabelsAPI(prim, name).GetLabelsAttr().Get() or []) for name in ("category", "instance")}
+        if not all(len(values) == 1 and values[0] for values in labels.values()):
+            wrong.append(f"{prim.GetPath()}: labels {labels}")
+        colliders = [p for p in Usd.PrimRange(prim) if p.HasAPI(UsdPhysics.CollisionAPI)]
+        if prim.HasAPI(UsdPhysics.RigidBodyAPI):
+            loose += 1
+            mass = UsdPhysics.MassAPI(prim).GetMassAttr().Get()
+            if not mass or mass <= 0 or not colliders:
+                wrong.append(f"{prim.GetPath()}: mass {mass}, {len(colliders)} colliders")
+    return wrong, loose
+
+
+def judge(path, context):
+    stage = Usd.Stage.Open(path)
+    issues = [f"{e.GetName()}: {e.GetMessage()}" for e in context.Validate(stage)]
+    wrong, loose = bodies(stage)
+    layers, assets, unresolved = UsdUtils.ComputeAllDependencies(path)
+    if assets or unresolved or len(layers) != 1:
+        wrong.append(f"needs other files: {layers} {assets} {unresolved}")
+    if UsdGeom.GetStageMetersPerUnit(stage) != 1 or UsdGeom.GetStageUpAxis(stage) != "Y":
+        wrong.append("not in metres with y up")
+    lights = sum(1 for p in stage.Traverse() if p.HasAPI(UsdLux.LightAPI))
+    print(json.dumps({
+        "file": path, "prims": sum(1 for _ in stage.Traverse()), "loose": loose, "lights": lights,
+        "issues": issues, "wrong": wrong,
+    }))
+    return bool(issues or wrong)
+
+
+def main():
+    registry = UsdValidation.ValidationRegistry()
+    validators = registry.GetOrLoadAllValidators()
+    context = UsdValidation.ValidationContext(validators)
+    print(json.dumps({"validators": len(validators)}))
+    try:
+        found = [judge(path, context) for path in sys.argv[1:]]
+    except Exception as problem:  # whatever it is, the verdict is: it cannot be opened
+        print(f"cannot open: {type(problem).__name__}: {problem}", file=sys.stderr)
+        return 2
+    return 1 if any(found) or not found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
