@@ -32,7 +32,7 @@ pub(crate) enum Shape {
         height: f64,
     },
     /// Any convex body, in the frame of the body.
-    Hull(Convex),
+    Hull(Box<Convex>),
 }
 
 /// A cylinder part was verified as a prism of 24 sides within it. Where the two differ by more than this (metres), the prism
@@ -41,7 +41,7 @@ const ROUND: f64 = 0.001;
 
 impl Geom {
     fn hull(body: Convex, surface: usize) -> Self {
-        Self { shape: Shape::Hull(body), pos: Vec3::zeros(), axes: Matrix3::identity(), surface }
+        Self { shape: Shape::Hull(Box::new(body)), pos: Vec3::zeros(), axes: Matrix3::identity(), surface }
     }
 
     fn block(obb: &Obb, surface: usize) -> Self {
