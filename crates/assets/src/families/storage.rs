@@ -404,7 +404,7 @@ pub(super) fn display_case(a: &Ask) -> Model {
     let rows = pieces(glass.size().y, 0.4, 1, 5);
     let goods = if a.says(&["bakery", "pastry", "cake", "food", "bread"]) { BAKED } else { EXHIBITS };
     let mut dice = a.dice();
-    for (row, shelf) in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).into_iter().enumerate() {
+    for (row, shelf) in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).enumerate() {
         let board = if row == 0 { shelf.min.y } else { shelf.min.y + 0.5 * t };
         if row > 0 {
             m.mesh.crisp(shelf.y(shelf.min.y..board), &stuff::STEEL.surface());

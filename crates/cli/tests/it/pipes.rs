@@ -12,7 +12,7 @@ use std::process::Stdio;
 const CLOSED: i32 = 141;
 
 /// Commands in a folder with `bedroom.scene` and a layout of it, each with more to print than nothing.
-const COMMANDS: [&[&str]; 25] = [
+const COMMANDS: [&[&str]; 26] = [
     &["check", "bedroom.scene"],
     &["formalize", "a bedroom with a bed and two lamps"],
     &["formalize", "a bedroom with a bed and two lamps", "--format", "json"],
@@ -28,6 +28,7 @@ const COMMANDS: [&[&str]; 25] = [
     &["repair", "bedroom.layout.json", "--dry-run"],
     &["repair", "bedroom.layout.json", "--dry-run", "--format", "json"],
     &["export", "bedroom.layout.json", "-o", "out"],
+    &["import", "out/bedroom.glb", "-o", "back"],
     &["fmt", "-"],
     &["explain", "V0101"],
     &["schema", "report"],
