@@ -31,6 +31,10 @@ impl Numbering {
     pub fn len(&self) -> usize {
         self.terms + 2 * self.objects + self.objects * self.objects.saturating_sub(1) / 2
     }
+    /// Whether nothing can be violated.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
     /// The index of P-BOUNDS of an object.
     pub fn bounds(&self, id: ObjectId) -> usize {
         self.terms + id.0 as usize

@@ -28,7 +28,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     for node in indices(&scene["nodes"]) {
         walk.node(node, &Matrix4::identity(), None, 0);
     }
-    Ok(found.as_it_stands(&walk.seen))
+    Ok(found.updated(&walk.seen))
 }
 
 /// The first chunk of a GLB file: a header of 12 bytes, then length, kind and data of each chunk.

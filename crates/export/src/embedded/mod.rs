@@ -53,7 +53,7 @@ impl Embedded {
     }
 
     /// Takes over how the things of the scene stand now.
-    fn as_it_stands(mut self, standing: &[stand::Standing]) -> Self {
+    fn updated(mut self, standing: &[stand::Standing]) -> Self {
         let edited = edits::apply(&self.layout, standing);
         self.changes = edited.changes;
         if let Some(layout) = edited.layout {

@@ -36,7 +36,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
         let things = Things::new(documents(&text));
         // Whoever has edited the layout itself wants that judged.
         if let Some(standing) = things.standing().filter(|_| things.layout_sum() == Some(sum(&layout))) {
-            return Ok(found.as_it_stands(&standing));
+            return Ok(found.updated(&standing));
         }
     }
     Ok(found)
