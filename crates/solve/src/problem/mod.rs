@@ -5,6 +5,7 @@ pub(crate) mod draws;
 pub(crate) mod equations;
 pub(crate) mod frame;
 pub(crate) mod limit;
+pub(crate) mod opens;
 pub(crate) mod rules;
 pub(crate) mod setup;
 pub(crate) mod sound;
@@ -214,6 +215,8 @@ pub enum What {
     Bounds(SmolStr),
     /// P-SUPPORT of an object.
     Support(SmolStr),
+    /// P-OPEN of an object, with what keeps it from opening, if that is an object.
+    Open(SmolStr, Option<SmolStr>),
 }
 
 /// A step of the solver.
