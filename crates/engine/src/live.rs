@@ -5,9 +5,7 @@ use crate::{Index, Pose, State};
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Aabb, Layout, Vec3};
-use scenelang_verify::check::{
-    GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, parts, rooms, stated, too_dense,
-};
+use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, parts, rooms, stated, too_dense};
 use scenelang_verify::opening::LOOKS;
 use scenelang_verify::report::model::Summary;
 use scenelang_verify::rules::{Columns, Support, open, pairs_up_to, support};
@@ -272,7 +270,13 @@ impl<'a> Live<'a> {
         diagnostics.extend(self.dense.clone());
         diagnostics.extend(self.rooms.iter().cloned());
         let parts = if self.rules.is_some() { parts(self.state.world()) } else { Vec::new() };
-        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics, parts, ..Verdict::default() }
+        Verdict {
+            rows: self.rows().cloned().collect(),
+            summary: self.summary,
+            diagnostics,
+            parts,
+            ..Verdict::default()
+        }
     }
 }
 

@@ -77,7 +77,8 @@ impl Moving {
     pub fn around(&self, amount: f64) -> Aabb {
         let to = self.inner(amount);
         let reach = |axis: Vec3| {
-            let highest = |way: Vec3| self.bodies.iter().map(|b| self.highest(b, &way, [0.0, to])).fold(-1e300, f64::max);
+            let highest =
+                |way: Vec3| self.bodies.iter().map(|b| self.highest(b, &way, [0.0, to])).fold(-1e300, f64::max);
             [-highest(-axis), highest(axis)]
         };
         let ([x, x2], [y, y2], [z, z2]) = (reach(Vec3::x()), reach(Vec3::y()), reach(Vec3::z()));
@@ -192,10 +193,7 @@ impl Moving {
     fn around_of(&self, body: &Convex, to: f64) -> Aabb {
         let highest = |way: Vec3| self.highest(body, &way, [0.0, to]);
         let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
-        Aabb {
-            min: Vec3::from(axes.map(|axis| -highest(-axis))),
-            max: Vec3::from(axes.map(|axis| highest(axis))),
-        }
+        Aabb { min: Vec3::from(axes.map(|axis| -highest(-axis))), max: Vec3::from(axes.map(highest)) }
     }
 
     /// The rotation about the origin and the translation after it that open it by so much (radians or metres).

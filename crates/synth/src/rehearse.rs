@@ -192,7 +192,7 @@ fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
             What::Stated(_) => continue,
             What::Collision(a, b) => vec![owned(a), owned(b)],
             What::Bounds(a) | What::Support(a) => vec![owned(a)],
-            What::Open(a, met) => std::iter::once(a).chain(met).map(owned).collect(),
+            What::Open(a, met) => std::iter::once(a).chain(met).map(|name| owned(name)).collect(),
         });
     }
     if groups.is_empty() {

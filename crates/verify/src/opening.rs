@@ -7,15 +7,35 @@ use crate::builtins::region_beside;
 use crate::eval::{Cause, Truth};
 use crate::number::Number;
 use crate::world::World;
+use nalgebra::Matrix3;
 use scenelang_lang::program::{ObjectId, Program, RegionId, Side};
 use scenelang_layout::{Aabb, Convex, Joint, Motion, Moving, Obb, Separation, Swept, Vec2, Vec3};
-use nalgebra::Matrix3;
 
 /// What a person pushes aside before furniture is opened: the last word of the category. An object with the feature "fixed"
 /// is not, one with the feature "light" is, whatever its category.
 pub const PUSHED_ASIDE: [&str; 22] = [
-    "armchair", "backpack", "bag", "ball", "basket", "beanbag", "bin", "chair", "dustbin", "footrest", "footstool", "hamper",
-    "hassock", "highchair", "ottoman", "pouf", "slipper", "shoe", "stool", "suitcase", "toy", "wastebasket",
+    "armchair",
+    "backpack",
+    "bag",
+    "ball",
+    "basket",
+    "beanbag",
+    "bin",
+    "chair",
+    "dustbin",
+    "footrest",
+    "footstool",
+    "hamper",
+    "hassock",
+    "highchair",
+    "ottoman",
+    "pouf",
+    "slipper",
+    "shoe",
+    "stool",
+    "suitcase",
+    "toy",
+    "wastebasket",
 ];
 /// Roles of what gives way to anything.
 const SOFT: [&str; 2] = ["carpet", "curtain"];
@@ -47,7 +67,8 @@ impl Habits {
         let light = |category: &str| {
             let words: Vec<String> = words(category);
             words.last().is_some_and(|last| {
-                PUSHED_ASIDE.contains(&last.as_str()) || last.strip_suffix('s').is_some_and(|w| PUSHED_ASIDE.contains(&w))
+                PUSHED_ASIDE.contains(&last.as_str())
+                    || last.strip_suffix('s').is_some_and(|w| PUSHED_ASIDE.contains(&w))
             })
         };
         let asserted = |id: usize| program.allow.doors.iter().any(|door| door.object.0 as usize == id);
@@ -369,5 +390,9 @@ fn upright([a, b]: [Vec2; 2], around: &Aabb) -> Option<Convex> {
     let middle = (a + b) / 2.0;
     let center = Vec3::new(middle.x, (around.min.y + around.max.y) / 2.0, middle.y);
     let half = Vec3::new(length / 2.0, (around.max.y - around.min.y) / 2.0 + 1.0, 0.0);
-    Some(Convex::from_box(&Obb { center, axes: Matrix3::from_columns(&[along, Vec3::y(), along.cross(&Vec3::y())]), half }))
+    Some(Convex::from_box(&Obb {
+        center,
+        axes: Matrix3::from_columns(&[along, Vec3::y(), along.cross(&Vec3::y())]),
+        half,
+    }))
 }

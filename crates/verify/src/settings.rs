@@ -344,7 +344,10 @@ mod tests {
     fn every_slip_is_told_at_its_place() {
         for (text, wanted) in [
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
-            ("sofa = 1", "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm"),
+            (
+                "sofa = 1",
+                "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm",
+            ),
             ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
             ("opens = \"door\"", "1:9-15 `opens` takes \"all\", \"doors\" or \"none\", not \"door\""),
             ("opens = true", "1:9-13 `opens` takes \"all\", \"doors\" or \"none\", not a truth value"),

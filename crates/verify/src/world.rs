@@ -12,7 +12,10 @@ use crate::vector::{M3, V3};
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Allowances, DrawId, ObjectId, Program, RegionId, VariableId, VariableKind};
 use scenelang_layout::convex::{self, local_solid, parts_fill_box};
-use scenelang_layout::{Aabb, Convex, Geometry, Joint, Layout, Motion, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation};
+use scenelang_layout::{
+    Aabb, Convex, Geometry, Joint, Layout, Motion, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model,
+    rotation,
+};
 use std::sync::{Arc, OnceLock};
 
 /// An instance of a program.

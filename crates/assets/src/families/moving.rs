@@ -112,7 +112,8 @@ impl Model {
         let size = front.size();
         // It keeps clear of the body, which is no thicker than this.
         let (beside, below) = (0.02_f64.min(0.06 * size.x), 0.02_f64.min(0.12 * size.y));
-        let tray = front.inset(beside, 0.0, 0.0).y(front.min.y + below..front.max.y - 0.2 * size.y).z(back..front.min.z);
+        let tray =
+            front.inset(beside, 0.0, 0.0).y(front.min.y + below..front.max.y - 0.2 * size.y).z(back..front.min.z);
         let wall = 0.012_f64.min(0.1 * tray.size().x).min(0.2 * tray.size().y).min(0.1 * deep);
         let bottom = tray.y(tray.min.y..tray.min.y + wall);
         let sides = [tray.x(tray.min.x..tray.min.x + wall), tray.x(tray.max.x - wall..tray.max.x)];

@@ -1,11 +1,11 @@
 //! What sits in walls or divides rooms: doors, windows, curtains, blinds, partitions, stairs, pillars.
 
+use super::moving::Hung;
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, is, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
-use super::moving::Hung;
 use scenelang_layout::Vec3;
 
 /// Four strips along the edges of a face (normal z), `side` wide left and right, `top` above, `bottom` below.

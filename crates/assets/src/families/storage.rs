@@ -1,12 +1,12 @@
 //! Cupboards, chests, shelves and racks, open or with doors; fronts face +z.
 
+use super::moving::{Hung, MOST};
 use super::tables::{drawers, handle};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
-use super::moving::{Hung, MOST};
 
 /// Doors in columns over a face that looks to +z, which open; handles at the meeting edges.
 fn doors(m: &mut Model, face: Block, columns: usize, deep: f64, front: &Surface, grip: &Surface) {

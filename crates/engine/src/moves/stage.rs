@@ -11,8 +11,8 @@ use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Owner, Pinned, Pr
 use scenelang_layout::Aabb;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, Step};
-use scenelang_verify::report::model::Kind;
 use scenelang_verify::opening::Met;
+use scenelang_verify::report::model::Kind;
 use scenelang_verify::rules::{Scope, Support, open, support};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Scratch, Truth, Value, World, in_the_way, objects_of};
@@ -398,10 +398,8 @@ impl<'a> Stage<'a> {
     /// The objects of which some part may come to open, or no longer, where these have moved.
     fn swept_by(&self, moved: &[ObjectId]) -> Vec<ObjectId> {
         let world = self.world();
-        let boxes: Vec<Aabb> = moved
-            .iter()
-            .flat_map(|id| self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(*id)))
-            .collect();
+        let boxes: Vec<Aabb> =
+            moved.iter().flat_map(|id| self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(*id))).collect();
         let near = |id: ObjectId| {
             open::reach(world, id).is_some_and(|reach| boxes.iter().any(|b| b.distance(&reach) <= open::REACH))
         };

@@ -3,7 +3,7 @@
 use super::json::{Node, find};
 use super::read::Reader;
 use super::write::{Old, Out, number, numbers, text, triple};
-use crate::{Joint, Motion, Part, Vec3};
+use crate::{Joint, Motion, Part};
 use scenelang_base::codes;
 use smol_str::SmolStr;
 
@@ -61,24 +61,16 @@ impl Reader<'_, '_> {
         });
         let anchor = self.required(node, members, "anchor", &owner).and_then(|n| self.triple(n, &what("anchor")));
         let limits = self.required(node, members, "limits", &owner).and_then(|n| self.limits(n, &what("limits")));
-        let useful = match find(members, "useful") {
-            Some(m) => Some(self.useful(&m.node, &what("useful"), limits)),
-            None => None,
-        };
-        let handle = match find(members, "handle") {
-            Some(m) => Some(self.triple(&m.node, &what("handle"))),
-            None => None,
-        };
-        let optional = |given: Option<Option<f64>>| given.map_or(Some(None), |value| value.map(Some));
-        let handle: Option<Option<Vec3>> = handle.map_or(Some(None), |value| value.map(Some));
+        let useful = find(members, "useful").map(|m| self.useful(&m.node, &what("useful"), limits));
+        let handle = find(members, "handle").map(|m| self.triple(&m.node, &what("handle")));
         Some(Joint {
             name: called?,
             motion: motion?,
             axis: axis?,
             anchor: anchor?,
             limits: limits?,
-            useful: optional(useful)?,
-            handle: handle?,
+            useful: useful.map_or(Some(None), |read| read.map(Some))?,
+            handle: handle.map_or(Some(None), |read| read.map(Some))?,
             parts: moved?,
         })
     }

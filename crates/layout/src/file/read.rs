@@ -279,7 +279,13 @@ impl Reader<'_, '_> {
     }
 
     /// A member that must be there; if not, that is said at the brace around it.
-    pub(super) fn required<'n>(&mut self, node: &Node, members: &'n [Member], key: &str, owner: &str) -> Option<&'n Node> {
+    pub(super) fn required<'n>(
+        &mut self,
+        node: &Node,
+        members: &'n [Member],
+        key: &str,
+        owner: &str,
+    ) -> Option<&'n Node> {
         let found = find(members, key).map(|m| &m.node);
         if found.is_none() {
             let brace = TextRange::new(node.range.start as usize, node.range.start as usize + 1);

@@ -329,8 +329,7 @@ fn a_malformed_joint_is_one_error_at_its_place() {
         let text = with_joint(old, new);
         let got = found(&text);
         assert!(
-            got.len() == expected.len()
-                && got.iter().zip(*expected).all(|(g, e)| g.0 == e.0 && g.1.starts_with(e.1)),
+            got.len() == expected.len() && got.iter().zip(*expected).all(|(g, e)| g.0 == e.0 && g.1.starts_with(e.1)),
             "{new}: {:#?}",
             open(&text).diagnostics
         );

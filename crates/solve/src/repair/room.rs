@@ -44,9 +44,7 @@ impl<'a> Fixtures<'a> {
         let scope = judge.options.physics.then(|| Scope::new(&world));
         let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
         let terms = terms::split(judge.program).into_iter().chain(opens::terms(&world)).collect();
-        let frame = Frame::new(judge.program, terms, scope, |id| {
-            size(id).unwrap_or_else(|| Vec3::repeat(1.0))
-        });
+        let frame = Frame::new(judge.program, terms, scope, |id| size(id).unwrap_or_else(|| Vec3::repeat(1.0)));
         Self { frame, world }
     }
 }

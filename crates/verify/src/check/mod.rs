@@ -176,7 +176,9 @@ pub fn judged(program: &Program, layout: &Layout, places: Option<&Places>, optio
 pub fn parts(world: &World<f64>) -> Vec<(ObjectId, u8, SmolStr)> {
     let named = |id: ObjectId| {
         let joints = opening::joints(world, id);
-        open::demands(world, id).into_iter().filter_map(move |(part, _)| Some((id, part, joints.get(usize::from(part))?)))
+        open::demands(world, id)
+            .into_iter()
+            .filter_map(move |(part, _)| Some((id, part, joints.get(usize::from(part))?)))
     };
     let all = world.bodies().flat_map(|(id, _)| named(id));
     all.map(|(id, part, joint)| (id, part, joint.name.clone())).collect()

@@ -7,9 +7,9 @@ use super::{Judged, Subject, Verdict};
 use crate::builtins;
 use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
 use crate::explain::{self, Explanation};
+use crate::opening::{self, LOOKS, Met};
 use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
-use crate::opening::{self, LOOKS, Met};
 use crate::rules::{Columns, Scope, Support, bounds, collide, mounts, open, pairs_up_to};
 use crate::world::World;
 use rustc_hash::FxHashSet;
@@ -351,7 +351,8 @@ impl<'a> Rules<'a> {
             match outcome {
                 Some(truth) if !truth.holds => {
                     let mut looks = before;
-                    let free = opening::free(world, id, usize::from(part), demand, &mut looks).map_or(0.0, |(free, _)| free);
+                    let free =
+                        opening::free(world, id, usize::from(part), demand, &mut looks).map_or(0.0, |(free, _)| free);
                     let free = joint.map_or(String::new(), |joint| opening::amount(free, joint.motion));
                     format!("`{name}` opens {free} of {amount}, then meets {what}")
                 }

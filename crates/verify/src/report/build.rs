@@ -75,7 +75,8 @@ pub fn statement_id(name: &str, sources: &SourceMap, span: Span) -> String {
 
 /// The id of a rule about a movable part: `P-OPEN:fridge/door`; `parts` are the names of those that there are.
 pub fn part_id(rule: &str, object: &str, (id, part): (ObjectId, u8), parts: &[(ObjectId, u8, SmolStr)]) -> String {
-    let name = parts.iter().find(|(owner, index, _)| (*owner, *index) == (id, part)).map_or("", |(.., name)| name.as_str());
+    let name =
+        parts.iter().find(|(owner, index, _)| (*owner, *index) == (id, part)).map_or("", |(.., name)| name.as_str());
     format!("{rule}:{object}/{name}")
 }
 
