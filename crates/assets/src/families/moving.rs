@@ -125,7 +125,9 @@ impl Model {
             self.mesh.crisp(tray, s);
         } else if count <= BUILT {
             self.board(bottom, s);
-            sides.map(|side| self.board(above(side), s));
+            for side in sides {
+                self.board(above(side), s);
+            }
             self.board(end, s);
         } else {
             self.solid(tray);

@@ -2,8 +2,8 @@
 
 use crate::geometry::{bounds, corners, inside_hull, mass, planes, triangles, volume};
 use crate::nouns::families;
-use scenelang_assets::{Asset, Request, furnish};
 use nalgebra::Matrix3;
+use scenelang_assets::{Asset, Request, furnish};
 use scenelang_layout::{Convex, Joint, Moving, Part, Vec3};
 use std::collections::BTreeMap;
 

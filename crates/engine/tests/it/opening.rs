@@ -110,7 +110,6 @@ fn what_gives_way_is_not_in_the_way() {
     assert!(holds("allowCollide(thing, cabinet);", before), "what may overlap");
     assert!(holds("", "object thing 1 1 0.1 | 0.2 0.3 0.2"), "what stands on the body");
 
-
     // The door of a room is no furniture: nobody moves a chair for it.
     let chair = "object thing 0 0 -1.1 | 0.4 0.8 0.4";
     let room = "region hall; object door; object thing; thing.category <- \"chair\"; assert connects(door, hall);";

@@ -26,7 +26,8 @@ fn opening(dice: &mut Dice) -> Hidden {
             size: Vec3::new(w, high * h, deep * d),
             rot: Vec3::zeros(),
         };
-        thing.parts = vec![part([0.5, -0.05], [1.0, 0.9]), part([0.75, 0.45], [0.5, 0.1]), part([0.25, 0.45], [0.5, 0.1])];
+        thing.parts =
+            vec![part([0.5, -0.05], [1.0, 0.9]), part([0.75, 0.45], [0.5, 0.1]), part([0.25, 0.45], [0.5, 0.1])];
         let joint = |motion, axis, [most, useful]: [f64; 2], part: usize| Joint {
             name: format!("part {part}").into(),
             motion,
@@ -37,10 +38,8 @@ fn opening(dice: &mut Dice) -> Hidden {
             handle: None,
             parts: vec![part],
         };
-        thing.joints = vec![
-            joint(Motion::Hinge, -Vec3::y(), [110.0, 90.0], 1),
-            joint(Motion::Slide, Vec3::z(), [1.6, 0.5], 2),
-        ];
+        thing.joints =
+            vec![joint(Motion::Hinge, -Vec3::y(), [110.0, 90.0], 1), joint(Motion::Slide, Vec3::z(), [1.6, 0.5], 2)];
     }
     hidden
 }
