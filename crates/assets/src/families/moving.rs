@@ -6,7 +6,7 @@
 use crate::block::Block;
 use crate::mesh::Surface;
 use crate::model::Model;
-use scenelang_layout::{Joint, Motion, Part, Vec3};
+use scenelang_layout::{Joint, Motion, Vec3};
 
 /// Where a leaf has its hinges, as the object sees its own left and right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +34,22 @@ pub(super) const MOST: usize = 12;
 /// and of still more the front is part of it.
 const BUILT: usize = 3;
 const BLOCKS: usize = 7;
+
+impl Block {
+    /// Narrower on the side away from the hinges: the inner edge there goes round further than the leaf is wide, and must not
+    /// meet what is beside it.
+    fn beveled(self, hung: Hung) -> Self {
+        const PLAY: f64 = 5e-4;
+        let size = self.size();
+        let wide = if hung == Hung::Below { size.y } else { size.x };
+        let less = (wide.hypot(size.z) - wide + PLAY).min(0.3 * wide);
+        match hung {
+            Hung::Left => self.x(self.min.x..self.max.x - less),
+            Hung::Right => self.x(self.min.x + less..self.max.x),
+            Hung::Below => self.y(self.min.y..self.max.y - less),
+        }
+    }
+}
 
 impl Model {
     /// What was added last, `parts` parts, opens.
@@ -68,6 +84,7 @@ impl Model {
     /// A leaf that fills a box, drawn by hand; its front is the face towards +z.
     pub(super) fn leaf(&mut self, name: &str, b: Block, hung: Hung) {
         let before = self.parts.len();
+        let b = b.beveled(hung);
         self.solid(b);
         if self.parts.len() == before {
             return;
@@ -120,8 +137,8 @@ impl Model {
         let above = |b: Block| b.y(tray.min.y + wall..tray.max.y);
         let end = above(tray).z(tray.min.z..tray.min.z + wall).x(tray.min.x + wall..tray.max.x - wall);
         if count > BLOCKS {
-            let Some(Part::Box { pos, size, .. }) = self.parts.last_mut() else { return };
-            (pos.z, size.z) = ((tray.min.z + front.max.z) / 2.0, front.max.z - tray.min.z);
+            self.parts.truncate(before);
+            self.solid(tray.z(tray.min.z..front.max.z));
             self.mesh.crisp(tray, s);
         } else if count <= BUILT {
             self.board(bottom, s);

@@ -121,7 +121,7 @@ pub(super) fn wardrobe(a: &Ask) -> Model {
         doors(&mut m, face.y(cut..face.max.y), columns, deep, &front, &grip);
         let below = columns.div_ceil(2);
         for f in face.y(face.min.y..cut).split(0, below, 0.005) {
-            pulled(&mut m, f.y(face.min.y..cut - 0.005), (1, below), deep, [&front, &grip]);
+            pulled(&mut m, f.y(face.min.y..cut - 0.005), (1, below + columns / 4), deep, [&front, &grip]);
         }
     } else {
         doors(&mut m, face, columns, deep, &front, &grip);
