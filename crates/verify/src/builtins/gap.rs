@@ -115,7 +115,7 @@ fn separation(a: &Body, b: &Body) -> (Separation, Option<[usize; 2]>) {
 }
 
 /// The gap between the solids of two objects, in proofs.
-pub(super) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> Term {
+pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> Term {
     let (gap, new) = facts.term(name(a, b), ANY);
     if new {
         let (x, y) = (facts.thing(a), facts.thing(b));

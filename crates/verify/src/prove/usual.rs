@@ -1,0 +1,157 @@
+//! What nobody means otherwise, and what `solve` takes for granted: rooms stand unturned with their floors at height 0,
+//! things stand upright on a floor, and have their usual sizes, unless the program speaks of it.
+//!
+//! A program that contradicts itself under this is refuted by it, and the verdict says so. Whatever is taken for granted
+//! is decided by the whole program, so that no choice among its statements changes it.
+
+use scenelang_lang::library::usual_size;
+use scenelang_lang::program::{
+    Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned, Program,
+    RegionId, RegionProperty,
+};
+use scenelang_lang::roles::role_of;
+use std::collections::BTreeSet;
+
+/// The size of what nobody knows anything about (metres).
+const UNKNOWN: [f64; 3] = [0.5; 3];
+
+/// What is taken for granted of a program.
+#[derive(Clone, Debug)]
+pub(crate) struct Usual {
+    /// By object: whether it stands upright.
+    pub upright: Vec<bool>,
+    /// By object: its size (metres), where the program says nothing of it.
+    pub size: Vec<Option<[f64; 3]>>,
+    /// By object: what it may stand on, beside a floor.
+    pub carriers: Vec<Vec<ObjectId>>,
+    /// By region: whether it is unturned.
+    pub unturned: Vec<bool>,
+}
+
+impl Usual {
+    /// What is taken for granted of a program.
+    pub fn of(program: &Program) -> Self {
+        let objects = || (0..program.objects.len() as u32).map(ObjectId);
+        let said = sizes_said(program);
+        let size = |id: ObjectId| (!said.contains(&id)).then(|| size_of(&program.objects[id.0 as usize]));
+        let turned = |id: RegionId| {
+            let reads = |n: &Node| matches!(n, Node::Region(RegionProperty::Rot, r) if *r == id);
+            hard(program).any(|c| c.formula.nodes.iter().any(reads))
+        };
+        let regions = (0..program.regions.len() as u32).map(RegionId);
+        Self {
+            upright: upright(program),
+            size: objects().map(size).collect(),
+            carriers: carriers(program),
+            unturned: regions.map(|r| !turned(r)).collect(),
+        }
+    }
+}
+
+/// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
+/// and from which to which height above its base that reaches. Nothing is known of most.
+pub(super) fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
+    match role_of(what(object)) {
+        "storage" | "appliance" => Some(([w, d], [0.0, h])),
+        _ => None,
+    }
+}
+
+fn hard(program: &Program) -> impl Iterator<Item = &Constraint> {
+    program.constraints.iter().filter(|c| !matches!(c.kind, ConstraintKind::Prefer { .. }))
+}
+
+/// The size that an object gets where the program says nothing of it: that of its category, or of its name.
+fn size_of(object: &Object) -> [f64; 3] {
+    usual_size(what(object)).unwrap_or(UNKNOWN)
+}
+
+/// What an object is: its category, or else what its name says.
+fn what(object: &Object) -> &str {
+    let name = object.array.as_ref().map_or(object.name.as_str(), |(array, _)| array.as_str());
+    if object.category.is_empty() { name } else { &object.category }
+}
+
+/// Objects whose size the program assigns, or speaks of by itself.
+fn sizes_said(program: &Program) -> BTreeSet<ObjectId> {
+    let sizes = |f: &Formula| {
+        f.nodes.iter().all(|n| match n {
+            Node::Object(property, _) => *property == ObjectProperty::Scale,
+            Node::BuiltIn(..) => false,
+            _ => true,
+        })
+    };
+    let mut found: BTreeSet<ObjectId> =
+        hard(program).filter(|c| sizes(&c.formula)).flat_map(|c| c.formula.objects()).collect();
+    found.extend(program.pins.iter().filter_map(|pin| match (pin.owner, pin.property) {
+        (Owner::Object(id), Pinned::Scale) => Some(id),
+        _ => None,
+    }));
+    found
+}
+
+/// By object: those whose tops some formula compares with its base.
+fn carriers(program: &Program) -> Vec<Vec<ObjectId>> {
+    use ObjectProperty::{Bottom, Pos, Surface, Top};
+    let mut found = vec![Vec::new(); program.objects.len()];
+    for Constraint { formula, .. } in &program.constraints {
+        let of = |wanted: &[ObjectProperty]| {
+            let one = |node: &Node| match node {
+                Node::Object(property, id) if wanted.contains(property) => Some(*id),
+                _ => None,
+            };
+            formula.nodes.iter().filter_map(one).collect::<BTreeSet<ObjectId>>()
+        };
+        let (bases, tops) = (of(&[Bottom, Pos]), of(&[Surface, Top]));
+        for base in bases {
+            found[base.0 as usize].extend(tops.iter().filter(|top| **top != base));
+        }
+    }
+    found
+}
+
+/// Whether each object stands upright: no statement reads its turn about x or z, or its up, or turns it like something
+/// that is not level.
+fn upright(program: &Program) -> Vec<bool> {
+    let mut tilts = vec![false; program.objects.len()];
+    let mut same = Vec::new();
+    for Constraint { formula, .. } in hard(program) {
+        let turned = |id: NodeId| match formula.node(id) {
+            Node::Object(ObjectProperty::Rot, object) => Some(*object),
+            _ => None,
+        };
+        for node in &formula.nodes {
+            let tilted = match node {
+                Node::Component(Axis::X | Axis::Z, of) => turned(*of),
+                Node::Same(a, b) => {
+                    same.extend(turned(*a).zip(turned(*b)));
+                    turned(*a).filter(|_| !is_level(formula, *b)).or(turned(*b).filter(|_| !is_level(formula, *a)))
+                }
+                Node::Object(ObjectProperty::Up, object) => Some(*object),
+                _ => None,
+            };
+            if let Some(object) = tilted {
+                tilts[object.0 as usize] = true;
+            }
+        }
+    }
+    loop {
+        let before = tilts.iter().filter(|t| **t).count();
+        for (a, b) in same.iter().map(|(a, b)| (a.0 as usize, b.0 as usize)) {
+            let either = tilts[a] || tilts[b];
+            (tilts[a], tilts[b]) = (either, either);
+        }
+        if tilts.iter().filter(|t| **t).count() == before {
+            return tilts.into_iter().map(|t| !t).collect();
+        }
+    }
+}
+
+/// Whether a rotation is that of something upright, as far as its formula shows. That of an object is its own affair.
+fn is_level(formula: &Formula, id: NodeId) -> bool {
+    match formula.node(id) {
+        Node::Rotation([x, _, z]) => [x, z].iter().all(|c| *formula.node(**c) == Node::Number(0.0)),
+        Node::Object(..) => true,
+        _ => false,
+    }
+}
