@@ -34,6 +34,7 @@ mod targets;
 mod trace;
 mod view;
 mod watch;
+mod words;
 
 use args::{Args, Bench, Command, Eval};
 use clap::Parser;
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
+        Command::Categories(args) => words::categories(&args),
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),

@@ -1,6 +1,6 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, Given, Model, Source, crowds, regions_of};
+use super::model::{Choice, Given, Model, Rules, Source, crowds, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
@@ -9,7 +9,9 @@ use super::usual::Usual;
 use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
-use scenelang_lang::program::{Arith, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId};
+use scenelang_lang::program::{
+    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId,
+};
 use std::sync::atomic::Ordering;
 
 /// So many contradictions are looked for.
@@ -156,7 +158,7 @@ impl<'a> Prover<'a> {
     where
         'a: 's,
     {
-        Choice { statements, contrary: None, rules: true, usual: self.usual }
+        Choice { statements, contrary: None, rules: Rules::All, usual: self.usual }
     }
 
     fn is_hard(&self, statement: usize) -> bool {
@@ -291,6 +293,26 @@ impl<'a> Prover<'a> {
         Some(Contradiction { statements, definitions, rules, reason, as_usual, proof })
     }
 
+    /// Whether an upper bound of a distance holds wherever things stand in a room of the size that it has.
+    fn fits_always(&mut self, statement: usize) -> bool {
+        let formula = &self.program.constraints[statement].formula;
+        if self.usual.is_none() || !bounds_a_distance(formula) {
+            return false;
+        }
+        let (objects, is_pin) = (formula.objects(), |c: usize| self.program.constraints[c].kind == ConstraintKind::Pin);
+        let speaks = |owner: Owner| match owner {
+            Owner::Object(id) => objects.contains(&id),
+            Owner::Region(_) => true,
+        };
+        let pins = self.program.pins.iter().filter(|p| speaks(p.owner) && is_pin(p.constraint));
+        let mut pins: Vec<usize> = pins.map(|p| p.constraint).collect();
+        pins.sort_unstable();
+        pins.dedup();
+        let choice =
+            Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
+        self.refute(choice, ONE, false).is_some()
+    }
+
     fn redundancies(&mut self, findings: &mut Findings) {
         let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
         let neighbours = Neighbours::new(self.program, &hard);
@@ -301,8 +323,8 @@ impl<'a> Prover<'a> {
             if constraint.kind != ConstraintKind::Assert || is_partial(&constraint.formula) {
                 continue;
             }
-            let alone = Choice { statements: &[], contrary: Some(statement), rules: false, usual: None };
-            if self.refute(alone, ONE, false).is_some() {
+            let alone = Choice { statements: &[], contrary: Some(statement), rules: Rules::None, usual: None };
+            if self.refute(alone, ONE, false).is_some() || self.fits_always(statement) {
                 findings.always.push(statement);
                 flagged.insert(statement);
                 continue;
@@ -312,7 +334,7 @@ impl<'a> Prover<'a> {
             if others.is_empty() {
                 continue;
             }
-            let choice = Choice { statements: &others, contrary: Some(statement), rules: false, usual: None };
+            let choice = Choice { statements: &others, contrary: Some(statement), rules: Rules::None, usual: None };
             if let Some(core) = self.refute(choice, ONE, false)
                 && core.statements.iter().any(|s| *s != statement)
             {
@@ -441,6 +463,28 @@ fn things(formula: &Formula) -> Vec<Thing> {
         }
     }
     out
+}
+
+/// Whether a formula says of distances between things that they are no more than a number.
+fn bounds_a_distance(formula: &Formula) -> bool {
+    let mut open = vec![formula.root];
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            Node::Compare(Comparison::Le | Comparison::Lt, _, a, b) => {
+                let measure = match formula.node(*a) {
+                    Node::BuiltIn(BuiltIn::Gap, args) => args.iter().all(|a| matches!(a, Arg::Object(_))),
+                    Node::Call(Function::Distance, _) => true,
+                    _ => false,
+                };
+                if !measure || !matches!(formula.node(*b), Node::Number(_)) {
+                    return false;
+                }
+            }
+            _ => return false,
+        }
+    }
+    true
 }
 
 /// Whether a formula may have no value somewhere: then it does not hold there, whatever it says.

@@ -27,6 +27,8 @@ pub(crate) mod unknowns;
 mod usual;
 mod words;
 
+pub use usual::core_of;
+
 use crate::tolerances::Options;
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::Program;

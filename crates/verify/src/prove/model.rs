@@ -10,7 +10,7 @@ use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
-use crate::world::World;
+use crate::world::{Thing, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
@@ -55,6 +55,15 @@ pub(super) struct Model {
     pub names: FxHashMap<Term, String>,
 }
 
+/// Which physical rules count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rules {
+    None,
+    /// That things stay in regions.
+    Bounds,
+    All,
+}
+
 /// What a model is made of.
 #[derive(Clone, Copy)]
 pub(super) struct Choice<'a> {
@@ -62,8 +71,8 @@ pub(super) struct Choice<'a> {
     pub statements: &'a [usize],
     /// One that does not.
     pub contrary: Option<usize>,
-    /// Whether the physical rules count.
-    pub rules: bool,
+    /// Which physical rules count.
+    pub rules: Rules,
     /// What is taken for granted, if anything is.
     pub usual: Option<&'a Usual>,
 }
@@ -98,9 +107,12 @@ impl Model {
         if let Some(statement) = choice.contrary {
             builder.statement(&mut unknowns, statement, true);
         }
+        builder.spaces(&mut unknowns);
         let mut groups = Vec::new();
-        if choice.rules && options.physics {
+        if choice.rules != Rules::None && options.physics {
             builder.bounds(&mut unknowns, choice.statements);
+        }
+        if choice.rules == Rules::All && options.physics {
             builder.collisions(&mut unknowns);
             if let Some(usual) = choice.usual {
                 builder.grounded(&mut unknowns, usual);
@@ -216,6 +228,22 @@ impl Builder<'_> {
                 let claim = collides_in_proofs(unknowns, a, b).negated();
                 let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
                 self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
+            }
+        }
+    }
+
+    /// Spaces that are said to be free: boxes that are spoken of are not in them.
+    fn spaces(&mut self, unknowns: &mut Unknowns<'_>) {
+        for (free, owner, space) in std::mem::take(&mut unknowns.spaces) {
+            for &other in self.objects.iter().filter(|o| **o != owner) {
+                if !is_box(self.program, self.options, other) {
+                    continue;
+                }
+                let apart = unknowns.apart_along_axes([&space, &unknowns.thing(other)], SKEW);
+                let (of, name) = (self.name(owner), self.name(other));
+                let what = Source::Rule(format!("`{name}` is not in the space that is free beside `{of}`"));
+                let premises = rests(unknowns, &[owner, other], &[]);
+                self.given.push(Given { claim: implies(free, apart), what, premises });
             }
         }
     }
@@ -542,8 +570,11 @@ impl Unknowns<'_> {
     /// along an axis, since boxes along the axes are (or overlap along each by more than the two overlap). And how far a
     /// box reaches along an axis is at most its extent there and `skew` times the others.
     fn beside(&mut self, a: ObjectId, b: ObjectId, skew: f64) -> Claim {
-        let things =
-            [a, b].map(|o| self.world.objects[o.0 as usize].clone().expect("every object that is spoken of is there"));
+        self.apart_along_axes([&self.thing(a), &self.thing(b)], skew)
+    }
+
+    /// The same of two boxes.
+    fn apart_along_axes(&self, things: [&Thing<Term>; 2], skew: f64) -> Claim {
         let along = |claims: &mut Vec<Claim>, c: Term| {
             claims.push(any(&[
                 all(&[c.at_least(-skew), (-c).at_least(-skew)]),
@@ -552,13 +583,13 @@ impl Unknowns<'_> {
             ]));
         };
         let mut straight = Vec::new();
-        for thing in &things {
+        for thing in things {
             thing.axes.0.iter().flat_map(|v| v.0).for_each(|c| along(&mut straight, c));
         }
         let tolerances = &self.options.tolerances;
         let contact = Term::constant(tolerances.contact + 2.0 * tolerances.order);
-        let [x, y] = &things;
-        let extents = |t: &crate::world::Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
+        let [x, y] = things;
+        let extents = |t: &Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
         let slack = (extents(x) + extents(y)).scale(skew) + contact;
         let (between, reach) = (x.center() - y.center(), x.reach() + y.reach());
         let ways: Vec<Claim> = (0..3)

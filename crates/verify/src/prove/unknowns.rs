@@ -55,6 +55,8 @@ pub(crate) struct Unknowns<'p> {
     terms: FxHashMap<String, Term>,
     claims: FxHashMap<String, Claim>,
     frames: FxHashMap<(ObjectId, RegionId), [[Term; 3]; 2]>,
+    /// Spaces beside objects, with the claims that they are free.
+    pub spaces: Vec<(Claim, ObjectId, Thing<Term>)>,
     /// Directions with the angles between them that claims speak of.
     pub angles: Vec<([V3<Term>; 2], Term)>,
 }
@@ -157,6 +159,7 @@ impl<'p> Unknowns<'p> {
             terms: FxHashMap::default(),
             claims: FxHashMap::default(),
             frames: FxHashMap::default(),
+            spaces: Vec::new(),
             angles: Vec::new(),
         };
         for (index, variable) in program.variables.iter().enumerate() {
@@ -465,7 +468,12 @@ impl<'p> Unknowns<'p> {
 
     /// How far an object is from the side walls and from the end walls of a rectangular region, at least.
     pub fn wall_distances(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
-        let (thing, room) = (self.thing(object), self.room(region));
+        self.wall_distances_of(&self.thing(object), object, region)
+    }
+
+    /// The same of a box that is turned as an object is.
+    pub fn wall_distances_of(&mut self, thing: &Thing<Term>, object: ObjectId, region: RegionId) -> [Term; 2] {
+        let room = self.room(region);
         let rows = self.frame(object, region);
         let between = thing.center() - room.pos;
         let at = self.framed(region, between.0[0], between.0[2]);
@@ -499,6 +507,11 @@ impl<'p> Unknowns<'p> {
     /// Whether a measure is spoken of.
     pub fn knows(&self, name: &str) -> bool {
         self.terms.contains_key(name)
+    }
+
+    /// All regions.
+    pub fn regions(&self) -> Vec<RegionId> {
+        (0..self.program.regions.len() as u32).map(RegionId).collect()
     }
 
     /// Whether a region is a rectangle in every instance.

@@ -4,7 +4,7 @@
 //! A program that contradicts itself under this is refuted by it, and the verdict says so. Whatever is taken for granted
 //! is decided by the whole program, so that no choice among its statements changes it.
 
-use scenelang_lang::library::usual_size;
+use scenelang_lang::library::{usual_size, words};
 use scenelang_lang::program::{
     Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned, Program,
     RegionId, RegionProperty,
@@ -48,13 +48,67 @@ impl Usual {
     }
 }
 
+/// What is solid of the assets of a kind, all of their footprint but for [`EDGE`]: from which to which part of the height.
+/// Kinds by their role; a word of their name decides where it is listed. A test in `synth` holds this to the assets.
+const SOLID: [(&str, [f64; 2]); 5] = [
+    ("storage", [0.25, 0.99]),
+    ("appliance", [0.02, 0.98]),
+    ("table", [0.97, 0.99]),
+    ("desk", [0.97, 0.99]),
+    ("counter", [0.97, 0.99]),
+];
+const SOLID_BY_WORD: [(&str, [f64; 2]); 16] = [
+    ("rack", [0.99, 1.0]),
+    ("shelf", [0.99, 1.0]),
+    ("shelving", [0.99, 1.0]),
+    ("bookshelf", [0.99, 1.0]),
+    ("bookcase", [0.99, 1.0]),
+    ("sofa", [0.05, 0.42]),
+    ("loveseat", [0.05, 0.42]),
+    ("armchair", [0.05, 0.42]),
+    ("recliner", [0.05, 0.42]),
+    ("chair", [0.487, 0.503]),
+    ("bed", [0.06, 0.24]),
+    ("table", [0.97, 0.99]),
+    ("desk", [0.97, 0.99]),
+    ("bench", [0.0, 0.0]),
+    ("stool", [0.0, 0.0]),
+    ("gondola", [0.0, 0.0]),
+];
+/// Of these there are many shapes: only with such words before them, or none.
+const MANY_SHAPES: [&str; 5] = ["rack", "shelf", "shelving", "chair", "bed"];
+const PLAIN: [&str; 18] = [
+    "storage", "pallet", "warehouse", "steel", "metal", "wooden", "book", "dining", "kitchen", "school", "visitor",
+    "conference", "double", "single", "twin", "queen", "king", "white",
+];
+/// Words of which nothing is known: other shapes.
+const OTHER: [&str; 53] = [
+    "round", "oval", "circular", "curved", "corner", "bistro", "pedestal", "coat", "dumbbell", "wine", "hood", "lectern",
+    "podium", "bar", "exam", "massage", "operating", "wall", "hat", "towel", "book", "horse", "rail", "cubby", "cubbies",
+    "etagere", "tree", "hook", "holder", "library", "stall", "newsstand", "produce", "newspaper", "unit", "cube",
+    "cubicle", "pulpit", "rostrum", "speaker", "speaking", "presentation", "presenter", "ping", "tennis", "ironing",
+    "fan", "extractor", "lamp", "shoe", "clothes", "clothing", "garment",
+];
+/// How far from the sides that is (metres).
+const EDGE: f64 = 0.03;
+
 /// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
 /// and from which to which height above its base that reaches. Nothing is known of most.
-pub(super) fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
-    match role_of(what(object)) {
-        "storage" | "appliance" => Some(([w, d], [0.0, h])),
-        _ => None,
+pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
+    let words = words(what(object));
+    let (last, before) = words.split_last()?;
+    let last = last.trim_end_matches('s');
+    let other = |word: &String| OTHER.contains(&word.as_str());
+    let is_plain = |word: &String| PLAIN.contains(&word.as_str());
+    let known = if MANY_SHAPES.contains(&last) { before.iter().all(is_plain) } else { !words.iter().any(other) };
+    if !object.features.is_empty() || !known {
+        return None;
     }
+    let role = role_of(what(object));
+    let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
+    let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
+    let size = [w, d].map(|s| s - 2.0 * EDGE);
+    (to > from && size[0].min(size[1]) > EDGE).then_some((size, [from * h, to * h]))
 }
 
 fn hard(program: &Program) -> impl Iterator<Item = &Constraint> {
