@@ -85,10 +85,9 @@ pub fn categories(args: &Categories) -> u8 {
     }
     let mut out = String::new();
     if args.format == Plain::Json {
-        let row = |(name, size): &&(String, [f64; 3])| {
-            json!({ "category": name, "size": size, "role": role_of(name), "stands": stands(name) })
-        };
-        let list = json!({ "format": "scenelang.categories/1", "categories": found.iter().map(row).collect::<Vec<_>>() });
+        let row = |(name, size): &&(String, [f64; 3])| json!({ "category": name, "size": size, "role": role_of(name), "stands": stands(name) });
+        let list =
+            json!({ "format": "scenelang.categories/1", "categories": found.iter().map(row).collect::<Vec<_>>() });
         let _ = writeln!(out, "{list}");
     } else {
         let width = found.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();

@@ -13,6 +13,7 @@ use super::problem::{Affine, Function, Kind, Problem, Var};
 use super::simplex::Simplex;
 use super::state::{EventId, State};
 use super::tape::Term;
+use scenelang_lang::program::ObjectId;
 use std::collections::BTreeMap;
 
 /// An inequality: the sum is at least `least`.
@@ -178,11 +179,11 @@ type Coordinate = (Vec<(Var, u64)>, u64);
 
 impl Points {
     /// The ends of the lengths that are differences of two points; and directions, by their numbers, a contrary beside
-    /// each, with the angles between them.
+    /// each, with the angles between them; and objects, with ways over their surfaces.
     ///
     /// Coordinates stand in the order of their variables,
     /// x before y before z, and both ends must agree on that; so equal keys are equal points.
-    pub fn new(problem: &Problem, angles: &[([usize; 2], Term)]) -> Self {
+    pub fn new(problem: &Problem, angles: &[([usize; 2], Term)], spans: &[([ObjectId; 2], Term)]) -> Self {
         let mut known: BTreeMap<Vec<Coordinate>, usize> = BTreeMap::new();
         let mut edges = Vec::new();
         for (var, parts) in &problem.lengths {
@@ -200,6 +201,14 @@ impl Points {
         }
         let mut own = Self { nodes: known.len(), edges };
         own.directions(problem, angles);
+        let first = own.nodes;
+        for ([a, b], span) in spans {
+            if let Some(span) = problem.terms[span.0 as usize] {
+                let ends = [a, b].map(|o| first + o.0 as usize);
+                own.nodes = own.nodes.max(ends[0].max(ends[1]) + 1);
+                own.edges.push((ends[0], ends[1], span));
+            }
+        }
         own
     }
 

@@ -228,7 +228,7 @@ impl<'a> Prover<'a> {
         let contact = tolerances.contact + 2.0 * tolerances.order;
         let packing = Packing::new(&model.groups, problem, &claims, contact);
         let cancel = self.options.cancel.as_deref();
-        let mut search = Search::new(std::mem::take(problem), &model.angles, &packing, most, cancel);
+        let mut search = Search::new(std::mem::take(problem), model, &packing, most, cancel);
         search.told = tell.then(Vec::new);
         let used = search.refute(&model.always, &claims);
         self.spent += search.state.work;
@@ -308,8 +308,7 @@ impl<'a> Prover<'a> {
         let mut pins: Vec<usize> = pins.map(|p| p.constraint).collect();
         pins.sort_unstable();
         pins.dedup();
-        let choice =
-            Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
+        let choice = Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
         self.refute(choice, ONE, false).is_some()
     }
 

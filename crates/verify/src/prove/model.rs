@@ -3,18 +3,20 @@
 use super::packing::{Between, Core, Group, Member};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
-use super::unknowns::Unknowns;
+use super::unknowns::{OUT_OF_BOX, Unknowns};
 use super::usual::{Usual, core_of};
 use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
 use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
+use crate::vector::V3;
 use crate::world::{Thing, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
-    Arg, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
+    Arg, BuiltIn, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program,
+    RegionId,
 };
 use scenelang_layout::Geometry;
 use std::collections::BTreeSet;
@@ -51,6 +53,8 @@ pub(super) struct Model {
     pub groups: Vec<Group<Term>>,
     /// Angles between directions, each by its number; the contrary of an even one is the next.
     pub angles: Vec<([usize; 2], Term)>,
+    /// Ways between the middles of objects over their surfaces.
+    pub spans: Vec<([ObjectId; 2], Term)>,
     /// Names of unknowns.
     pub names: FxHashMap<Term, String>,
 }
@@ -81,8 +85,6 @@ pub(super) struct Choice<'a> {
 const CLOSE_COMPANY: usize = 8;
 /// Of more objects than this in a region, those are left out that may overlap others.
 const CROWD: usize = 400;
-/// How far the lowest point of a solid may be below its box, and then some (metres).
-const OUT_OF_BOX: f64 = 2.2e-3;
 /// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
 const SKEW: f64 = 0.0018;
 
@@ -116,14 +118,15 @@ impl Model {
             builder.collisions(&mut unknowns);
             if let Some(usual) = choice.usual {
                 builder.grounded(&mut unknowns, usual);
+                builder.middles(&mut unknowns);
             }
             groups = builder.groups(&mut unknowns, choice.statements);
         }
         let angles = unknowns.directions(&builder.objects);
         builder.frames(&mut unknowns, &groups);
         let names = unknowns.names();
-        let (always, curved) = (unknowns.always, unknowns.curved);
-        Self { tape: Tape::default(), always, curved, given: builder.given, groups, angles, names }
+        let (always, curved, spans) = (unknowns.always, unknowns.curved, unknowns.spans);
+        Self { tape: Tape::default(), always, curved, given: builder.given, groups, angles, spans, names }
     }
 
     /// As equations.
@@ -131,6 +134,7 @@ impl Model {
         let roots: Vec<Claim> = self.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
         let mut wanted = wanted(&self.groups);
         wanted.extend(self.angles.iter().map(|(_, angle)| *angle));
+        wanted.extend(self.spans.iter().map(|(_, span)| *span));
         Problem::new(&self.tape, &roots, &wanted, &self.curved)
     }
 }
@@ -159,7 +163,10 @@ struct Builder<'a> {
 impl Builder<'_> {
     fn statement(&mut self, unknowns: &mut Unknowns<'_>, index: usize, contrary: bool) {
         let formula = &self.program.constraints[index].formula;
-        let (objects, regions) = (formula.objects(), regions_of(formula));
+        let objects = formula.objects();
+        // Spaces and ways are in some region.
+        let looks = |n: &Node| matches!(n, Node::BuiltIn(BuiltIn::Clear | BuiltIn::Reachable, _));
+        let regions = if formula.nodes.iter().any(looks) { unknowns.regions() } else { regions_of(formula) };
         let premises = rests(unknowns, &objects, &regions);
         if !infinite_ones_are_compared(formula) {
             return;
@@ -236,15 +243,49 @@ impl Builder<'_> {
     fn spaces(&mut self, unknowns: &mut Unknowns<'_>) {
         for (free, owner, space) in std::mem::take(&mut unknowns.spaces) {
             for &other in self.objects.iter().filter(|o| **o != owner) {
-                if !is_box(self.program, self.options, other) {
-                    continue;
-                }
-                let apart = unknowns.apart_along_axes([&space, &unknowns.thing(other)], SKEW);
+                let Some(solid) = unknowns.solid_of(self.program, self.options, other) else { continue };
+                let apart = unknowns.apart_along_axes([&space, &solid], SKEW);
                 let (of, name) = (self.name(owner), self.name(other));
                 let what = Source::Rule(format!("`{name}` is not in the space that is free beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
                 self.given.push(Given { claim: implies(free, apart), what, premises });
             }
+        }
+    }
+
+    /// Where things are taken as usual: no thing's middle is in the solid of another of which a claim says that it is over
+    /// or under it.
+    fn middles(&mut self, unknowns: &mut Unknowns<'_>) {
+        let scope = scope(self.program, self.options);
+        let contact = Term::constant(self.options.tolerances.contact + 2.0 * self.options.tolerances.order);
+        let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
+        if objects.len() > CROWD {
+            return;
+        }
+        for (&a, &b) in objects.iter().flat_map(|a| objects.iter().map(move |b| (a, b))) {
+            if !scope.collide(a, b) {
+                continue;
+            }
+            let (thing, other) = (unknowns.thing(a), unknowns.thing(b));
+            let between = thing.center() - other.center();
+            let before = look(|tape| tape.ops.len());
+            let off = [0, 2].map(|axis| between.dot(other.axes.0[axis]).abs());
+            // What is new is in nobody's claim.
+            if off.iter().any(|t| t.0 as usize >= before) {
+                continue;
+            }
+            let solids = [a, b].map(|o| unknowns.solid_of(self.program, self.options, o));
+            let [Some(own), Some(other)] = solids else { continue };
+            // A square in the disc in its footprint, turned as the other is.
+            let square = own.scale.0[0].min(own.scale.0[2]).scale(0.35);
+            let heights = |t: &Thing<Term>| [t.pos.0[1], t.pos.0[1] + t.scale.0[1]];
+            let ([low, high], [bottom, top]) = (heights(&own), heights(&other));
+            let mut ways = vec![(low - top + contact).at_least(0.0), (bottom - high + contact).at_least(0.0)];
+            for (off, axis) in off.into_iter().zip([0, 2]) {
+                ways.push((off - other.scale.0[axis].scale(0.5) - square + contact).at_least(0.0));
+            }
+            let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+            self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]) });
         }
     }
 
@@ -254,7 +295,7 @@ impl Builder<'_> {
         let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
         let off = self.options.tolerances.support + OUT_OF_BOX;
         for &id in &self.objects.clone() {
-            let carriers = &usual.carriers[id.0 as usize];
+            let Some(carriers) = &usual.carriers[id.0 as usize] else { continue };
             if scope.support(id) != Support::Rests || !carriers.iter().all(|c| self.objects.contains(c)) {
                 continue;
             }
@@ -519,6 +560,22 @@ impl Unknowns<'_> {
         thing.map_or(Vec::new(), |t| t.axes.0.iter().flat_map(|v| v.0).collect())
     }
 
+    /// A box that is solid for sure: that of the object, or a part of it about its middle axis.
+    fn solid_of(&self, program: &Program, options: &Options, id: ObjectId) -> Option<Thing<Term>> {
+        let thing = self.thing(id);
+        if is_box(program, options, id) {
+            return Some(thing);
+        }
+        if !self.usual.is_some_and(|usual| usual.upright[id.0 as usize]) {
+            return None;
+        }
+        let [Some(w), Some(h), Some(d)] = thing.scale.0.map(Term::known) else { return None };
+        let ([w, d], [from, to]) = core_of(&program.objects[id.0 as usize], [w, h, d])?;
+        let mut pos = thing.pos;
+        pos.0[1] = pos.0[1] + Term::constant(from);
+        Some(Thing { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
+    }
+
     fn member(&mut self, program: &Program, options: &Options, id: ObjectId, region: RegionId) -> Member<Term> {
         let inside = region_in_proofs(self, id, region);
         let thing = self.thing(id);
@@ -526,21 +583,11 @@ impl Unknowns<'_> {
         let (bottom, top) = (center.0[1] - reach.0[1], center.0[1] + reach.0[1]);
         let size = thing.scale.0;
         let whole = is_box(program, options, id);
-        let core = if whole {
-            Some(Core { size: [size[0], size[2]], bottom, top })
-        } else {
-            let usual = self.usual.is_some_and(|usual| usual.upright[id.0 as usize]);
-            let known = size.map(Term::known);
-            match known {
-                [Some(w), Some(h), Some(d)] if usual => core_of(&program.objects[id.0 as usize], [w, h, d]).map(
-                    |([w, d], [from, to])| {
-                        let height = |h: f64| bottom + Term::constant(h);
-                        Core { size: [w, d].map(Term::constant), bottom: height(from), top: height(to) }
-                    },
-                ),
-                _ => None,
-            }
-        };
+        let core = self.solid_of(program, options, id).map(|solid| {
+            let bottom = if whole { bottom } else { solid.pos.0[1] };
+            let top = if whole { top } else { solid.pos.0[1] + solid.scale.0[1] };
+            Core { size: [solid.scale.0[0], solid.scale.0[2]], bottom, top }
+        });
         let at = [center.0[0], center.0[2]];
         let turn = [thing.axes.0[0].0[0], thing.axes.0[2].0[0]];
         Member { inside, size, bottom, top, whole, core, up: thing.axes.0[1].0[1], at, turn }

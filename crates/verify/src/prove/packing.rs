@@ -10,13 +10,13 @@
 //! is in two of the cuts (`probes`), nor within half of the distance that they keep from each other.
 
 use super::interval::Interval;
-use super::placing::{Placing, conjuncts};
+use super::placing::{MadeOf, Placing, conjuncts};
 use super::probes::{self, Kind};
 use super::problem::{self, Affine, Problem, Var};
 use super::state::{Conflict, EventId, Rule, State, What};
 use super::tape::{Claim, Term};
 use rustc_hash::FxHashMap;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeSet;
 
 /// A box that may stand in a region, by terms.
@@ -76,8 +76,10 @@ pub(super) struct Group<T> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Packing {
     groups: Vec<Group<Affine>>,
-    /// By group and member: what is said of it alone.
-    placings: Vec<Vec<Placing>>,
+    /// What holds, taken apart.
+    holding: Vec<Claim>,
+    /// By group and member: what is said of it alone, once somebody asks.
+    placings: OnceCell<Vec<Vec<Placing>>>,
     /// What was tried already: by group, member, kind and points.
     tried: RefCell<FxHashMap<Vec<u64>, bool>>,
     /// What does not fit, in words, as found last.
@@ -90,6 +92,8 @@ pub(super) struct Packing {
 const TILT: f64 = 0.01;
 /// What is said of each alone counts for at most so many members.
 const MOST_PLACED: usize = 60;
+/// Where things take less than this part of the floor, it is not looked at closely.
+const WORTH_A_LOOK: f64 = 0.4;
 /// So many sizes, and so many distances, are tried.
 const MOST_LENGTHS: usize = 4;
 
@@ -119,9 +123,8 @@ impl Packing {
                 })
             };
             let members = group.members.iter().map(member).collect::<Option<Vec<_>>>()?;
-            let between = |b: &Between<Term>| {
-                Some(Between { pair: b.pair, length: at(b.length)?, of_centres: b.of_centres })
-            };
+            let between =
+                |b: &Between<Term>| Some(Between { pair: b.pair, length: at(b.length)?, of_centres: b.of_centres });
             Some(Group {
                 size: all(group.size)?,
                 at: both(group.at)?,
@@ -134,22 +137,29 @@ impl Packing {
         };
         let groups: Vec<Group<Affine>> = groups.iter().filter_map(group).collect();
         let holding = if groups.is_empty() { Vec::new() } else { conjuncts(problem, given) };
+        Self { groups, holding, contact, ..Self::default() }
+    }
+
+    /// What is said of a member alone.
+    fn placing(&self, problem: &Problem, (group, member): (usize, usize)) -> &Placing {
         let plain = |t: Affine| {
             let free = t.var != 0 && problem.kinds[t.var as usize] == problem::Kind::Free;
             (free && !t.minus && t.add == Interval::point(0.0)).then_some(t.var)
         };
-        let placing = |group: &Group<Affine>, m: &Member<Affine>| {
-            let own: [Option<Var>; 4] = [m.at[0], m.at[1], m.turn[0], m.turn[1]].map(plain);
-            let placed = own[..2].iter().all(Option::is_some);
-            let claims: &[Claim] = if placed && group.straight { &holding } else { &[] };
-            Placing::new(problem, claims, own, group.at.map(plain))
+        let all = || {
+            let made_of: Vec<MadeOf> = self.holding.iter().filter_map(|c| MadeOf::new(problem, *c)).collect();
+            let of_member = |group: &Group<Affine>, m: &Member<Affine>| {
+                let own: [Option<Var>; 4] = [m.at[0], m.at[1], m.turn[0], m.turn[1]].map(plain);
+                let placed = own[..2].iter().all(Option::is_some) && group.straight;
+                if placed { Placing::new(problem, &made_of, own, group.at.map(plain)) } else { Placing::default() }
+            };
+            let of_group = |group: &Group<Affine>| {
+                let few = group.members.len() <= MOST_PLACED;
+                group.members.iter().map(|m| if few { of_member(group, m) } else { Placing::default() }).collect()
+            };
+            self.groups.iter().map(of_group).collect()
         };
-        let of_group = |group: &Group<Affine>| {
-            let few = group.members.len() <= MOST_PLACED;
-            group.members.iter().map(|m| if few { placing(group, m) } else { Placing::default() }).collect()
-        };
-        let placings = groups.iter().map(of_group).collect();
-        Self { groups, placings, tried: RefCell::default(), said: RefCell::default(), contact }
+        &self.placings.get_or_init(all)[group][member]
     }
 
     /// What did not fit, in words.
@@ -180,7 +190,7 @@ impl Packing {
                 self.volumes(group, &count, &reasons, state)?;
                 if let Some((upright, plane)) = self.cut_by_one_plane(group, &count, state) {
                     let why = [&reasons[..], &plane].concat();
-                    self.areas(group, &upright, &why, state)?;
+                    self.areas(group, &upright, &why, 0.0, state)?;
                     self.probes(problem, index, &upright, &why, None, state)?;
                 }
             }
@@ -248,15 +258,19 @@ impl Packing {
         group: &Group<Affine>,
         upright: &[usize],
         reasons: &[EventId],
+        around: f64,
         state: &mut State,
     ) -> Result<(), Conflict> {
-        let room = [0, 2].map(|i| of(state, group.size[i]) + Interval::point(2.0 * self.contact));
+        // With what each keeps free around it they fit into the floor with as much around that.
+        let margin = Interval::point(2.0 * self.contact + 2.0 * around);
+        let room = [0, 2].map(|i| of(state, group.size[i]) + margin);
         let mut sum = Interval::point(0.0);
         let mut why = reasons.to_vec();
         for &i in upright {
             let member = &group.members[i];
             let size = footprint(state, member).map(|size| smaller(Interval::from(size), self.contact));
-            sum = sum + size[0] * size[1];
+            let round = Interval::point(3.1415 * around) * Interval::point(around);
+            sum = sum + size[0] * size[1] + (size[0] + size[1]) * Interval::point(2.0 * around) + round;
             why.extend(known_of(state, member));
         }
         why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
@@ -265,7 +279,10 @@ impl Packing {
             let floor = of(state, group.size[0]).hi * of(state, group.size[2]).hi;
             let covers: f64 = upright.iter().map(|&i| footprint(state, &group.members[i])).map(|[w, d]| w * d).sum();
             let what = things(upright.len(), None);
-            let say = format!("{what} cover {} m², and the floor has {} m²", short(covers), short(floor));
+            let say = match around {
+                0.0 => format!("{what} cover {} m², and the floor has {} m²", short(covers), short(floor)),
+                _ => format!("{what} that keep {} m between them do not fit the floor", short(2.0 * around)),
+            };
             *self.said.borrow_mut() = Some(say);
         }
         if full { Err(Conflict(state.event(What::Conflict(Rule::Packing), &why))) } else { Ok(()) }
@@ -293,8 +310,10 @@ impl Packing {
                 if some.len() < 2 {
                     continue;
                 }
-                let upright: Vec<usize> = some.iter().copied().filter(|&i| is_upright(state, &group.members[i])).collect();
-                let cut = if of_centres { Some((upright, Vec::new())) } else { self.cut_by_one_plane(group, &some, state) };
+                let upright: Vec<usize> =
+                    some.iter().copied().filter(|&i| is_upright(state, &group.members[i])).collect();
+                let cut =
+                    if of_centres { Some((upright, Vec::new())) } else { self.cut_by_one_plane(group, &some, state) };
                 let Some((upright, mut why)) = cut else { continue };
                 // Between boxes that one plane cuts the distance is that of their footprints; of centres at different
                 // heights it is less seen from above.
@@ -302,7 +321,8 @@ impl Packing {
                 if of_centres {
                     let center = |i: usize| of(state, group.members[i].bottom) + of(state, group.members[i].top);
                     let ends = upright.iter().map(|&i| center(i).scale(0.5));
-                    let (lo, hi) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), c| (lo.min(c.lo), hi.max(c.hi)));
+                    let (lo, hi) =
+                        ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), c| (lo.min(c.lo), hi.max(c.hi)));
                     if hi - lo >= space {
                         continue;
                     }
@@ -312,6 +332,9 @@ impl Packing {
                 }
                 for (n, &i) in upright.iter().enumerate() {
                     why.extend(upright[..n].iter().filter_map(|k| known.get(&(*k, i))).map(|b| lower(state, b.length)));
+                }
+                if !of_centres {
+                    self.areas(group, &upright, &why, space / 2.0, state)?;
                 }
                 self.probes(problem, index, &upright, &why, Some((space, of_centres)), state)?;
             }
@@ -337,6 +360,10 @@ impl Packing {
         // The largest first: where some of them fit, more of them may not.
         let mut order: Vec<(usize, Kind)> =
             upright.iter().map(|&i| (i, self.kind(group, &group.members[i], space, state))).collect();
+        // Where much of the floor is free there is no need to look closely.
+        if order.iter().map(|(_, kind)| kind.taken()).sum::<f64>() < WORTH_A_LOOK * floor[0] * floor[1] {
+            return Ok(());
+        }
         let side = |k: &Kind| k.core[0].min(k.core[1]) + 2.0 * k.space;
         order.sort_by(|(_, a), (_, b)| side(b).total_cmp(&side(a)));
         let last = |n: &usize| *n == order.len() || side(&order[*n].1) < side(&order[n - 1].1) - 1e-9;
@@ -352,7 +379,7 @@ impl Packing {
                 for (i, _) in some {
                     why.extend(known_of(state, &group.members[*i]));
                     why.extend(group.members[*i].turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
-                    why.extend(self.placings[index][*i].reasons(state));
+                    why.extend(self.placing(problem, (index, *i)).reasons(state));
                 }
                 why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
                 let [w, d] = [0, 2].map(|i| short(of(state, group.size[i]).hi));
@@ -396,7 +423,7 @@ impl Packing {
         points: &probes::Points,
         state: &mut State,
     ) -> bool {
-        let (group, placing) = (&self.groups[index], &self.placings[index][member]);
+        let (group, placing) = (&self.groups[index], self.placing(problem, (index, member)));
         let whole = !placing.claims.is_empty() && kind.turns == probes::ANY_TURN;
         let kind = Kind { turns: if whole { probes::WHOLE_TURN } else { kind.turns }, ..*kind };
         let who = if placing.claims.is_empty() { 0 } else { member as u64 + 1 };

@@ -25,24 +25,18 @@ pub(super) struct Placing {
 
 impl Placing {
     /// Of claims that hold those that are about a thing alone, by its own unknowns and those of its region.
-    pub fn new(
-        problem: &Problem,
-        holding: &[Claim],
-        own: [Option<Var>; 4],
-        region: [Option<Var>; 2],
-    ) -> Self {
+    pub fn new(problem: &Problem, holding: &[MadeOf], own: [Option<Var>; 4], region: [Option<Var>; 2]) -> Self {
         let mut placing = Self { own, region, parts: Vec::new(), claims: Vec::new() };
         let mut all: FxHashSet<Var> = FxHashSet::default();
-        for &claim in holding {
-            let mut vars = FxHashSet::default();
+        for MadeOf { claim, vars, compared } in holding {
             // A region of which the place is not known is taken to be at 0: so only places relative to it count.
             let absolute = |v: &Var| (0..2).any(|i| region[i].is_some() && [own[i], region[i]].contains(&Some(*v)));
-            if below(problem, claim, &mut vars).is_some_and(|compared| !compared.iter().any(absolute))
-                && own.iter().flatten().any(|v| vars.contains(v))
+            if own.iter().flatten().any(|v| vars.binary_search(v).is_ok())
+                && !compared.iter().any(absolute)
                 && vars.iter().all(|v| placing.is_plain(problem, *v))
                 && all.len() + vars.len() <= MOST
             {
-                placing.claims.push(claim);
+                placing.claims.push(*claim);
                 all.extend(vars);
             }
         }
@@ -65,7 +59,8 @@ impl Placing {
                 self.region[i].is_none() || sum(self.own[i]) + sum(self.region[i]) == 0.0
             }),
             Kind::Apply(_, a, b) => [a, b].iter().all(|t| {
-                let placed = |i: usize| self.region[i].is_some() && [self.own[i], self.region[i]].contains(&Some(t.var));
+                let placed =
+                    |i: usize| self.region[i].is_some() && [self.own[i], self.region[i]].contains(&Some(t.var));
                 t.var == 0 || !(placed(0) || placed(1))
             }),
             Kind::Indicator(_) => false,
@@ -117,34 +112,50 @@ pub(super) fn conjuncts(problem: &Problem, claims: &[Claim]) -> Vec<Claim> {
     out
 }
 
-/// Gathers what a claim is made of. Returns what it compares, if all of it has a meaning here.
-fn below(problem: &Problem, claim: Claim, out: &mut FxHashSet<Var>) -> Option<Vec<Var>> {
-    let mut facts = vec![claim];
-    let mut vars = Vec::new();
-    while let Some(claim) = facts.pop() {
-        match &problem.verdicts[claim.index()] {
-            Verdict::Open => return None,
-            Verdict::Atom { term, .. } => vars.push(term.var),
-            Verdict::All(parts) | Verdict::AtLeast(_, parts) => facts.extend(parts.iter()),
-            Verdict::Iff(a, b) => facts.extend([*a, *b]),
+/// A claim with what it is made of.
+#[derive(Clone, Debug)]
+pub(super) struct MadeOf {
+    claim: Claim,
+    /// All variables, sorted.
+    vars: Vec<Var>,
+    /// Those that it compares.
+    compared: Vec<Var>,
+}
+
+impl MadeOf {
+    /// Nothing, where a part of the claim is no comparison, or where there are too many.
+    pub fn new(problem: &Problem, claim: Claim) -> Option<Self> {
+        let (mut facts, mut compared) = (vec![claim], Vec::new());
+        while let Some(claim) = facts.pop() {
+            match &problem.verdicts[claim.index()] {
+                Verdict::Open => return None,
+                Verdict::Atom { term, .. } => compared.push(term.var),
+                Verdict::All(parts) | Verdict::AtLeast(_, parts) => facts.extend(parts.iter()),
+                Verdict::Iff(a, b) => facts.extend([*a, *b]),
+            }
+            if facts.len() + compared.len() > MOST {
+                return None;
+            }
         }
+        let (mut open, mut vars) = (compared.clone(), FxHashSet::default());
+        while let Some(var) = open.pop() {
+            if var == 0 || !vars.insert(var) {
+                continue;
+            }
+            if vars.len() > MOST {
+                return None;
+            }
+            match &problem.kinds[var as usize] {
+                Kind::Free => {}
+                Kind::Row(parts) => open.extend(parts.iter().map(|(v, _)| *v)),
+                Kind::Apply(_, a, b) => open.extend([a.var, b.var]),
+                Kind::Indicator(_) => return None,
+            }
+        }
+        let mut vars: Vec<Var> = vars.into_iter().collect();
+        vars.sort_unstable();
+        Some(Self { claim, vars, compared })
     }
-    let compared = vars.clone();
-    while let Some(var) = vars.pop() {
-        if var == 0 || !out.insert(var) {
-            continue;
-        }
-        if out.len() > MOST {
-            return None;
-        }
-        match &problem.kinds[var as usize] {
-            Kind::Free => {}
-            Kind::Row(parts) => vars.extend(parts.iter().map(|(v, _)| *v)),
-            Kind::Apply(_, a, b) => vars.extend([a.var, b.var]),
-            Kind::Indicator(_) => return None,
-        }
-    }
-    Some(compared)
 }
 
 /// A claim where variables are in intervals.

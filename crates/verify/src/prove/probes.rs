@@ -21,6 +21,14 @@ pub(super) struct Kind {
     pub turns: [f64; 2],
 }
 
+impl Kind {
+    /// The area that it keeps for itself.
+    pub fn taken(&self) -> f64 {
+        let [w, d] = self.core;
+        w * d + 2.0 * (w + d) * self.space + PI * self.space * self.space
+    }
+}
+
 /// Any turn of a rectangle, whichever way it faces.
 pub(super) const ANY_TURN: [f64; 2] = [0.0, PI];
 /// Any turn.
@@ -124,6 +132,12 @@ pub(super) fn guesses(floor: [f64; 2], kind: &Kind, fewer: usize) -> Vec<Points>
         for n in [nx, nz] {
             add(line(0, n).into_iter().map(|x| [x, 0.0]).collect());
             add(line(1, n).into_iter().map(|z| [0.0, z]).collect());
+        }
+        // A row of things with their longer sides along it.
+        for (i, other) in [(0, 1), (1, 0)] {
+            let row = spread(floor[i], longer, kind.space, fit(floor[i], longer));
+            let at = |v: f64| if other == 1 { [v, 0.0] } else { [0.0, v] };
+            add(row.into_iter().map(at).collect());
         }
         // Along the four walls.
         let [ax, az] = [0, 1].map(|i| spread(floor[i], longer, kind.space, fit(floor[i], longer)));

@@ -333,7 +333,8 @@ impl Problem {
 /// Arguments without the signs that make no difference to an operation but its own: so (a − b)·c and (b − a)·c, and the
 /// squares of a − b and of b − a, are one variable.
 fn plain(function: Function, a: Affine, b: Affine) -> (f64, Affine, Affine) {
-    let flipped = |t: Affine| Affine { minus: false, add: -t.add, ..t };
+    // −0 is 0, so that equal arguments have equal bits.
+    let flipped = |t: Affine| Affine { minus: false, add: Interval::point(0.0) - t.add, ..t };
     let bare = |t: Affine| if t.minus { (-1.0, flipped(t)) } else { (1.0, t) };
     match function {
         Function::Square | Function::Abs => {

@@ -6,11 +6,12 @@
 
 use super::cuts::{self, Points};
 use super::interval::Interval;
+use super::model::Model;
 use super::packing::Packing;
 use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
 use super::simplex::{Outcome, Simplex};
 use super::state::{Conflict, EventId, Rule, State, What};
-use super::tape::{Claim, Term};
+use super::tape::Claim;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// So many suppositions on top of each other.
@@ -71,13 +72,13 @@ impl<'a> Search<'a> {
     /// A search that may do `most` work.
     pub fn new(
         problem: Problem,
-        angles: &[([usize; 2], Term)],
+        model: &Model,
         packing: &'a Packing,
         most: u64,
         cancel: Option<&'a AtomicBool>,
     ) -> Self {
         let state = State::new(&problem);
-        let points = Points::new(&problem, angles);
+        let points = Points::new(&problem, &model.angles, &model.spans);
         let activity = vec![0.0; problem.verdicts.len()];
         let first_row = problem.kinds.len();
         Self {
@@ -252,8 +253,8 @@ impl<'a> Search<'a> {
     /// What of a conflict lies before the supposition `start`, and whether it needs that.
     fn refuted(&mut self, conflict: EventId, start: EventId, depth: usize) -> End {
         self.tell(conflict, depth);
-        self.is_full = depth == 0
-            && matches!(self.state.what(conflict), What::Conflict(Rule::Packing | Rule::Beside { .. }));
+        self.is_full =
+            depth == 0 && matches!(self.state.what(conflict), What::Conflict(Rule::Packing | Rule::Beside { .. }));
         self.weight *= 1.05;
         let mut seen = vec![false; (conflict - start) as usize + 1];
         let mut open = vec![conflict];

@@ -7,7 +7,7 @@
 
 use super::interval::Interval;
 use super::tape::{Claim, Term, implies, open, range, unknown};
-use super::usual::Usual;
+use super::usual::{Usual, carries_on_top};
 use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Value, Values};
 use crate::eval::{Truth, rectangle};
@@ -28,6 +28,8 @@ use std::rc::Rc;
 pub(crate) const EXACT: f64 = 1e-9;
 /// Where things are taken as usual: of its height, the part that a support surface is above the base, at least.
 const LOWEST_SURFACE: f64 = 0.1;
+/// How far the parts of an asset may stick out of its box, both of a pair together, and then some (metres).
+pub(crate) const OUT_OF_BOX: f64 = 2.2e-3;
 /// Any distance between things that a layout can name (metres).
 pub(crate) const ANY: Interval = Interval { lo: -4.0 * LARGEST, hi: 4.0 * LARGEST };
 
@@ -55,6 +57,11 @@ pub(crate) struct Unknowns<'p> {
     terms: FxHashMap<String, Term>,
     claims: FxHashMap<String, Claim>,
     frames: FxHashMap<(ObjectId, RegionId), [[Term; 3]; 2]>,
+    /// Pairs of objects with the length of a way from the middle of one to that of the other, by way of their surfaces: the
+    /// gap between them, and half a diagonal of each. Such lengths satisfy the triangle inequality.
+    pub spans: Vec<([ObjectId; 2], Term)>,
+    /// A point of the solid of each object that a gap is asked of.
+    points: FxHashMap<ObjectId, V3<Term>>,
     /// Spaces beside objects, with the claims that they are free.
     pub spaces: Vec<(Claim, ObjectId, Thing<Term>)>,
     /// Directions with the angles between them that claims speak of.
@@ -159,6 +166,8 @@ impl<'p> Unknowns<'p> {
             terms: FxHashMap::default(),
             claims: FxHashMap::default(),
             frames: FxHashMap::default(),
+            spans: Vec::new(),
+            points: FxHashMap::default(),
             spaces: Vec::new(),
             angles: Vec::new(),
         };
@@ -242,11 +251,17 @@ impl<'p> Unknowns<'p> {
             }
         };
         self.yaws.push(yaw);
-        let pos = pinned(Pinned::Pos).unwrap_or_else(|| match (place(), self.usual) {
-            (V3([x, _, z]), Some(_)) => V3([x, zero, z]),
-            (anywhere, None) => anywhere,
-        });
-        let scale = pinned(Pinned::Scale).unwrap_or_else(size);
+        let (mut pos, mut scale) = (place(), size());
+        if self.usual.is_some_and(|usual| usual.on_the_ground[id.0 as usize]) {
+            pos.0[1] = zero;
+        }
+        // Beside an outline only the heights of place and size count.
+        let counts = if self.program.regions[id.0 as usize].has_vertices { 1..2 } else { 0..3 };
+        for (own, property) in [(&mut pos, Pinned::Pos), (&mut scale, Pinned::Scale)] {
+            if let Some(V3(value)) = pinned(property) {
+                counts.clone().for_each(|axis| own.0[axis] = value[axis]);
+            }
+        }
         Room { pos, rot, scale, outlined: false, prism: Prism::unit() }
     }
 
@@ -274,8 +289,7 @@ impl<'p> Unknowns<'p> {
             let plain = formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::BuiltIn(..)));
             let world = Rc::clone(&self.world);
             if plain
-                && let Ok(Value::Rotation(value) | Value::Vector(value)) =
-                    scratch.evaluate_with(formula, &world, self)
+                && let Ok(Value::Rotation(value) | Value::Vector(value)) = scratch.evaluate_with(formula, &world, self)
                 && value.0.iter().all(|c| c.known().is_some_and(f64::is_finite))
                 && (pin.property != Pinned::Scale || value.0.iter().all(|c| c.known().is_some_and(|c| c > 0.0)))
             {
@@ -421,7 +435,12 @@ impl<'p> Unknowns<'p> {
             // A surface that an asset declares is one of its own: somewhere from its base to its top.
             let thing = self.thing(id);
             let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
-            let least = if self.usual.is_some() { thing.scale.0[1].scale(LOWEST_SURFACE) } else { Term::constant(0.0) };
+            let (height, program) = (thing.scale.0[1], self.program);
+            let least = match self.usual {
+                Some(_) if carries_on_top(&program.objects[id.0 as usize]) => height,
+                Some(_) => height.scale(LOWEST_SURFACE),
+                None => Term::constant(0.0),
+            };
             self.always.push((surface - (center - reach) - least).at_least(-EXACT));
             self.always.push((center + reach - surface).at_least(-EXACT));
         }
@@ -502,6 +521,21 @@ impl<'p> Unknowns<'p> {
         let term = unknown(domain);
         self.terms.insert(name, term);
         (term, true)
+    }
+
+    /// Some point of the solid of an object: it is in its box.
+    pub fn point_of(&mut self, id: ObjectId) -> V3<Term> {
+        if let Some(known) = self.points.get(&id) {
+            return *known;
+        }
+        let (thing, point) = (self.thing(id), place());
+        let (center, reach) = (thing.center(), thing.reach());
+        for i in 0..3 {
+            let off = (point.0[i] - center.0[i]).abs();
+            self.always.push((reach.0[i] - off).at_least(-OUT_OF_BOX));
+        }
+        self.points.insert(id, point);
+        point
     }
 
     /// Whether a measure is spoken of.

@@ -4,14 +4,17 @@
 //! A program that contradicts itself under this is refuted by it, and the verdict says so. Whatever is taken for granted
 //! is decided by the whole program, so that no choice among its statements changes it.
 
+use crate::eval::{cone, objects_of};
 use scenelang_lang::library::{usual_size, words};
 use scenelang_lang::program::{
-    Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned, Program,
-    RegionId, RegionProperty,
+    Arith, Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned,
+    Program, RegionId, RegionProperty,
 };
 use scenelang_lang::roles::role_of;
 use std::collections::BTreeSet;
 
+/// A conjunction of more parts is looked at as one.
+const MOST_PARTS: usize = 64;
 /// The size of what nobody knows anything about (metres).
 const UNKNOWN: [f64; 3] = [0.5; 3];
 
@@ -22,28 +25,34 @@ pub(crate) struct Usual {
     pub upright: Vec<bool>,
     /// By object: its size (metres), where the program says nothing of it.
     pub size: Vec<Option<[f64; 3]>>,
-    /// By object: what it may stand on, beside a floor.
-    pub carriers: Vec<Vec<ObjectId>>,
+    /// By object: what it may stand on, beside a floor; nothing is known of what the program says a height of.
+    pub carriers: Vec<Option<Vec<ObjectId>>>,
     /// By region: whether it is unturned.
     pub unturned: Vec<bool>,
+    /// By region: whether its floor is at height 0, unless that is assigned.
+    pub on_the_ground: Vec<bool>,
 }
 
 impl Usual {
     /// What is taken for granted of a program.
     pub fn of(program: &Program) -> Self {
+        use RegionProperty::{Ceiling, Center, Floor, Pos, Rot};
         let objects = || (0..program.objects.len() as u32).map(ObjectId);
-        let said = sizes_said(program);
-        let size = |id: ObjectId| (!said.contains(&id)).then(|| size_of(&program.objects[id.0 as usize]));
-        let turned = |id: RegionId| {
-            let reads = |n: &Node| matches!(n, Node::Region(RegionProperty::Rot, r) if *r == id);
-            hard(program).any(|c| c.formula.nodes.iter().any(reads))
+        let regions = || (0..program.regions.len() as u32).map(RegionId);
+        let sized = sizes_said(program);
+        let size = |id: ObjectId| (!sized.contains(&id)).then(|| size_of(&program.objects[id.0 as usize]));
+        // Of a region that statements relate to others of its kind, or to numbers, nothing is taken for granted.
+        let said = |id: RegionId, properties: &[RegionProperty]| {
+            let reads = |n: &Node| matches!(n, Node::Region(p, r) if *r == id && properties.contains(p));
+            let alone = |c: &&Constraint| c.kind == ConstraintKind::Assert && c.formula.objects().is_empty();
+            hard(program).filter(alone).any(|c| c.formula.nodes.iter().any(reads))
         };
-        let regions = (0..program.regions.len() as u32).map(RegionId);
         Self {
             upright: upright(program),
             size: objects().map(size).collect(),
             carriers: carriers(program),
-            unturned: regions.map(|r| !turned(r)).collect(),
+            unturned: regions().map(|r| !said(r, &[Rot])).collect(),
+            on_the_ground: regions().map(|r| !said(r, &[Pos, Floor, Ceiling, Center])).collect(),
         }
     }
 }
@@ -57,7 +66,9 @@ const SOLID: [(&str, [f64; 2]); 5] = [
     ("desk", [0.97, 0.99]),
     ("counter", [0.97, 0.99]),
 ];
-const SOLID_BY_WORD: [(&str, [f64; 2]); 16] = [
+const SOLID_BY_WORD: [(&str, [f64; 2]); 18] = [
+    ("crate", [0.02, 0.98]),
+    ("box", [0.02, 0.98]),
     ("rack", [0.99, 1.0]),
     ("shelf", [0.99, 1.0]),
     ("shelving", [0.99, 1.0]),
@@ -78,16 +89,80 @@ const SOLID_BY_WORD: [(&str, [f64; 2]); 16] = [
 /// Of these there are many shapes: only with such words before them, or none.
 const MANY_SHAPES: [&str; 5] = ["rack", "shelf", "shelving", "chair", "bed"];
 const PLAIN: [&str; 18] = [
-    "storage", "pallet", "warehouse", "steel", "metal", "wooden", "book", "dining", "kitchen", "school", "visitor",
-    "conference", "double", "single", "twin", "queen", "king", "white",
+    "storage",
+    "pallet",
+    "warehouse",
+    "steel",
+    "metal",
+    "wooden",
+    "book",
+    "dining",
+    "kitchen",
+    "school",
+    "visitor",
+    "conference",
+    "double",
+    "single",
+    "twin",
+    "queen",
+    "king",
+    "white",
 ];
 /// Words of which nothing is known: other shapes.
-const OTHER: [&str; 53] = [
-    "round", "oval", "circular", "curved", "corner", "bistro", "pedestal", "coat", "dumbbell", "wine", "hood", "lectern",
-    "podium", "bar", "exam", "massage", "operating", "wall", "hat", "towel", "book", "horse", "rail", "cubby", "cubbies",
-    "etagere", "tree", "hook", "holder", "library", "stall", "newsstand", "produce", "newspaper", "unit", "cube",
-    "cubicle", "pulpit", "rostrum", "speaker", "speaking", "presentation", "presenter", "ping", "tennis", "ironing",
-    "fan", "extractor", "lamp", "shoe", "clothes", "clothing", "garment",
+const OTHER: [&str; 54] = [
+    "round",
+    "oval",
+    "circular",
+    "curved",
+    "corner",
+    "bistro",
+    "pedestal",
+    "coat",
+    "dumbbell",
+    "wine",
+    "hood",
+    "lectern",
+    "podium",
+    "bar",
+    "exam",
+    "massage",
+    "operating",
+    "wall",
+    "hat",
+    "towel",
+    "book",
+    "horse",
+    "rail",
+    "cubby",
+    "cubbies",
+    "etagere",
+    "tree",
+    "hook",
+    "holder",
+    "library",
+    "stall",
+    "newsstand",
+    "produce",
+    "newspaper",
+    "unit",
+    "cube",
+    "cubicle",
+    "pulpit",
+    "rostrum",
+    "speaker",
+    "speaking",
+    "presentation",
+    "presenter",
+    "ping",
+    "tennis",
+    "ironing",
+    "fan",
+    "extractor",
+    "lamp",
+    "shoe",
+    "clothes",
+    "clothing",
+    "garment",
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
@@ -111,6 +186,12 @@ pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 
     (to > from && size[0].min(size[1]) > EDGE).then_some((size, [from * h, to * h]))
 }
 
+/// Whether what stands on a thing stands on its top: no asset of its kind declares another surface.
+pub(crate) fn carries_on_top(object: &Object) -> bool {
+    let known = !object.category.is_empty() || usual_size(what(object)).is_some();
+    !known || matches!(role_of(what(object)), "storage" | "appliance" | "table" | "desk" | "counter")
+}
+
 fn hard(program: &Program) -> impl Iterator<Item = &Constraint> {
     program.constraints.iter().filter(|c| !matches!(c.kind, ConstraintKind::Prefer { .. }))
 }
@@ -128,15 +209,23 @@ fn what(object: &Object) -> &str {
 
 /// Objects whose size the program assigns, or speaks of by itself.
 fn sizes_said(program: &Program) -> BTreeSet<ObjectId> {
-    let sizes = |f: &Formula| {
-        f.nodes.iter().all(|n| match n {
-            Node::Object(property, _) => *property == ObjectProperty::Scale,
-            Node::BuiltIn(..) => false,
-            _ => true,
-        })
-    };
-    let mut found: BTreeSet<ObjectId> =
-        hard(program).filter(|c| sizes(&c.formula)).flat_map(|c| c.formula.objects()).collect();
+    let mut found = BTreeSet::new();
+    for Constraint { formula, .. } in hard(program) {
+        for part in conjuncts(formula) {
+            let nodes: Vec<&Node> = cone(formula, part).into_iter().map(|n| formula.node(n)).collect();
+            let of_sizes = |n: &&Node| match n {
+                Node::Object(property, _) => *property == ObjectProperty::Scale,
+                node => !matches!(node, Node::BuiltIn(..)),
+            };
+            // Of a whole that is looked at as one nothing is known of its parts.
+            if nodes.iter().all(of_sizes) || matches!(formula.node(part), Node::And(_)) {
+                found.extend(nodes.iter().filter_map(|n| match n {
+                    Node::Object(ObjectProperty::Scale, id) => Some(*id),
+                    _ => None,
+                }));
+            }
+        }
+    }
     found.extend(program.pins.iter().filter_map(|pin| match (pin.owner, pin.property) {
         (Owner::Object(id), Pinned::Scale) => Some(id),
         _ => None,
@@ -144,24 +233,82 @@ fn sizes_said(program: &Program) -> BTreeSet<ObjectId> {
     found
 }
 
-/// By object: those whose tops some formula compares with its base.
-fn carriers(program: &Program) -> Vec<Vec<ObjectId>> {
-    use ObjectProperty::{Bottom, Pos, Surface, Top};
-    let mut found = vec![Vec::new(); program.objects.len()];
-    for Constraint { formula, .. } in &program.constraints {
-        let of = |wanted: &[ObjectProperty]| {
-            let one = |node: &Node| match node {
-                Node::Object(property, id) if wanted.contains(property) => Some(*id),
-                _ => None,
-            };
-            formula.nodes.iter().filter_map(one).collect::<BTreeSet<ObjectId>>()
-        };
-        let (bases, tops) = (of(&[Bottom, Pos]), of(&[Surface, Top]));
-        for base in bases {
-            found[base.0 as usize].extend(tops.iter().filter(|top| **top != base));
+/// The members of the top-level conjunctions of a formula; the whole of it where there are many.
+fn conjuncts(formula: &Formula) -> Vec<NodeId> {
+    let (mut open, mut found) = (vec![formula.root], Vec::new());
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            _ => found.push(id),
         }
     }
+    if found.len() > MOST_PARTS { vec![formula.root] } else { found }
+}
+
+/// By object: the others that some formula relates its height to; nothing, where one gives it a height otherwise.
+fn carriers(program: &Program) -> Vec<Option<Vec<ObjectId>>> {
+    let mut found: Vec<Option<Vec<ObjectId>>> = vec![Some(Vec::new()); program.objects.len()];
+    for Constraint { formula, .. } in &program.constraints {
+        for part in conjuncts(formula) {
+            let nodes = cone(formula, part);
+            let objects = objects_of(formula, part);
+            for id in heights_read(formula, &nodes) {
+                let others: Vec<ObjectId> = objects.iter().copied().filter(|o| *o != id).collect();
+                let own = &mut found[id.0 as usize];
+                match own {
+                    Some(list) if !others.is_empty() => list.extend(others),
+                    _ => *own = None,
+                }
+            }
+        }
+    }
+    for list in found.iter_mut().flatten() {
+        list.sort_unstable();
+        list.dedup();
+    }
     found
+}
+
+/// Objects whose height a part of a formula reads: by its name, as a component, or in a place that is to be the same as
+/// another. What is multiplied by the height of an axis says nothing of upright things.
+fn heights_read(formula: &Formula, nodes: &[NodeId]) -> BTreeSet<ObjectId> {
+    use ObjectProperty::{Bottom, Center, Front, Max, Min, Pos, Right, Surface, Top};
+    let flat = |id: NodeId| match formula.node(id) {
+        Node::Component(Axis::Y, of) => matches!(formula.node(*of), Node::Object(Front | Right, _)),
+        _ => false,
+    };
+    let mut idle: BTreeSet<NodeId> = BTreeSet::new();
+    for &id in nodes {
+        if let Node::Arith(Arith::Mul, a, b) = formula.node(id)
+            && (flat(*a) || flat(*b))
+        {
+            idle.extend(cone(formula, if flat(*a) { *b } else { *a }));
+        }
+    }
+    let (mut bases, mut tops) = (BTreeSet::new(), BTreeSet::new());
+    for &id in nodes.iter().filter(|id| !idle.contains(id)) {
+        match formula.node(id) {
+            Node::Object(Bottom, object) => drop(bases.insert(*object)),
+            Node::Object(Top | Surface, object) => drop(tops.insert(*object)),
+            Node::Component(Axis::Y, of) => {
+                if let Node::Object(Pos | Center | Min | Max, object) = formula.node(*of) {
+                    bases.insert(*object);
+                }
+            }
+            Node::Same(a, b) => {
+                let places = [a, b].into_iter().flat_map(|n| cone(formula, *n));
+                bases.extend(places.filter_map(|n| match formula.node(n) {
+                    Node::Object(Pos | Center | Min | Max, object) => Some(*object),
+                    _ => None,
+                }));
+            }
+            _ => {}
+        }
+    }
+    // The top of something on which something else stands is no height of its own.
+    tops.retain(|top| !bases.iter().any(|base| base != top));
+    bases.extend(tops);
+    bases
 }
 
 /// Whether each object stands upright: no statement reads its turn about x or z, or its up, or turns it like something

@@ -28,12 +28,8 @@ fn cases() -> Vec<Case> {
         let text = fs::read_to_string(&file).unwrap();
         for part in format!("\n{text}").split("\n== ").skip(1) {
             let (name, body) = part.split_once('\n').unwrap();
-            let mut case = Case {
-                name: format!("{stem}: {name}"),
-                text: String::new(),
-                wanted: Vec::new(),
-                twin: String::new(),
-            };
+            let mut case =
+                Case { name: format!("{stem}: {name}"), text: String::new(), wanted: Vec::new(), twin: String::new() };
             let mut last = 0;
             for line in body.lines() {
                 if let Some(other) = line.strip_prefix("~ ") {
