@@ -59,14 +59,14 @@ impl Usual {
 
 /// What is solid of the assets of a kind, all of their footprint but for [`EDGE`]: from which to which part of the height.
 /// Kinds by their role; a word of their name decides where it is listed. A test in `synth` holds this to the assets.
-const SOLID: [(&str, [f64; 2]); 5] = [
+const SOLID: &[(&str, [f64; 2])] = &[
     ("storage", [0.25, 0.99]),
     ("appliance", [0.02, 0.98]),
     ("table", [0.97, 0.99]),
     ("desk", [0.97, 0.99]),
     ("counter", [0.97, 0.99]),
 ];
-const SOLID_BY_WORD: [(&str, [f64; 2]); 18] = [
+const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
     ("crate", [0.02, 0.98]),
     ("box", [0.02, 0.98]),
     ("rack", [0.99, 1.0]),
@@ -87,8 +87,8 @@ const SOLID_BY_WORD: [(&str, [f64; 2]); 18] = [
     ("gondola", [0.0, 0.0]),
 ];
 /// Of these there are many shapes: only with such words before them, or none.
-const MANY_SHAPES: [&str; 5] = ["rack", "shelf", "shelving", "chair", "bed"];
-const PLAIN: [&str; 18] = [
+const MANY_SHAPES: &[&str] = &["rack", "shelf", "shelving", "chair", "bed"];
+const PLAIN: &[&str] = &[
     "storage",
     "pallet",
     "warehouse",
@@ -109,7 +109,7 @@ const PLAIN: [&str; 18] = [
     "white",
 ];
 /// Words of which nothing is known: other shapes.
-const OTHER: [&str; 54] = [
+const OTHER: &[&str] = &[
     "round",
     "oval",
     "circular",
