@@ -132,6 +132,7 @@ impl Reader<'_> {
                     }
                 }
             }
+            self.four_sides(i, &of);
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }

@@ -133,6 +133,7 @@ impl Reader<'_> {
             of: None,
             room: self.room,
             beyond: None,
+            places: None,
             look: np.look.clone(),
             size: [None; 3],
             source: Source::Stated(at),

@@ -168,6 +168,7 @@ impl Reader<'_> {
                     rel
                 };
                 let fresh = items.iter().all(|o| self.brief.things[*o].source.at().start >= self.bytes(i..i + 1).start);
+                self.four_sides(i, &of);
                 self.drop_usual(&of);
                 self.relate(&of, rel, &items);
                 // "a lamp on a table next to the sofa": the table is next to the sofa.
@@ -574,6 +575,19 @@ impl Reader<'_> {
                     && matches!(&f.what, What::Rel(_, o) if o == owner)
                     && !f.not)
             });
+        }
+    }
+
+    /// "chairs on all four sides": at least one at each, so four where nobody counts them.
+    pub(super) fn four_sides(&mut self, i: usize, of: &[usize]) {
+        if !self.chunks[i].at.clone().any(|t| self.tokens[t].is("four")) {
+            return;
+        }
+        for o in of {
+            let item = &mut self.brief.things[*o];
+            if item.number == Number::Plural {
+                item.number = Number::Exactly(4);
+            }
         }
     }
 
