@@ -23,6 +23,7 @@ mod people;
 mod phrases;
 mod rooms;
 pub(crate) mod several;
+mod taken_back;
 mod talk;
 mod token;
 mod zones;

@@ -255,6 +255,7 @@ impl<'a> Reader<'a> {
             self.sentence(turn, end);
             return;
         }
+        let from = self.moved(from, end);
         let at = self.bytes(from..end);
         self.s = Sentence { from: self.room, chunks: from..end, now: from, at, ..Sentence::default() };
         let words = &chunks[from..end.min(chunks.len())];
@@ -488,6 +489,12 @@ impl<'a> Reader<'a> {
         self.s.nothing = false;
         if self.s.expect == Expect::Blocked {
             self.s.expect = Expect::Nothing;
+        }
+        // "each desk: a lamp, two pens": that is what each has.
+        let listed = self.np(i + 1, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
+        if listed && self.s.each && self.s.subject && !self.s.verb && self.main.len() == 1 {
+            self.s.expect = Expect::With(self.main.clone(), Join::Usual);
+            return i + 1;
         }
         let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
         if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
