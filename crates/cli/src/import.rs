@@ -37,15 +37,22 @@ fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
     for change in &scene.changes {
         eprintln!("{name}: {}", change.message);
     }
-    replace::folder(&args.output, &files(&scene), &[path], args.force)
+    replace::folder(&args.output, &files(&scene)?, &[path], args.force)
 }
 
 /// The files of a scene, as they stood in relation to each other. Where one stood above the folder of the program, that
-/// folder is a folder below.
-fn files(scene: &Embedded) -> Vec<OutFile> {
+/// folder is a folder below. A file of somebody else's may call its parts whatever it likes: only programs are written.
+fn files(scene: &Embedded) -> Result<Vec<OutFile>, String> {
     let folder = scene.layout_path.parent().unwrap_or(Path::new(""));
     let programs: Vec<(PathBuf, &str)> =
         scene.files().map(|(path, text)| (relative(path, folder).into(), text)).collect();
+    if let Some((path, _)) = programs.iter().find(|(path, _)| path.extension().is_none_or(|e| e != "scene")) {
+        let name = path.display().to_string();
+        let shown = scenelang_base::plain::line(&name);
+        return Err(format!(
+            "nothing is written: the scene has a file `{shown}`, which is no program, since it does not end in .scene"
+        ));
+    }
     let above = |path: &Path| path.components().take_while(|part| *part == Component::ParentDir).count();
     let depth = programs.iter().map(|(path, _)| above(path)).max().unwrap_or(0);
     let place = |path: &Path| -> PathBuf {
@@ -57,5 +64,5 @@ fn files(scene: &Embedded) -> Vec<OutFile> {
     let layout = place(Path::new(&format!("{}.layout.json", main.file_stem().unwrap_or_default().to_string_lossy())));
     let mut out: Vec<OutFile> = programs.iter().map(|(path, text)| OutFile::new(place(path), *text)).collect();
     out.push(OutFile::new(layout, scene.layout.as_str()));
-    out
+    Ok(out)
 }

@@ -176,12 +176,11 @@ fn permitted(args: &Synth, path: &Path, asked: bool, stem: &str) -> Result<(), S
     replace::unedited(&args.output, args.force)
 }
 
-/// All files of the scene, and what is not in them; `None`: Ctrl-C was pressed before they were made.
-fn exported(
-    solved: &Solved,
-    stem: &str,
-    exporters: &[Box<dyn Exporter>],
-) -> Result<Option<(Vec<OutFile>, Vec<Loss>)>, String> {
+/// All files of a scene, and what is not in them.
+type Exported = (Vec<OutFile>, Vec<Loss>);
+
+/// The files of the scene; `None`: Ctrl-C was pressed before they were made.
+fn exported(solved: &Solved, stem: &str, exporters: &[Box<dyn Exporter>]) -> Result<Option<Exported>, String> {
     let mut files = own_files(solved, stem);
     if interrupt::asked() {
         return Ok(None);

@@ -151,6 +151,32 @@ fn a_scene_is_judged_as_it_stands_now() {
 }
 
 #[test]
+fn no_file_is_written_outside_of_the_folder_or_that_is_no_program() {
+    let made = with_imports();
+    let ended = scenelang(&made.path().join("rooms"), ["synth", "study.scene", "-o", "../out"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let glb = made.path().join("out/study.glb");
+    let kept = fs::read(&glb).unwrap();
+    let outside = made.path().join("outside.scene");
+    for (import, written) in [
+        (".git/hooks/post-checkout", false),
+        ("settings.json", false),
+        (outside.to_str().unwrap(), false),
+        // What leads above the folder of the program makes that a folder below.
+        ("../../../../outside.scene", true),
+    ] {
+        fs::write(&glb, &kept).unwrap();
+        edit_glb(&glb, |document| {
+            document["scenes"][0]["extras"]["scenelang"]["imports"][import] = "object evil;".into()
+        });
+        let ended = scenelang(made.path(), ["import", "out/study.glb", "-o", "back", "--force"]);
+        assert_eq!(ended.code, if written { 0 } else { 2 }, "{import}: {}{}", ended.stdout, ended.stderr);
+        assert_eq!(made.path().join("back").exists(), written, "{import}");
+        assert!(!outside.exists(), "{import}");
+    }
+}
+
+#[test]
 fn what_is_not_ours_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let glb = |json: &str| {

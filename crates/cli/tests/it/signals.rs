@@ -200,6 +200,14 @@ fn export() {
 }
 
 #[test]
+fn import() {
+    survives(
+        &["export", "room.layout.json", "--only", "glb", "-o", "made"],
+        &["import", "made/room.glb", "-o", "back"],
+    );
+}
+
+#[test]
 fn fmt() {
     survives(&[], &["fmt", "fmt.scene"]);
 }

@@ -2,17 +2,11 @@
 //! MJCF, USD and SDF are written from it.
 //!
 //! Frame: the scene's own (left-handed, y up, metres); who writes converts with a [`Frame`](crate::geometry::frame::Frame).
-//!
-//! A body is rigid but for the pieces of it that move: see [`Moving`].
 
-#[cfg(test)]
-pub(crate) mod fixture;
 mod inertia;
-mod joint;
 mod shape;
 
 pub(crate) use inertia::Inertia;
-pub(crate) use joint::{Joint, Motion, Movable, Moving};
 pub(crate) use shape::{Geom, Shape};
 
 use crate::Scene;
@@ -20,7 +14,6 @@ use crate::geometry::mesh::Group;
 use crate::scene::{Body as Holding, Object, Role, Shell};
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
-use std::borrow::Cow;
 
 /// How well things grip, by the law of Coulomb; one for all.
 pub(crate) const FRICTION: f64 = 0.8;
@@ -36,7 +29,7 @@ pub(crate) struct Physics<'a> {
     pub through: Vec<[usize; 2]>,
 }
 
-/// A rigid body, and what moves against it.
+/// A rigid body.
 pub(crate) struct Body<'a> {
     /// As in the program: `chair[0]`; of the building `office/wall2`.
     pub name: &'a str,
@@ -51,11 +44,9 @@ pub(crate) struct Body<'a> {
     /// Its solid; empty where it stops nothing.
     pub geoms: Vec<Geom>,
     /// What is seen of it, in its frame.
-    pub drawn: Cow<'a, [Group]>,
+    pub drawn: &'a [Group],
     /// Mass and how it is distributed; nobody needs to know what the building weighs.
     pub inertia: Option<Inertia>,
-    /// What is no part of it and hangs on it.
-    pub moving: Vec<Moving>,
 }
 
 /// What a body is in the scene.
@@ -68,28 +59,17 @@ pub(crate) enum What<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// An object, and what of it can be opened.
-    fn object(object: &'a Object, movable: &[Movable<'_>]) -> Self {
-        let loose = object.body == Holding::Free;
-        let geoms = shape::of_object(object);
-        let mut body = Self {
+    fn object(object: &'a Object) -> Self {
+        Self {
             name: &object.name,
             what: What::Object(object),
             pos: object.place.pos,
             axes: object.axes,
-            loose,
-            geoms: Vec::new(),
-            drawn: Cow::Borrowed(&object.mesh),
-            inertia: None,
-            moving: Vec::new(),
-        };
-        let mut fixed: Vec<usize> = (0..geoms.len()).collect();
-        if let Some(pieces) = joint::take_apart(object, &geoms, movable) {
-            (fixed, body.moving, body.drawn) = (pieces.fixed, pieces.moving, Cow::Owned(pieces.drawn));
+            loose: object.body == Holding::Free,
+            geoms: shape::of_object(object),
+            drawn: &object.mesh,
+            inertia: Some(Inertia::of(object.solid.iter().zip(object.weights.iter().copied()))),
         }
-        body.inertia = Some(joint::inertia(object, &fixed));
-        body.geoms = fixed.into_iter().map(|part| geoms[part].clone()).collect();
-        body
     }
 
     fn shell(shell: &'a Shell) -> Self {
@@ -100,9 +80,8 @@ impl<'a> Body<'a> {
             axes: Matrix3::identity(),
             loose: false,
             geoms: shape::of_shell(shell),
-            drawn: Cow::Borrowed(std::slice::from_ref(&shell.group)),
+            drawn: std::slice::from_ref(&shell.group),
             inertia: None,
-            moving: Vec::new(),
         }
     }
 
@@ -136,7 +115,7 @@ impl<'a> Body<'a> {
 impl<'a> Physics<'a> {
     /// The bodies of a scene.
     pub fn of(scene: &'a Scene) -> Self {
-        let objects = scene.objects.iter().map(|object| Body::object(object, &[]));
+        let objects = scene.objects.iter().map(Body::object);
         // A wall that is all door has nothing to show.
         let shells = scene.shells.iter().filter(|s| !s.group.indices.is_empty()).map(Body::shell);
         let bodies: Vec<Body<'a>> = objects.chain(shells).collect();
