@@ -95,9 +95,7 @@ pub(super) fn drill_press(a: &Ask) -> Model {
     m.board(b.share(0.14..0.86, 0.94..1.0, 0.02..0.9), &shade(&body, 0.8));
     m.drum(b.share(0.42..0.58, 0.64..0.72, 0.5..0.7), &dark);
     m.board(b.share(0.485..0.515, 0.54..0.64, 0.585..0.615), &iron);
-    for (x, y) in [(0.8..0.86, 0.76..0.9), (0.8..0.86, 0.81..0.85)] {
-        m.mesh.crisp(b.share(x, y, 0.5..0.54), &dark);
-    }
+    m.board(b.share(0.8..0.86, 0.76..0.9, 0.5..0.54), &dark);
     m.surface = Some(0.49 * a.h);
     m
 }
