@@ -38,6 +38,7 @@ const RULES: Readonly<Record<string, { readonly kind: string; readonly says: (a:
   "P-COLLIDE": { kind: "collision", says: (a, b) => `\`${a}\` and \`${b}\` do not collide` },
   "P-BOUNDS": { kind: "bounds", says: (a) => `\`${a}\` is inside a region` },
   "P-SUPPORT": { kind: "support", says: (a) => `\`${a}\` is supported` },
+  "P-OPEN": { kind: "open", says: (a) => `what of \`${a}\` has to open does` },
 };
 
 /** Checks an answer to a move. */

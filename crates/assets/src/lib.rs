@@ -20,7 +20,7 @@ pub use lexicon::{categories, family_of};
 pub use looks::{color_names, color_of, covering, material_names};
 pub use mesh::{Group, Mesh, Surface};
 
-use scenelang_layout::{Part, Vec3};
+use scenelang_layout::{Joint, Part, Vec3};
 
 /// What is asked for. Texts are as the program has them; empty ones mean nothing was said.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,6 +52,8 @@ pub struct Asset {
     pub parts: Vec<Part>,
     /// Height of the support surface above the base where it is not the top (a seat, a mattress).
     pub surface: Option<f64>,
+    /// What of it can be opened, each with some of the parts; as they are, all is closed.
+    pub joints: Vec<Joint>,
     /// What is seen.
     pub mesh: Mesh,
     /// What to call it: the category, or the name.
@@ -72,6 +74,7 @@ pub fn furnish(request: &Request<'_>) -> Asset {
         size,
         parts: model.parts,
         surface: model.surface,
+        joints: model.joints,
         mesh: model.mesh,
         label: label.trim().to_owned(),
     }

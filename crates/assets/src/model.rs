@@ -2,7 +2,7 @@
 
 use crate::block::Block;
 use crate::mesh::{Mesh, Surface};
-use scenelang_layout::{Part, Vec3};
+use scenelang_layout::{Joint, Part, Vec3};
 
 /// Parts and mesh of one object, in its own frame.
 #[derive(Debug, Default)]
@@ -13,6 +13,8 @@ pub(crate) struct Model {
     pub mesh: Mesh,
     /// Height of the support surface, where it is not the top.
     pub surface: Option<f64>,
+    /// What opens, see `families::moving`.
+    pub joints: Vec<Joint>,
 }
 
 impl Model {

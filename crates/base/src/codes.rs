@@ -149,4 +149,5 @@ codes! {
     V0104 "an object is not supported"
     V0105 "the layout differs from an assignment"
     V0106 "a preference is not met"
+    V0107 "something does not open"
 }

@@ -51,7 +51,10 @@ fn grid(n: usize) -> (Program, Layout) {
     let objects = program.objects.iter().enumerate().map(|(i, object)| {
         let pos = Vec3::new((i as f64 % side) + 0.5, 0.0, (i as f64 / side).floor() + 0.5);
         let rot = Vec3::new(0.0, (i % 4) as f64 * 10.0, 0.0);
-        (object.name.clone(), Placement { pos, rot, scale: Vec3::repeat(0.5), parts: Vec::new(), surface: None })
+        (
+            object.name.clone(),
+            Placement { pos, rot, scale: Vec3::repeat(0.5), parts: Vec::new(), surface: None, joints: Vec::new() },
+        )
     });
     let hall = RegionPlacement {
         pos: Vec3::new(side / 2.0, 0.0, side / 2.0),

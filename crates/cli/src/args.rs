@@ -118,7 +118,10 @@ pub struct Judging {
     /// What a solid is: the convex parts of its asset, or its box [default: parts]
     #[arg(long, value_enum)]
     pub geometry: Option<Geometry>,
-    /// Leave out the physical rules (collisions, bounds, support)
+    /// Of what P-OPEN demands that it opens: the doors of rooms and furniture, or the doors of rooms only [default: doors]
+    #[arg(long, value_enum)]
+    pub opens: Option<Opens>,
+    /// Leave out the physical rules (collisions, bounds, support, what opens)
     #[arg(long)]
     pub no_physics: bool,
     /// Apply the physical rules, whatever scenelang.toml says
@@ -154,6 +157,17 @@ pub enum Verbosity {
     Compact,
     /// Each finding with the text it speaks of
     Full,
+}
+
+/// `--opens`
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Opens {
+    /// Doors of rooms, and furniture as far as is of use
+    All,
+    /// Doors of rooms
+    Doors,
+    /// Nothing
+    None,
 }
 
 /// `--geometry`

@@ -1,6 +1,6 @@
 //! How files are judged: the settings of their workspace, and the options that take precedence over them.
 
-use crate::args::{Geometry, Judging};
+use crate::args::{Geometry, Judging, Opens};
 use scenelang_analysis::Found;
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, SourceMap};
@@ -39,6 +39,11 @@ pub fn given(judging: &Judging) -> Settings {
         geometry: judging.geometry.map(|geometry| match geometry {
             Geometry::Parts => scenelang_layout::Geometry::Parts,
             Geometry::Box => scenelang_layout::Geometry::Box,
+        }),
+        opens: judging.opens.map(|opens| match opens {
+            Opens::All => scenelang_verify::Opens::All,
+            Opens::Doors => scenelang_verify::Opens::Doors,
+            Opens::None => scenelang_verify::Opens::None,
         }),
         eta: judging.eta,
         tolerances: judging.tolerances.clone(),

@@ -151,7 +151,7 @@ impl Unfinished {
         found.extend(judged.diagnostics);
         scenelang_lang::lint::allow::silence(&self.sources, &mut found);
         (self.verdict.rows, self.verdict.summary) = (judged.rows, judged.summary);
-        self.verdict.unlisted = judged.unlisted;
+        (self.verdict.unlisted, self.verdict.parts) = (judged.unlisted, judged.parts);
         self.program = Some(program);
         found
     }

@@ -4,10 +4,11 @@
 use crate::{Index, Pose, State};
 use scenelang_base::Diagnostic;
 use scenelang_lang::program::{ObjectId, Program};
-use scenelang_layout::{Layout, Vec3};
-use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, rooms, stated, too_dense};
+use scenelang_layout::{Aabb, Layout, Vec3};
+use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws, parts, rooms, stated, too_dense};
+use scenelang_verify::opening::LOOKS;
 use scenelang_verify::report::model::Summary;
-use scenelang_verify::rules::{Columns, Support, pairs_up_to, support};
+use scenelang_verify::rules::{Columns, Support, open, pairs_up_to, support};
 use scenelang_verify::{EvalError, Options, Scratch, Verdict, World};
 use std::collections::BTreeMap;
 
@@ -27,6 +28,9 @@ pub struct Live<'a> {
     /// By object, what P-BOUNDS and P-SUPPORT say; `None`: nothing.
     bounds: Vec<Option<Ruled>>,
     support: Vec<Option<Ruled>>,
+    /// By object, what P-OPEN says of each of its parts that have to open, and what can change that reaches into.
+    opening: Vec<Vec<Option<Ruled>>>,
+    swept: Vec<Option<Aabb>>,
     /// Objects whose support fails by what is nearest, wherever that is.
     unsupported: Vec<ObjectId>,
     draws: Vec<Diagnostic>,
@@ -55,6 +59,8 @@ impl<'a> Live<'a> {
             collisions: BTreeMap::new(),
             bounds: nothing(),
             support: nothing(),
+            opening: ids(program).map(|_| Vec::new()).collect(),
+            swept: vec![None; program.objects.len()],
             unsupported: Vec::new(),
             draws,
             rooms: Vec::new(),
@@ -102,7 +108,22 @@ impl<'a> Live<'a> {
         for id in ids(self.program) {
             self.judge_bounds(id);
             self.judge_support(id, &neighbours[id.0 as usize], Some(&mut columns));
+            self.judge_opening(id);
         }
+    }
+
+    /// P-OPEN of what of an object has to open; how many parts were judged.
+    fn judge_opening(&mut self, id: ObjectId) -> usize {
+        let Some(rules) = &self.rules else { return 0 };
+        let world = self.state.world();
+        let parts = open::demands(world, id);
+        self.swept[id.0 as usize] = open::reach(world, id);
+        self.opening[id.0 as usize].resize_with(parts.len(), || None);
+        for (index, (part, _)) in parts.iter().enumerate() {
+            let now = rules.opened(world, id, *part, &mut { LOOKS });
+            replace(&mut self.summary, &mut self.opening[id.0 as usize][index], now);
+        }
+        parts.len()
     }
 
     fn judge_bounds(&mut self, id: ObjectId) {
@@ -161,7 +182,7 @@ impl<'a> Live<'a> {
     }
 
     fn set_pose(&mut self, object: ObjectId, pose: &Pose) -> usize {
-        let before = self.around(object);
+        let (before, there) = (self.around(object), self.state.bounds(object));
         self.state.set_pose(object, pose);
         let world = self.state.world();
         let touched = self.index.touched_by(&[object]);
@@ -180,11 +201,11 @@ impl<'a> Live<'a> {
             self.rooms.clear();
             rooms::warn(self.program, world, &mut self.rooms);
         }
-        touched.len() + self.follow(object, &before)
+        touched.len() + self.follow(object, (&before, there))
     }
 
     /// The physical rules that a move of an object can have changed, `before` being what was near it; how many were judged.
-    fn follow(&mut self, object: ObjectId, before: &[ObjectId]) -> usize {
+    fn follow(&mut self, object: ObjectId, (before, there): (&[ObjectId], Option<Aabb>)) -> usize {
         let here = self.around(object);
         let Some(rules) = &self.rules else { return 0 };
         let pair = |other: ObjectId| (object.min(other), object.max(other));
@@ -210,7 +231,13 @@ impl<'a> Live<'a> {
         for &id in &unsettled {
             self.judge_support(id, &self.around(id), None);
         }
-        judged + unsettled.len()
+        let moved = [there, self.state.bounds(object)];
+        let near = |swept: &Aabb| moved.iter().flatten().any(|b| b.distance(swept) <= open::REACH);
+        let swept: Vec<ObjectId> = ids(self.program)
+            .filter(|id| *id == object || self.swept[id.0 as usize].as_ref().is_some_and(near))
+            .collect();
+        let opened: usize = swept.into_iter().map(|id| self.judge_opening(id)).sum();
+        judged + unsettled.len() + opened
     }
 
     /// Objects within reach of one.
@@ -231,7 +258,8 @@ impl<'a> Live<'a> {
 
     /// All rows: stated constraints in source order, then the physical rules that fail.
     pub fn rows(&self) -> impl Iterator<Item = &Judged> {
-        let ruled = self.bounds.iter().chain(&self.support).flatten().filter_map(|ruled| ruled.row.as_ref());
+        let ruled = self.bounds.iter().chain(&self.support).chain(self.opening.iter().flatten());
+        let ruled = ruled.flatten().filter_map(|ruled| ruled.row.as_ref());
         self.stated.iter().chain(self.collisions.values()).chain(ruled)
     }
 
@@ -241,7 +269,14 @@ impl<'a> Live<'a> {
         diagnostics.extend(stated::diagnostics(self.program, self.errors.iter().map(|(i, e)| (*i, *e))));
         diagnostics.extend(self.dense.clone());
         diagnostics.extend(self.rooms.iter().cloned());
-        Verdict { rows: self.rows().cloned().collect(), summary: self.summary, diagnostics, ..Verdict::default() }
+        let parts = if self.rules.is_some() { parts(self.state.world()) } else { Vec::new() };
+        Verdict {
+            rows: self.rows().cloned().collect(),
+            summary: self.summary,
+            diagnostics,
+            parts,
+            ..Verdict::default()
+        }
     }
 }
 

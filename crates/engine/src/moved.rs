@@ -3,8 +3,8 @@
 use crate::Live;
 use scenelang_base::SourceMap;
 use scenelang_lang::program::{ObjectId, Program, Unit};
-use scenelang_verify::check::{Judged, Subject};
-use scenelang_verify::report::statement_id;
+use scenelang_verify::check::{Judged, Subject, parts};
+use scenelang_verify::report::{part_id, statement_id};
 use serde_json::{Value, json};
 
 /// What holds while something is moved, in short, as JSON: `holds` of `total`, the stated constraints, and the physical rules
@@ -15,6 +15,9 @@ pub fn moved(live: &Live<'_>, program: &Program, sources: &SourceMap, name: &str
         Subject::Statement(_) => statement_id(name, sources, row.place),
         Subject::Pair(a, b) => format!("{}:{}:{}", row.kind.rule().unwrap_or_default(), object(&a), object(&b)),
         Subject::Object(a) => format!("{}:{}", row.kind.rule().unwrap_or_default(), object(&a)),
+        Subject::Part(a, part) => {
+            part_id(row.kind.rule().unwrap_or_default(), object(&a), (a, part), &parts(live.world()))
+        }
     };
     let shown = |row: &Judged| {
         let state = match row.satisfied {

@@ -4,7 +4,7 @@ use scenelang_lang::program::{ConstraintKind, NodeId, Program};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
 use scenelang_verify::report::model::Kind;
-use scenelang_verify::rules::{Scope, Support, bounds, collide, mounts, support};
+use scenelang_verify::rules::{Scope, Support, bounds, collide, mounts, open, support};
 use scenelang_verify::{Number, Scratch, Truth, Value, World, judge};
 
 /// What is to hold: a row, or a part of a statement.
@@ -40,6 +40,7 @@ pub(crate) fn truth<N: Number>(
             scratch.evaluate(&program.constraints[index].formula, world).ok()?
         }
         Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => return collide::pair(world, a, b).ok(),
+        Goal::Row(RowRef { subject: Subject::Part(id, part), .. }) => return open::part(world, id, part).ok(),
         Goal::Row(RowRef { kind: Kind::Bounds, subject: Subject::Object(id) }) => {
             let truth = bounds::object(world, id).ok()?;
             return (truth.holds || world.missing_region().is_none()).then_some(truth);

@@ -8,11 +8,11 @@
 use crate::geometry::frame::Frame;
 use crate::loss::Lost;
 use crate::numbers::{coarse, number, spaced};
-use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Physics, Shape};
+use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Joint, Physics, Shape};
 use crate::scene::{View, view};
 use crate::xml::{Attribute, Xml};
 use crate::{ExportError, Exporter, OutFile, Scene};
-use scenelang_layout::{Aabb, Convex, Vec3};
+use scenelang_layout::{Aabb, Convex, Motion, Vec3};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -90,10 +90,21 @@ fn document(scene: &Scene, physics: &Physics<'_>) -> Vec<u8> {
     xml.finish()
 }
 
-/// Bodies that do not push each other, by permission.
+/// Bodies that do not push each other: by permission, and the pieces of one thing.
 fn contacts(xml: &mut Xml, physics: &Physics<'_>) {
-    let pairs: Vec<[&str; 2]> =
-        physics.through.iter().map(|pair| pair.map(|body| own(physics.bodies[body].name))).collect();
+    let names = |body: usize| {
+        let body = &physics.bodies[body];
+        std::iter::once(own(body.name)).chain(body.moving.iter().map(|m| m.name.as_str())).collect::<Vec<_>>()
+    };
+    let mut pairs: Vec<[&str; 2]> = Vec::new();
+    for &[a, b] in &physics.through {
+        let others = names(b);
+        pairs.extend(names(a).into_iter().flat_map(|a| others.iter().map(move |b| [a, *b])));
+    }
+    for index in 0..physics.bodies.len() {
+        let pieces = names(index);
+        pairs.extend((0..pieces.len()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| [pieces[j], pieces[i]]));
+    }
     if pairs.is_empty() {
         return;
     }
@@ -142,10 +153,14 @@ fn assets(xml: &mut Xml, scene: &Scene, physics: &Physics<'_>) -> Meshes {
     }
     let mut meshes = Meshes::new();
     for body in &physics.bodies {
-        for (i, geom) in body.geoms.iter().enumerate() {
+        let pieces = body.moving.iter().map(|m| (m.name.as_str(), &m.geoms));
+        let geoms = std::iter::once((body.name, &body.geoms)).chain(pieces);
+        for (owner, i, geom) in
+            geoms.flat_map(|(owner, geoms)| geoms.iter().enumerate().map(move |(i, g)| (owner, i, g)))
+        {
             let Shape::Hull(hull) = &geom.shape else { continue };
             meshes.entry(key(hull)).or_insert_with(|| {
-                let name = format!("{}/{i}", body.name);
+                let name = format!("{owner}/{i}");
                 let corners = spaced(hull.vertices().iter().flat_map(|&v| FRAME.point(v).data.0[0]));
                 xml.empty("mesh", &[("name", &name), ("inertia", "convex"), ("vertex", &corners)]);
                 name
@@ -206,7 +221,33 @@ fn write_body(xml: &mut Xml, body: &Body<'_>, scene: &Scene, meshes: &Meshes) {
     }
     let group = body.is_ceiling().then_some(HIDDEN);
     write_geoms(xml, body.name, &body.geoms, group, scene, meshes);
+    for piece in &body.moving {
+        // The frame is that of the body.
+        xml.begin("body", &[("name", &piece.name)]);
+        write_joint(xml, &piece.name, &piece.joint);
+        write_inertia(xml, &piece.inertia);
+        write_geoms(xml, &piece.name, &piece.geoms, None, scene, meshes);
+        xml.end();
+    }
     xml.end();
+}
+
+fn write_joint(xml: &mut Xml, name: &str, joint: &Joint) {
+    let kind = match joint.motion {
+        Motion::Hinge => "hinge",
+        Motion::Slide => "slide",
+    };
+    xml.empty(
+        "joint",
+        &[
+            ("name", name),
+            ("type", kind),
+            ("pos", &spaced(FRAME.point(joint.anchor).iter().copied())),
+            ("axis", &spaced(joint.axis_in(FRAME).iter().copied())),
+            ("range", &spaced(joint.range)),
+            ("damping", &number(joint.damping)),
+        ],
+    );
 }
 
 fn write_geoms(xml: &mut Xml, owner: &str, geoms: &[Geom], group: Option<&str>, scene: &Scene, meshes: &Meshes) {
@@ -260,6 +301,11 @@ fn metadata(scene: &Scene, physics: &Physics<'_>) -> Value {
             entry["mass"] = json!(inertia.mass);
         }
         bodies.insert(own(body.name).to_owned(), entry);
+        for piece in &body.moving {
+            let (id, category, mass) = (body.name, body.category(), piece.inertia.mass);
+            let entry = json!({ "category": category, "static": false, "id": id, "joint": piece.name, "mass": mass });
+            bodies.insert(piece.name.clone(), entry);
+        }
     }
     json!({
         "format": "scenelang.mjcf/1",
@@ -268,4 +314,28 @@ fn metadata(scene: &Scene, physics: &Physics<'_>) -> Value {
         "frame": "right-handed, z up, metres; a point (x, y, z) of the layout is (x, z, y) here",
         "bodies": bodies,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::fixture::cupboard;
+
+    #[test]
+    fn what_opens_hangs_on_its_body_by_a_joint() {
+        let scene = cupboard();
+        let physics = Physics::of(&scene);
+        let text = String::from_utf8(document(&scene, &physics)).unwrap();
+        let xml = roxmltree::Document::parse(&text).unwrap();
+        let joints: Vec<_> = xml.descendants().filter(|n| n.has_tag_name("joint")).collect();
+        let told: Vec<_> =
+            joints.iter().map(|j| ["name", "type", "pos", "axis"].map(|key| j.attribute(key).unwrap())).collect();
+        let door = ["cupboard/door", "hinge", "-0.39 0.23 0.65", "0 0 1"];
+        assert_eq!(told, [door, ["cupboard/drawer", "slide", "0 0 0", "0 1 0"]]);
+        let hung =
+            |j: &roxmltree::Node<'_, '_>| j.parent().unwrap().parent().unwrap().attribute("name") == Some("cupboard");
+        assert!(joints.iter().all(hung));
+        assert_eq!(text.matches("<exclude").count(), 3, "the pieces of one thing do not push each other");
+        assert_eq!(metadata(&scene, &physics)["bodies"]["cupboard/door"]["joint"], "cupboard/door");
+    }
 }

@@ -9,12 +9,12 @@ use crate::loss::Lost;
 use crate::names::{Identifiers, Stems};
 use crate::numbers::{number, spaced};
 use crate::obj::{Materials, Mesh};
-use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Physics, Shape};
+use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Joint, Physics, Shape};
 use crate::scene::view;
 use crate::xml::Xml;
 use crate::{ExportError, Exporter, OutFile, Scene};
 use nalgebra::Matrix3;
-use scenelang_layout::Vec3;
+use scenelang_layout::{Motion, Vec3};
 
 /// The `sdf/` folder: `NAME.sdf` and `meshes/`.
 #[derive(Clone, Copy, Debug)]
@@ -115,32 +115,79 @@ fn model(xml: &mut Xml, body: &Body<'_>, name: &str, meshes: &mut Meshes) {
     xml.begin("model", &[("name", name)]);
     xml.text("scenelang:id", body.name);
     xml.text("scenelang:category", body.category());
-    xml.text("static", if body.loose { "false" } else { "true" });
+    // In a model that is static no joint moves: what stays is then held by a joint.
+    let held = !body.loose && !body.moving.is_empty();
+    let still = !body.loose && !held;
+    xml.text("static", if still { "true" } else { "false" });
     xml.text("pose", &pose(&body.pos, &body.axes));
-    link(xml, name, body, meshes);
+    link(xml, "link", name, body.inertia.as_ref().filter(|_| !still), (&body.geoms, &body.drawn), meshes);
+    if held {
+        xml.begin("joint", &[("name", "held"), ("type", "fixed")]);
+        xml.text("parent", "world");
+        xml.text("child", "link");
+        xml.end();
+    }
+    let mut names = Identifiers::default();
+    names.take("link");
+    names.take("held");
+    for piece in &body.moving {
+        let own = names.take(piece.name.rsplit('/').next().unwrap_or_default());
+        link(xml, &own, &format!("{name}.{own}"), Some(&piece.inertia), (&piece.geoms, &piece.drawn), meshes);
+        joint(xml, &names.take(&format!("{own}_joint")), &own, &piece.joint);
+    }
     xml.end();
 }
 
-/// The one link of a body; `name` is also what its meshes are called.
-fn link(xml: &mut Xml, name: &str, body: &Body<'_>, meshes: &mut Meshes) {
-    xml.begin("link", &[("name", "link")]);
-    if let Some(inertia) = body.inertia.as_ref().filter(|_| body.loose) {
+/// A link; what it is made of and what is seen of it. `file` is what its meshes are called.
+fn link(
+    xml: &mut Xml,
+    name: &str,
+    file: &str,
+    inertia: Option<&Inertia>,
+    (geoms, drawn): (&[Geom], &[Group]),
+    meshes: &mut Meshes,
+) {
+    xml.begin("link", &[("name", name)]);
+    if let Some(inertia) = inertia {
         inertial(xml, inertia);
     }
-    for (i, geom) in body.geoms.iter().enumerate() {
+    for (i, geom) in geoms.iter().enumerate() {
         xml.begin("collision", &[("name", &format!("solid_{i}"))]);
         if !matches!(geom.shape, Shape::Hull(_)) {
             xml.text("pose", &pose(&geom.pos, &geom.axes));
         }
-        geometry(xml, geom, &format!("{name}.solid_{i}"), meshes);
+        geometry(xml, geom, &format!("{file}.solid_{i}"), meshes);
         friction(xml);
         xml.end();
     }
-    if body.drawn.iter().any(|g| !g.indices.is_empty()) {
+    if drawn.iter().any(|g| !g.indices.is_empty()) {
         xml.begin("visual", &[("name", "look")]);
-        mesh(xml, &meshes.file(name, body.drawn));
+        mesh(xml, &meshes.file(file, drawn));
         xml.end();
     }
+    xml.end();
+}
+
+/// The joint of a link that moves, at a point of its axis.
+fn joint(xml: &mut Xml, name: &str, child: &str, joint: &Joint) {
+    let kind = match joint.motion {
+        Motion::Hinge => "revolute",
+        Motion::Slide => "prismatic",
+    };
+    xml.begin("joint", &[("name", name), ("type", kind)]);
+    xml.text("parent", "link");
+    xml.text("child", child);
+    xml.text("pose", &pose(&joint.anchor, &Matrix3::identity()));
+    xml.begin("axis", &[]);
+    xml.text("xyz", &spaced(joint.axis_in(FRAME).iter().copied()));
+    xml.begin("limit", &[]);
+    xml.text("lower", &number(joint.range[0]));
+    xml.text("upper", &number(joint.range[1]));
+    xml.end();
+    xml.begin("dynamics", &[]);
+    xml.text("damping", &number(joint.damping));
+    xml.end();
+    xml.end();
     xml.end();
 }
 
@@ -231,5 +278,27 @@ impl Meshes {
         self.files.push(OutFile::new(format!("sdf/meshes/{file}"), mesh.finish()));
         self.written.push((groups.to_vec(), file.clone()));
         file
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::fixture::cupboard;
+
+    #[test]
+    fn what_opens_is_a_link_with_a_joint_and_what_stands_still_is_held() {
+        let mut scene = cupboard();
+        scene.objects[0].body = crate::scene::Body::Static;
+        let text = String::from_utf8(document(&scene, &Physics::of(&scene), &mut Meshes::new(&scene))).unwrap();
+        let xml = roxmltree::Document::parse(&text).unwrap();
+        let model = xml.descendants().find(|n| n.attribute("name") == Some("cupboard")).unwrap();
+        let children = |tag: &'static str| model.children().filter(move |n| n.has_tag_name(tag));
+        let links: Vec<_> = children("link").map(|n| n.attribute("name").unwrap()).collect();
+        assert_eq!(links, ["link", "door", "drawer"]);
+        let joints: Vec<_> =
+            children("joint").map(|n| [n.attribute("name").unwrap(), n.attribute("type").unwrap()]).collect();
+        assert_eq!(joints, [["held", "fixed"], ["door_joint", "revolute"], ["drawer_joint", "prismatic"]]);
+        assert_eq!(children("static").next().unwrap().text(), Some("false"));
     }
 }

@@ -50,7 +50,7 @@ macro_rules! built_ins {
             })*
         }
     ) => {
-        /// A built-in predicate or measure: what needs geometry. A predicate yields a truth, a measure a number in metres.
+        /// A built-in predicate or measure: what needs geometry. A predicate yields a truth, a measure metres or degrees.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum BuiltIn {
             $(
@@ -69,7 +69,7 @@ macro_rules! built_ins {
                     $(Self::$variant => stringify!($name),)*
                 }
             }
-            /// What it yields: `Ty::Bool` or `Ty::Number`.
+            /// What it yields: `Ty::Bool`, `Ty::Number` or `Ty::Degree`.
             pub const fn result(self) -> Ty {
                 match self {
                     $(Self::$variant => [$(Ty::$result),*][0],)*
@@ -164,6 +164,19 @@ built_ins! {
         }
         Clear clear Plain {
             (Object, Side, Number) -> Bool, "a, side, depth", "The space on that side of a is free to that depth.";
+        }
+        Opens opens Plain {
+            (Object) -> Bool, "a", "Doors, lids and drawers of a open as far as is of use.";
+            (Object, Degree) -> Bool, "a, angle", "Everything of a that turns opens by that angle.";
+        }
+        Opening opening Plain {
+            (Object) -> Degree, "a", "The angle by which everything of a that turns can be opened.";
+        }
+        Slides slides Plain {
+            (Object, Number) -> Bool, "a, distance", "Everything of a that slides comes out by that distance.";
+        }
+        Sliding sliding Plain {
+            (Object) -> Number, "a", "The distance by which everything of a that slides comes out, in metres.";
         }
     }
 }

@@ -32,7 +32,7 @@ fn boxes(n: usize) -> Vec<Obb> {
         let pos = Vec3::new(side * r(), 1.5 * r(), side * r());
         let rot = Vec3::new(20.0 * r(), 360.0 * r(), 20.0 * r());
         let scale = Vec3::new(0.3 + r(), 0.3 + r(), 0.3 + r());
-        Obb::from_placement(&Placement { pos, rot, scale, parts: Vec::new(), surface: None })
+        Obb::from_placement(&Placement { pos, rot, scale, parts: Vec::new(), surface: None, joints: Vec::new() })
     };
     (0..n).map(|_| one()).collect()
 }

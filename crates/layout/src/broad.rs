@@ -86,6 +86,7 @@ mod tests {
                     scale: Vec3::from(scale),
                     parts: Vec::new(),
                     surface: None,
+                    joints: Vec::new(),
                 })
             });
         prop::collection::vec(one, 0..40)

@@ -12,12 +12,14 @@ pub mod polygon;
 pub mod region;
 pub mod rotation;
 pub mod separation;
+pub mod sweep;
 
 pub use convex::{Convex, Face, Geometry, Nearest};
 pub use file::{Document, Places, ReadLayout};
-pub use model::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+pub use model::{Joint, Layout, Motion, Part, Placement, RegionPlacement, Value, Vec3};
 pub use obb::Obb;
 pub use planar::Vec2;
 pub use polygon::{Clearance, NotSimple, Polygon};
 pub use region::{Inside, Prism, inside_clearance};
 pub use separation::{Aabb, Separation};
+pub use sweep::{Moving, Swept};

@@ -49,6 +49,70 @@ pub struct Placement {
     pub parts: Vec<Part>,
     /// Height of the support surface above the base, where the asset declares one (a mattress, a seat).
     pub surface: Option<f64>,
+    /// What of it can be opened; all of it is closed here.
+    pub joints: Vec<Joint>,
+}
+
+/// A door, a drawer or a lid: some parts of an object that turn or slide together. The layout has it closed, so that
+/// its parts are parts like all others to whoever knows nothing of joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// What it is called; no two of an object have the same name.
+    pub name: SmolStr,
+    /// How it moves.
+    pub motion: Motion,
+    /// Direction of the axis in the frame of the object, not zero: it is slid along, or turned about. Positive angles
+    /// are those of [`crate::rotation`].
+    pub axis: Vec3,
+    /// A point of the axis in the frame of the object (metres).
+    pub anchor: Vec3,
+    /// The least and the greatest that it can be opened (degrees or metres): at most 0, which is closed, and more than 0.
+    pub limits: [f64; 2],
+    /// How far it has to open to be of use (degrees or metres); `None`: nobody demands that it does.
+    pub useful: Option<f64>,
+    /// Where it is taken hold of, in the frame of the object (metres).
+    pub handle: Option<Vec3>,
+    /// What moves: indices into [`Placement::parts`]. No part moves with two joints.
+    pub parts: Vec<usize>,
+}
+
+impl Joint {
+    /// The same of an object that is larger by these factors along its width, height and depth. Angles stay; a drawer
+    /// gets longer with what it is in.
+    pub fn stretched(&self, by: &Vec3) -> Self {
+        let axis = self.axis.component_mul(by);
+        let factor = match self.motion {
+            Motion::Hinge => 1.0,
+            Motion::Slide => axis.norm() / self.axis.norm(),
+        };
+        Self {
+            axis: axis.normalize(),
+            anchor: self.anchor.component_mul(by),
+            limits: self.limits.map(|limit| limit * factor),
+            useful: self.useful.map(|useful| useful * factor),
+            handle: self.handle.map(|handle| handle.component_mul(by)),
+            ..self.clone()
+        }
+    }
+}
+
+/// How a movable part moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// It turns about the axis; amounts are degrees.
+    Hinge,
+    /// It slides along the axis; amounts are metres.
+    Slide,
+}
+
+impl Motion {
+    /// What it is called in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hinge => "hinge",
+            Self::Slide => "slide",
+        }
+    }
 }
 
 /// A convex part, in the frame of its object (origin: centre of the bottom face).

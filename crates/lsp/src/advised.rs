@@ -105,6 +105,7 @@ impl Selector for Only<'_> {
                 pair == [Some(x), Some(y)] || pair == [Some(y), Some(x)]
             }
             (Subject::Object(a), What::Bounds(x)) => target.kind == Kind::Bounds && named(&a) == Some(x),
+            (Subject::Part(a, _), What::Open(x, _)) => named(&a) == Some(x),
             (Subject::Object(a), What::Support(x)) => target.kind == Kind::Support && named(&a) == Some(x),
             _ => false,
         };

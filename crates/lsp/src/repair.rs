@@ -106,7 +106,7 @@ fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
         match row.subject {
             Subject::Statement(_) => here && on_line(row.place),
             Subject::Pair(a, b) => own(&a) || own(&b),
-            Subject::Object(a) => own(&a),
+            Subject::Object(a) | Subject::Part(a, _) => own(&a),
         }
     };
     let rows: Vec<RowRef> = before.rows.iter().filter(meant).map(row_of).collect();

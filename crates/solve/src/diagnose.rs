@@ -207,6 +207,7 @@ impl Search<'_, '_> {
                 What::Stated(_) => continue,
                 What::Collision(a, b) => vec![a, b],
                 What::Bounds(a) | What::Support(a) => vec![a],
+                What::Open(a, met) => std::iter::once(a).chain(met).collect(),
             };
             let ids = self.setup.frame.objects().filter(|id| names.iter().any(|n| *n == self.setup.frame.name(*id)));
             objects.extend(ids);

@@ -78,7 +78,8 @@ pub fn furnish(
             unknown.entry(format!("asset {what}")).or_insert((i, d));
         }
         let (pos, rot) = before.map_or((Vec3::zeros(), Vec3::zeros()), |p| (p.pos, p.rot));
-        let placement = Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface };
+        let placement =
+            Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
         layout.objects.push((object.name.clone(), placement));
     }
     let mut found: Vec<(usize, Diagnostic)> = unknown.into_values().collect();
@@ -166,8 +167,14 @@ fn assigned_sizes(program: &Program, layout: &Layout, options: &Options) -> Vec<
             // A size that is none is left for the verifier to report against its statement.
             if size.iter().all(|x| x.is_finite() && *x > 0.0) {
                 sizes[id.0 as usize] = Some(size);
-                let placement =
-                    Placement { pos: Vec3::zeros(), rot: Vec3::zeros(), scale: size, parts: Vec::new(), surface: None };
+                let placement = Placement {
+                    pos: Vec3::zeros(),
+                    rot: Vec3::zeros(),
+                    scale: size,
+                    parts: Vec::new(),
+                    surface: None,
+                    joints: Vec::new(),
+                };
                 known.objects.push((program.objects[id.0 as usize].name.clone(), placement));
             }
             false

@@ -192,6 +192,7 @@ fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
             What::Stated(_) => continue,
             What::Collision(a, b) => vec![owned(a), owned(b)],
             What::Bounds(a) | What::Support(a) => vec![owned(a)],
+            What::Open(a, met) => std::iter::once(a).chain(met).map(|name| owned(name)).collect(),
         });
     }
     if groups.is_empty() {
@@ -229,6 +230,7 @@ fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
             }
             What::Collision(a, b) => names.extend([a.as_str(), b]),
             What::Bounds(a) | What::Support(a) => names.push(a),
+            What::Open(a, met) => names.extend(std::iter::once(a).chain(met).map(|name| name.as_str())),
         }
     }
     let kinds: Vec<&str> = names.into_iter().map(base).collect();
@@ -312,6 +314,7 @@ fn in_the_way(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize>
             What::Stated(c) => violated.extend(stated.rank(draft, *c).zip(stated.of(*c))),
             What::Collision(a, b) => names.extend([a, b]),
             What::Bounds(a) | What::Support(a) => names.push(a),
+            What::Open(a, met) => names.extend(std::iter::once(a).chain(met)),
         }
     }
     if !violated.is_empty() {

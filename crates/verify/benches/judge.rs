@@ -37,6 +37,7 @@ fn warehouse(n: usize) -> (Program, Layout) {
             scale: Vec3::new(0.4 + 0.7 * random(), 0.5 + random(), 0.4 + 0.7 * random()),
             parts: Vec::new(),
             surface: None,
+            joints: Vec::new(),
         };
         layout.objects.push((format!("box{i}").into(), placement));
     }

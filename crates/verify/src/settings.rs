@@ -4,7 +4,7 @@ mod llm;
 
 pub use llm::Llm;
 
-use crate::tolerances::{Options, Tolerances};
+use crate::tolerances::{Opens, Options, Tolerances};
 use scenelang_base::{Code, Diagnostic, FileId, TextRange, codes, suggest};
 use scenelang_layout::Geometry;
 use std::ops::Range;
@@ -21,6 +21,8 @@ const LARGEST: f64 = 1e6;
 pub struct Settings {
     /// Whether the physical rules apply.
     pub physics: Option<bool>,
+    /// Of what P-OPEN demands that it opens.
+    pub opens: Option<Opens>,
     /// What a solid is.
     pub geometry: Option<Geometry>,
     /// Thickness of the walls of a room (metres).
@@ -37,6 +39,7 @@ impl Settings {
     /// Puts what is given in the place of what `options` has.
     pub fn apply(&self, options: &mut Options) {
         options.physics = self.physics.unwrap_or(options.physics);
+        options.opens = self.opens.unwrap_or(options.opens);
         options.geometry = self.geometry.unwrap_or(options.geometry);
         options.eta = self.eta.unwrap_or(options.eta);
         for (name, value) in &self.tolerances {
@@ -52,6 +55,9 @@ impl Settings {
         let mut out = Vec::new();
         if self.physics == Some(options.physics) && options.physics != usual.physics {
             out.push(format!("physics {}", if options.physics { "on" } else { "off" }));
+        }
+        if self.opens == Some(options.opens) && options.opens != usual.opens {
+            out.push(format!("opens {}", options.opens.name()));
         }
         if self.geometry == Some(options.geometry) && options.geometry != usual.geometry {
             out.push("geometry box".to_owned());
@@ -153,6 +159,16 @@ impl Reader {
                     Some(physics) => self.settings.physics = Some(physics),
                     None => self.wrong(key, item, "true or false"),
                 },
+                "opens" => match item.as_str() {
+                    Some(said) => match Opens::NAMES.iter().find(|(name, _)| *name == said) {
+                        Some((_, opens)) => self.settings.opens = Some(*opens),
+                        None => {
+                            let say = format!("`opens` takes \"all\", \"doors\" or \"none\", not {said:?}");
+                            self.error(item.span(), say);
+                        }
+                    },
+                    None => self.wrong(key, item, "\"all\", \"doors\" or \"none\""),
+                },
                 "geometry" => match item.as_str() {
                     Some("parts") => self.settings.geometry = Some(Geometry::Parts),
                     Some("box") => self.settings.geometry = Some(Geometry::Box),
@@ -165,7 +181,7 @@ impl Reader {
                 "tolerances" => self.tolerances(item),
                 "lints" => self.lints(item),
                 _ => {
-                    let known = ["physics", "geometry", "eta", "tolerances", "lints", "llm"];
+                    let known = ["physics", "opens", "geometry", "eta", "tolerances", "lints", "llm"];
                     self.error(place_of(table, key), unknown("setting", key, &known));
                 }
             }
@@ -270,12 +286,13 @@ mod tests {
 
     #[test]
     fn all_settings_are_read() {
-        let text = "physics = false\ngeometry = \"box\"\neta = 1\n[tolerances]\nequal = 0.002\nangle = 1e-2\n[lints]\nallow = [\"W0203\", \"w0101\"]";
+        let text = "physics = false\nopens = \"all\"\ngeometry = \"box\"\neta = 1\n[tolerances]\nequal = 0.002\nangle = 1e-2\n[lints]\nallow = [\"W0203\", \"w0101\"]";
         let mut options = Options::default();
         let settings = read(text, FileId(0)).unwrap();
         settings.apply(&mut options);
         let wanted = Options {
             physics: false,
+            opens: Opens::All,
             geometry: Geometry::Box,
             eta: 1.0,
             tolerances: Tolerances { equal: 0.002, angle: 0.01, ..Tolerances::default() },
@@ -327,8 +344,13 @@ mod tests {
     fn every_slip_is_told_at_its_place() {
         for (text, wanted) in [
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
-            ("sofa = 1", "1:1-5 there is no setting `sofa`; there are physics, geometry, eta, tolerances, lints, llm"),
+            (
+                "sofa = 1",
+                "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm",
+            ),
             ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
+            ("opens = \"door\"", "1:9-15 `opens` takes \"all\", \"doors\" or \"none\", not \"door\""),
+            ("opens = true", "1:9-13 `opens` takes \"all\", \"doors\" or \"none\", not a truth value"),
             ("geometry = \"mesh\"", "1:12-18 `geometry` takes \"parts\" or \"box\", not \"mesh\""),
             ("geometry = true", "1:12-16 `geometry` takes \"parts\" or \"box\", not a truth value"),
             ("eta = -1", "1:7-9 `eta` takes a number from 0 to a million"),

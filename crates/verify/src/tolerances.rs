@@ -52,6 +52,28 @@ impl Tolerances {
 /// Thickness of the walls of a room, unless an option says otherwise (metres).
 pub const DEFAULT_ETA: f64 = 0.03;
 
+/// Of what P-OPEN demands that it opens.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Opens {
+    /// The doors of rooms, and furniture as far as its asset says is of use.
+    All,
+    /// The doors of rooms.
+    #[default]
+    Doors,
+    /// Nothing.
+    None,
+}
+
+impl Opens {
+    /// Each, as settings and reports call it.
+    pub const NAMES: [(&str, Self); 3] = [("all", Self::All), ("doors", Self::Doors), ("none", Self::None)];
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, opens)| *opens == self).map_or("", |(name, _)| *name)
+    }
+}
+
 /// How to judge, and what to report.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -63,6 +85,8 @@ pub struct Options {
     pub geometry: Geometry,
     /// Whether the physical rules apply.
     pub physics: bool,
+    /// Of what P-OPEN demands that it opens.
+    pub opens: Opens,
     /// How much is said.
     pub detail: Detail,
 }
@@ -95,6 +119,7 @@ impl Default for Options {
             eta: DEFAULT_ETA,
             geometry: Geometry::default(),
             physics: true,
+            opens: Opens::default(),
             detail: Detail::default(),
         }
     }

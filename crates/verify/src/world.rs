@@ -6,13 +6,17 @@
 use crate::eval::{Cause, Value};
 use crate::navigation::Walks;
 use crate::number::{Algebra, Number};
+use crate::opening::Habits;
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Allowances, DrawId, ObjectId, Program, RegionId, VariableId, VariableKind};
 use scenelang_layout::convex::{self, local_solid, parts_fill_box};
-use scenelang_layout::{Aabb, Convex, Geometry, Layout, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation};
-use std::sync::OnceLock;
+use scenelang_layout::{
+    Aabb, Convex, Geometry, Joint, Layout, Motion, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model,
+    rotation,
+};
+use std::sync::{Arc, OnceLock};
 
 /// An instance of a program.
 #[derive(Clone, Debug)]
@@ -27,6 +31,8 @@ pub struct World<N: Algebra> {
     pub(crate) draws: Vec<Result<f64, Cause>>,
     /// What the program says about the physical rules, and its doors.
     pub(crate) allow: Allowances,
+    /// What it says that matters to what opens.
+    pub(crate) habits: Arc<Habits>,
     /// Tolerances and what a solid is.
     pub options: Options,
     /// What is known about walking in this instance.
@@ -59,26 +65,37 @@ pub struct Body {
     parts: Option<Vec<Convex>>,
     /// Height of the support surface above the base, where one is declared and the parts count.
     pub surface: Option<f64>,
+    /// What of it can be opened, where the parts count, and how far from `pos` anything of that comes (metres).
+    joints: Arc<[Joint]>,
+    reach: f64,
     solid: OnceLock<Vec<Convex>>,
     aabb: OnceLock<Aabb>,
+    moving: OnceLock<Vec<Moving>>,
 }
 
 impl Body {
     fn new(placement: &Placement, geometry: Geometry) -> Self {
+        let none = Arc::default();
         let has_parts = geometry == Geometry::Parts && !placement.parts.is_empty() && parts_fill_box(placement);
+        let parts = has_parts.then(|| local_solid(placement, geometry));
+        let joints = if has_parts { joints(placement) } else { none };
+        let reach = parts.as_deref().map_or(0.0, |parts| reach(&joints, parts));
         Self {
             obb: Obb::from_placement(placement),
             pos: placement.pos,
-            parts: has_parts.then(|| local_solid(placement, geometry)),
+            parts,
             surface: placement.surface.filter(|_| has_parts),
+            joints,
+            reach,
             solid: OnceLock::new(),
             aabb: OnceLock::new(),
+            moving: OnceLock::new(),
         }
     }
     /// A cube of one metre at the origin, where no body is looked at.
     pub(crate) fn unit() -> Self {
         let (pos, rot, scale) = (Vec3::zeros(), Vec3::zeros(), Vec3::repeat(1.0));
-        let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None };
+        let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None, joints: Vec::new() };
         Self::new(&placement, Geometry::Box)
     }
     /// Whether it is more than its box.
@@ -88,6 +105,25 @@ impl Body {
     /// Its parts in its own frame, the middle of its bottom face the origin, where they count.
     pub(crate) fn parts(&self) -> Option<&[Convex]> {
         self.parts.as_deref()
+    }
+    /// What of it can be opened.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+    /// How far from its position anything of it comes that can be opened (metres).
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+    /// What one of its joints moves, in the world.
+    pub(crate) fn moving(&self, joint: usize) -> Option<&Moving> {
+        let all = self.moving.get_or_init(|| {
+            let parts = self.parts.as_deref().unwrap_or_default();
+            let of = |joint: &Joint| {
+                Moving::new(joint, joint.parts.iter().filter_map(|&i| parts.get(i)), &self.obb.axes, &self.pos)
+            };
+            self.joints.iter().map(of).collect()
+        });
+        all.get(joint)
     }
     /// Its solid in the world: its parts, or its box.
     pub fn solid(&self) -> &[Convex] {
@@ -111,11 +147,31 @@ impl Body {
         self.pos = pos;
         self.solid = OnceLock::new();
         self.aabb = OnceLock::new();
+        self.moving = OnceLock::new();
     }
     /// The height of its lowest point.
     pub fn lowest(&self) -> f64 {
         self.aabb().min.y
     }
+}
+
+/// The joints of an object that move parts which it has.
+fn joints(placement: &Placement) -> Arc<[Joint]> {
+    let has = |joint: &&Joint| !joint.parts.is_empty() && joint.parts.iter().all(|&i| i < placement.parts.len());
+    placement.joints.iter().filter(has).cloned().collect()
+}
+
+/// How far from the origin anything comes that moves.
+fn reach(joints: &[Joint], parts: &[Convex]) -> f64 {
+    let of = |joint: &Joint| {
+        let far = |v: &Vec3| match joint.motion {
+            Motion::Hinge => joint.anchor.norm() + (v - joint.anchor).norm(),
+            Motion::Slide => v.norm() + joint.limits[1],
+        };
+        let bodies = joint.parts.iter().filter_map(|&i| parts.get(i));
+        bodies.flat_map(|body| body.vertices()).map(far).fold(0.0, f64::max)
+    };
+    joints.iter().map(of).fold(0.0, f64::max)
 }
 
 impl<N: Number> Thing<N> {
@@ -236,6 +292,7 @@ impl<N: Number> World<N> {
             variables: variables.collect(),
             draws: draws.collect(),
             allow: program.allow.clone(),
+            habits: Arc::new(Habits::of(program)),
             options: *options,
             walks: Walks::default(),
         }
@@ -264,6 +321,7 @@ impl<N: Number> World<N> {
             variables: self.variables.iter().map(|v| v.map(Value::constant)).collect(),
             draws: self.draws.clone(),
             allow: self.allow.clone(),
+            habits: Arc::clone(&self.habits),
             options: self.options,
             walks: Walks::default(),
         }
@@ -340,6 +398,7 @@ impl<N: Algebra> World<N> {
                 .collect(),
             draws: (0..program.draws.len()).map(|i| Err(Cause::MissingDraw(DrawId(i as u32)))).collect(),
             allow: program.allow.clone(),
+            habits: Arc::new(Habits::of(program)),
             options: *options,
             walks: Walks::default(),
         }

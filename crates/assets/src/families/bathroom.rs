@@ -26,7 +26,14 @@ pub(super) fn toilet(a: &Ask) -> Model {
         &stuff::CHROME.surface(),
     );
     let bowl = b.inset(0.04 * a.w, 0.0, 0.0).z(b.min.z + 0.7 * tank..b.max.z);
-    m.solid_drum(bowl.y(0.0..seat));
+    m.solid_drum(bowl.y(0.0..seat - lid));
+    // The lid is hinged before the cistern.
+    let cover = bowl.z(b.min.z + tank..b.max.z).y(seat - lid..seat);
+    let before = m.parts.len();
+    m.solid_drum(cover);
+    if m.parts.len() > before {
+        m.lid("lid", cover);
+    }
     m.mesh.lathe(
         bowl.y(0.0..seat - lid),
         &[(0.55, 0.0), (0.56, 0.08), (0.52, 0.45), (0.8, 0.72), (0.98, 0.92), (1.0, 1.0)],

@@ -72,7 +72,10 @@ pub(super) fn laptop(a: &Ask) -> Model {
     let b = a.whole();
     let main = a.main(Stuff(Finish::Metal, 0xb9bdc2));
     if a.h < 0.12 * a.d {
-        m.rounded(b, 0.006, &main);
+        let lid = b.y(0.5 * a.h..a.h);
+        m.rounded(b.y(0.0..0.5 * a.h), 0.006, &main);
+        m.rounded(lid, 0.006, &main);
+        m.lid("lid", lid);
         return m;
     }
     let base = 0.018_f64.min(0.12 * a.h);

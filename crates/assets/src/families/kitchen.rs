@@ -1,5 +1,6 @@
 //! Kitchens and laundries: appliances with doors that face +z, and sinks.
 
+use super::moving::Hung;
 use super::tables::handle;
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
@@ -17,20 +18,31 @@ pub(super) fn dial(mesh: &mut Mesh, b: Block, profile: &[(f64, f64)], s: &Surfac
     });
 }
 
-/// The box of an appliance: body, and the face in front of it (`deep` thick) for doors and handles.
+/// The hollow body of an appliance, and the face in front of it (`deep` thick) for doors and handles.
 fn appliance(m: &mut Model, a: &Ask, main: &Surface) -> Block {
     let b = a.whole();
-    m.solid(b);
     let deep = 0.06_f64.min(0.14 * a.d);
     let plinth = 0.04_f64.min(0.05 * a.h);
-    m.mesh.board(b.y(plinth..a.h).z(b.min.z..b.max.z - deep), main);
+    let wall = 0.03_f64.min(0.1 * a.w).min(0.1 * a.h).min(0.1 * a.d);
+    m.shell(b.z(b.min.z..b.max.z - deep), wall, plinth, main);
     m.mesh
         .crisp(b.inset(0.02, 0.0, 0.0).y(0.0..plinth).z(b.min.z..b.max.z - 1.5 * deep), &stuff::DARK_PLASTIC.surface());
     b.inset(0.002, 0.0, 0.0).y(plinth..a.h).z(b.max.z - deep..b.max.z)
 }
 
-/// A door with an upright or level bar as its handle.
+/// A door with an upright bar as its handle, hung on the other side; or with a level one, which folds down.
 fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+    let hung = match (upright, left) {
+        (false, _) => Hung::Below,
+        (true, true) => Hung::Right,
+        (true, false) => Hung::Left,
+    };
+    m.leaf("door", b, hung);
+    draw_hatch(m, b, upright, left, s, grip);
+}
+
+/// The same, drawn only.
+fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let (size, z) = (b.size(), b.min.z + 0.5 * b.size().z);
     m.mesh.rounded(b.z(b.min.z..z), 0.008, 2, s);
     let t = 0.016_f64.min(0.06 * size.x).min(0.06 * size.y);
@@ -54,6 +66,7 @@ pub(super) fn fridge(a: &Ask) -> Model {
     let face = appliance(&mut m, a, &main);
     if a.says(&["glass", "display", "beverage", "shop"]) {
         let deep = face.size().z;
+        m.leaf("door", face, Hung::Left);
         let door = face.inset(0.0, 0.03 * a.h, 0.0);
         super::openings::frame(
             &mut m,
@@ -92,6 +105,8 @@ pub(super) fn fridge(a: &Ask) -> Model {
         }
     } else if a.h > 1.0 {
         let cut = face.min.y + 0.36 * face.size().y;
+        let shelf = a.whole().inset(0.1 * a.w, 0.0, 0.1 * a.d);
+        m.solid(shelf.y(cut - 0.02 * a.h..cut + 0.02 * a.h).z(shelf.min.z..face.min.z));
         hatch(&mut m, face.y(face.min.y..cut - 0.003), true, true, &main, &grip);
         hatch(&mut m, face.y(cut + 0.003..face.max.y), true, true, &main, &grip);
     } else {
@@ -106,10 +121,20 @@ pub(super) fn stove(a: &Ask) -> Model {
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     let b = a.whole();
-    m.solid(b);
     let deep = 0.06_f64.min(0.14 * a.d);
     let top = a.h - 0.02_f64.min(0.06 * a.h);
-    m.mesh.board(b.y(0.0..top).z(b.min.z..b.max.z - deep), &main);
+    let hot = b.y(0.16 * a.h..top - 0.14 * a.h);
+    // Around the oven: what carries the hob, what stands on the floor, two sides and a back.
+    m.solid(b.y(hot.max.y..a.h));
+    m.solid(b.y(0.0..hot.min.y));
+    let wall = 0.04_f64.min(0.1 * a.w).min(0.1 * a.d);
+    let body = hot.z(b.min.z..b.max.z - deep);
+    for side in body.x(b.min.x..b.min.x + wall).both_sides() {
+        m.board(side, &main);
+    }
+    m.board(body.inset(wall, 0.0, 0.0).z(b.min.z..b.min.z + wall), &main);
+    m.mesh.board(b.y(hot.max.y..top).z(b.min.z..b.max.z - deep), &main);
+    m.mesh.board(b.y(0.0..hot.min.y).z(b.min.z..b.max.z - deep), &main);
     m.mesh.board(b.y(top..a.h - 0.2 * (a.h - top)), &dark);
     for ring in b.inset(0.1 * a.w, 0.0, 0.1 * a.d).split(0, pieces(a.w, 0.3, 1, 4), 0.0) {
         for spot in ring.split(2, 2, 0.0) {
@@ -158,6 +183,7 @@ pub(super) fn washer(a: &Ask) -> Model {
         panel.inset(0.36 * a.w, 0.045 * a.h, 0.0).z(face.max.z - 0.5 * deep..face.max.z - 0.4 * deep),
         &stuff::SCREEN.surface(),
     );
+    m.solid(panel);
     let front = face.y(face.min.y..panel.min.y - 0.004 * a.h);
     if a.says(&["dishwasher", "dish"]) {
         hatch(&mut m, front, false, false, &main, &stuff::STEEL.surface());
@@ -171,6 +197,15 @@ pub(super) fn washer(a: &Ask) -> Model {
     let r = 0.72 * r;
     let glass = block(c.x - r..c.x + r, c.y - r..c.y + r, face.max.z - 0.45 * deep..face.max.z - 0.1 * deep);
     dial(&mut m.mesh, glass, &[(1.0, 0.0), (0.8, 0.7), (0.3, 1.0)], &Stuff(Finish::Screen, 0x27323b).surface());
+    // The front around the porthole stays; the porthole opens.
+    let plate = front.z(face.min.z..face.max.z - 0.5 * deep);
+    for strip in [plate.y(plate.min.y..ring.min.y), plate.y(ring.max.y..plate.max.y)] {
+        m.solid(strip);
+    }
+    for strip in [plate.x(plate.min.x..ring.min.x), plate.x(ring.max.x..plate.max.x)] {
+        m.solid(strip.y(ring.min.y..ring.max.y));
+    }
+    m.leaf("door", ring, Hung::Left);
     m
 }
 
@@ -180,15 +215,18 @@ pub(super) fn microwave(a: &Ask) -> Model {
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     let b = a.whole();
-    m.solid(b);
     let deep = 0.06 * a.d;
-    m.mesh.rounded(b.z(b.min.z..b.max.z - deep), 0.01, 2, &main);
+    let wall = 0.02_f64.min(0.1 * a.w).min(0.1 * a.h).min(0.1 * a.d);
+    m.shell(b.z(b.min.z..b.max.z - deep), wall, 0.0, &main);
     let face = b.inset(0.02 * a.w, 0.04 * a.h, 0.0).z(b.max.z - deep..b.max.z);
     let cut = face.min.x + 0.26 * face.size().x;
     let door = face.x(cut..face.max.x);
     m.mesh.board(door.z(face.min.z..face.max.z - 0.5 * deep), &main);
     m.mesh.board(door.inset(0.06 * a.w, 0.12 * a.h, 0.0).z(face.min.z..face.max.z - 0.3 * deep), &dark);
+    m.leaf("door", door, Hung::Right);
     let panel = face.x(face.min.x..cut - 0.01 * a.w);
+    // Behind the panel is what makes it work.
+    m.solid(panel.z(b.min.z + wall..face.max.z - 0.5 * deep));
     m.mesh.board(panel.z(face.min.z..face.max.z - 0.5 * deep), &dark);
     let screen = panel.inset(0.03 * a.w, 0.0, 0.0).y(face.max.y - 0.2 * a.h..face.max.y - 0.06 * a.h);
     m.mesh.crisp(screen.z(face.min.z..face.max.z - 0.4 * deep), &Stuff(Finish::Glow, 0x64d2b0).surface());
@@ -279,7 +317,7 @@ pub(super) fn sink(a: &Ask) -> Model {
             .split(0, pieces(a.w, 0.45, 1, 6), 0.005)
             .enumerate()
         {
-            hatch(&mut m, door, true, i % 2 == 1, &shade(&main, 1.1), &stuff::STEEL.surface());
+            draw_hatch(&mut m, door, true, i % 2 == 1, &shade(&main, 1.1), &stuff::STEEL.surface());
         }
     }
     let half = 0.04_f64.min(0.1 * a.w);

@@ -101,7 +101,24 @@ pub(super) fn bin(a: &Ask) -> Model {
 pub(super) fn crate_box(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    m.solid(b);
+    if a.says(&["chest", "trunk"]) {
+        // A hollow box with a lid.
+        let (t, lid) = (0.08 * b.size().min(), 0.12 * a.h);
+        m.solid(b.y(0.0..t));
+        let sides = b.y(t..a.h - lid);
+        for end in sides.x(b.min.x..b.min.x + t).both_sides() {
+            m.solid(end);
+        }
+        let between = sides.inset(t, 0.0, 0.0);
+        for face in [between.z(b.min.z..b.min.z + t), between.z(b.max.z - t..b.max.z)] {
+            m.solid(face);
+        }
+        let cover = b.y(a.h - lid..a.h);
+        m.solid(cover);
+        m.lid("lid", cover);
+    } else {
+        m.solid(b);
+    }
     if a.says(&["crate", "wooden", "chest", "planter", "trunk"]) || a.made_of(&[Finish::Wood]) {
         let main = a.main(stuff::BIRCH);
         let t = 0.08 * b.size().min();

@@ -9,6 +9,7 @@ mod fittings;
 mod kitchen;
 mod leisure;
 mod lighting;
+mod moving;
 mod music;
 mod openings;
 mod panels;

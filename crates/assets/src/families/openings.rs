@@ -1,5 +1,6 @@
 //! What sits in walls or divides rooms: doors, windows, curtains, blinds, partitions, stairs, pillars.
 
+use super::moving::Hung;
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, is, shade, stuff};
@@ -19,11 +20,11 @@ pub(super) fn frame(m: &mut Model, b: Block, side: f64, top: f64, bottom: f64, s
     }
 }
 
-/// A closed door in its frame: one leaf or two, panelled or glazed, a handle on both faces.
+/// A closed door in its frame: one leaf or two, panelled or glazed, a handle on both faces. It opens to its front, to the
+/// other side if it "opens outward"; a single leaf has its hinges on its own left, or as features say ("hinged right").
 pub(super) fn door(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    m.solid(b);
     let exit = a.says(&["exit", "emergency", "fire"]);
     let main = a.main(if exit { Stuff(Finish::Paint, 0x7d8f97) } else { stuff::WHITE });
     let casing = if a.has_color() && is(&main, Finish::Paint) { stuff::WHITE.surface() } else { shade(&main, 0.9) };
@@ -33,9 +34,21 @@ pub(super) fn door(a: &Ask) -> Model {
     let hole = b.x(b.min.x + side..b.max.x - side).y(0.004_f64.min(0.01 * a.h)..a.h - side.min(0.1 * a.h));
     let leaves = if a.w > 1.25 || a.says(&["double"]) { 2 } else { 1 };
     let half = 0.29 * a.d;
+    for jamb in b.x(b.min.x..b.min.x + side).both_sides() {
+        m.solid(jamb);
+    }
+    m.solid(b.inset(side, 0.0, 0.0).y(hole.max.y..a.h));
+    let turned = leaves == 1 && a.says(&["right"]);
+    let sliding = a.says(&["sliding", "automatic", "revolving", "elevator", "lift"]);
     for (i, leaf) in hole.split(0, leaves, 0.006).enumerate() {
         let leaf = leaf.z(-half..half);
         let size = leaf.size();
+        if sliding {
+            m.solid(leaf);
+        } else {
+            let hung = if i == 1 || turned { Hung::Right } else { Hung::Left };
+            m.swing(leaf, hung, a.says(&["outward", "outwards"]));
+        }
         if glazed {
             let metal = if is(&main, Finish::Glass) { stuff::BLACK_STEEL.surface() } else { main.clone() };
             let bar = 0.09_f64.min(0.12 * size.x);
@@ -57,9 +70,9 @@ pub(super) fn door(a: &Ask) -> Model {
                 );
             }
         }
-        // A single leaf has its hinges on the left; the handle is where leaves meet.
-        let inward = if i == 1 { -1.0 } else { 1.0 };
-        let edge = if i == 1 { leaf.min.x } else { leaf.max.x };
+        // The handle is away from the hinges: where leaves meet.
+        let inward = if i == 1 || turned { -1.0 } else { 1.0 };
+        let edge = if i == 1 || turned { leaf.min.x } else { leaf.max.x };
         let y = leaf.min.y + (1.03 / size.y).min(0.5) * size.y;
         let metal = stuff::STEEL.surface();
         let long = 0.13_f64.min(0.18 * size.x);

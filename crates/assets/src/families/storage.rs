@@ -1,5 +1,6 @@
 //! Cupboards, chests, shelves and racks, open or with doors; fronts face +z.
 
+use super::moving::{Hung, MOST};
 use super::tables::{drawers, handle};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
@@ -7,14 +8,22 @@ use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::Model;
 
-/// Doors in columns over a face that looks to +z; handles at the meeting edges.
+/// Doors in columns over a face that looks to +z, which open; handles at the meeting edges.
 fn doors(m: &mut Model, face: Block, columns: usize, deep: f64, front: &Surface, grip: &Surface) {
     let tall = face.size().y > 1.1;
+    let opens = m.joints.len() + columns <= MOST;
+    if !opens {
+        m.solid(face.z(face.max.z - deep..face.max.z));
+    }
     for (i, door) in face.z(face.max.z - deep..face.max.z - 0.45 * deep).split(0, columns, 0.005).enumerate() {
         let door = door.inset(0.002, 0.004, 0.0);
         m.mesh.board(door, front);
         let size = door.size();
         let left = if columns == 1 { true } else { i % 2 == 1 };
+        let whole = door.z(face.max.z - deep..face.max.z);
+        if opens {
+            m.leaf("door", whole, if left { Hung::Right } else { Hung::Left });
+        }
         let thin = 0.012_f64.min(0.08 * size.x);
         let at = if left { door.min.x + 1.5 * thin } else { door.max.x - 2.5 * thin };
         let (lo, hi) = if tall { (0.42, 0.42 + (0.3 / size.y).min(0.2)) } else { (0.6, 0.86) };
@@ -26,24 +35,36 @@ fn doors(m: &mut Model, face: Block, columns: usize, deep: f64, front: &Surface,
     }
 }
 
+/// Rows of drawers, of so many in all, in a face that fills the front of a hollow body as deep as the object.
+fn pulled(m: &mut Model, face: Block, (rows, all): (usize, usize), deep: f64, [front, grip]: [&Surface; 2]) {
+    drawers(m, face, rows, deep, front, grip);
+    let fronts = face.z(face.max.z - deep..face.max.z);
+    if all > MOST {
+        m.solid(fronts);
+        return;
+    }
+    for f in fronts.split(1, rows, 0.006) {
+        m.drawer(f, face.min.z + 0.1 * face.size().z, all, front);
+    }
+}
+
 /// The casing of a cupboard: carcass with a plinth, or on legs; returns the face that the fronts fill, `deep` thick.
 fn casing(m: &mut Model, a: &Ask, main: &Surface, legs: Option<&Surface>) -> (Block, f64) {
     let b = a.whole();
     let deep = 0.045_f64.min(0.12 * a.d);
     let raise = if legs.is_some() { 0.14_f64.min(0.22 * a.h) } else { 0.06_f64.min(0.08 * a.h) };
     let body = b.y(raise..a.h);
+    let wall = 0.02_f64.min(0.05 * a.w).min(0.1 * a.h).min(0.1 * a.d);
     match legs {
         Some(s) => {
             m.legs(b.y(0.0..raise).inset(0.03, 0.0, 0.03), 0.045, s);
-            m.solid(body);
+            m.shell(body.z(b.min.z..b.max.z - deep), wall, 0.0, main);
         }
         None => {
-            m.solid(b);
+            m.shell(b.z(b.min.z..b.max.z - deep), wall, raise, main);
             m.mesh.crisp(b.inset(0.012, 0.0, 0.0).y(0.0..raise).z(b.min.z..b.max.z - 1.6 * deep), &shade(main, 0.6));
         }
     }
-    let wall = 0.02_f64.min(0.05 * a.w).min(0.1 * a.h);
-    m.mesh.board(body.z(b.min.z..b.max.z - deep), main);
     m.mesh.board(body.y(a.h - wall..a.h).z(b.max.z - 1.5 * deep..b.max.z - 0.3 * deep), main);
     (body.inset(0.3 * wall, 0.0, 0.0).y(raise + 0.2 * wall..a.h - 1.15 * wall), deep)
 }
@@ -61,6 +82,7 @@ pub(super) fn cabinet(a: &Ask) -> Model {
         let cut = face.min.y + 0.4 * face.size().y;
         doors(&mut m, face.y(face.min.y..cut - 0.01), pieces(a.w, 0.48, 1, 8), deep, &shade(&main, 1.1), &grip);
         let upper = face.y(cut..face.max.y);
+        m.solid(upper.z(face.max.z - deep..face.max.z));
         let (shade_of, china) = (shade(&main, 0.6), stuff::CERAMIC.surface());
         m.mesh.crisp(upper.z(face.max.z - deep..face.max.z - 0.9 * deep), &shade_of);
         for row in upper.split(1, 3, 0.03) {
@@ -97,8 +119,9 @@ pub(super) fn wardrobe(a: &Ask) -> Model {
     if face.size().y > 1.3 && columns > 1 {
         let cut = face.min.y + 0.14 * face.size().y;
         doors(&mut m, face.y(cut..face.max.y), columns, deep, &front, &grip);
-        for f in face.y(face.min.y..cut).split(0, columns.div_ceil(2), 0.005) {
-            drawers(&mut m, f.y(face.min.y..cut - 0.005), 1, deep, &front, &grip);
+        let below = columns.div_ceil(2);
+        for f in face.y(face.min.y..cut).split(0, below, 0.005) {
+            pulled(&mut m, f.y(face.min.y..cut - 0.005), (1, below + columns / 4), deep, [&front, &grip]);
         }
     } else {
         doors(&mut m, face, columns, deep, &front, &grip);
@@ -122,8 +145,9 @@ pub(super) fn chest(a: &Ask) -> Model {
     let (face, deep) = casing(&mut m, a, &main, on_legs.then_some(&legs));
     let grip = if office { stuff::BLACK_STEEL } else { stuff::BRASS }.surface();
     let each = if office { 0.32 } else { 0.21 };
-    for f in face.split(0, pieces(a.w, 0.8, 1, 3), 0.006) {
-        drawers(&mut m, f, pieces(face.size().y, each, 1, 8), deep, &shade(&main, 1.1), &grip);
+    let (columns, rows) = (pieces(a.w, 0.8, 1, 3), pieces(face.size().y, each, 1, 8));
+    for f in face.split(0, columns, 0.006) {
+        pulled(&mut m, f, (rows, columns * rows), deep, [&shade(&main, 1.1), &grip]);
     }
     m
 }
@@ -164,6 +188,7 @@ pub(super) fn tv_stand(a: &Ask) -> Model {
         doors(&mut m, side, 1, deep, &shade(&main, 1.12), &grip);
     }
     let middle = face.x(-0.5 * third + 0.01..0.5 * third - 0.01);
+    m.solid(middle.z(face.min.z..face.max.z - 0.45 * deep));
     let dark = shade(&main, 0.45);
     m.mesh.crisp(middle.z(face.max.z - deep..face.max.z - 0.9 * deep), &dark);
     let y = middle.center().y;
@@ -396,10 +421,16 @@ pub(super) fn display_case(a: &Ask) -> Model {
     let main = a.main(stuff::WHITE);
     let base = if a.h > 1.3 { 0.18 * a.h } else { 0.35 * a.h };
     let t = 0.02_f64.min(0.05 * a.w);
-    m.solid(b);
-    m.mesh.board(b.y(0.0..base), &main);
-    m.mesh.board(b.y(a.h - t.min(0.05 * a.h)..a.h), &main);
+    m.board(b.y(0.0..base), &main);
     let glass = b.y(base..a.h - t.min(0.05 * a.h)).inset(0.003, 0.0, 0.003);
+    m.board(b.y(glass.max.y..a.h), &main);
+    // Panes on three sides; the fourth is a door.
+    let pane = 0.012_f64.min(0.1 * a.w).min(0.1 * a.d);
+    for side in glass.x(glass.min.x..glass.min.x + pane).z(glass.min.z..glass.max.z - pane).both_sides() {
+        m.solid(side);
+    }
+    m.solid(glass.inset(pane, 0.0, 0.0).z(glass.min.z..glass.min.z + pane));
+    m.leaf("door", glass.z(glass.max.z - pane..glass.max.z), Hung::Left);
     m.mesh.crisp(glass, &stuff::GLASS.surface());
     let rows = pieces(glass.size().y, 0.4, 1, 5);
     let goods = if a.says(&["bakery", "pastry", "cake", "food", "bread"]) { BAKED } else { EXHIBITS };
@@ -407,7 +438,9 @@ pub(super) fn display_case(a: &Ask) -> Model {
     for (row, shelf) in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).enumerate() {
         let board = if row == 0 { shelf.min.y } else { shelf.min.y + 0.5 * t };
         if row > 0 {
-            m.mesh.crisp(shelf.y(shelf.min.y..board), &stuff::STEEL.surface());
+            let shelf = shelf.y(shelf.min.y..board);
+            m.solid(shelf);
+            m.mesh.crisp(shelf, &stuff::STEEL.surface());
         }
         for place in shelf.split(0, pieces(shelf.size().x, 0.2, 2, 8), 0.0) {
             let size = place.size();

@@ -163,17 +163,15 @@ pub(super) fn desk(a: &Ask) -> Model {
     m.board(b.x(b.min.x + 0.01..b.min.x + 0.01 + side).y(0.0..under).inset(0.0, 0.0, 0.03 * a.d), &main);
     let right = b.max.x - 0.01;
     let chest = b.x(right - 0.4_f64.min(0.3 * a.w)..right).y(0.0..under).inset(0.0, 0.0, 0.03 * a.d);
-    m.solid(chest);
     let deep = 0.04_f64.min(0.1 * a.d);
-    m.mesh.board(chest.z(chest.min.z..chest.max.z - deep), &main);
-    drawers(
-        &mut m,
-        chest.y(0.03..under).inset(0.0, 0.002, 0.0),
-        3,
-        deep,
-        &shade(&main, 1.12),
-        &stuff::BLACK_STEEL.surface(),
-    );
+    let wall = 0.018_f64.min(0.1 * chest.size().x).min(0.1 * a.h).min(0.1 * a.d);
+    m.shell(chest.z(chest.min.z..chest.max.z - deep), wall, 0.0, &main);
+    let front = shade(&main, 1.12);
+    let fronts = chest.y(0.03..under).inset(0.0, 0.002, 0.0);
+    drawers(&mut m, fronts, 3, deep, &front, &stuff::BLACK_STEEL.surface());
+    for f in fronts.z(chest.max.z - deep..chest.max.z).inset(0.004, 0.0, 0.0).split(1, 3, 0.006) {
+        m.drawer(f, chest.min.z + wall, 3, &front);
+    }
     let back = b
         .x(b.min.x + 0.01 + side..chest.min.x)
         .y(0.45 * under..under)

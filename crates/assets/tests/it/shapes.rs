@@ -2,8 +2,9 @@
 
 use crate::geometry::{bounds, corners, inside_hull, mass, planes, triangles, volume};
 use crate::nouns::families;
+use nalgebra::Matrix3;
 use scenelang_assets::{Asset, Request, furnish};
-use scenelang_layout::{Part, Vec3};
+use scenelang_layout::{Convex, Joint, Moving, Part, Vec3};
 use std::collections::BTreeMap;
 
 const EXTENTS: [f64; 3] = [0.05, 0.7, 5.0];
@@ -71,6 +72,76 @@ fn every_family_fills_its_box_at_every_size() {
             let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
             check(&asset, size).err().map(|e| format!("{noun} {size:?}: {e}"))
         }));
+    }
+    report(&bad);
+}
+
+/// The bodies that a joint moves, and those that nothing does.
+fn moving(asset: &Asset, joint: &Joint) -> (Moving, Vec<Convex>) {
+    let bodies: Vec<Convex> = asset.parts.iter().map(|part| Convex::from_part(part).unwrap()).collect();
+    let moved = joint.parts.iter().map(|&i| &bodies[i]);
+    let moving = Moving::new(joint, moved, &Matrix3::identity(), &Vec3::zeros());
+    let fixed = |i: &usize| !asset.joints.iter().any(|joint| joint.parts.contains(i));
+    (moving, (0..bodies.len()).filter(fixed).map(|i| bodies[i].clone()).collect())
+}
+
+/// What opens, with how many movable parts at its usual size.
+const OPENING: &[(&str, &str, usize)] = &[
+    ("door", "", 1),
+    ("door", "opens outward, hinged right", 1),
+    ("double door", "", 2),
+    ("wardrobe", "", 3),
+    ("cabinet", "", 2),
+    ("sideboard", "", 3),
+    ("kitchen cabinet", "", 1),
+    ("dresser", "", 4),
+    ("nightstand", "", 2),
+    ("filing cabinet", "", 4),
+    ("tv stand", "", 2),
+    ("desk", "", 3),
+    ("locker", "", 1),
+    ("fridge", "", 2),
+    ("oven", "", 1),
+    ("stove", "", 1),
+    ("dishwasher", "", 1),
+    ("washing machine", "", 1),
+    ("microwave", "", 1),
+    ("display case", "", 1),
+    ("toilet", "", 1),
+    ("laptop", "closed", 1),
+    ("treasure chest", "", 1),
+];
+
+#[test]
+fn what_opens_does_not_meet_its_own_body() {
+    let mut bad = Vec::new();
+    for (noun, features, least) in OPENING {
+        let usual = crate::nouns::sizes().get(*noun).copied().unwrap_or(Vec3::new(0.9, 1.0, 0.5));
+        let usual = if *features == "closed" { Vec3::new(0.34, 0.02, 0.24) } else { usual };
+        for size in [usual, usual * 0.7, usual.component_mul(&Vec3::new(1.6, 1.2, 1.3))] {
+            let asset =
+                furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
+            bad.extend(check(&asset, size).err().map(|e| format!("{noun} {size:?}: {e}")));
+            if size == usual && asset.joints.len() < *least {
+                bad.push(format!("{noun} ({features}): {} parts open, not {least}", asset.joints.len()));
+            }
+            let mut taken = Vec::new();
+            for joint in &asset.joints {
+                let (moving, fixed) = moving(&asset, joint);
+                let useful = joint.useful.expect("a family says how far");
+                let gap = moving.least(&fixed, useful, f64::INFINITY, &mut { 100_000 }).map_or(1.0, |swept| swept.gap);
+                if gap < -1e-3 || useful > joint.limits[1] {
+                    bad.push(format!("{noun} ({features}) {size:?}: {} comes {gap} near its body", joint.name));
+                }
+                // It goes somewhere: away from where it was, and not below the floor.
+                let opened = moving.opened(useful);
+                let low = opened.iter().map(|body| body.aabb().min.y).fold(f64::INFINITY, f64::min);
+                if low < -1e-6 || joint.parts.iter().any(|i| taken.contains(i)) {
+                    bad.push(format!("{noun} {size:?}: {} is {low} high, or moves what moves already", joint.name));
+                }
+                taken.extend(&joint.parts);
+            }
+        }
     }
     report(&bad);
 }

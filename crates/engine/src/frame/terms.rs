@@ -5,7 +5,7 @@
 
 use crate::Reads;
 use scenelang_lang::Program;
-use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId};
+use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId, ObjectId};
 
 /// A preference that speaks of no more objects than so is one term: each of them concerns most of it.
 const FEW: usize = 4;
@@ -22,8 +22,10 @@ pub enum Force {
 /// A part of a constraint that is judged by itself.
 #[derive(Clone, Debug)]
 pub struct Term {
-    /// The constraint that it is a part of: an index into `Program::constraints`.
+    /// The constraint that it is a part of: an index into `Program::constraints`; none of P-OPEN.
     pub constraint: usize,
+    /// The object of P-OPEN, which stands in no program.
+    pub opens: Option<ObjectId>,
     /// Hard or soft.
     pub force: Force,
     /// What must hold.
@@ -39,7 +41,7 @@ impl Term {
     }
 
     fn new(constraint: usize, force: Force, formula: Formula) -> Self {
-        Self { constraint, force, reads: Reads::of(&formula), formula }
+        Self { constraint, opens: None, force, reads: Reads::of(&formula), formula }
     }
 }
 

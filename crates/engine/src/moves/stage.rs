@@ -11,8 +11,9 @@ use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Owner, Pinned, Pr
 use scenelang_layout::Aabb;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, Step};
+use scenelang_verify::opening::Met;
 use scenelang_verify::report::model::Kind;
-use scenelang_verify::rules::{Scope, Support, support};
+use scenelang_verify::rules::{Scope, Support, open, support};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Scratch, Truth, Value, World, in_the_way, objects_of};
 use std::rc::Rc;
@@ -184,6 +185,10 @@ impl<'a> Stage<'a> {
             (_, Some((_, formula, _))) => formula.objects(),
             (Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }), _) => vec![a, b],
             (Goal::Row(RowRef { subject: Subject::Object(a), .. }), _) => vec![a],
+            (Goal::Row(RowRef { subject: Subject::Part(a, part), .. }), _) => match open::met(self.world(), a, part) {
+                Some(Met::Object(other)) => vec![a, other],
+                _ => vec![a],
+            },
             _ => Vec::new(),
         }
     }
@@ -193,7 +198,7 @@ impl<'a> Stage<'a> {
         match row.subject {
             Subject::Statement(index) => self.index.of_object(object).binary_search(&index).is_ok(),
             Subject::Pair(a, b) => a == object || b == object,
-            Subject::Object(a) => a == object,
+            Subject::Object(a) | Subject::Part(a, _) => a == object,
         }
     }
 
@@ -207,6 +212,7 @@ impl<'a> Stage<'a> {
             if !self.program.regions.is_empty() && self.scope.bounds(object) {
                 rows.push(RowRef { kind: Kind::Bounds, subject: own });
             }
+            rows.extend(self.opening(object));
         }
         rows.retain(|row| self.cost(Goal::Row(*row)) <= DEAR);
         self.learn(&rows);
@@ -246,6 +252,7 @@ impl<'a> Stage<'a> {
     pub fn cost(&self, goal: Goal) -> usize {
         match goal {
             Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => self.costs[index],
+            Goal::Row(RowRef { kind: Kind::Open, .. }) => 60 + self.program.objects.len() / 8,
             Goal::Row(RowRef { kind: Kind::Support, .. }) => 4 + self.program.objects.len() / 16,
             Goal::Row(_) => 2,
         }
@@ -372,6 +379,7 @@ impl<'a> Stage<'a> {
                     }
                 }
             }
+            rows.extend(self.swept_by(moved).into_iter().flat_map(|id| self.opening(id)));
             rows.sort_unstable();
             rows.dedup();
         }
@@ -379,6 +387,23 @@ impl<'a> Stage<'a> {
         stated.sort_by_key(|&i| (self.costs[i], i));
         rows.extend(stated.into_iter().map(|i| row_of(self.program, i)));
         rows
+    }
+
+    /// P-OPEN of the parts of an object that have to open.
+    fn opening(&self, id: ObjectId) -> Vec<RowRef> {
+        let parts = open::demands(self.world(), id).into_iter();
+        parts.map(|(part, _)| RowRef { kind: Kind::Open, subject: Subject::Part(id, part) }).collect()
+    }
+
+    /// The objects of which some part may come to open, or no longer, where these have moved.
+    fn swept_by(&self, moved: &[ObjectId]) -> Vec<ObjectId> {
+        let world = self.world();
+        let boxes: Vec<Aabb> =
+            moved.iter().flat_map(|id| self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(*id))).collect();
+        let near = |id: ObjectId| {
+            open::reach(world, id).is_some_and(|reach| boxes.iter().any(|b| b.distance(&reach) <= open::REACH))
+        };
+        world.bodies().map(|(id, _)| id).filter(|id| moved.contains(id) || near(*id)).collect()
     }
 
     fn pair(&self, a: ObjectId, b: ObjectId) -> Subject {

@@ -4,8 +4,8 @@
 use crate::given::{judged, layout};
 use scenelang_engine::Live;
 use scenelang_lang::compile_text;
-use scenelang_layout::{Layout, Vec3};
-use scenelang_verify::{Detail, Explain, Options, Verdict, check};
+use scenelang_layout::{Joint, Layout, Motion, Part, Placement, Vec3};
+use scenelang_verify::{Detail, Explain, Opens, Options, Verdict, check};
 use std::path::Path;
 
 const WORKSHOP: &str = include_str!("../../../../examples/workshop-safety.scene");
@@ -55,11 +55,32 @@ fn said(verdict: &Verdict) -> String {
     format!("{:#?}", (&verdict.rows, &verdict.summary, &verdict.diagnostics))
 }
 
+/// Makes a thing of a body and a leaf before it, which opens to its front.
+fn hinge(thing: &mut Placement) {
+    let [w, h, d] = thing.scale.into();
+    let slab = |z: f64, deep: f64| Part::Box {
+        pos: Vec3::new(0.0, h / 2.0, z),
+        size: Vec3::new(w, h, deep),
+        rot: Vec3::zeros(),
+    };
+    thing.parts = vec![slab(-d / 4.0, d / 2.0), slab(d / 4.0, d / 2.0)];
+    thing.joints = vec![Joint {
+        name: "leaf".into(),
+        motion: Motion::Hinge,
+        axis: -Vec3::y(),
+        anchor: Vec3::new(-w / 2.0, 0.0, d / 2.0),
+        limits: [0.0, 110.0],
+        useful: Some(90.0),
+        handle: None,
+        parts: vec![1],
+    }];
+}
+
 fn follow(scene: &str, mut layout: Layout, moves: usize, dice: &mut Dice) {
     let compiled = compile_text("room.scene", Path::new("room.scene"), scene, scenelang_lang::Options::default());
     let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
     let detail = Detail { explain: Explain::First(0), ..Detail::default() };
-    let options = Options { detail, ..Options::default() };
+    let options = Options { detail, opens: Opens::All, ..Options::default() };
     let mut live = Live::new(&program, &layout, &options);
     let mut home = said(&live.verdict());
     assert_eq!(home, said(&check(&program, &layout, &options)));
@@ -114,6 +135,12 @@ fn a_verdict_follows_what_moves() {
         text += &format!("object chair[{i}] {} 0 {} | 0.45 0.9 0.45\n", i as f64 - 1.5, -1.2);
     }
     follow(ROOM, placed(ROOM, &text), 100, &mut dice);
+    // The door and the shelf open.
+    let mut opening = placed(ROOM, &text);
+    for (_, thing) in opening.objects.iter_mut().filter(|(name, _)| ["door", "shelf"].contains(&name.as_str())) {
+        hinge(thing);
+    }
+    follow(ROOM, opening, 100, &mut dice);
     // Something is missing: what it could make hold cannot be judged.
     let without: String = text.lines().filter(|l| !l.contains("shelf")).map(|l| format!("{l}\n")).collect();
     follow(ROOM, placed(ROOM, &without), 40, &mut dice);

@@ -5,4 +5,5 @@ mod explanations;
 #[path = "../../../verify/tests/it/given.rs"]
 mod given;
 mod live;
+mod opening;
 mod state;

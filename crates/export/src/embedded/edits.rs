@@ -162,8 +162,10 @@ fn scale(placement: &mut Placement, by: Vec3) {
         Part::Hull { .. } => true,
     };
     if !placement.parts.iter().all(stays_itself) {
-        return placement.parts.clear();
+        placement.parts.clear();
+        return placement.joints.clear();
     }
+    placement.joints.iter_mut().for_each(|joint| *joint = joint.stretched(&by));
     for part in &mut placement.parts {
         match part {
             Part::Box { pos, size, .. } => {

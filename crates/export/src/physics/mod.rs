@@ -2,11 +2,17 @@
 //! MJCF, USD and SDF are written from it.
 //!
 //! Frame: the scene's own (left-handed, y up, metres); who writes converts with a [`Frame`](crate::geometry::frame::Frame).
+//!
+//! A body is rigid but for the pieces of it that move: see [`Moving`].
 
+#[cfg(test)]
+pub(crate) mod fixture;
 mod inertia;
+mod joint;
 mod shape;
 
 pub(crate) use inertia::Inertia;
+pub(crate) use joint::{Joint, Moving};
 pub(crate) use shape::{Geom, Shape};
 
 use crate::Scene;
@@ -14,6 +20,7 @@ use crate::geometry::mesh::Group;
 use crate::scene::{Body as Holding, Object, Role, Shell};
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
+use std::borrow::Cow;
 
 /// How well things grip, by the law of Coulomb; one for all.
 pub(crate) const FRICTION: f64 = 0.8;
@@ -29,7 +36,7 @@ pub(crate) struct Physics<'a> {
     pub through: Vec<[usize; 2]>,
 }
 
-/// A rigid body.
+/// A rigid body, and what moves against it.
 pub(crate) struct Body<'a> {
     /// As in the program: `chair[0]`; of the building `office/wall2`.
     pub name: &'a str,
@@ -44,9 +51,11 @@ pub(crate) struct Body<'a> {
     /// Its solid; empty where it stops nothing.
     pub geoms: Vec<Geom>,
     /// What is seen of it, in its frame.
-    pub drawn: &'a [Group],
+    pub drawn: Cow<'a, [Group]>,
     /// Mass and how it is distributed; nobody needs to know what the building weighs.
     pub inertia: Option<Inertia>,
+    /// What is no part of it and hangs on it.
+    pub moving: Vec<Moving>,
 }
 
 /// What a body is in the scene.
@@ -59,17 +68,28 @@ pub(crate) enum What<'a> {
 }
 
 impl<'a> Body<'a> {
+    /// An object, and what of it opens.
     fn object(object: &'a Object) -> Self {
-        Self {
+        let loose = object.body == Holding::Free;
+        let geoms = shape::of_object(object);
+        let mut body = Self {
             name: &object.name,
             what: What::Object(object),
             pos: object.place.pos,
             axes: object.axes,
-            loose: object.body == Holding::Free,
-            geoms: shape::of_object(object),
-            drawn: &object.mesh,
-            inertia: Some(Inertia::of(object.solid.iter().zip(object.weights.iter().copied()))),
+            loose,
+            geoms: Vec::new(),
+            drawn: Cow::Borrowed(&object.mesh),
+            inertia: None,
+            moving: Vec::new(),
+        };
+        let mut fixed: Vec<usize> = (0..geoms.len()).collect();
+        if let Some(pieces) = joint::take_apart(object, &geoms) {
+            (fixed, body.moving, body.drawn) = (pieces.fixed, pieces.moving, Cow::Owned(pieces.drawn));
         }
+        body.inertia = Some(joint::inertia(object, &fixed));
+        body.geoms = fixed.into_iter().map(|part| geoms[part].clone()).collect();
+        body
     }
 
     fn shell(shell: &'a Shell) -> Self {
@@ -80,8 +100,9 @@ impl<'a> Body<'a> {
             axes: Matrix3::identity(),
             loose: false,
             geoms: shape::of_shell(shell),
-            drawn: std::slice::from_ref(&shell.group),
+            drawn: Cow::Borrowed(std::slice::from_ref(&shell.group)),
             inertia: None,
+            moving: Vec::new(),
         }
     }
 

@@ -95,7 +95,14 @@ mod tests {
     use scenelang_layout::{Obb, Placement};
 
     fn part(size: Vec3) -> Convex {
-        let place = Placement { pos: Vec3::zeros(), rot: Vec3::zeros(), scale: size, parts: Vec::new(), surface: None };
+        let place = Placement {
+            pos: Vec3::zeros(),
+            rot: Vec3::zeros(),
+            scale: size,
+            parts: Vec::new(),
+            surface: None,
+            joints: Vec::new(),
+        };
         Convex::from_box(&Obb::from_placement(&place))
     }
 

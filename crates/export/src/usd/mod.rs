@@ -5,6 +5,7 @@
 //! USD is right-handed: x is negated. What stands still has colliders and no rigid body. Colliders have the purpose `guide`,
 //! so that they are not drawn. Things that are equal share a prim of the abstract scope `Shapes` by reference.
 
+mod joints;
 mod package;
 mod shapes;
 mod text;
@@ -57,7 +58,10 @@ const SUN: f64 = 500.0;
 
 /// The layer of a scene.
 fn layer(scene: &Scene) -> String {
-    let physics = &Physics::of(scene);
+    write_layer(scene, &Physics::of(scene))
+}
+
+pub(crate) fn write_layer(scene: &Scene, physics: &Physics<'_>) -> String {
     let mut out = Usda::new(&metadata(scene));
     let looks = Looks::of(scene);
     let shapes = Shapes::of(physics, &looks);
@@ -74,7 +78,8 @@ fn layer(scene: &Scene) -> String {
         out.begin("def Scope", folder, &["kind = \"group\"".into()]);
         for (index, body) in physics.bodies.iter().enumerate().filter(|(_, b)| b.as_object().is_some() == objects) {
             let others = physics.through.iter().filter(|[a, _]| *a == index).map(|&[_, b]| b);
-            let through: Vec<&str> = others.map(|b| paths[b].as_str()).collect();
+            let through: Vec<String> = others.flat_map(|b| joints::paths(&physics.bodies[b], &paths[b])).collect();
+            let through: Vec<&str> = through.iter().map(String::as_str).collect();
             write_body(&mut out, body, &paths[index], &through, shapes.of_body(index));
         }
         out.end();
@@ -129,14 +134,21 @@ fn write_body(out: &mut Usda, body: &Body<'_>, path: &str, through: &[&str], sha
     let base = Piece { inertia: body.inertia.as_ref().filter(|_| body.loose), through, shape };
     let mut apis = vec!["SemanticsLabelsAPI:category", "SemanticsLabelsAPI:instance"];
     let mut metadata = vec![format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into()];
-    apis.extend(base.apis());
-    metadata.extend(base.reference());
+    let whole = body.moving.is_empty();
+    if whole {
+        apis.extend(base.apis());
+        metadata.extend(base.reference());
+    }
     metadata.push(schemas(&apis));
     out.begin("def Xform", leaf(path), &metadata);
     out.line(&format!("token[] semantics:labels:category = [{}]", quoted(body.category())));
     out.line(&format!("token[] semantics:labels:instance = [{}]", quoted(body.name)));
     place(out, &body.pos, &body.axes, None);
-    base.write(out);
+    if whole {
+        base.write(out);
+    } else {
+        joints::write(out, path, &base, &body.moving);
+    }
     out.end();
 }
 
@@ -160,7 +172,7 @@ impl Piece<'_> {
     /// Where its shape comes from, if it is not its own.
     fn reference(&self) -> Option<String> {
         match self.shape {
-            shapes::Use::Shared(path) => Some(format!("prepend references = <{path}>")),
+            shapes::Use::Shared(path, _) => Some(format!("prepend references = <{path}>")),
             shapes::Use::Own(..) => None,
         }
     }

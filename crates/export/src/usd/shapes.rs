@@ -29,9 +29,19 @@ struct Body<'a> {
 /// How a body gets its shape.
 pub(super) enum Use<'a> {
     /// From the prim at a path.
-    Shared(&'a str),
+    Shared(&'a str, &'a Looks),
     /// It is written in the body's own prim.
     Own(Own<'a>),
+}
+
+impl<'a> Use<'a> {
+    /// The materials.
+    pub fn looks(&self) -> &'a Looks {
+        match self {
+            Self::Shared(_, looks) => looks,
+            Self::Own(own) => own.looks,
+        }
+    }
 }
 
 /// A shape to be written.
@@ -47,7 +57,7 @@ impl<'a> Shapes<'a> {
         let mut names = Identifiers::default();
         let mut of = Vec::with_capacity(physics.bodies.len());
         for body in &physics.bodies {
-            let (drawn, geoms) = (body.drawn, &body.geoms[..]);
+            let (drawn, geoms) = (&body.drawn[..], &body.geoms[..]);
             let known = all.iter().position(|b| b.drawn == drawn && b.geoms == geoms);
             match known {
                 Some(index) if all[index].shared.is_none() => {
@@ -61,11 +71,11 @@ impl<'a> Shapes<'a> {
         Self { looks, all, of }
     }
 
-    /// The shape of a body.
+    /// The shape of a body, but for what of it moves.
     pub fn of_body(&self, index: usize) -> Use<'_> {
         let body = &self.all[self.of[index]];
         match &body.shared {
-            Some(path) => Use::Shared(path),
+            Some(path) => Use::Shared(path, self.looks),
             None => Use::Own(self.own(body)),
         }
     }

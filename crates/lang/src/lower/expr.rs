@@ -672,7 +672,7 @@ impl<'a> Lowerer<'a, '_> {
             }
         }
         let node = self.f.b.add(Node::BuiltIn(built_in, args), range);
-        Ok(if built_in.is_predicate() { Val::Truth(node) } else { Val::Num(node, Ty::Number) })
+        Ok(if built_in.is_predicate() { Val::Truth(node) } else { Val::Num(node, built_in.result()) })
     }
 
     /// `wallMounted` and `ceilingMounted` of the library, asserted at top level, replace the rule of support.

@@ -1,5 +1,6 @@
 //! The layout file: read with positions, checked as far as that needs no program, and written back.
 
+mod joints;
 mod json;
 mod places;
 mod read;

@@ -32,18 +32,18 @@ pub(super) fn document(text: &str, root: &Node, findings: &mut Findings) -> Docu
     Document { layout, usable, understood }
 }
 
-struct Reader<'a, 'f> {
+pub(super) struct Reader<'a, 'f> {
     text: &'a str,
     findings: &'f mut Findings,
     understood: Vec<u32>,
 }
 
 impl Reader<'_, '_> {
-    fn error(&mut self, code: Code, at: TextRange, message: impl Into<String>) {
+    pub(super) fn error(&mut self, code: Code, at: TextRange, message: impl Into<String>) {
         self.findings.add(code, at, message);
     }
     /// Says that a value is of the wrong type, unless an error in it has been reported.
-    fn wrong<T>(&mut self, node: &Node, what: &str, wanted: &str) -> Option<T> {
+    pub(super) fn wrong<T>(&mut self, node: &Node, what: &str, wanted: &str) -> Option<T> {
         if !node.is_spoilt() {
             self.error(codes::E0504, node.range, format!("{what} takes {wanted}, not {}", node.kind()));
         }
@@ -159,8 +159,12 @@ impl Reader<'_, '_> {
             }
             None => Vec::new(),
         };
+        let joints = match asset.and_then(|a| find(a, "joints")) {
+            Some(m) => self.joints(&m.node, name, &parts)?,
+            None => Vec::new(),
+        };
         let [pos, rot, scale] = place?;
-        let placement = Placement { pos, rot, scale, parts, surface };
+        let placement = Placement { pos, rot, scale, parts, surface, joints };
         if let Some(m) = given
             && !parts_fill_box(&placement)
         {
@@ -275,7 +279,13 @@ impl Reader<'_, '_> {
     }
 
     /// A member that must be there; if not, that is said at the brace around it.
-    fn required<'n>(&mut self, node: &Node, members: &'n [Member], key: &str, owner: &str) -> Option<&'n Node> {
+    pub(super) fn required<'n>(
+        &mut self,
+        node: &Node,
+        members: &'n [Member],
+        key: &str,
+        owner: &str,
+    ) -> Option<&'n Node> {
         let found = find(members, key).map(|m| &m.node);
         if found.is_none() {
             let brace = TextRange::new(node.range.start as usize, node.range.start as usize + 1);
@@ -284,14 +294,14 @@ impl Reader<'_, '_> {
         found
     }
 
-    fn members<'n>(&mut self, node: &'n Node, what: &str) -> Option<&'n [Member]> {
+    pub(super) fn members<'n>(&mut self, node: &'n Node, what: &str) -> Option<&'n [Member]> {
         match node.members() {
             Some(members) => Some(members),
             None => self.wrong(node, &format!("`{what}`"), "an object"),
         }
     }
 
-    fn text(&mut self, node: &Node, what: &str) -> Option<String> {
+    pub(super) fn text(&mut self, node: &Node, what: &str) -> Option<String> {
         match &node.value {
             Json::Text(text) => Some(text.clone()),
             _ => self.wrong(node, what, "a string"),
@@ -315,7 +325,7 @@ impl Reader<'_, '_> {
         Some(truth)
     }
 
-    fn number(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn number(&mut self, node: &Node, what: &str) -> Option<f64> {
         match node.value {
             Json::Number(number) => Some(number),
             _ => self.wrong(node, what, "a number"),
@@ -323,7 +333,7 @@ impl Reader<'_, '_> {
     }
 
     /// A number of metres or degrees, not absurd.
-    fn length(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn length(&mut self, node: &Node, what: &str) -> Option<f64> {
         let number = self.number(node, what)?;
         if number.abs() > LARGEST {
             self.error(codes::E0505, node.range, format!("{what} is beyond a million"));
@@ -333,7 +343,7 @@ impl Reader<'_, '_> {
     }
 
     /// A length that is more than nothing.
-    fn extent(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn extent(&mut self, node: &Node, what: &str) -> Option<f64> {
         let number = self.length(node, what)?;
         if number <= 0.0 {
             self.error(codes::E0505, node.range, format!("{what} must be more than 0"));
@@ -342,7 +352,7 @@ impl Reader<'_, '_> {
         Some(number)
     }
 
-    fn triple(&mut self, node: &Node, what: &str) -> Option<Vec3> {
+    pub(super) fn triple(&mut self, node: &Node, what: &str) -> Option<Vec3> {
         self.three(node, what, Self::length)
     }
 

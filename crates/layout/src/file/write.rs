@@ -1,5 +1,6 @@
 //! A layout as text: stable, compact, with all that another tool has put into the file kept where it was.
 
+use super::joints::joint;
 use super::json::{Json, Member, Node, find};
 use super::{Document, FORMAT};
 use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
@@ -14,7 +15,7 @@ use std::path::Path;
 const WIDTH: usize = 120;
 
 /// What is to be written.
-enum Out<'a> {
+pub(super) enum Out<'a> {
     /// A number, string or word, as it will stand in the file.
     Raw(Cow<'a, str>),
     Array(Vec<Out<'a>>),
@@ -71,7 +72,7 @@ pub fn checked(path: &Path, layout: &Layout, previous: Option<&Document>) -> io:
     Ok(text)
 }
 
-fn text<'a>(value: &str) -> Out<'a> {
+pub(super) fn text<'a>(value: &str) -> Out<'a> {
     Out::Raw(quoted(value).into())
 }
 
@@ -80,7 +81,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// The shortest text that reads back as the same number.
-fn number<'a>(value: f64) -> Out<'a> {
+pub(super) fn number<'a>(value: f64) -> Out<'a> {
     let size = value.abs();
     Out::Raw(if !value.is_finite() {
         "null".into()
@@ -93,11 +94,11 @@ fn number<'a>(value: f64) -> Out<'a> {
     })
 }
 
-fn numbers<'a>(values: &[f64]) -> Out<'a> {
+pub(super) fn numbers<'a>(values: &[f64]) -> Out<'a> {
     Out::Array(values.iter().map(|v| number(*v)).collect())
 }
 
-fn triple<'a>(value: &Vec3) -> Out<'a> {
+pub(super) fn triple<'a>(value: &Vec3) -> Out<'a> {
     numbers(value.as_slice())
 }
 
@@ -113,9 +114,12 @@ fn object<'a>(placement: &Placement, old: Old<'a>) -> Out<'a> {
     let asset = old.member("asset");
     let old_parts = asset.member("parts");
     let parts = placement.parts.iter().enumerate().map(|(i, p)| part(p, old_parts.item(i))).collect::<Vec<_>>();
+    let old_joints = asset.member("joints");
+    let joints = placement.joints.iter().enumerate().map(|(i, j)| joint(j, old_joints.item(i))).collect::<Vec<_>>();
     let asset = asset.merged(vec![
         ("parts", (!parts.is_empty()).then_some(Out::Array(parts))),
         ("surface", placement.surface.map(number)),
+        ("joints", (!joints.is_empty()).then_some(Out::Array(joints))),
     ]);
     Out::Object(old.merged(vec![
         ("pos", Some(triple(&placement.pos))),
@@ -155,7 +159,7 @@ fn region<'a>(region: &RegionPlacement, old: Old<'a>) -> Out<'a> {
 
 /// What stood at this place of the document before, if anything.
 #[derive(Clone, Copy)]
-struct Old<'a> {
+pub(super) struct Old<'a> {
     document: Option<&'a Document>,
     node: Option<&'a Node>,
 }
@@ -185,7 +189,7 @@ impl<'a> Old<'a> {
     }
 
     /// The members as they were, with known ones replaced or (`None`) left out, and new ones at the end.
-    fn merged(self, known: Vec<(&str, Option<Out<'a>>)>) -> Vec<(Cow<'a, str>, Out<'a>)> {
+    pub(super) fn merged(self, known: Vec<(&str, Option<Out<'a>>)>) -> Vec<(Cow<'a, str>, Out<'a>)> {
         let mut known: Vec<(&str, Option<Out<'a>>)> = known;
         let mut out = Vec::new();
         for member in self.members() {

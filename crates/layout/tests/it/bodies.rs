@@ -177,6 +177,7 @@ fn placement(parts: Vec<Part>) -> Placement {
         scale: Vec3::new(1.0, 2.0, 0.5),
         parts,
         surface: None,
+        joints: Vec::new(),
     }
 }
 

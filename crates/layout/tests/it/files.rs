@@ -289,3 +289,49 @@ proptest! {
         prop_assert_eq!(file.draws, vec![(scene, x)]);
     }
 }
+
+/// An asset with a door, of which one member is replaced.
+fn with_joint(old: &str, new: &str) -> String {
+    let joint = r#""joints": [{ "name": "door", "motion": "hinge", "parts": [0], "axis": [0, 1, 0], "anchor": [0.25, 0, 0],
+        "limits": [0, 110], "useful": 90 }], "surface""#;
+    assert!(old.is_empty() || joint.matches(old).count() == 1, "{old}");
+    GOOD.replace("\"surface\"", &joint.replace(old, new))
+}
+
+#[test]
+fn a_malformed_joint_is_one_error_at_its_place() {
+    let good = with_joint("110", "110");
+    assert!(found(&good).is_empty(), "{:?}", found(&good));
+    let cases: &[Case] = &[
+        ("\"name\": \"door\", ", "", &[(E0503, "{")]),
+        ("\"name\": \"door\"", "\"name\": \" \"", &[(E0505, "\" \"")]),
+        ("\"hinge\"", "\"swing\"", &[(E0504, "\"swing\"")]),
+        ("\"hinge\"", "1", &[(E0504, "1")]),
+        ("[0], ", "[1], ", &[(E0505, "1")]),
+        ("[0], ", "[-1], ", &[(E0505, "-1")]),
+        ("[0], ", "[0.5], ", &[(E0505, "0.5")]),
+        ("[0], ", "[0, 0], ", &[(E0505, "0")]),
+        ("[0], ", "[], ", &[(E0505, "[]")]),
+        ("[0], ", "0, ", &[(E0504, "0")]),
+        ("[0, 1, 0]", "[0, 0, 0]", &[(E0505, "[0, 0, 0]")]),
+        ("[0, 1, 0]", "[0, 1]", &[(E0504, "[0, 1]")]),
+        ("[0, 1, 0]", "[0, NaN, 0]", &[(E0501, "NaN")]),
+        (", \"anchor\": [0.25, 0, 0]", "", &[(E0503, "{")]),
+        ("[0, 110]", "[110, 0]", &[(E0505, "[110, 0]")]),
+        ("[0, 110]", "[0, 0]", &[(E0505, "[0, 0]")]),
+        ("[0, 110]", "110", &[(E0504, "110")]),
+        ("\"useful\": 90", "\"useful\": 111", &[(E0505, "111")]),
+        ("\"useful\": 90", "\"useful\": 0", &[(E0505, "0")]),
+        ("\"useful\": 90", "\"handle\": 0", &[(E0504, "0")]),
+        ("\"useful\": 90 }]", "\"useful\": 90 }, 7]", &[(E0504, "7")]),
+    ];
+    for (old, new, expected) in cases {
+        let text = with_joint(old, new);
+        let got = found(&text);
+        assert!(
+            got.len() == expected.len() && got.iter().zip(*expected).all(|(g, e)| g.0 == e.0 && g.1.starts_with(e.1)),
+            "{new}: {:#?}",
+            open(&text).diagnostics
+        );
+    }
+}

@@ -6,3 +6,4 @@ mod bodies;
 mod files;
 mod polygons;
 mod rewriting;
+mod sweeps;

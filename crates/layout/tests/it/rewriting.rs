@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use scenelang_base::FileId;
 use scenelang_layout::file::{read, to_json, write};
-use scenelang_layout::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+use scenelang_layout::{Joint, Layout, Motion, Part, Placement, RegionPlacement, Value, Vec3};
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![(-50i32..50).prop_map(|i| f64::from(i) / 8.0), -1e6..1e6f64, -1e-9..1e-9f64, Just(-0.0)]
@@ -37,8 +37,40 @@ fn part() -> impl Strategy<Value = Part> {
 }
 
 fn placement() -> impl Strategy<Value = Placement> {
-    (triple(), triple(), extents(), prop::collection::vec(part(), 0..3), prop::option::of(number()))
-        .prop_map(|(pos, rot, scale, parts, surface)| Placement { pos, rot, scale, parts, surface })
+    let parts = (prop::collection::vec(part(), 0..4), any::<bool>(), axis(), limits(), prop::option::of(triple()));
+    (triple(), triple(), extents(), parts, prop::option::of(number())).prop_map(
+        |(pos, rot, scale, (parts, hinge, axis, limits, handle), surface)| Placement {
+            pos,
+            rot,
+            scale,
+            joints: joints(parts.len(), hinge, axis, limits, handle),
+            parts,
+            surface,
+        },
+    )
+}
+
+fn axis() -> impl Strategy<Value = Vec3> {
+    prop_oneof![Just(Vec3::y()), triple().prop_map(|v| if v.norm() > 0.01 { v } else { Vec3::z() })]
+}
+
+fn limits() -> impl Strategy<Value = [f64; 2]> {
+    (prop_oneof![Just(0.0), -10.0..0.0f64], 0.01..200.0f64).prop_map(|(low, high)| [low, high])
+}
+
+/// Every part but the first moves.
+fn joints(parts: usize, hinge: bool, axis: Vec3, limits: [f64; 2], handle: Option<Vec3>) -> Vec<Joint> {
+    let joint = |i: usize| Joint {
+        name: format!("door {i}").into(),
+        motion: if hinge { Motion::Hinge } else { Motion::Slide },
+        axis,
+        anchor: Vec3::new(0.25, 0.0, i as f64),
+        limits,
+        useful: (i == 1).then_some(limits[1] / 2.0),
+        handle,
+        parts: vec![i],
+    };
+    (1..parts).map(joint).collect()
 }
 
 fn region() -> impl Strategy<Value = RegionPlacement> {
@@ -133,7 +165,7 @@ fn a_rewrite_changes_what_changed() {
     let mut file = read(text, FileId(0));
     file.layout.objects.retain(|(n, _)| n == "lamp");
     file.layout.objects[0].1.pos.x = 0.1 + 0.2;
-    let new = Placement { parts: Vec::new(), ..file.layout.objects[0].1.clone() };
+    let new = Placement { parts: Vec::new(), joints: Vec::new(), ..file.layout.objects[0].1.clone() };
     file.layout.objects.push(("new".into(), new));
     file.layout.seed = Some(3);
     insta::assert_snapshot!(to_json(&file.layout, Some(&file.document)), @r#"
@@ -173,4 +205,36 @@ fn a_layout_that_no_file_can_hold_is_not_written() {
     let error = write(&scenelang_base::door::Door::of(&path), &path, &layout, None).unwrap_err();
     assert!(error.to_string().contains("the draw `d`"), "{error}");
     assert_eq!(read(&std::fs::read_to_string(&path).unwrap(), FileId(0)).layout.seed, Some(1));
+}
+
+#[test]
+fn joints_keep_what_is_not_ours() {
+    let text = r#"{ "format": "scenelang.layout/1",
+  "objects": {
+    "box": { "pos": [0, 0, 0], "rot": [0, 0, 0], "scale": [1, 1, 1],
+      "asset": {
+        "parts": [
+          { "shape": "box", "pos": [0, 0.5, -0.05], "size": [1, 1, 0.9] },
+          { "shape": "box", "pos": [0, 0.5, 0.45], "size": [1, 1, 0.1] }
+        ],
+        "joints": [
+          { "name": "door", "motion": "hinge", "parts": [1], "axis": [0, 2, 0], "anchor": [-0.5, 0, 0.5], "limits": [0, 110],
+            "useful": 90, "handle": [0.4, 0.5, 0.5], "damping": 0.10 }
+        ]
+      } }
+  }
+}
+"#;
+    let mut file = read(text, FileId(0));
+    assert!(file.diagnostics.is_empty(), "{:?}", file.diagnostics);
+    let joint = &file.layout.objects[0].1.joints[0];
+    assert_eq!((joint.motion, joint.useful, joint.parts.as_slice()), (Motion::Hinge, Some(90.0), &[1][..]));
+    let same = to_json(&file.layout, Some(&file.document));
+    assert_eq!(read(&same, FileId(0)).layout, file.layout);
+    assert_eq!(to_json(&file.layout, Some(&read(&same, FileId(0)).document)), same, "the same text twice");
+    file.layout.objects[0].1.joints[0].limits[1] = 95.0;
+    let after = to_json(&file.layout, Some(&file.document));
+    assert!(after.contains("\"limits\": [0, 95]") && after.contains("\"damping\": 0.10"), "{after}");
+    file.layout.objects[0].1.joints.clear();
+    assert!(!to_json(&file.layout, Some(&file.document)).contains("joints"));
 }

@@ -122,7 +122,10 @@ impl<'v> View<'v> {
                 let term = &self.state.frame.terms[term];
                 let truth = judge(&term.formula, self.world()).ok();
                 Concern {
-                    what: What::Stated(term.constraint),
+                    what: match term.opens {
+                        Some(id) => What::Open(self.name(id).into(), None),
+                        None => What::Stated(term.constraint),
+                    },
                     hard: term.is_hard(),
                     holds: truth.is_some_and(|t| t.holds),
                     margin: truth.map(|t| t.margin).filter(|m| m.is_finite()),

@@ -4,9 +4,11 @@ use crate::problem::pose::round_to;
 use crate::problem::setup::Setup;
 use crate::problem::{Standing, Unsatisfied, What};
 use scenelang_engine::candidate::Candidate;
-use scenelang_lang::program::{ConstraintKind, Owner, Pinned, RegionId};
+use scenelang_lang::program::{ConstraintKind, ObjectId, Owner, Pinned, RegionId};
 use scenelang_layout::{Layout, Value, Vec3};
+use scenelang_verify::opening::Met;
 use scenelang_verify::{Options, Truth, World, judge, rules};
+use smol_str::SmolStr;
 
 /// Digits that are written (metres and degrees).
 const DIGITS: f64 = 1e-6;
@@ -96,9 +98,23 @@ pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options)
                 }
                 rules::Support::Lifted | rules::Support::Held => {}
             }
+            for (part, _) in rules::open::demands(&world, id) {
+                let truth = rules::open::part(&world, id, part).ok();
+                if truth.is_none_or(|t| !t.holds) {
+                    note(What::Open(name(id), met(&world, setup, id, part)), truth);
+                }
+            }
         }
     }
     (found, standings)
+}
+
+/// The object that keeps a part of another from opening.
+fn met(world: &World<f64>, setup: &Setup<'_>, id: ObjectId, part: u8) -> Option<SmolStr> {
+    match rules::open::met(world, id, part) {
+        Some(Met::Object(other)) => Some(setup.frame.name(other).into()),
+        _ => None,
+    }
 }
 
 /// Whether all of it is preferences.

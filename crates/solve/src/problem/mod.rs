@@ -1,6 +1,7 @@
 //! What the solver is given and what it gives back, as values.
 
 pub(crate) mod draws;
+pub(crate) mod opens;
 pub(crate) mod setup;
 pub(crate) mod sound;
 pub(crate) mod values;
@@ -208,6 +209,8 @@ pub enum What {
     Bounds(SmolStr),
     /// P-SUPPORT of an object.
     Support(SmolStr),
+    /// P-OPEN of an object, with what keeps it from opening, if that is an object.
+    Open(SmolStr, Option<SmolStr>),
 }
 
 /// A step of the solver.

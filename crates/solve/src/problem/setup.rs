@@ -2,7 +2,7 @@
 
 use crate::problem::draws;
 use crate::problem::pose::Pose;
-use crate::problem::{Options, Problem, values};
+use crate::problem::{Options, Problem, opens, values};
 use crate::search::least_squares::{Targets, least_squares};
 use scenelang_engine::candidate::{Candidate, Change};
 use scenelang_engine::frame::Frame;
@@ -57,6 +57,7 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     size(program, &terms, &mut layout, options, &mut warnings);
     let world = World::<f64>::new(program, &layout, &options.judge);
     let scope = options.judge.physics.then(|| Scope::new(&world));
+    let terms = terms.into_iter().chain(opens::terms(&world)).collect();
     let mut frame = Frame::new(program, terms, scope, |id| layout.objects[id.0 as usize].1.scale);
     let known = |id: &&ObjectId| {
         let object = program.objects.get(id.0 as usize);
@@ -84,6 +85,7 @@ fn objects(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, Placement)> {
             scale: Vec3::repeat(UNKNOWN),
             parts: Vec::new(),
             surface: None,
+            joints: Vec::new(),
         });
         if !problem.placed.object(ObjectId(index as u32)) {
             (placement.pos, placement.rot) = (Vec3::zeros(), Vec3::zeros());
@@ -224,5 +226,9 @@ fn stretch(placement: &mut Placement, scale: Vec3) {
     });
     placement.parts = stretched.collect::<Option<Vec<Part>>>().unwrap_or_default();
     placement.surface = placement.surface.map(|s| s * by.y);
+    placement.joints = match placement.parts.is_empty() {
+        true => Vec::new(),
+        false => placement.joints.iter().map(|joint| joint.stretched(&by)).collect(),
+    };
     placement.scale = scale;
 }

@@ -3,6 +3,7 @@
 use super::judge::Judge;
 use super::{Alternative, EACH, How, Moved, RepairOptions};
 use crate::problem::Options;
+use crate::problem::opens;
 use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, Ride, half_turn};
 use crate::search::{Search, Snapshot};
@@ -43,9 +44,8 @@ impl<'a> Fixtures<'a> {
         let world = World::<f64>::new(judge.program, judge.layout, &judge.options);
         let scope = judge.options.physics.then(|| Scope::new(&world));
         let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
-        let frame = Frame::new(judge.program, terms::split(judge.program), scope, |id| {
-            size(id).unwrap_or_else(|| Vec3::repeat(1.0))
-        });
+        let terms = terms::split(judge.program).into_iter().chain(opens::terms(&world)).collect();
+        let frame = Frame::new(judge.program, terms, scope, |id| size(id).unwrap_or_else(|| Vec3::repeat(1.0)));
         Self { frame, world }
     }
 }
@@ -88,6 +88,11 @@ impl<'r, 'a> Room<'r, 'a> {
             .map(|check| {
                 let row = row_of(frame, state.numbering.check(check));
                 let soft = !state.is_hard(check);
+                // One term says of all parts of an object that they open.
+                if let Subject::Part(id, _) = row.subject {
+                    let about = |row: &RowRef| matches!(row.subject, Subject::Part(other, _) if other == id);
+                    return state.does_hold(check) || judge.targets.iter().any(about);
+                }
                 if judge.targets.contains(&row) {
                     return true;
                 }
@@ -332,6 +337,9 @@ fn before(world: &World<f64>, state: &Candidate<'_>, id: ObjectId) -> Pose {
 /// The row that a check belongs to.
 fn row_of(frame: &Frame<'_>, check: Check) -> RowRef {
     let (kind, subject) = match check {
+        Check::Term(t) if frame.terms[t].opens.is_some() => {
+            (Kind::Open, Subject::Part(frame.terms[t].opens.unwrap_or(ObjectId(0)), 0))
+        }
         Check::Term(t) => {
             let kind = if frame.terms[t].is_hard() { Kind::Assert } else { Kind::Prefer };
             (kind, Subject::Statement(frame.terms[t].constraint))

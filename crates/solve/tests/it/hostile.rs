@@ -76,6 +76,7 @@ fn layout(dice: &mut Dice, names: &[String]) -> Layout {
             scale: dice.vector(),
             parts: Vec::new(),
             surface: (dice.below(2) == 0).then(|| dice.float()),
+            joints: Vec::new(),
         };
         layout.objects.push((name.as_str().into(), placement));
     }

@@ -2,6 +2,7 @@
 
 mod diagnosis;
 mod hostile;
+mod opening;
 
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};

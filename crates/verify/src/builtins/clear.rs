@@ -149,7 +149,7 @@ fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> O
 
 /// The region that the space must stay in: the one that best contains the object; before and behind a door the one on
 /// that side, if there is one.
-fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(RegionId, &Prism)> {
+pub(crate) fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(RegionId, &Prism)> {
     let body = &world.object(id).ok()?.body;
     let contact = world.options.tolerances.contact;
     let Some(way) = leaves_door(world, id, side) else {

@@ -37,6 +37,11 @@ pub enum Surroundings {
         /// How deep it is (metres); `None`: that is no constant.
         depth: Option<f64>,
     },
+    /// The space that the movable parts of an object go through, and what they reach.
+    Swing {
+        /// Whose.
+        owner: ObjectId,
+    },
     /// The line between the centres of two objects.
     Sight {
         /// From here.
@@ -61,6 +66,8 @@ const FLOOR: usize = 250;
 const FLOOR_PER_OBJECT: usize = 25;
 /// What each path on it costs.
 const PATH: usize = 60;
+/// What trying the movable parts of an object costs.
+const SWING: usize = 60;
 
 impl Surroundings {
     /// Whether there are any, so that moving any object may change what is measured.
@@ -73,17 +80,18 @@ impl Surroundings {
     }
     /// What looking at all of these costs in a program of so many objects, in units of a small comparison.
     pub fn cost(all: impl Iterator<Item = Self>, objects: usize) -> usize {
-        let (mut paths, mut looks) = (0, 0);
+        let (mut paths, mut looks, mut swings) = (0, 0, 0);
         for one in all {
             match one {
                 Self::Nothing => {}
                 Self::Space { .. } | Self::Sight { .. } => looks += 1,
+                Self::Swing { .. } => swings += 1,
                 Self::Path { .. } => paths += 1,
             }
         }
         // The floor is made ready once for all paths on it.
         let floor = if paths > 0 { FLOOR.max(FLOOR_PER_OBJECT * objects) } else { 0 };
-        floor + paths * PATH + looks * objects / 8
+        floor + paths * PATH + looks * objects / 8 + swings * (SWING + objects / 8)
     }
 }
 

@@ -12,11 +12,13 @@ mod connects;
 mod declared;
 mod gap;
 mod inside;
+mod opens;
 mod reachable;
 mod visible;
 mod walk_distance;
 
 pub(crate) use call::Call;
+pub(crate) use clear::region_of as region_beside;
 pub(crate) use collides::in_proofs as collides_in_proofs;
 pub use declared::{Declared, Slack, Surroundings};
 pub use gap::between as gap;
@@ -150,6 +152,10 @@ table! {
     Reachable => reachable::Reachable,
     Visible => visible::Visible,
     Clear => clear::Clear,
+    Opens => opens::Opens,
+    Opening => opens::Opening,
+    Slides => opens::Slides,
+    Sliding => opens::Sliding,
 }
 
 /// Objects, beside the arguments of a built-in, that decide what it says; none, if the node is none. The formula is the one

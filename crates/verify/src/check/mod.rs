@@ -16,8 +16,10 @@ pub use physical::{GAPS_FOLLOWED, LISTED, Ruled, Rules, too_dense};
 
 use crate::eval::Cause;
 use crate::explain::{Explanation, RowRef};
+use crate::opening;
 use crate::report::model::{Kind, Summary, Unlisted};
 use crate::report::{Report, build};
+use crate::rules::open;
 use crate::tolerances::Options;
 use crate::world::World;
 use scenelang_base::{Code, Diagnostic, Label, SourceMap, Span};
@@ -36,6 +38,8 @@ pub struct Verdict {
     pub unlisted: Unlisted,
     /// What could not be judged or looks odd, beside the rows.
     pub diagnostics: Vec<Diagnostic>,
+    /// The names of the movable parts that rows may speak of.
+    pub parts: Vec<(ObjectId, u8, SmolStr)>,
 }
 
 /// What a row is about.
@@ -47,6 +51,8 @@ pub enum Subject {
     Pair(ObjectId, ObjectId),
     /// An object.
     Object(ObjectId),
+    /// A movable part of an object: which of its joints.
+    Part(ObjectId, u8),
 }
 
 /// One constraint, judged.
@@ -167,9 +173,22 @@ pub fn judged(program: &Program, layout: &Layout, places: Option<&Places>, optio
     verdict.rows.append(&mut physical.rows);
     verdict.summary.physical = physical.summary.physical;
     verdict.unlisted = physical.unlisted;
+    verdict.parts = parts(&world);
     verdict.diagnostics.append(&mut physical.diagnostics);
     rooms::warn(program, &world, &mut verdict.diagnostics);
     (verdict, world)
+}
+
+/// The names of the movable parts in an instance that have to open.
+pub fn parts(world: &World<f64>) -> Vec<(ObjectId, u8, SmolStr)> {
+    let named = |id: ObjectId| {
+        let joints = opening::joints(world, id);
+        open::demands(world, id)
+            .into_iter()
+            .filter_map(move |(part, _)| Some((id, part, joints.get(usize::from(part))?)))
+    };
+    let all = world.bodies().flat_map(|(id, _)| named(id));
+    all.map(|(id, part, joint)| (id, part, joint.name.clone())).collect()
 }
 
 /// What the file gives but could not be read has been told of: it is refused, not missing.

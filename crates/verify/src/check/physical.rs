@@ -7,9 +7,10 @@ use super::{Judged, Subject, Verdict};
 use crate::builtins;
 use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
 use crate::explain::{self, Explanation};
+use crate::opening::{self, LOOKS, Met};
 use crate::report::model::Kind;
 use crate::rules::support::{self, Rest};
-use crate::rules::{Columns, Scope, Support, bounds, collide, mounts, pairs_up_to};
+use crate::rules::{Columns, Scope, Support, bounds, collide, mounts, open, pairs_up_to};
 use crate::world::World;
 use rustc_hash::FxHashSet;
 use scenelang_base::{Diagnostic, codes};
@@ -22,6 +23,8 @@ use std::collections::BinaryHeap;
 const GAPS: usize = 2_000_000;
 /// The same where the gaps are followed while objects move.
 pub const GAPS_FOLLOWED: usize = 400_000;
+/// What trying all parts that open may cost, in looks at a pose.
+const SWEEPS: usize = 4_000_000;
 /// So many violations of a rule are listed, those that fail most.
 pub const LISTED: usize = 1_000;
 /// Of no more pairs than this those that hold are listed, where all that holds is to be listed.
@@ -86,6 +89,11 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
         verdict.rows.extend(found.row);
     }
     verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
+    let untried = judge_opening(program, world, &rules, verdict);
+    if untried > 0 {
+        let say = format!("there is so much in the way of what opens that {untried} parts were not tried");
+        verdict.diagnostics.push(too_dense(program, say));
+    }
     if !near.complete {
         let say = format!("so many objects are in one place that {} of {there} pairs were not judged", there - judged);
         verdict.diagnostics.push(too_dense(program, say));
@@ -93,6 +101,28 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
         let say = format!("so many objects are above each other that the support of {unasked} of them was not judged");
         verdict.diagnostics.push(too_dense(program, say));
     }
+}
+
+/// P-OPEN of every part that has to open; how many of them were not tried, there being too many.
+fn judge_opening(program: &Program, world: &World<f64>, rules: &Rules<'_>, verdict: &mut Verdict) -> usize {
+    let first = verdict.rows.len();
+    let (mut left, mut untried) = (SWEEPS, 0);
+    for id in ids(program) {
+        for (part, _) in open::demands(world, id) {
+            if left == 0 {
+                untried += 1;
+                continue;
+            }
+            let before = left.min(LOOKS);
+            let mut looks = before;
+            let found = rules.opened(world, id, part, &mut looks);
+            left -= before - looks;
+            verdict.summary.physical.add(found.holds);
+            verdict.rows.extend(found.row);
+        }
+    }
+    verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
+    untried
 }
 
 /// That there is too much in one place.
@@ -307,6 +337,41 @@ impl<'a> Rules<'a> {
         })
     }
 
+    /// P-OPEN of a part that has to open, with no more than so many looks at poses.
+    pub fn opened(&self, world: &World<f64>, id: ObjectId, part: u8, looks: &mut usize) -> Ruled {
+        let before = *looks;
+        let outcome = open::part_within(world, id, part, looks).ok();
+        let (joint, demand) = (opening::joints(world, id).get(usize::from(part)), demand(world, id, part));
+        let name = joint.map_or("", |joint| joint.name.as_str());
+        let amount = joint.map_or(String::new(), |joint| opening::amount(demand, joint.motion));
+        let met = outcome.filter(|t| t.margin.is_finite()).and_then(|_| open::met(world, id, part));
+        let text = || format!("`{name}` of `{}` opens {amount}", self.name(id));
+        let mut ruled = self.ruled(world, (Kind::Open, Subject::Part(id, part)), outcome, None, text, || {
+            let what = met.map_or(String::new(), |met| opening::met_in_words(self.program, met));
+            match outcome {
+                Some(truth) if !truth.holds => {
+                    let mut looks = before;
+                    let free =
+                        opening::free(world, id, usize::from(part), demand, &mut looks).map_or(0.0, |(free, _)| free);
+                    let free = joint.map_or(String::new(), |joint| opening::amount(free, joint.motion));
+                    format!("`{name}` opens {free} of {amount}, then meets {what}")
+                }
+                Some(truth) if truth.margin.is_finite() => {
+                    let gap = truth.margin - world.options.tolerances.contact;
+                    format!("`{name}` opens {amount}, {} m from {what}", number(gap.max(0.0), Unit::Metre))
+                }
+                _ => format!("`{name}` opens {amount}"),
+            }
+        });
+        if let (Some(row), Some(Met::Object(other))) = (&mut ruled.row, met) {
+            row.objects.push(other);
+            if row.satisfied == Some(false) {
+                row.related = declarations(self.program, world, &row.objects);
+            }
+        }
+        ruled
+    }
+
     /// The row is there if the rule fails or all are wanted; `rest` says how its object rests, `measured` what was measured.
     fn ruled(
         &self,
@@ -323,7 +388,7 @@ impl<'a> Rules<'a> {
         }
         let objects = match subject {
             Subject::Pair(a, b) => vec![a, b],
-            Subject::Object(a) => vec![a],
+            Subject::Object(a) | Subject::Part(a, _) => vec![a],
             Subject::Statement(_) => Vec::new(),
         };
         let fails = holds == Some(false);
@@ -366,6 +431,11 @@ impl<'a> Rules<'a> {
             None => format!("it reaches {} below the top of {on}", metres(rest.nearest - rest.lowest)),
         }
     }
+}
+
+/// How far a part has to open (degrees or metres).
+fn demand(world: &World<f64>, id: ObjectId, part: u8) -> f64 {
+    open::demands(world, id).into_iter().find(|(index, _)| *index == part).map_or(0.0, |(_, amount)| amount)
 }
 
 fn mounted(world: &World<f64>, id: ObjectId) -> Result<Truth<f64>, Cause> {

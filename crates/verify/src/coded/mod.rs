@@ -613,6 +613,7 @@ assert a.pos.x > 0 and b.pos.x > 0.5 or max(a.pos.x, 2 / (1 + abs(b.pos.x))) > 1
             scale: scale.into(),
             parts: Vec::new(),
             surface: None,
+            joints: Vec::new(),
         };
         let mut checked = 0;
         for i in 0..200 {

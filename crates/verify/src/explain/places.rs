@@ -129,7 +129,7 @@ pub(crate) fn row_in_words(program: &Program, row: RowRef, place: impl Fn(usize)
         (kind, Subject::Pair(a, b)) => {
             format!("{} of `{}` and `{}`", rule(kind), name(program, a), name(program, b))
         }
-        (kind, Subject::Object(a)) => format!("{} of `{}`", rule(kind), name(program, a)),
+        (kind, Subject::Object(a) | Subject::Part(a, _)) => format!("{} of `{}`", rule(kind), name(program, a)),
     }
 }
 

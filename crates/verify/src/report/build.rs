@@ -9,6 +9,7 @@ use crate::explain::{self, Explanation, RowRef};
 use crate::tolerances::Options;
 use scenelang_base::{Applicability, Diagnostic, LineColumn, SourceMap, Span};
 use scenelang_lang::program::{ObjectId, Program, Unit};
+use smol_str::SmolStr;
 use std::path::Path;
 
 /// The report of a judgement of the file called `name`. `program` is the one whose rows these are.
@@ -19,7 +20,7 @@ pub fn build(
     sources: &SourceMap,
     options: &Options,
 ) -> Report {
-    let builder = Builder { name, program, sources };
+    let builder = Builder { name, program, sources, parts: &verdict.parts };
     let mut report = Report {
         format: FORMAT.to_owned(),
         file: name.to_owned(),
@@ -72,10 +73,18 @@ pub fn statement_id(name: &str, sources: &SourceMap, span: Span) -> String {
     format!("{file}:{}:{}", start[0], start[1])
 }
 
+/// The id of a rule about a movable part: `P-OPEN:fridge/door`; `parts` are the names of those that there are.
+pub fn part_id(rule: &str, object: &str, (id, part): (ObjectId, u8), parts: &[(ObjectId, u8, SmolStr)]) -> String {
+    let name =
+        parts.iter().find(|(owner, index, _)| (*owner, *index) == (id, part)).map_or("", |(.., name)| name.as_str());
+    format!("{rule}:{object}/{name}")
+}
+
 struct Builder<'a> {
     name: &'a str,
     program: Option<&'a Program>,
     sources: &'a SourceMap,
+    parts: &'a [(ObjectId, u8, SmolStr)],
 }
 
 impl Builder<'_> {
@@ -144,6 +153,7 @@ impl Builder<'_> {
         match row.subject {
             Subject::Pair(a, b) => format!("{rule}:{}:{}", self.object(a), self.object(b)),
             Subject::Object(a) => format!("{rule}:{}", self.object(a)),
+            Subject::Part(a, part) => part_id(rule, self.object(a), (a, part), self.parts),
             Subject::Statement(index) => {
                 let Some(stated) = self.program.and_then(|p| p.constraints.get(index)) else { return String::new() };
                 let id = statement_id(self.name, self.sources, stated.span);

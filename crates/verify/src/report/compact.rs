@@ -47,7 +47,9 @@ pub(super) fn main_fact(row: &Row) -> String {
         (_, "", _) => format!("{} {fails}{margin}", row.text),
         (Kind::Collision, ..) => format!("{measured}{margin}"),
         // Which object it is stands nowhere else in the line.
-        (Kind::Bounds | Kind::Support, _, [object]) => format!("`{object}`: {measured}{margin}"),
+        (Kind::Bounds | Kind::Support, _, [object]) | (Kind::Open, _, [object, ..]) => {
+            format!("`{object}`: {measured}{margin}")
+        }
         _ => format!("{} {fails}: {measured}{margin}", row.text),
     }
 }

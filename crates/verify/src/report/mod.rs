@@ -11,7 +11,7 @@ pub mod model;
 mod sarif;
 mod words;
 
-pub use build::{build, place, statement_id};
+pub use build::{build, part_id, place, statement_id};
 pub use compact::compact;
 pub use github::github;
 pub use human::{Human, diagnostics, human};

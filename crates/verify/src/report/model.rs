@@ -100,7 +100,7 @@ pub struct Summary {
     pub assertions: Tally,
     /// `prefer` statements.
     pub preferences: Tally,
-    /// Physical rules: pairs for collision, objects for bounds and support.
+    /// Physical rules: pairs for collision, objects for bounds and support, movable parts for what opens.
     pub physical: Tally,
     /// Assignments to `pos`, `rot`, `scale`, `vertices`.
     pub pins: Tally,
@@ -181,6 +181,8 @@ pub enum Kind {
     Bounds,
     /// P-SUPPORT, of an object.
     Support,
+    /// P-OPEN, of a movable part of an object.
+    Open,
 }
 
 impl Kind {
@@ -193,6 +195,7 @@ impl Kind {
             Self::Collision => "collision",
             Self::Bounds => "bounds",
             Self::Support => "support",
+            Self::Open => "open",
         }
     }
     /// What a violation of it is called, unless it has a better name.
@@ -202,6 +205,7 @@ impl Kind {
             Self::Collision => codes::V0102,
             Self::Bounds => codes::V0103,
             Self::Support => codes::V0104,
+            Self::Open => codes::V0107,
             Self::Pin => codes::V0105,
             Self::Prefer => codes::V0106,
         }
@@ -212,6 +216,7 @@ impl Kind {
             Self::Collision => Some("P-COLLIDE"),
             Self::Bounds => Some("P-BOUNDS"),
             Self::Support => Some("P-SUPPORT"),
+            Self::Open => Some("P-OPEN"),
             Self::Assert | Self::Prefer | Self::Pin => None,
         }
     }
@@ -220,11 +225,11 @@ impl Kind {
 /// One constraint and its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// `room.scene:12:1` for a statement, `P-COLLIDE:a:b` (names sorted) for a physical rule.
+    /// `room.scene:12:1` for a statement; for a physical rule `P-COLLIDE:a:b` (names sorted), `P-BOUNDS:a`, `P-OPEN:a/door`.
     pub id: String,
     /// What kind.
     pub kind: Kind,
-    /// `P-COLLIDE`, `P-BOUNDS`, `P-SUPPORT`; `None` for a stated constraint.
+    /// `P-COLLIDE`, `P-BOUNDS`, `P-SUPPORT`, `P-OPEN`; `None` for a stated constraint.
     pub rule: Option<String>,
     /// `V01…` where it fails, else `None`.
     pub code: Option<String>,

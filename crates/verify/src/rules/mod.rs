@@ -6,6 +6,7 @@
 pub mod bounds;
 pub mod collide;
 mod near;
+pub mod open;
 pub mod support;
 
 pub use near::{Columns, Near, pairs_up_to, pairs_within};

@@ -35,7 +35,9 @@ fn broken_layouts_are_refused_where_a_schema_can() {
         "format": "scenelang.layout/1", "scene": "room.scene", "seed": 7, "incomplete": true, "note": "kept",
         "objects": { "lamp": {
             "pos": [0, 0, 0], "rot": [0, 90, 0], "scale": [1, 1, 1],
-            "asset": { "surface": 0.5, "parts": [
+            "asset": { "surface": 0.5, "joints": [
+                { "name": "lid", "motion": "hinge", "parts": [0], "axis": [0, 1, 0], "anchor": [0, 0, 0], "limits": [0, 90] }
+            ], "parts": [
                 { "shape": "box", "pos": [0, 0.5, 0], "size": [1, 1, 1] },
                 { "shape": "cylinder", "pos": [0, 0.5, 0], "radius": 0.5, "height": 1, "rot": [0, 0, 0] },
                 { "shape": "hull", "points": [[0, 0, 0], [0.5, 0, 0], [0, 0, 0.5], [0, 1, 0]] } ] } } },

@@ -125,6 +125,10 @@ fn concern(view: &View<'_>, concern: &Concern, objects: bool) -> Value {
         }
         What::Collision(a, b) => (format!("{a} and {b} do not overlap"), &[][..]),
         What::Bounds(a) => (format!("{a} is inside a region"), &[][..]),
+        What::Open(a, met) => {
+            let met = met.as_ref().map_or(String::new(), |met| format!(", which `{met}` keeps it from"));
+            (format!("what of {a} has to open does{met}"), &[][..])
+        }
         What::Support(a) => (format!("{a} rests on the floor or on something"), &[][..]),
     };
     out.insert("constraint".into(), text.into());

@@ -32,8 +32,14 @@ fn start() -> Layout {
     let mut layout = Layout::default();
     for (name, x, edge) in [("table", 0.0, 1.0), ("lamp", -2.0, 0.4), ("plant", -1.0, 0.4)] {
         let scale = Vec3::new(edge, 1.0, edge);
-        let placement =
-            Placement { pos: Vec3::new(x, 0.0, 0.0), rot: Vec3::zeros(), scale, parts: vec![], surface: None };
+        let placement = Placement {
+            pos: Vec3::new(x, 0.0, 0.0),
+            rot: Vec3::zeros(),
+            scale,
+            parts: vec![],
+            surface: None,
+            joints: Vec::new(),
+        };
         layout.objects.push((name.into(), placement));
     }
     layout

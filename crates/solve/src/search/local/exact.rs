@@ -21,6 +21,8 @@ use std::marker::PhantomData;
 const PATH: u64 = 150_000;
 /// Of several paths over one floor each takes such a part of that.
 const SHARED: u64 = 20;
+/// What trying the movable parts of a thing takes.
+const SWING: u64 = 400;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
 
@@ -40,6 +42,8 @@ pub(super) enum Leaf {
 pub(super) enum Look {
     /// The space beside a thing.
     Space(Clear),
+    /// What the movable parts of a thing reach.
+    Swing(usize),
     /// The line of sight between two things.
     Sight(usize, usize),
 }
@@ -83,6 +87,10 @@ impl Mixed {
                     Surroundings::Sight { from, to } => {
                         price += objects as u64;
                         looks.iter_mut().for_each(|l| l.push(Look::Sight(from.0 as usize, to.0 as usize)));
+                    }
+                    Surroundings::Swing { owner } => {
+                        price += SWING + objects as u64;
+                        looks.iter_mut().for_each(|l| l.push(Look::Swing(owner.0 as usize)));
                     }
                     Surroundings::Space { .. } => {
                         price += 8 * objects as u64;
@@ -247,6 +255,12 @@ impl LocalSearch<'_> {
     fn span_of(&self, look: &Look) -> Option<Span> {
         match look {
             Look::Space(clear) => self.space_span(clear),
+            Look::Swing(i) => {
+                let reach = self.instance.world().object(ObjectId(*i as u32)).map_or(0.0, |thing| thing.body.reach());
+                let [x, y, z, ..] = self.inputs(*i);
+                let at = [x, y, z];
+                Some(Span { min: at.map(|c| c - reach), max: at.map(|c| c + reach) })
+            }
             Look::Sight(a, b) => {
                 // A little more than the segment between the centres: what comes nearer than the tolerance counts.
                 let ends = [*a, *b].map(|i| {
