@@ -53,7 +53,7 @@ fn judge_as(question: &Question<'_>, found: &Found, check: impl FnOnce(&Options)
 
 /// What is proved of a program that compiles, as far as it is told.
 pub fn proofs(program: &Program, sources: &SourceMap, judging: &Judging) -> Vec<Diagnostic> {
-    let how = ProveOptions { judging: judging.options, ..ProveOptions::default() };
+    let how = ProveOptions { judging: judging.options, usual: true, ..ProveOptions::default() };
     let mut found = prove(program, &how).diagnostics(program);
     scenelang_lang::lint::allow::silence(sources, &mut found);
     silence(&mut found, judging);

@@ -127,6 +127,7 @@ codes! {
     W0202 "read but never assigned"
     W0203 "a name that hides another"
     W0204 "spelt almost like another"
+    W0205 "a category of which nothing is known"
     W0301 "an order comparison of degrees"
     W0302 "holds for lack of objects"
     W0303 "an assertion without any object"

@@ -36,8 +36,10 @@ pub enum Command {
     Fmt(Fmt),
     /// Write a small commented program to start from
     New(New),
-    /// Show the page of a code: what it says, why, an example, what to do
+    /// Show what a code, predicate, function or property means, with examples
     Explain(Explain),
+    /// List the kinds of things that are known, with their usual sizes
+    Categories(Categories),
     /// Print the syntax tree of a program, every byte of it; also of a broken one
     Syntax(Inspect),
     /// Print what the names and expressions of a program mean
@@ -493,8 +495,19 @@ pub struct New {
 /// `scenelang explain`
 #[derive(ClapArgs, Debug)]
 pub struct Explain {
-    /// A code such as E0201
-    pub code: String,
+    /// A code such as E0201, or a word of the language such as near, gap or surface
+    #[arg(value_name = "WORD")]
+    pub word: String,
+}
+
+/// `scenelang categories`
+#[derive(ClapArgs, Debug)]
+pub struct Categories {
+    /// Only those with this in their name
+    pub word: Option<String>,
+    /// How they are written
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
 }
 
 /// `scenelang syntax`, `scenelang hir`, `scenelang constraints`

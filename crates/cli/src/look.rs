@@ -1,23 +1,27 @@
 //! Commands to look things up and to start: `explain`, `schema`, `new`.
 
 use crate::args::{Explain, New, Schema};
-use crate::{FAILED, GOOD};
+use crate::{FAILED, GOOD, words};
 use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
 use scenelang_verify::schemas;
 
-/// Shows the page of a code.
+/// Shows the page of a code, or what a word of the language means.
 pub fn explain(args: &Explain) -> u8 {
-    if let Some(code) = Code::find(&args.code) {
+    if let Some(code) = Code::find(&args.word) {
         print!("{}", code.page());
         return GOOD;
     }
-    eprintln!("error: there is no code `{}`", args.code);
+    if let Some(text) = words::meaning(&args.word) {
+        print!("{text}");
+        return GOOD;
+    }
+    eprintln!("error: there is no code and no word of the language `{}`", args.word);
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
-    match suggest::nearest(&args.code.to_uppercase(), all) {
+    match suggest::nearest(&args.word.to_uppercase(), all).or_else(|| words::nearest(&args.word)) {
         Some(near) => eprintln!("  did you mean `{near}`?"),
-        None => eprintln!("  codes look like E0201, W0302, V0101; reports and messages name them"),
+        None => eprintln!("  codes look like E0201, W0302, V0101; words are predicates, functions and properties"),
     }
     FAILED
 }

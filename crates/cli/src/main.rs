@@ -37,6 +37,7 @@ mod trace;
 mod trial;
 mod view;
 mod watch;
+mod words;
 
 use args::{Args, Bench, Command, Eval};
 use clap::Parser;
@@ -66,6 +67,7 @@ fn main() -> ExitCode {
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
+        Command::Categories(args) => words::categories(&args),
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),

@@ -44,7 +44,8 @@ pub fn check_file_with(
     let job = Job { name, path, options, compile, loader, program: None };
     if !is_layout(path) {
         let compiled = compile_with(name, path, compile, loader, SourceMap::new());
-        let proofs = ProveOptions { judging: *options, explain: options.detail.proofs, ..ProveOptions::default() };
+        let explain = options.detail.proofs;
+        let proofs = ProveOptions { judging: *options, explain, usual: true, ..ProveOptions::default() };
         let findings = compiled.program.as_ref().map(|program| prove(program, &proofs)).unwrap_or_default();
         return check_program(name, compiled, &findings, options);
     }

@@ -69,13 +69,44 @@ pub fn furniture_size(category: &str) -> Option<[f64; 3]> {
         .or_else(|| words.iter().rev().find_map(|w| lookup(w)))
 }
 
+/// The categories of which a usual size is known, with it (width, height, depth in metres), sorted, each once; words are
+/// separated by blanks.
+pub fn categories() -> &'static [(String, [f64; 3])] {
+    static ALL: OnceLock<Vec<(String, [f64; 3])>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let furniture = sizes().iter().map(|(name, size)| (*name, *size));
+        let nouns = crate::nouns::all().iter().map(|noun| (noun.name, noun.size));
+        let all: std::collections::BTreeMap<String, [f64; 3]> =
+            nouns.chain(furniture).map(|(name, size)| (name.replace('_', " "), size)).collect();
+        all.into_iter().collect()
+    })
+}
+
+/// Whether anything is known of a category: a usual size, or what it is for.
+pub fn is_known(category: &str) -> bool {
+    usual_size(category).is_some() || !crate::roles::role_of(category).is_empty()
+}
+
+/// The known category whose name is most like one that is not known: as a whole, or by its last word.
+pub fn nearest_category(category: &str) -> Option<String> {
+    let words = words(category);
+    let all = || categories().iter().map(|(name, _)| name.as_str());
+    let whole = words.join(" ");
+    if let Some(near) = scenelang_base::suggest::nearest(&whole, all()) {
+        return Some(near.to_owned());
+    }
+    let (last, before) = words.split_last()?;
+    let near = scenelang_base::suggest::nearest(last, all()).filter(|_| !before.is_empty())?;
+    Some(format!("{} {near}", before.join(" ")))
+}
+
 /// Whether the table of usual sizes has a word as it stands.
 pub fn is_category(word: &str) -> bool {
     lookup(word).is_some()
 }
 
 /// Lower-case words of a category or a name: blanks, underscores, digits and humps separate.
-pub(crate) fn words(text: &str) -> Vec<String> {
+pub fn words(text: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     let mut before = ' ';
     for c in text.chars() {
@@ -90,13 +121,18 @@ pub(crate) fn words(text: &str) -> Vec<String> {
     out
 }
 
-fn lookup(key: &str) -> Option<[f64; 3]> {
+/// The table of usual sizes, by name.
+fn sizes() -> &'static [(&'static str, [f64; 3])] {
     static TABLE: OnceLock<Vec<(&str, [f64; 3])>> = OnceLock::new();
-    let table = TABLE.get_or_init(|| {
+    TABLE.get_or_init(|| {
         let mut rows: Vec<_> = include_str!("../std/sizes.txt").lines().filter_map(size_row).collect();
         rows.sort_by_key(|(name, _)| *name);
         rows
-    });
+    })
+}
+
+fn lookup(key: &str) -> Option<[f64; 3]> {
+    let table = sizes();
     let find = |k: &str| table.binary_search_by_key(&k, |(name, _)| name).ok().map(|i| table[i].1);
     find(key).or_else(|| find(key.strip_suffix('s')?)).or_else(|| find(key.strip_suffix("es")?))
 }
@@ -137,6 +173,17 @@ mod tests {
         assert_eq!(usual_size("blue chair"), Some(chair));
         assert_eq!(usual_size("chairs"), Some(chair));
         assert_eq!(usual_size("quux"), None);
+    }
+
+    #[test]
+    fn what_is_misspelt_has_a_known_neighbour() {
+        for (slip, meant) in
+            [("refridgerator", "refrigerator"), ("wardrob", "wardrobe"), ("red sofaa", "red sofa"), ("quuxly", "")]
+        {
+            assert!(!is_known(slip), "{slip}");
+            assert_eq!(nearest_category(slip).unwrap_or_default(), meant, "{slip}");
+        }
+        assert!(categories().len() > 500 && categories().is_sorted_by(|a, b| a.0 < b.0));
     }
 
     #[test]

@@ -222,7 +222,7 @@ pub fn solve_with(
     options.time = request.time.map(|time| left(time, before, begun.elapsed()).max(time / 4));
     // A model is dear: it is not asked for what cannot be.
     let options = &options;
-    let found = doubted(program, request.judge, request.stop, adviser.is_some(), |stop| {
+    let found = doubted(program, request.judge, request.stop, (adviser.is_some(), start.is_none()), |stop| {
         let options = scenelang_solve::Options { stop: stop.clone(), ..options.clone() };
         let (outcomes, advice) = match request.alternatives {
             Some(wanted) => {

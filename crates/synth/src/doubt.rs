@@ -1,17 +1,22 @@
-//! A layout is looked for, and if that takes long, a proof that there is none: side by side, so that neither waits.
+//! A layout is looked for once the cheap proofs that there is none are done; if the search takes long, dearer ones are
+//! tried beside it, so that neither waits; and where it ends without a layout, the dearest.
 //!
-//! Both are sound: of a program that has a layout nothing is refuted, and what is refuted has none. So what comes of it
-//! does not depend on which of them is faster, nor on when the proof is begun.
+//! What runs side by side is sound: of a program that has a layout nothing is refuted, and what is refuted has none. So
+//! what comes of it does not depend on which of the two is faster. What takes things as usual (upright, unturned) is asked
+//! before the search and after it.
 
 use scenelang_lang::Program;
 use scenelang_solve::Stop;
-use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use scenelang_verify::prove::{Findings, ProveOptions, WORK, prove};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
 /// Most layouts are found within this time; before it nobody doubts that there is one.
 const PATIENCE: Duration = Duration::from_millis(50);
+/// The work of the cheap proofs, and of those after a search that found nothing.
+const CHEAP: u64 = WORK / 6;
+const DEAR: u64 = 4 * WORK;
 /// The prover's stack (bytes): that of a main thread.
 const STACK: usize = 8 << 20;
 
@@ -27,26 +32,28 @@ pub enum Ended {
 }
 
 /// Searches, and looks for a contradiction beside it. `search` gets the request by which a contradiction that was found
-/// ends it. With `at_once`, because a search is dear, the contradiction is looked for before.
+/// ends it. With `at_once`, because a search is dear, all is proved before. With `usual` things are taken as they usually
+/// are: not where a layout is there that says otherwise.
 pub fn doubted<R>(
     program: &Program,
     judging: scenelang_verify::Options,
     stop: &Stop,
-    at_once: bool,
+    (at_once, usual): (bool, bool),
     search: impl FnOnce(&Stop) -> (R, Ended),
 ) -> Result<R, Findings> {
     let quit = stop.below();
-    let look = || {
-        let options = ProveOptions { judging, redundant: false, cancel: Some(quit.flag()), ..ProveOptions::default() };
-        prove(program, &options)
+    let proofs = |usual: bool, work: u64| {
+        let cancel = Some(quit.flag());
+        prove(program, &ProveOptions { judging, redundant: false, usual, work, cancel, ..ProveOptions::default() })
     };
+    let first = proofs(usual, if at_once { WORK } else { CHEAP });
+    if !first.contradictions.is_empty() {
+        return Err(first);
+    }
     if at_once {
-        let findings = look();
-        if !findings.contradictions.is_empty() {
-            return Err(findings);
-        }
         return Ok(search(stop).0);
     }
+    let look = || proofs(false, WORK);
     let enough = stop.below();
     let (look, enough) = (&look, &enough);
     let (tell, told) = channel();
@@ -74,6 +81,10 @@ pub fn doubted<R>(
             Err(_) if ended == Ended::Unfound => look(),
             Err(_) => Findings::default(),
         };
-        if findings.contradictions.is_empty() { Ok(result) } else { Err(findings) }
+        if findings.contradictions.is_empty() { Ok((result, ended)) } else { Err(findings) }
+    })
+    .and_then(|(result, ended)| {
+        let last = if ended == Ended::Unfound { proofs(usual, DEAR) } else { Findings::default() };
+        if last.contradictions.is_empty() { Ok(result) } else { Err(last) }
     })
 }

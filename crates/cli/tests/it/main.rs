@@ -13,6 +13,7 @@ mod diff;
 mod documents;
 mod editors;
 mod evaluation;
+mod everyday;
 mod examples;
 mod exporting;
 mod faults;

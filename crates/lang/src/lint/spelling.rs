@@ -1,4 +1,5 @@
-//! W0204: names, and texts of one property, that differ by no more than a slip of the pen.
+//! W0204: names, and texts of one property, that differ by no more than a slip of the pen; W0205: categories of which
+//! nothing is known.
 //!
 //! A false alarm would be worse than a slip that is missed. So digits and single letters at the end tell names apart
 //! (`chair1`, `chairA`, `posX`), as do first letters (`table`, `cable`); a letter that is another, or missing in the
@@ -50,6 +51,32 @@ struct Stem<'a> {
 pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     names(facts, out);
     texts(facts, out);
+    categories(facts, out);
+}
+
+/// Categories of which neither a usual size nor what they are for is known, each once.
+fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
+    let mut known: Vec<&str> = Vec::new();
+    let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
+    for (linted, text) in texts.filter(|(_, t)| t.property == "category" && !t.text.trim().is_empty()) {
+        let Some(place) = linted.place.span(text.range) else { continue };
+        if known.contains(&text.text.as_str()) || library::is_known(&text.text) {
+            continue;
+        }
+        known.push(&text.text);
+        let message = format!("nothing is known of the category \"{}\"", text.text);
+        let mut d = Diagnostic::new(codes::W0205, place, message)
+            .note("such a thing has no usual size and looks like a box; `scenelang categories` lists what is known");
+        if let Some(near) = library::nearest_category(&text.text) {
+            d = d.label(format!("did you mean \"{near}\"?"));
+            d.fixes.push(Fix {
+                title: format!("write \"{near}\""),
+                edits: vec![Edit { place, text: format!("\"{near}\"") }],
+                applicability: Applicability::Unsafe,
+            });
+        }
+        out.push(d);
+    }
 }
 
 fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {

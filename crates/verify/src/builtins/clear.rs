@@ -8,7 +8,9 @@ use super::visible::settled;
 use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::eval::{EvalError, Truth};
 use crate::number::{Algebra, Number};
-use crate::world::{Body, World};
+use crate::prove::tape::{Claim, Term, all, any};
+use crate::prove::unknowns::{Unknowns, claimed};
+use crate::world::{Body, Thing, World};
 use scenelang_lang::program::{ObjectId, Program, RegionId, Side, Unit};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::polygon::Clearance;
@@ -68,6 +70,33 @@ impl Semantics for Clear {
         settled(call, truth)
     }
 
+    fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
+        let (id, thing) = call.object(0)?;
+        let depth = call.number(2)?;
+        let of_door = facts.world.allow.doors.iter().any(|door| door.object == id);
+        let mut follow = Vec::new();
+        let space = upright_space(thing, call.side(1), depth);
+        // Before and behind a door the space is in another region, and begins in a wall.
+        if let (Some(space), false) = (&space, of_door) {
+            let regions = facts.regions();
+            let leaves_none = |r: &RegionId| facts.is_rectangle(*r);
+            if !regions.is_empty() && regions.iter().all(leaves_none) {
+                let slack = facts.options.tolerances.contact + facts.options.tolerances.order;
+                let stays = |r: RegionId| {
+                    let distances = facts.wall_distances_of(space, id, r).map(|d| d.at_least(-slack));
+                    all(&distances)
+                };
+                let inside: Vec<Claim> = regions.into_iter().map(stays).collect();
+                follow.push(any(&inside));
+            }
+        }
+        let claim = facts.open(call.question()?, &follow);
+        if let Some(space) = space {
+            facts.spaces.push((claim, id, space));
+        }
+        Ok(Some(claimed(claim)))
+    }
+
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
         let (id, thing) = call.object(0).ok()?;
         let name = call.name(0, names);
@@ -93,16 +122,37 @@ impl Semantics for Clear {
     }
 }
 
-/// The space on a side, as a convex body; `None`: nothing is left of it.
-fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
-    let half = body.obb.half;
-    let (axis, sign) = match side {
+/// The axis that a side lies along, and which way.
+fn axis_of(side: Side) -> (usize, f64) {
+    match side {
         Side::Front => (2, 1.0),
         Side::Behind => (2, -1.0),
         Side::Left => (0, -1.0),
         Side::Right => (0, 1.0),
         Side::Above => (1, 1.0),
-    };
+    }
+}
+
+/// The space beside something that stands upright, in proofs, as a thing of its own, without what is below the sill.
+fn upright_space(thing: &Thing<Term>, side: Side, depth: Term) -> Option<Thing<Term>> {
+    let (axis, sign) = axis_of(side);
+    let upright = thing.axes.0[1].0[1].known() == Some(1.0);
+    let (height, depth) = (thing.scale.0[1].known()?, depth.known()?);
+    if !upright || side == Side::Above || depth <= 0.0 || height <= SILL {
+        return None;
+    }
+    let out = (thing.scale.0[axis] + Term::constant(depth)).scale(0.5 * sign);
+    let pos = thing.pos + thing.axes.0[axis].times(out) + thing.axes.0[1].times(Term::constant(SILL));
+    let mut scale = thing.scale;
+    scale.0[axis] = Term::constant(depth);
+    scale.0[1] = Term::constant(height - SILL);
+    Some(Thing { pos, scale, ..thing.clone() })
+}
+
+/// The space on a side, as a convex body; `None`: nothing is left of it.
+fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
+    let half = body.obb.half;
+    let (axis, sign) = axis_of(side);
     if depth <= 0.0 {
         return None;
     }

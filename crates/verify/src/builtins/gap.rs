@@ -7,16 +7,13 @@ use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::coded::Boxes;
 use crate::eval::EvalError;
 use crate::number::{Algebra, Number};
-use crate::prove::tape::Term;
-use crate::prove::unknowns::{ANY, EXACT, Unknowns};
+use crate::prove::tape::{Term, any};
+use crate::prove::unknowns::{ANY, EXACT, OUT_OF_BOX, Unknowns};
 use crate::vector::V3;
 use crate::world::{Body, Thing};
 use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
 use scenelang_layout::convex::nearest;
 use scenelang_layout::{Separation, Vec2, Vec3, obb};
-
-/// How far the parts of an asset may stick out of its box, both of a pair together, and then some (metres).
-const OUT_OF_BOX: f64 = 2.2e-3;
 
 /// See the file.
 pub(super) struct Gap;
@@ -115,7 +112,7 @@ fn separation(a: &Body, b: &Body) -> (Separation, Option<[usize; 2]>) {
 }
 
 /// The gap between the solids of two objects, in proofs.
-pub(super) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> Term {
+pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> Term {
     let (gap, new) = facts.term(name(a, b), ANY);
     if new {
         let (x, y) = (facts.thing(a), facts.thing(b));
@@ -135,6 +132,12 @@ pub(super) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> T
         let far = Term::constant(0.0).max(gap);
         facts.always.push((far + span - distance).at_least(-OUT_OF_BOX));
         facts.always.push((distance + span - gap).at_least(-OUT_OF_BOX));
+        if facts.usual.is_some() {
+            // No two points of them are nearer.
+            let (p, q) = (facts.point_of(a), facts.point_of(b));
+            facts.always.push(((p - q).length() - gap).at_least(-OUT_OF_BOX));
+            facts.spans.push(([a, b], far + span));
+        }
     }
     gap
 }
@@ -169,5 +172,9 @@ fn point_in_proofs(facts: &mut Unknowns<'_>, point: V3<Term>, region: RegionId) 
     let from = [0, 1].map(|i| room.scale.0[2 * i].scale(0.5) - at[i].abs());
     let zero = Term::constant(0.0);
     let out = from.map(|f| zero.max(-f));
-    zero.max(from[0].min(from[1])) - (out[0] * out[0] + out[1] * out[1]).sqrt()
+    let gap = zero.max(from[0].min(from[1])) - (out[0] * out[0] + out[1] * out[1]).sqrt();
+    // Where it is not inside, it is beyond one of the walls.
+    let beyond = from.map(|f| (-f).at_least(-1e-5));
+    facts.always.push(any(&[gap.above(1e-5), beyond[0], beyond[1]]));
+    gap
 }

@@ -22,6 +22,7 @@ pub(crate) use clear::region_of as region_beside;
 pub(crate) use collides::in_proofs as collides_in_proofs;
 pub use declared::{Declared, Slack, Surroundings};
 pub use gap::between as gap;
+pub(crate) use gap::in_proofs as gap_in_proofs;
 pub(crate) use gap::in_words as gap_in_words;
 pub(crate) use gap::is_in_proofs as gap_is_in_proofs;
 pub(crate) use inside::in_proofs as region_in_proofs;

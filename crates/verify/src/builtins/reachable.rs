@@ -8,8 +8,13 @@ use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::eval::{EvalError, Truth};
 use crate::navigation::{self, Blocker, Bottleneck};
 use crate::number::{Algebra, Number};
+use crate::prove::tape::Term;
+use crate::prove::unknowns::{Unknowns, claimed};
 use crate::world::World;
 use scenelang_lang::program::{ObjectId, Program, Unit};
+
+/// By how much a way may be narrower than it is asked to be, and then some (metres).
+const SLACK: f64 = 3e-3;
 
 /// See the file.
 pub(super) struct Reachable;
@@ -41,6 +46,19 @@ impl Semantics for Reachable {
             bottleneck.map_or(N::constant(0.0), |found| widening(call.world, &found) - width)
         });
         Ok(Truth { margin, ..truth })
+    }
+
+    fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
+        // Without doors the disc is in one region, which is at least as wide and as long.
+        let regions = facts.regions();
+        let closed = facts.world.allow.doors.is_empty() && regions.iter().all(|r| facts.is_rectangle(*r));
+        let mut follow = Vec::new();
+        if let ([region], true) = (regions.as_slice(), closed) {
+            let width = call.number(2)?;
+            let size = facts.room(*region).scale;
+            follow.extend([0, 2].map(|i| (size.0[i] - width).at_least(-SLACK)));
+        }
+        Ok(Some(claimed(facts.open(call.question()?, &follow))))
     }
 
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {

@@ -5,12 +5,15 @@
 //! - a product lies, between bounds, above and below two planes each (McCormick);
 //! - an absolute value is at least its argument and its contrary; a maximum at least, a minimum at most its arguments;
 //! - a root lies below its tangents; a length is at least its vector seen from any direction (Cauchy–Schwarz);
-//! - the way from one point to another is at most the sum of ways over others (the triangle inequality).
+//! - the way from one point to another is at most the sum of ways over others (the triangle inequality), and so it is
+//!   with the angles between directions.
 
 use super::interval::Interval;
 use super::problem::{Affine, Function, Kind, Problem, Var};
 use super::simplex::Simplex;
 use super::state::{EventId, State};
+use super::tape::Term;
+use scenelang_lang::program::ObjectId;
 use std::collections::BTreeMap;
 
 /// An inequality: the sum is at least `least`.
@@ -26,6 +29,8 @@ pub(super) struct Cut {
 
 /// Less than this is not worth an inequality.
 const WORTH: f64 = 1e-6;
+/// What rounding of an angle or a length may cost.
+const SLACK: f64 = 1e-7;
 /// At most so many at a time, the most broken first.
 const MOST: usize = 48;
 
@@ -166,16 +171,19 @@ impl Gather<'_> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Points {
     nodes: usize,
-    edges: Vec<(usize, usize, Var)>,
+    edges: Vec<(usize, usize, Affine)>,
 }
 
 /// A coordinate of a point: variables with factors, or a constant.
 type Coordinate = (Vec<(Var, u64)>, u64);
 
 impl Points {
-    /// The ends of the lengths that are differences of two points. Coordinates stand in the order of their variables,
+    /// The ends of the lengths that are differences of two points; and directions, by their numbers, a contrary beside
+    /// each, with the angles between them; and objects, with ways over their surfaces.
+    ///
+    /// Coordinates stand in the order of their variables,
     /// x before y before z, and both ends must agree on that; so equal keys are equal points.
-    pub fn new(problem: &Problem) -> Self {
+    pub fn new(problem: &Problem, angles: &[([usize; 2], Term)], spans: &[([ObjectId; 2], Term)]) -> Self {
         let mut known: BTreeMap<Vec<Coordinate>, usize> = BTreeMap::new();
         let mut edges = Vec::new();
         for (var, parts) in &problem.lengths {
@@ -188,10 +196,33 @@ impl Points {
                     let next = known.len();
                     *known.entry(key).or_insert(next)
                 };
-                edges.push((id(from), id(to), *var));
+                edges.push((id(from), id(to), Affine { var: *var, minus: false, add: Interval::point(0.0) }));
             }
         }
-        Self { nodes: known.len(), edges }
+        let mut own = Self { nodes: known.len(), edges };
+        own.directions(problem, angles);
+        let first = own.nodes;
+        for ([a, b], span) in spans {
+            if let Some(span) = problem.terms[span.0 as usize] {
+                let ends = [a, b].map(|o| first + o.0 as usize);
+                own.nodes = own.nodes.max(ends[0].max(ends[1]) + 1);
+                own.edges.push((ends[0], ends[1], span));
+            }
+        }
+        own
+    }
+
+    /// The angles between directions, each of which is 180° from its contrary.
+    fn directions(&mut self, problem: &Problem, angles: &[([usize; 2], Term)]) {
+        let first = self.nodes;
+        let known = angles.iter().filter_map(|(ends, angle)| Some((ends, problem.terms[angle.0 as usize]?)));
+        for (&[p, q], angle) in known {
+            let rest = Affine { minus: !angle.minus, add: Interval::point(180.0) - angle.add, ..angle };
+            for (a, b, angle) in [(p, q, angle), (p, q ^ 1, rest), (p ^ 1, q, rest), (p ^ 1, q ^ 1, angle)] {
+                self.edges.push((first + a, first + b, angle));
+                self.nodes = self.nodes.max(first + a.max(b) + 1);
+            }
+        }
     }
 
     /// Lengths that are proposed longer than a way over other points.
@@ -199,17 +230,16 @@ impl Points {
         if self.edges.len() < 3 || self.edges.len() > 600 {
             return;
         }
-        let weight: Vec<f64> = self.edges.iter().map(|e| out.simplex.value(e.2).max(0.0)).collect();
-        for (index, &(from, to, var)) in self.edges.iter().enumerate() {
+        let weight: Vec<f64> = self.edges.iter().map(|e| out.value(e.2).max(0.0)).collect();
+        for (index, &(from, to, length)) in self.edges.iter().enumerate() {
             if weight[index] <= WORTH {
                 continue;
             }
             *work += self.edges.len() as u64;
             if let Some(way) = self.way(from, to, index, &weight) {
-                let one = |var| Affine { var, minus: false, add: Interval::point(0.0) };
-                let mut terms = vec![(one(var), -1.0)];
-                terms.extend(way.into_iter().map(|e| (one(self.edges[e].2), 1.0)));
-                out.add(&terms, 0.0, &[]);
+                let mut terms = vec![(length, -1.0)];
+                terms.extend(way.into_iter().map(|e| (self.edges[e].2, 1.0)));
+                out.add(&terms, -SLACK, &[]);
             }
         }
     }

@@ -114,7 +114,16 @@ impl Interval {
             let angle = self.lo.atan2(x.lo).to_degrees();
             return Self::new(angle - 1e-12, angle + 1e-12);
         }
-        if self.lo >= 0.0 { Self::new(0.0, 180.0) } else { Self::new(-180.0, 180.0) }
+        // Around the origin, and across the half-axis where the angle jumps, it may be any; elsewhere it is greatest and
+        // least at corners, since along each side it only grows or only falls.
+        let around = self.lo <= 0.0 && self.hi >= 0.0 && x.lo <= 0.0;
+        let jumps = around && (self.lo < 0.0 || x.hi >= 0.0);
+        if jumps || !self.magnitude().is_finite() || !x.magnitude().is_finite() {
+            return if self.lo >= 0.0 { Self::new(0.0, 180.0) } else { Self::new(-180.0, 180.0) };
+        }
+        let angles = [self.lo, self.hi].into_iter().flat_map(|y| [x.lo, x.hi].map(|x| (y + 0.0).atan2(x).to_degrees()));
+        let (lo, hi) = angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), a| (lo.min(a), hi.max(a)));
+        Self::new(lo - 1e-9, hi + 1e-9)
     }
     /// Modulo 360.
     pub fn wrap(self) -> Self {

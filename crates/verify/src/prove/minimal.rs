@@ -1,14 +1,17 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, Given, Model, Source, crowds, regions_of};
+use super::model::{Choice, Given, Model, Rules, Source, crowds, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
 use super::refute::Search;
+use super::usual::Usual;
 use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
-use scenelang_lang::program::{Arith, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId};
+use scenelang_lang::program::{
+    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId,
+};
 use std::sync::atomic::Ordering;
 
 /// So many contradictions are looked for.
@@ -33,6 +36,7 @@ const BUILT_IN: usize = 4;
 struct Core {
     statements: Vec<usize>,
     rules: Vec<String>,
+    reason: Option<String>,
     proof: Option<Proof>,
 }
 
@@ -40,6 +44,8 @@ struct Core {
 pub(super) struct Prover<'a> {
     program: &'a Program,
     options: &'a ProveOptions,
+    /// What is taken for granted, if anything is.
+    usual: Option<&'a Usual>,
     spent: u64,
     /// Whether some question ended for lack of work.
     short: bool,
@@ -48,8 +54,8 @@ pub(super) struct Prover<'a> {
 }
 
 impl<'a> Prover<'a> {
-    pub fn new(program: &'a Program, options: &'a ProveOptions) -> Self {
-        Self { program, options, spent: 0, short: false, too_large: false }
+    pub fn new(program: &'a Program, options: &'a ProveOptions, usual: Option<&'a Usual>) -> Self {
+        Self { program, options, usual, spent: 0, short: false, too_large: false }
     }
 
     /// Everything.
@@ -60,7 +66,7 @@ impl<'a> Prover<'a> {
         let mut open: Vec<usize> =
             (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
         // Crowded regions by themselves, then everything, again and again without what was found.
-        let mut looks = crowds(self.program, &self.options.judging, &open);
+        let mut looks = crowds(self.program, &self.options.judging, self.usual, &open);
         looks.reverse();
         if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
@@ -94,7 +100,7 @@ impl<'a> Prover<'a> {
     /// See [`super::relax`].
     pub fn relaxed(mut self, rank: &dyn Fn(usize) -> Option<usize>) -> Vec<usize> {
         let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
-        let mut looks = crowds(self.program, &self.options.judging, &hard);
+        let mut looks = crowds(self.program, &self.options.judging, self.usual, &hard);
         looks.extend(parts(self.program, &hard));
         let mut given_up = Vec::new();
         for mut among in looks {
@@ -102,7 +108,7 @@ impl<'a> Prover<'a> {
             if self.is_too_large(among.iter().copied()) {
                 continue;
             }
-            let model = self.model(whole(&among));
+            let model = self.model(self.whole(&among));
             let mut problem = model.problem();
             // What is no longer asked of the model.
             let mut without = Vec::new();
@@ -130,7 +136,7 @@ impl<'a> Prover<'a> {
     /// no more; or the set, if there is no such statement.
     fn weakest(&mut self, mut core: Vec<usize>, rank: &dyn Fn(usize) -> Option<usize>) -> Result<usize, Vec<usize>> {
         loop {
-            let model = self.model(whole(&core));
+            let model = self.model(self.whole(&core));
             match self.brief(&model, &mut model.problem(), &[]) {
                 Some(next) if next.len() < core.len() => core = next,
                 _ => break,
@@ -138,13 +144,21 @@ impl<'a> Prover<'a> {
         }
         while let Some(weakest) = core.iter().copied().filter(|s| rank(*s).is_some()).max_by_key(|s| (rank(*s), *s)) {
             let rest: Vec<usize> = core.iter().copied().filter(|s| *s != weakest).collect();
-            let model = self.model(whole(&rest));
+            let model = self.model(self.whole(&rest));
             match self.brief(&model, &mut model.problem(), &[]) {
                 Some(smaller) => core = smaller,
                 None => return Ok(weakest),
             }
         }
         Err(core)
+    }
+
+    /// Statements with the rules, and with what is usual.
+    fn whole<'s>(&self, statements: &'s [usize]) -> Choice<'s>
+    where
+        'a: 's,
+    {
+        Choice { statements, contrary: None, rules: Rules::All, usual: self.usual }
     }
 
     fn is_hard(&self, statement: usize) -> bool {
@@ -208,19 +222,23 @@ impl<'a> Prover<'a> {
         tell: bool,
     ) -> Option<Core> {
         let tolerances = &self.options.judging.tolerances;
-        let packing = Packing::new(&model.groups, problem, tolerances.contact + 2.0 * tolerances.order);
-        let mut search = Search::new(std::mem::take(problem), &packing, most, self.options.cancel.as_deref());
-        search.told = tell.then(Vec::new);
         let counts = |g: &&Given| !matches!(&g.what, Source::Statement(s) if without.contains(s));
         let given: Vec<&Given> = model.given.iter().filter(counts).collect();
         let claims: Vec<_> = given.iter().map(|g| g.claim).collect();
+        let contact = tolerances.contact + 2.0 * tolerances.order;
+        let packing = Packing::new(&model.groups, problem, &claims, contact);
+        let cancel = self.options.cancel.as_deref();
+        let mut search = Search::new(std::mem::take(problem), model, &packing, most, cancel);
+        search.told = tell.then(Vec::new);
         let used = search.refute(&model.always, &claims);
         self.spent += search.state.work;
         self.short |= search.state.work >= most;
         let told = search.told.take();
+        let full = search.is_full;
         *problem = search.problem;
         let used = used?;
-        let mut core = Core { statements: Vec::new(), rules: Vec::new(), proof: None };
+        let reason = if full { packing.reason() } else { None };
+        let mut core = Core { statements: Vec::new(), rules: Vec::new(), reason, proof: None };
         for index in used {
             let given = given[index];
             match &given.what {
@@ -240,9 +258,9 @@ impl<'a> Prover<'a> {
 
     /// A minimal set among these that cannot hold together, if one is found.
     fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
-        let mut core = self.refute(whole(among), part, false)?;
+        let mut core = self.refute(self.whole(among), part, false)?;
         // Small first: a core of a core is often smaller, and costs little.
-        while let Some(next) = self.refute(whole(&core.statements), SMALLER, false) {
+        while let Some(next) = self.refute(self.whole(&core.statements), SMALLER, false) {
             let done = next.statements.len() >= core.statements.len();
             core = next;
             if done {
@@ -254,20 +272,44 @@ impl<'a> Prover<'a> {
         while let Some(&statement) = core.statements.iter().rev().find(|s| !tried.contains(*s)) {
             tried.insert(statement);
             let rest: Vec<usize> = core.statements.iter().copied().filter(|s| *s != statement).collect();
-            if let Some(smaller) = self.refute(whole(&rest), SMALLER, false) {
+            if let Some(smaller) = self.refute(self.whole(&rest), SMALLER, false) {
                 core = smaller;
             }
         }
         if core.statements.is_empty() {
             return None;
         }
-        let told = if self.options.explain { self.refute(whole(&core.statements), SMALLER, true) } else { None };
-        let Core { statements, rules, proof } = core;
+        let told = if self.options.explain { self.refute(self.whole(&core.statements), SMALLER, true) } else { None };
+        let as_usual = self.usual.is_some() && {
+            let strictly = Choice { usual: None, ..self.whole(&core.statements) };
+            self.refute(strictly, SMALLER, false).is_none()
+        };
+        let Core { statements, rules, reason, proof } = core;
         let mut definitions: Vec<usize> =
             statements.iter().flat_map(|s| self.program.constraints[*s].definitions.iter().copied()).collect();
         definitions.sort_unstable();
         definitions.dedup();
-        Some(Contradiction { statements, definitions, rules, proof: told.map_or(proof, |t| t.proof) })
+        let proof = told.map_or(proof, |t| t.proof);
+        Some(Contradiction { statements, definitions, rules, reason, as_usual, proof })
+    }
+
+    /// Whether an upper bound of a distance holds wherever things stand in a room of the size that it has.
+    fn fits_always(&mut self, statement: usize) -> bool {
+        let formula = &self.program.constraints[statement].formula;
+        if self.usual.is_none() || !bounds_a_distance(formula) {
+            return false;
+        }
+        let (objects, is_pin) = (formula.objects(), |c: usize| self.program.constraints[c].kind == ConstraintKind::Pin);
+        let speaks = |owner: Owner| match owner {
+            Owner::Object(id) => objects.contains(&id),
+            Owner::Region(_) => true,
+        };
+        let pins = self.program.pins.iter().filter(|p| speaks(p.owner) && is_pin(p.constraint));
+        let mut pins: Vec<usize> = pins.map(|p| p.constraint).collect();
+        pins.sort_unstable();
+        pins.dedup();
+        let choice = Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
+        self.refute(choice, ONE, false).is_some()
     }
 
     fn redundancies(&mut self, findings: &mut Findings) {
@@ -280,8 +322,8 @@ impl<'a> Prover<'a> {
             if constraint.kind != ConstraintKind::Assert || is_partial(&constraint.formula) {
                 continue;
             }
-            let alone = Choice { statements: &[], contrary: Some(statement), rules: false };
-            if self.refute(alone, ONE, false).is_some() {
+            let alone = Choice { statements: &[], contrary: Some(statement), rules: Rules::None, usual: None };
+            if self.refute(alone, ONE, false).is_some() || self.fits_always(statement) {
                 findings.always.push(statement);
                 flagged.insert(statement);
                 continue;
@@ -291,7 +333,7 @@ impl<'a> Prover<'a> {
             if others.is_empty() {
                 continue;
             }
-            let choice = Choice { statements: &others, contrary: Some(statement), rules: false };
+            let choice = Choice { statements: &others, contrary: Some(statement), rules: Rules::None, usual: None };
             if let Some(core) = self.refute(choice, ONE, false)
                 && core.statements.iter().any(|s| *s != statement)
             {
@@ -306,11 +348,6 @@ impl<'a> Prover<'a> {
 
 fn size(model: &Model) -> u64 {
     (model.tape.ops.len() + model.tape.facts.len()) as u64
-}
-
-/// Statements with the rules.
-fn whole(statements: &[usize]) -> Choice<'_> {
-    Choice { statements, contrary: None, rules: true }
 }
 
 /// Statements in parts that have nothing to do with each other: they share no object, no variable, and no region but
@@ -425,6 +462,28 @@ fn things(formula: &Formula) -> Vec<Thing> {
         }
     }
     out
+}
+
+/// Whether a formula says of distances between things that they are no more than a number.
+fn bounds_a_distance(formula: &Formula) -> bool {
+    let mut open = vec![formula.root];
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            Node::Compare(Comparison::Le | Comparison::Lt, _, a, b) => {
+                let measure = match formula.node(*a) {
+                    Node::BuiltIn(BuiltIn::Gap, args) => args.iter().all(|a| matches!(a, Arg::Object(_))),
+                    Node::Call(Function::Distance, _) => true,
+                    _ => false,
+                };
+                if !measure || !matches!(formula.node(*b), Node::Number(_)) {
+                    return false;
+                }
+            }
+            _ => return false,
+        }
+    }
+    true
 }
 
 /// Whether a formula may have no value somewhere: then it does not hold there, whatever it says.

@@ -16,13 +16,18 @@ mod model;
 mod narrow;
 mod outlines;
 mod packing;
+mod placing;
+mod probes;
 mod problem;
 mod refute;
 mod simplex;
 mod state;
 pub(crate) mod tape;
 pub(crate) mod unknowns;
+mod usual;
 mod words;
+
+pub use usual::core_of;
 
 use crate::tolerances::Options;
 use scenelang_base::Diagnostic;
@@ -41,6 +46,9 @@ pub struct ProveOptions {
     pub explain: bool,
     /// Whether to look, where there is no contradiction, for what is implied by others or always holds.
     pub redundant: bool,
+    /// Whether rooms are taken to be unturned, and things to be upright, on a floor and of their usual sizes, where the
+    /// program does not say otherwise: as `solve` takes them. A [`Contradiction`] says whether it rests on that.
+    pub usual: bool,
     /// Set from elsewhere, it ends the search; what was proved until then is kept.
     pub cancel: Option<Arc<AtomicBool>>,
 }
@@ -50,7 +58,7 @@ pub const WORK: u64 = 3_000_000;
 
 impl Default for ProveOptions {
     fn default() -> Self {
-        Self { judging: Options::default(), work: WORK, explain: false, redundant: true, cancel: None }
+        Self { judging: Options::default(), work: WORK, explain: false, redundant: true, usual: false, cancel: None }
     }
 }
 
@@ -81,6 +89,10 @@ pub struct Contradiction {
     pub definitions: Vec<usize>,
     /// Physical rules that take part, in words.
     pub rules: Vec<String>,
+    /// The one reason, in words, where there is one: what is too large for what.
+    pub reason: Option<String>,
+    /// Whether it rests on what is usual: something tilted, turned, stacked or of another size may satisfy the program.
+    pub as_usual: bool,
     /// Why, if that was asked for.
     pub proof: Option<Proof>,
 }
@@ -112,7 +124,8 @@ pub struct Step {
 
 /// Looks for what can be proved of a program.
 pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
-    minimal::Prover::new(program, options).findings()
+    let usual = options.usual.then(|| usual::Usual::of(program));
+    minimal::Prover::new(program, options, usual.as_ref()).findings()
 }
 
 /// Statements of a program to give up so that, as far as is looked, the others do not contradict each other: of each
@@ -122,7 +135,7 @@ pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
 /// has no contradiction. Where parts share a region, that it stands at one place for all of them is known by its assigned
 /// place and size; that they want it turned in different ways is not seen here.
 pub fn relax(program: &Program, options: &ProveOptions, rank: &dyn Fn(usize) -> Option<usize>) -> Vec<usize> {
-    minimal::Prover::new(program, options).relaxed(rank)
+    minimal::Prover::new(program, options, None).relaxed(rank)
 }
 
 impl Findings {

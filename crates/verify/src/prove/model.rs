@@ -1,19 +1,22 @@
 //! Some statements of a program, and the physical rules about what they speak of, as claims about unknowns.
 
-use super::packing::{Group, Member};
+use super::packing::{Between, Core, Group, Member};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
-use super::unknowns::Unknowns;
+use super::unknowns::{OUT_OF_BOX, Unknowns};
+use super::usual::{Usual, core_of};
 use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
 use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
-use crate::rules::Scope;
+use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
-use crate::world::World;
+use crate::vector::V3;
+use crate::world::{Thing, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
-    Arg, Comparison, Formula, Node, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
+    Arg, BuiltIn, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program,
+    RegionId,
 };
 use scenelang_layout::Geometry;
 use std::collections::BTreeSet;
@@ -48,8 +51,21 @@ pub(super) struct Model {
     pub curved: Vec<Claim>,
     pub given: Vec<Given>,
     pub groups: Vec<Group<Term>>,
+    /// Angles between directions, each by its number; the contrary of an even one is the next.
+    pub angles: Vec<([usize; 2], Term)>,
+    /// Ways between the middles of objects over their surfaces.
+    pub spans: Vec<([ObjectId; 2], Term)>,
     /// Names of unknowns.
     pub names: FxHashMap<Term, String>,
+}
+
+/// Which physical rules count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rules {
+    None,
+    /// That things stay in regions.
+    Bounds,
+    All,
 }
 
 /// What a model is made of.
@@ -59,8 +75,10 @@ pub(super) struct Choice<'a> {
     pub statements: &'a [usize],
     /// One that does not.
     pub contrary: Option<usize>,
-    /// Whether the physical rules count.
-    pub rules: bool,
+    /// Which physical rules count.
+    pub rules: Rules,
+    /// What is taken for granted, if anything is.
+    pub usual: Option<&'a Usual>,
 }
 
 /// Boxes in one region between which every order is looked at, at most.
@@ -83,7 +101,7 @@ impl Model {
         let counts = |statement: usize| choice.statements.binary_search(&statement).is_ok();
         let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
         let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
-        let mut unknowns = Unknowns::new(program, options, &counts, &objects);
+        let mut unknowns = Unknowns::new(program, options, choice.usual, &counts, &objects);
         let mut builder = Builder { program, options, given: Vec::new(), objects };
         for &statement in choice.statements {
             builder.statement(&mut unknowns, statement, false);
@@ -91,28 +109,47 @@ impl Model {
         if let Some(statement) = choice.contrary {
             builder.statement(&mut unknowns, statement, true);
         }
+        builder.spaces(&mut unknowns);
         let mut groups = Vec::new();
-        if choice.rules && options.physics {
+        if choice.rules != Rules::None && options.physics {
             builder.bounds(&mut unknowns, choice.statements);
+        }
+        if choice.rules == Rules::All && options.physics {
             builder.collisions(&mut unknowns);
+            if let Some(usual) = choice.usual {
+                builder.grounded(&mut unknowns, usual);
+                builder.middles(&mut unknowns);
+            }
             groups = builder.groups(&mut unknowns, choice.statements);
         }
+        let angles = unknowns.directions(&builder.objects);
         builder.frames(&mut unknowns, &groups);
         let names = unknowns.names();
-        let (always, curved) = (unknowns.always, unknowns.curved);
-        Self { tape: Tape::default(), always, curved, given: builder.given, groups, names }
+        let (always, curved, spans) = (unknowns.always, unknowns.curved, unknowns.spans);
+        Self { tape: Tape::default(), always, curved, given: builder.given, groups, angles, spans, names }
     }
 
     /// As equations.
     pub fn problem(&self) -> Problem {
         let roots: Vec<Claim> = self.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
-        Problem::new(&self.tape, &roots, &wanted(&self.groups), &self.curved)
+        let mut wanted = wanted(&self.groups);
+        wanted.extend(self.angles.iter().map(|(_, angle)| *angle));
+        wanted.extend(self.spans.iter().map(|(_, span)| *span));
+        Problem::new(&self.tape, &roots, &wanted, &self.curved)
     }
 }
 
 fn wanted(groups: &[Group<Term>]) -> Vec<Term> {
-    let member = |m: &Member<Term>| [m.size[0], m.size[1], m.size[2], m.bottom, m.top, m.up];
-    groups.iter().flat_map(|g| g.size.into_iter().chain(g.members.iter().flat_map(member))).collect()
+    let core = |c: &Core<Term>| [c.size[0], c.size[1], c.bottom, c.top];
+    let member = |m: &Member<Term>| {
+        let own = [m.bottom, m.top, m.up].into_iter().chain(m.size).chain(m.at).chain(m.turn);
+        own.chain(m.core.iter().flat_map(core)).collect::<Vec<_>>()
+    };
+    let group = |g: &Group<Term>| {
+        let own = g.size.into_iter().chain(g.at).chain(g.between.iter().map(|b| b.length));
+        own.chain(g.members.iter().flat_map(member)).collect::<Vec<_>>()
+    };
+    groups.iter().flat_map(group).collect()
 }
 
 struct Builder<'a> {
@@ -126,18 +163,28 @@ struct Builder<'a> {
 impl Builder<'_> {
     fn statement(&mut self, unknowns: &mut Unknowns<'_>, index: usize, contrary: bool) {
         let formula = &self.program.constraints[index].formula;
-        let (objects, regions) = (formula.objects(), regions_of(formula));
-        let mut premises: Vec<usize> = objects.iter().filter_map(|o| unknowns.turned.get(o).copied()).collect();
-        premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
+        let objects = formula.objects();
+        // Spaces and ways are in some region.
+        let looks = |n: &Node| matches!(n, Node::BuiltIn(BuiltIn::Clear | BuiltIn::Reachable, _));
+        let regions = if formula.nodes.iter().any(looks) { unknowns.regions() } else { regions_of(formula) };
+        let premises = rests(unknowns, &objects, &regions);
         if !infinite_ones_are_compared(formula) {
             return;
         }
         let world = Rc::clone(&unknowns.world);
-        let claim = match Scratch::new().evaluate_with(formula, &world, unknowns) {
+        let mut scratch = Scratch::new();
+        let claim = match scratch.evaluate_with(formula, &world, unknowns) {
             Ok(Value::Truth(truth)) => truth.holds,
             // It has no value in any layout; that is told where a layout is judged.
             _ => return,
         };
+        for (id, node) in formula.nodes.iter().enumerate() {
+            let Node::Call(Function::Angle, args) = node else { continue };
+            let [p, q, angle] = [args[0], args[1], NodeId(id as u32)].map(|n| scratch.value(n));
+            if let (Ok(Value::Vector(p)), Ok(Value::Vector(q)), Ok(Value::Number(angle))) = (p, q, angle) {
+                unknowns.angles.push(([p, q], angle));
+            }
+        }
         for object in objects_of_angles(formula) {
             unknowns.angles_turn_axes(object);
         }
@@ -165,8 +212,7 @@ impl Builder<'_> {
         let speaks = |o: &&ObjectId| scope.bounds(**o) && !said.contains(o);
         for &object in self.objects.clone().iter().filter(speaks) {
             let holds: Vec<Claim> = regions.iter().map(|r| region_in_proofs(unknowns, object, *r)).collect();
-            let mut premises: Vec<usize> = unknowns.turned.get(&object).copied().into_iter().collect();
-            premises.extend(regions.iter().flat_map(|r| unknowns.framed.get(r).into_iter().flatten().copied()));
+            let premises = rests(unknowns, &[object], &regions);
             let name = self.name(object);
             let what = Source::Rule(match regions.as_slice() {
                 [one] => format!("P-BOUNDS keeps `{name}` in `{}`", self.program.regions[one.0 as usize].name),
@@ -188,8 +234,85 @@ impl Builder<'_> {
                 }
                 let claim = collides_in_proofs(unknowns, a, b).negated();
                 let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
-                self.given.push(Given { claim, what, premises: Vec::new() });
+                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
             }
+        }
+    }
+
+    /// Spaces that are said to be free: boxes that are spoken of are not in them.
+    fn spaces(&mut self, unknowns: &mut Unknowns<'_>) {
+        for (free, owner, space) in std::mem::take(&mut unknowns.spaces) {
+            for &other in self.objects.iter().filter(|o| **o != owner) {
+                let Some(solid) = unknowns.solid_of(self.program, self.options, other) else { continue };
+                let apart = unknowns.apart_along_axes([&space, &solid], SKEW);
+                let (of, name) = (self.name(owner), self.name(other));
+                let what = Source::Rule(format!("`{name}` is not in the space that is free beside `{of}`"));
+                let premises = rests(unknowns, &[owner, other], &[]);
+                self.given.push(Given { claim: implies(free, apart), what, premises });
+            }
+        }
+    }
+
+    /// Where things are taken as usual: no thing's middle is in the solid of another of which a claim says that it is over
+    /// or under it.
+    fn middles(&mut self, unknowns: &mut Unknowns<'_>) {
+        let scope = scope(self.program, self.options);
+        let contact = Term::constant(self.options.tolerances.contact + 2.0 * self.options.tolerances.order);
+        let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
+        if objects.len() > CROWD {
+            return;
+        }
+        for (&a, &b) in objects.iter().flat_map(|a| objects.iter().map(move |b| (a, b))) {
+            if !scope.collide(a, b) {
+                continue;
+            }
+            let (thing, other) = (unknowns.thing(a), unknowns.thing(b));
+            let between = thing.center() - other.center();
+            let before = look(|tape| tape.ops.len());
+            let off = [0, 2].map(|axis| between.dot(other.axes.0[axis]).abs());
+            // What is new is in nobody's claim.
+            if off.iter().any(|t| t.0 as usize >= before) {
+                continue;
+            }
+            let solids = [a, b].map(|o| unknowns.solid_of(self.program, self.options, o));
+            let [Some(own), Some(other)] = solids else { continue };
+            // A square in the disc in its footprint, turned as the other is.
+            let square = own.scale.0[0].min(own.scale.0[2]).scale(0.35);
+            let heights = |t: &Thing<Term>| [t.pos.0[1], t.pos.0[1] + t.scale.0[1]];
+            let ([low, high], [bottom, top]) = (heights(&own), heights(&other));
+            let mut ways = vec![(low - top + contact).at_least(0.0), (bottom - high + contact).at_least(0.0)];
+            for (off, axis) in off.into_iter().zip([0, 2]) {
+                ways.push((off - other.scale.0[axis].scale(0.5) - square + contact).at_least(0.0));
+            }
+            let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+            self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]) });
+        }
+    }
+
+    /// Where things are taken as usual: each stands on a floor, or on something that the program compares its base with.
+    fn grounded(&mut self, unknowns: &mut Unknowns<'_>, usual: &Usual) {
+        let scope = scope(self.program, self.options);
+        let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
+        let off = self.options.tolerances.support + OUT_OF_BOX;
+        for &id in &self.objects.clone() {
+            let Some(carriers) = &usual.carriers[id.0 as usize] else { continue };
+            if scope.support(id) != Support::Rests || !carriers.iter().all(|c| self.objects.contains(c)) {
+                continue;
+            }
+            let thing = unknowns.thing(id);
+            let bottom = (thing.center() - thing.reach()).0[1];
+            let mut heights: Vec<Term> = regions.iter().map(|r| unknowns.room(*r).pos.0[1]).collect();
+            if regions.is_empty() || !scope.bounds(id) {
+                heights.push(Term::constant(0.0));
+            }
+            heights.extend(carriers.iter().map(|c| unknowns.surface(*c)));
+            heights.sort_by_key(|t| t.0);
+            heights.dedup();
+            let rests_on = |h: &Term| all(&[(bottom - *h).at_least(-off), (*h - bottom).at_least(-off)]);
+            let claim = any(&heights.iter().map(rests_on).collect::<Vec<_>>());
+            let what = Source::Rule(format!("`{}` stands on the floor", self.name(id)));
+            let spoken: Vec<ObjectId> = carriers.iter().copied().chain([id]).collect();
+            self.given.push(Given { claim, what, premises: rests(unknowns, &spoken, &regions) });
         }
     }
 
@@ -198,15 +321,19 @@ impl Builder<'_> {
         let scope = scope(self.program, self.options);
         let mut groups = Vec::new();
         let mut apart = None;
-        for Company { region, objects, full } in companies(self.program, self.options, statements) {
+        let mut spoken = Vec::new();
+        for Company { region, objects, full } in companies(self.program, self.options, unknowns.usual, statements) {
             let apart = *apart.get_or_insert_with(open);
             if full && objects.len() <= CLOSE_COMPANY {
-                for (i, &a) in objects.iter().enumerate() {
-                    for &b in objects[i + 1..].iter().filter(|b| scope.collide(a, **b)) {
+                let whole: Vec<ObjectId> =
+                    objects.iter().copied().filter(|o| is_box(self.program, self.options, *o)).collect();
+                for (i, &a) in whole.iter().enumerate() {
+                    for &b in whole[i + 1..].iter().filter(|b| scope.collide(a, **b)) {
                         let orders = unknowns.beside(a, b, SKEW);
                         unknowns.always.push(implies(apart, orders));
                     }
                 }
+                spoken.extend(whole);
             }
             // Of a crowd only those count that keep clear of everything: to list who may overlap whom would take long.
             let objects = if objects.len() > CROWD {
@@ -215,18 +342,36 @@ impl Builder<'_> {
             } else {
                 objects
             };
-            let pairs = if objects.len() > CROWD { 0 } else { objects.len() };
-            let excepted = (0..pairs)
-                .flat_map(|i| (i + 1..pairs).map(move |k| (i, k)))
-                .filter(|(i, k)| !scope.collide(objects[*i], objects[*k]))
-                .collect();
-            let members = objects.iter().map(|o| unknowns.member(*o, region)).collect();
-            let size = unknowns.room_size(region);
-            groups.push(Group { size, members, excepted, apart });
+            let pairs: Vec<(usize, usize)> = if objects.len() > CROWD {
+                Vec::new()
+            } else {
+                (0..objects.len()).flat_map(|i| (i + 1..objects.len()).map(move |k| (i, k))).collect()
+            };
+            let overlap = |(i, k): &(usize, usize)| !scope.collide(objects[*i], objects[*k]);
+            let excepted = pairs.iter().copied().filter(overlap).collect();
+            let between =
+                pairs.iter().flat_map(|&pair| unknowns.between(pair, objects[pair.0], objects[pair.1])).collect();
+            let members: Vec<Member<Term>> =
+                objects.iter().map(|o| unknowns.member(self.program, self.options, *o, region)).collect();
+            // That it is inside goes without saying only where all is pinned.
+            let known = std::iter::zip(&objects, &members).filter(|(_, m)| m.inside == Claim::TRUE);
+            spoken.extend(known.map(|(o, _)| *o));
+            let room = unknowns.room(region);
+            groups.push(Group {
+                size: room.scale.0,
+                at: [room.pos.0[0], room.pos.0[2]],
+                straight: unknowns.is_straight(region),
+                between,
+                members,
+                excepted,
+                apart,
+            });
         }
         if let Some(claim) = apart {
             let what = Source::Rule("P-COLLIDE keeps boxes from overlapping".to_owned());
-            self.given.push(Given { claim, what, premises: Vec::new() });
+            let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
+            let premises = if spoken.is_empty() { Vec::new() } else { rests(unknowns, &spoken, &regions) };
+            self.given.push(Given { claim, what, premises });
         }
         groups
     }
@@ -245,6 +390,12 @@ impl Builder<'_> {
             unknowns.yaw(RegionId(index as u32));
         }
     }
+}
+
+/// Statements that what is known of objects and regions rests on, whatever is said of them.
+fn rests(unknowns: &Unknowns<'_>, objects: &[ObjectId], regions: &[RegionId]) -> Vec<usize> {
+    let of_objects = objects.iter().filter_map(|o| unknowns.rests.get(o));
+    of_objects.chain(regions.iter().filter_map(|r| unknowns.framed.get(r))).flatten().copied().collect()
 }
 
 /// Which rules apply to what, whatever the assets are made of.
@@ -267,8 +418,8 @@ struct Company {
 }
 
 /// The companies that statements make.
-fn companies(program: &Program, options: &Options, statements: &[usize]) -> Vec<Company> {
-    let sizes = nominal_sizes(program, statements);
+fn companies(program: &Program, options: &Options, usual: Option<&Usual>, statements: &[usize]) -> Vec<Company> {
+    let mut sizes = nominal_sizes(program, statements);
     let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
     for &index in statements {
         said.extend(insides(&program.constraints[index].formula));
@@ -278,13 +429,18 @@ fn companies(program: &Program, options: &Options, statements: &[usize]) -> Vec<
         let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
         said.extend(all.filter(|o| scope.bounds(*o)).map(|o| (RegionId(0), o)));
     }
+    for &(_, object) in &said {
+        if let Some(size) = usual.and_then(|usual| usual.size[object.0 as usize]) {
+            sizes.insert(Owner::Object(object), size);
+        }
+    }
     let mut out = Vec::new();
     for region in (0..program.regions.len() as u32).map(RegionId) {
         let Some(room) = sizes.get(&Owner::Region(region)) else { continue };
         let objects: Vec<ObjectId> = said
             .range((region, ObjectId(0))..=(region, ObjectId(u32::MAX)))
             .map(|(_, object)| *object)
-            .filter(|o| sizes.contains_key(&Owner::Object(*o)) && is_box(program, options, *o))
+            .filter(|o| sizes.contains_key(&Owner::Object(*o)) && (usual.is_some() || is_box(program, options, *o)))
             .collect();
         let footprint = |o: &ObjectId| sizes.get(&Owner::Object(*o)).map_or(0.0, |s| s[0] * s[2]);
         let full = objects.iter().map(footprint).sum::<f64>() >= 0.5 * room[0] * room[2];
@@ -296,8 +452,13 @@ fn companies(program: &Program, options: &Options, statements: &[usize]) -> Vec<
 }
 
 /// The statements about each company that takes up much of its region: worth a look of their own.
-pub(super) fn crowds(program: &Program, options: &Options, statements: &[usize]) -> Vec<Vec<usize>> {
-    let full = companies(program, options, statements).into_iter().filter(|c| c.full);
+pub(super) fn crowds(
+    program: &Program,
+    options: &Options,
+    usual: Option<&Usual>,
+    statements: &[usize],
+) -> Vec<Vec<usize>> {
+    let full = companies(program, options, usual, statements).into_iter().filter(|c| c.full);
     full.map(|company| {
         let about = |s: &usize| {
             let objects = program.constraints[*s].formula.objects();
@@ -399,15 +560,55 @@ impl Unknowns<'_> {
         thing.map_or(Vec::new(), |t| t.axes.0.iter().flat_map(|v| v.0).collect())
     }
 
-    fn room_size(&self, id: RegionId) -> [Term; 3] {
-        self.world.regions[id.0 as usize].as_ref().expect("every region is there").scale.0
+    /// A box that is solid for sure: that of the object, or a part of it about its middle axis.
+    fn solid_of(&self, program: &Program, options: &Options, id: ObjectId) -> Option<Thing<Term>> {
+        let thing = self.thing(id);
+        if is_box(program, options, id) {
+            return Some(thing);
+        }
+        if !self.usual.is_some_and(|usual| usual.upright[id.0 as usize]) {
+            return None;
+        }
+        let [Some(w), Some(h), Some(d)] = thing.scale.0.map(Term::known) else { return None };
+        let ([w, d], [from, to]) = core_of(&program.objects[id.0 as usize], [w, h, d])?;
+        let mut pos = thing.pos;
+        pos.0[1] = pos.0[1] + Term::constant(from);
+        Some(Thing { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
     }
 
-    fn member(&mut self, object: ObjectId, region: RegionId) -> Member<Term> {
-        let inside = region_in_proofs(self, object, region);
-        let thing = self.world.objects[object.0 as usize].as_ref().expect("every object that is spoken of is there");
-        let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
-        Member { inside, size: thing.scale.0, bottom: center - reach, top: center + reach, up: thing.axes.0[1].0[1] }
+    fn member(&mut self, program: &Program, options: &Options, id: ObjectId, region: RegionId) -> Member<Term> {
+        let inside = region_in_proofs(self, id, region);
+        let thing = self.thing(id);
+        let (center, reach) = (thing.center(), thing.reach());
+        let (bottom, top) = (center.0[1] - reach.0[1], center.0[1] + reach.0[1]);
+        let size = thing.scale.0;
+        let whole = is_box(program, options, id);
+        let core = self.solid_of(program, options, id).map(|solid| {
+            let bottom = if whole { bottom } else { solid.pos.0[1] };
+            let top = if whole { top } else { solid.pos.0[1] + solid.scale.0[1] };
+            Core { size: [solid.scale.0[0], solid.scale.0[2]], bottom, top }
+        });
+        let at = [center.0[0], center.0[2]];
+        let turn = [thing.axes.0[0].0[0], thing.axes.0[2].0[0]];
+        Member { inside, size, bottom, top, whole, core, up: thing.axes.0[1].0[1], at, turn }
+    }
+
+    /// The distances between two members of a group that claims speak of.
+    fn between(&mut self, pair: (usize, usize), a: ObjectId, b: ObjectId) -> Vec<Between<Term>> {
+        let mut found = Vec::new();
+        if gap_is_in_proofs(self, a, b) {
+            found.push(Between { pair, length: crate::builtins::gap_in_proofs(self, a, b), of_centres: false });
+        }
+        for (a, b) in [(a, b), (b, a)] {
+            let (x, y) = (self.thing(a).center(), self.thing(b).center());
+            let before = look(|tape| tape.ops.len());
+            let length = (x - y).length();
+            // A new one is in nobody's claim.
+            if (length.0 as usize) < before {
+                found.push(Between { pair, length, of_centres: true });
+            }
+        }
+        found
     }
 
     /// If both boxes stand along the axes of the world, up to `skew`, they are apart along one of these.
@@ -416,8 +617,11 @@ impl Unknowns<'_> {
     /// along an axis, since boxes along the axes are (or overlap along each by more than the two overlap). And how far a
     /// box reaches along an axis is at most its extent there and `skew` times the others.
     fn beside(&mut self, a: ObjectId, b: ObjectId, skew: f64) -> Claim {
-        let things =
-            [a, b].map(|o| self.world.objects[o.0 as usize].clone().expect("every object that is spoken of is there"));
+        self.apart_along_axes([&self.thing(a), &self.thing(b)], skew)
+    }
+
+    /// The same of two boxes.
+    fn apart_along_axes(&self, things: [&Thing<Term>; 2], skew: f64) -> Claim {
         let along = |claims: &mut Vec<Claim>, c: Term| {
             claims.push(any(&[
                 all(&[c.at_least(-skew), (-c).at_least(-skew)]),
@@ -426,13 +630,13 @@ impl Unknowns<'_> {
             ]));
         };
         let mut straight = Vec::new();
-        for thing in &things {
+        for thing in things {
             thing.axes.0.iter().flat_map(|v| v.0).for_each(|c| along(&mut straight, c));
         }
         let tolerances = &self.options.tolerances;
         let contact = Term::constant(tolerances.contact + 2.0 * tolerances.order);
-        let [x, y] = &things;
-        let extents = |t: &crate::world::Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
+        let [x, y] = things;
+        let extents = |t: &Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
         let slack = (extents(x) + extents(y)).scale(skew) + contact;
         let (between, reach) = (x.center() - y.center(), x.reach() + y.reach());
         let ways: Vec<Claim> = (0..3)

@@ -89,7 +89,11 @@ pub(super) struct Problem {
     /// By term, for words.
     pub terms: Vec<Option<Affine>>,
     rows: FxHashMap<Vec<(Var, u64)>, Var>,
+    applied: FxHashMap<(Function, [Key; 2]), Var>,
 }
+
+/// An argument by its bits.
+type Key = (Var, bool, [u64; 2]);
 
 /// A sum of variables with coefficients, and a constant.
 #[derive(Clone, Debug, Default)]
@@ -113,6 +117,7 @@ impl Problem {
             curved: Vec::new(),
             terms: vec![None; tape.ops.len()],
             rows: FxHashMap::default(),
+            applied: FxHashMap::default(),
         };
         own.variable(Kind::Free, Interval::point(0.0));
         let mut sums: Vec<Sum> = vec![Sum::default(); tape.ops.len()];
@@ -261,33 +266,49 @@ impl Problem {
             self.terms[index] = Some(self.affine(&sum));
             return sum;
         }
-        let kind = match tape.ops[index] {
-            Op::Mul(a, b) => self.apply(Function::Mul, of(a), of(b)),
-            Op::Div(a, b) => self.apply(Function::Div, of(a), of(b)),
-            Op::Min(a, b) => self.apply(Function::Min, of(a), of(b)),
-            Op::Max(a, b) => self.apply(Function::Max, of(a), of(b)),
-            Op::Atan(a, b) => self.apply(Function::Atan, of(a), of(b)),
-            Op::Square(a) => self.apply(Function::Square, of(a), of(a)),
-            Op::Sqrt(a) => self.apply(Function::Sqrt, of(a), of(a)),
-            Op::Abs(a) => self.apply(Function::Abs, of(a), of(a)),
-            Op::Sin(a) => self.apply(Function::Sin, of(a), of(a)),
-            Op::Cos(a) => self.apply(Function::Cos, of(a), of(a)),
-            Op::Wrap(a) => self.apply(Function::Wrap, of(a), of(a)),
-            Op::Indicator(claim) => Kind::Indicator(claim),
+        let (function, a, b) = match tape.ops[index] {
+            Op::Mul(a, b) => (Function::Mul, a, b),
+            Op::Div(a, b) => (Function::Div, a, b),
+            Op::Min(a, b) => (Function::Min, a, b),
+            Op::Max(a, b) => (Function::Max, a, b),
+            Op::Atan(a, b) => (Function::Atan, a, b),
+            Op::Square(a) => (Function::Square, a, a),
+            Op::Sqrt(a) => (Function::Sqrt, a, a),
+            Op::Abs(a) => (Function::Abs, a, a),
+            Op::Sin(a) => (Function::Sin, a, a),
+            Op::Cos(a) => (Function::Cos, a, a),
+            Op::Wrap(a) => (Function::Wrap, a, a),
             // An unknown; or a sum that could not be joined, of which only the range is known.
-            _ => Kind::Free,
+            op => {
+                let kind = if let Op::Indicator(claim) = op { Kind::Indicator(claim) } else { Kind::Free };
+                return self.named(index, self.kinds.len() as Var, 1.0, Some((kind, range)));
+            }
         };
-        let var = self.variable(kind, range);
+        let (a, b) = (self.affine(of(a)), self.affine(of(b)));
+        let (sign, a, b) = plain(function, a, b);
+        let range = if sign < 0.0 { -range } else { range };
+        let key = (function, [a, b].map(|t| (t.var, t.minus, [t.add.lo, t.add.hi].map(f64::to_bits))));
+        if let Some(&var) = self.applied.get(&key) {
+            let known = &mut self.initial[var as usize];
+            *known = known.meet(range);
+            return self.named(index, var, sign, None);
+        }
+        let var = self.kinds.len() as Var;
+        self.applied.insert(key, var);
+        let sum = self.named(index, var, sign, Some((Kind::Apply(function, a, b), range)));
         if let Op::Sqrt(a) = tape.ops[index] {
             self.length(sums, var, a);
         }
-        self.terms[index] = Some(Affine { var, minus: false, add: Interval::point(0.0) });
-        Sum { parts: vec![(var, 1.0)], add: None }
+        sum
     }
 
-    fn apply(&mut self, function: Function, a: &Sum, b: &Sum) -> Kind {
-        let (a, b) = (self.affine(a), self.affine(b));
-        Kind::Apply(function, a, b)
+    /// A variable up to sign as the sum of a term, made where there is a kind for it.
+    fn named(&mut self, index: usize, var: Var, sign: f64, new: Option<(Kind, Interval)>) -> Sum {
+        if let Some((kind, range)) = new {
+            self.variable(kind, range);
+        }
+        self.terms[index] = Some(Affine { var, minus: sign < 0.0, add: Interval::point(0.0) });
+        Sum { parts: vec![(var, sign)], add: None }
     }
 
     /// Notes the root of a sum of squares as a length.
@@ -306,6 +327,26 @@ impl Problem {
         if let Some(parts) = squares {
             self.lengths.push((var, parts));
         }
+    }
+}
+
+/// Arguments without the signs that make no difference to an operation but its own: so (a − b)·c and (b − a)·c, and the
+/// squares of a − b and of b − a, are one variable.
+fn plain(function: Function, a: Affine, b: Affine) -> (f64, Affine, Affine) {
+    // −0 is 0, so that equal arguments have equal bits.
+    let flipped = |t: Affine| Affine { minus: false, add: Interval::point(0.0) - t.add, ..t };
+    let bare = |t: Affine| if t.minus { (-1.0, flipped(t)) } else { (1.0, t) };
+    match function {
+        Function::Square | Function::Abs => {
+            let (_, a) = bare(a);
+            (1.0, a, a)
+        }
+        Function::Mul => {
+            let ((s, a), (t, b)) = (bare(a), bare(b));
+            let (a, b) = if (a.var, a.add.lo) <= (b.var, b.add.lo) { (a, b) } else { (b, a) };
+            (s * t, a, b)
+        }
+        _ => (1.0, a, b),
     }
 }
 

@@ -6,6 +6,7 @@
 
 use super::cuts::{self, Points};
 use super::interval::Interval;
+use super::model::Model;
 use super::packing::Packing;
 use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
 use super::simplex::{Outcome, Simplex};
@@ -52,6 +53,8 @@ pub(super) struct Search<'a> {
     /// How often a fact took part in a conflict lately.
     activity: Vec<f64>,
     weight: f64,
+    /// Whether it ended, without supposing anything, because boxes do not fit.
+    pub is_full: bool,
     /// The proof, if it is to be told.
     pub told: Option<Vec<Told>>,
     told_as: Vec<Option<usize>>,
@@ -67,9 +70,15 @@ enum End {
 
 impl<'a> Search<'a> {
     /// A search that may do `most` work.
-    pub fn new(problem: Problem, packing: &'a Packing, most: u64, cancel: Option<&'a AtomicBool>) -> Self {
+    pub fn new(
+        problem: Problem,
+        model: &Model,
+        packing: &'a Packing,
+        most: u64,
+        cancel: Option<&'a AtomicBool>,
+    ) -> Self {
         let state = State::new(&problem);
-        let points = Points::new(&problem);
+        let points = Points::new(&problem, &model.angles, &model.spans);
         let activity = vec![0.0; problem.verdicts.len()];
         let first_row = problem.kinds.len();
         Self {
@@ -83,6 +92,7 @@ impl<'a> Search<'a> {
             cancel,
             activity,
             weight: 1.0,
+            is_full: false,
             told: None,
             told_as: Vec::new(),
         }
@@ -146,7 +156,7 @@ impl<'a> Search<'a> {
     fn consequences(&mut self, rounds: usize) -> Result<(), Conflict> {
         for _ in 0..rounds {
             self.state.propagate(&self.problem, self.most)?;
-            self.packing.check(&mut self.state)?;
+            self.packing.check(&self.problem, &mut self.state)?;
             if self.stopped() {
                 return Ok(());
             }
@@ -243,6 +253,8 @@ impl<'a> Search<'a> {
     /// What of a conflict lies before the supposition `start`, and whether it needs that.
     fn refuted(&mut self, conflict: EventId, start: EventId, depth: usize) -> End {
         self.tell(conflict, depth);
+        self.is_full =
+            depth == 0 && matches!(self.state.what(conflict), What::Conflict(Rule::Packing | Rule::Beside { .. }));
         self.weight *= 1.05;
         let mut seen = vec![false; (conflict - start) as usize + 1];
         let mut open = vec![conflict];

@@ -39,8 +39,10 @@ pub(super) enum Rule {
     Verdict(Claim),
     /// A sum of inequalities, each times a factor, that says 0 > 0.
     Sum,
-    /// Boxes that do not fit beside each other.
+    /// Boxes that are too large together.
     Packing,
+    /// Boxes that do not fit beside each other; at most so many do.
+    Beside { fit: u32 },
 }
 
 /// An event with the events that it follows from.

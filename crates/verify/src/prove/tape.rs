@@ -288,6 +288,15 @@ impl Term {
     fn value(self) -> Option<f64> {
         tape(|t| t.value(self))
     }
+    /// Whether it is minus something else, or a constant below 0.
+    pub fn is_contrary(self) -> bool {
+        let minus = (-1f64).to_bits();
+        tape(|t| match t.ops[self.0 as usize] {
+            Op::Scale(_, factor) => factor == minus,
+            Op::Constant(value) => f64::from_bits(value) < 0.0,
+            _ => false,
+        })
+    }
 }
 
 fn constant(tape: &mut Tape, value: f64) -> Term {
@@ -371,6 +380,13 @@ impl Algebra for Term {
     fn scale(self, factor: f64) -> Self {
         if factor == 1.0 {
             return self;
+        }
+        let contrary = |t: &Tape| match t.ops[self.0 as usize] {
+            Op::Scale(inner, by) if factor == -1.0 && by == factor.to_bits() => Some(inner),
+            _ => None,
+        };
+        if let Some(inner) = look(contrary) {
+            return inner;
         }
         self.unary(Op::Scale(self, factor.to_bits()), |x| x * factor, |x| x.scale(factor))
     }

@@ -7,6 +7,7 @@
 
 use super::interval::Interval;
 use super::tape::{Claim, Term, implies, open, range, unknown};
+use super::usual::{Usual, carries_on_top};
 use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Value, Values};
 use crate::eval::{Truth, rectangle};
@@ -25,6 +26,10 @@ use std::rc::Rc;
 
 /// Rounding of what holds exactly (unit vectors, equations of a frame).
 pub(crate) const EXACT: f64 = 1e-9;
+/// Where things are taken as usual: of its height, the part that a support surface is above the base, at least.
+const LOWEST_SURFACE: f64 = 0.1;
+/// How far the parts of an asset may stick out of its box, both of a pair together, and then some (metres).
+pub(crate) const OUT_OF_BOX: f64 = 2.2e-3;
 /// Any distance between things that a layout can name (metres).
 pub(crate) const ANY: Interval = Interval { lo: -4.0 * LARGEST, hi: 4.0 * LARGEST };
 
@@ -37,19 +42,103 @@ pub(crate) struct Unknowns<'p> {
     pub always: Vec<Claim>,
     /// Those of them that are equations of frames: too far from linear to be of use to linear reasoning.
     pub curved: Vec<Claim>,
-    /// Statements that fix the orientation of an object for good.
-    pub turned: FxHashMap<ObjectId, usize>,
+    /// Statements that fix an object's orientation for good; where things are taken as usual, its place and size, too.
+    pub rests: FxHashMap<ObjectId, Vec<usize>>,
+    /// What is taken for granted, if anything is.
+    pub usual: Option<&'p Usual>,
     /// Statements that a region's frame rests on: its orientation, and that it is a rectangle at all.
     pub framed: FxHashMap<RegionId, Vec<usize>>,
     /// Regions that are rectangles: an assigned `scale` without assigned `vertices` forbids an outline.
     rectangles: FxHashSet<RegionId>,
-    /// By the first component of a rotation: whose orientation it is.
-    owners: FxHashMap<Term, Owner>,
+    /// By the components of a rotation: whose orientation it is.
+    owners: FxHashMap<[Term; 3], Owner>,
     /// Cosine and sine of the yaw of a region.
     yaws: Vec<[Term; 2]>,
     terms: FxHashMap<String, Term>,
     claims: FxHashMap<String, Claim>,
     frames: FxHashMap<(ObjectId, RegionId), [[Term; 3]; 2]>,
+    /// Pairs of objects with the length of a way from the middle of one to that of the other, by way of their surfaces: the
+    /// gap between them, and half a diagonal of each. Such lengths satisfy the triangle inequality.
+    pub spans: Vec<([ObjectId; 2], Term)>,
+    /// A point of the solid of each object that a gap is asked of.
+    points: FxHashMap<ObjectId, V3<Term>>,
+    /// Spaces beside objects, with the claims that they are free.
+    pub spaces: Vec<(Claim, ObjectId, Thing<Term>)>,
+    /// Directions with the angles between them that claims speak of.
+    pub angles: Vec<([V3<Term>; 2], Term)>,
+}
+
+/// What statements pin, with the statements.
+type Pins = FxHashMap<(Owner, Pinned), (usize, V3<Term>)>;
+
+/// Objects that are turned alike, because statements say that they are.
+struct Alike {
+    /// By object: the first of those that are turned like it, or a number of its own.
+    groups: Vec<usize>,
+    links: Vec<(usize, usize)>,
+    /// By group: its turn.
+    turns: FxHashMap<usize, (V3<Term>, M3<Term>)>,
+}
+
+impl Alike {
+    /// Groups by statements that count; each by itself unless things are taken as usual.
+    fn new(program: &Program, usual: bool, counts: &dyn Fn(usize) -> bool) -> Self {
+        let objects = program.objects.len();
+        let mut own = Self {
+            groups: (0..objects + program.variables.len()).collect(),
+            links: Vec::new(),
+            turns: FxHashMap::default(),
+        };
+        let stated = program.constraints.iter().enumerate().filter(|(i, _)| usual && counts(*i));
+        for (index, constraint) in stated {
+            let formula = &constraint.formula;
+            let mut open = vec![formula.root];
+            while let Some(id) = open.pop() {
+                let turn = |id: NodeId| match formula.node(id) {
+                    Node::Object(ObjectProperty::Rot, object) => Some(object.0 as usize),
+                    Node::Variable(variable) => Some(objects + variable.0 as usize),
+                    _ => None,
+                };
+                match formula.node(id) {
+                    Node::And(parts) => open.extend(parts.iter().copied()),
+                    Node::Same(a, b) => {
+                        if let (Some(a), Some(b)) = (turn(*a), turn(*b)) {
+                            own.links.push((a, index));
+                            own.links.push((b, index));
+                            let (a, b) = (own.groups[a], own.groups[b]);
+                            own.groups.iter_mut().filter(|g| **g == a.max(b)).for_each(|g| *g = a.min(b));
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        own
+    }
+    fn group(&self, id: ObjectId) -> usize {
+        self.groups[id.0 as usize]
+    }
+    /// One of a group is turned so, by a statement.
+    fn pin(&mut self, id: ObjectId, statement: usize, rot: V3<Term>) {
+        self.links.push((id.0 as usize, statement));
+        self.turns.insert(self.group(id), (rot, M3::rotation(rot)));
+    }
+    /// The statements that turn objects like this one.
+    fn statements(&self, id: ObjectId) -> impl Iterator<Item = usize> {
+        let own = self.group(id);
+        self.links.iter().filter(move |(of, _)| self.groups[*of] == own).map(|(_, statement)| *statement)
+    }
+}
+
+/// A turn of which nothing is known, or nothing but that it is upright.
+fn free_turn(upright: bool) -> (V3<Term>, M3<Term>) {
+    if !upright {
+        return (V3(std::array::from_fn(|_| turn())), M3(std::array::from_fn(|_| triple(-1.0, 1.0))));
+    }
+    let (zero, one) = (Term::constant(0.0), Term::constant(1.0));
+    let [c, s] = [(); 2].map(|()| unknown(Interval::new(-1.0, 1.0)));
+    let axes = M3([V3([c, zero, -s]), V3([zero, one, zero]), V3([s, zero, c])]);
+    (V3([zero, turn(), zero]), axes)
 }
 
 impl<'p> Unknowns<'p> {
@@ -57,6 +146,7 @@ impl<'p> Unknowns<'p> {
     pub fn new(
         program: &'p Program,
         options: &Options,
+        usual: Option<&'p Usual>,
         counts: &dyn Fn(usize) -> bool,
         objects: &BTreeSet<ObjectId>,
     ) -> Self {
@@ -67,7 +157,8 @@ impl<'p> Unknowns<'p> {
             world: Rc::new(world.clone()),
             always: Vec::new(),
             curved: Vec::new(),
-            turned: FxHashMap::default(),
+            rests: FxHashMap::default(),
+            usual,
             framed: FxHashMap::default(),
             rectangles: FxHashSet::default(),
             owners: FxHashMap::default(),
@@ -75,46 +166,11 @@ impl<'p> Unknowns<'p> {
             terms: FxHashMap::default(),
             claims: FxHashMap::default(),
             frames: FxHashMap::default(),
+            spans: Vec::new(),
+            points: FxHashMap::default(),
+            spaces: Vec::new(),
+            angles: Vec::new(),
         };
-        let turns = own.pinned_turns(counts);
-        for &id in objects {
-            let turn = turns.get(&Owner::Object(id));
-            if let Some((statement, _)) = turn {
-                own.turned.insert(id, *statement);
-            }
-            let (rot, axes) = match turn {
-                Some((_, rot)) => (*rot, M3::rotation(*rot)),
-                None => (own.angles(Owner::Object(id)), M3(std::array::from_fn(|_| triple(-1.0, 1.0)))),
-            };
-            let thing = Thing { pos: place(), rot, scale: size(), axes, body: Body::unit() };
-            world.objects[id.0 as usize] = Some(thing);
-        }
-        for index in 0..program.regions.len() {
-            let id = RegionId(index as u32);
-            let turn = turns.get(&Owner::Region(id));
-            let mut rests: Vec<usize> = turn.iter().map(|(statement, _)| *statement).collect();
-            let scaled = |property| {
-                let of = |p: &&scenelang_lang::program::Pin| p.owner == Owner::Region(id) && p.property == property;
-                program.pins.iter().filter(of).map(|p| p.constraint).find(|&c| counts(c))
-            };
-            if let (Some(statement), false) = (scaled(Pinned::Scale), program.regions[index].has_vertices) {
-                own.rectangles.insert(id);
-                rests.push(statement);
-            }
-            own.framed.insert(id, rests);
-            let (rot, yaw) = match turn {
-                Some((_, rot)) => (*rot, [rot.0[1].cos(), rot.0[1].sin()]),
-                // A rectangle turned by half a turn is the same one, and it is all that the frame is used for: so the
-                // cosine is not negative.
-                None => {
-                    let frame = [Interval::new(0.0, 1.0), Interval::new(-1.0, 1.0)].map(unknown);
-                    (own.angles(Owner::Region(id)), frame)
-                }
-            };
-            own.yaws.push(yaw);
-            world.regions[index] =
-                Some(Room { pos: place(), rot, scale: size(), outlined: false, prism: Prism::unit() });
-        }
         for (index, variable) in program.variables.iter().enumerate() {
             world.variables[index] = Ok(match variable.kind {
                 VariableKind::Number => Value::Number(unknown(Interval::new(-LARGEST, LARGEST))),
@@ -126,8 +182,87 @@ impl<'p> Unknowns<'p> {
                 VariableKind::Rotation => Value::Rotation(V3(std::array::from_fn(|_| turn()))),
             });
         }
+        let pins = own.pinned(counts);
+        let mut alike = Alike::new(program, usual.is_some(), counts);
+        for id in objects.iter().filter(|_| usual.is_some()) {
+            if let Some((statement, rot)) = pins.get(&(Owner::Object(*id), Pinned::Rot)) {
+                alike.pin(*id, *statement, *rot);
+            }
+        }
+        for &id in objects {
+            let owner = Owner::Object(id);
+            let thing = own.thing_of(id, &pins, &mut alike);
+            let pinned = [Pinned::Rot, Pinned::Pos, Pinned::Scale].into_iter();
+            let mut rests: Vec<usize> = pinned.filter_map(|p| pins.get(&(owner, p))).map(|(s, _)| *s).collect();
+            rests.extend(alike.statements(id));
+            own.rests.insert(id, rests);
+            world.objects[id.0 as usize] = Some(thing);
+        }
+        for index in 0..program.regions.len() {
+            world.regions[index] = Some(own.room_of(RegionId(index as u32), &pins, counts));
+        }
         own.world = Rc::new(world);
         own
+    }
+
+    /// An object whose pins are known.
+    fn thing_of(&mut self, id: ObjectId, pins: &Pins, alike: &mut Alike) -> Thing<Term> {
+        let index = id.0 as usize;
+        let pinned = |property| pins.get(&(Owner::Object(id), property)).map(|(_, value)| *value);
+        let upright = self.usual.is_some_and(|usual| usual.upright[index]);
+        let (rot, axes) = match pinned(Pinned::Rot) {
+            Some(rot) => (rot, M3::rotation(rot)),
+            None => *alike.turns.entry(alike.group(id)).or_insert_with(|| free_turn(upright)),
+        };
+        if pinned(Pinned::Rot).is_none() {
+            self.owners.insert(rot.0, Owner::Object(id));
+        }
+        let known = self.usual.and_then(|usual| usual.size[index]);
+        let scale = pinned(Pinned::Scale).or(known.map(|s| V3(s.map(Term::constant)))).unwrap_or_else(size);
+        Thing { pos: pinned(Pinned::Pos).unwrap_or_else(place), rot, scale, axes, body: Body::unit() }
+    }
+
+    /// A region whose pins are known.
+    fn room_of(&mut self, id: RegionId, pins: &Pins, counts: &dyn Fn(usize) -> bool) -> Room<Term> {
+        let owner = Owner::Region(id);
+        let pinned = |property| pins.get(&(owner, property)).map(|(_, value)| *value);
+        let mut rests: Vec<usize> = [Pinned::Rot, Pinned::Pos, Pinned::Scale]
+            .into_iter()
+            .filter_map(|property| pins.get(&(owner, property)))
+            .map(|(statement, _)| *statement)
+            .collect();
+        let of = |p: &&scenelang_lang::program::Pin| p.owner == owner && p.property == Pinned::Scale;
+        let scaled = self.program.pins.iter().filter(of).map(|p| p.constraint).find(|&c| counts(c));
+        if let (Some(statement), false) = (scaled, self.program.regions[id.0 as usize].has_vertices) {
+            self.rectangles.insert(id);
+            rests.push(statement);
+        }
+        self.framed.insert(id, rests);
+        let zero = Term::constant(0.0);
+        let unturned = self.usual.is_some_and(|usual| usual.unturned[id.0 as usize]);
+        let (rot, yaw) = match pinned(Pinned::Rot) {
+            Some(rot) => (rot, [rot.0[1].cos(), rot.0[1].sin()]),
+            None if unturned => (V3([zero; 3]), [Term::constant(1.0), zero]),
+            // A rectangle turned by half a turn is the same one, and it is all that the frame is used for: so the
+            // cosine is not negative.
+            None => {
+                let frame = [Interval::new(0.0, 1.0), Interval::new(-1.0, 1.0)].map(unknown);
+                (self.angles(owner), frame)
+            }
+        };
+        self.yaws.push(yaw);
+        let (mut pos, mut scale) = (place(), size());
+        if self.usual.is_some_and(|usual| usual.on_the_ground[id.0 as usize]) {
+            pos.0[1] = zero;
+        }
+        // Beside an outline only the heights of place and size count.
+        let counts = if self.program.regions[id.0 as usize].has_vertices { 1..2 } else { 0..3 };
+        for (own, property) in [(&mut pos, Pinned::Pos), (&mut scale, Pinned::Scale)] {
+            if let Some(V3(value)) = pinned(property) {
+                counts.clone().for_each(|axis| own.0[axis] = value[axis]);
+            }
+        }
+        Room { pos, rot, scale, outlined: false, prism: Prism::unit() }
     }
 
     /// Names of the objects, regions and variables, in order.
@@ -141,20 +276,24 @@ impl<'p> Unknowns<'p> {
         self.program.variables.iter().map(|v| v.name.as_str())
     }
 
-    /// Orientations that a statement pins to a constant; they count as exact.
-    fn pinned_turns(&mut self, counts: &dyn Fn(usize) -> bool) -> FxHashMap<Owner, (usize, V3<Term>)> {
+    /// Orientations that a statement pins to a constant; they count as exact. Where things are taken as usual, places
+    /// and sizes do, too.
+    fn pinned(&mut self, counts: &dyn Fn(usize) -> bool) -> Pins {
         let mut found = FxHashMap::default();
         let mut scratch = Scratch::new();
-        for pin in self.program.pins.iter().filter(|p| p.property == Pinned::Rot && counts(p.constraint)) {
+        let exact = |p: Pinned| p == Pinned::Rot || self.usual.is_some() && p != Pinned::Vertices;
+        let pins: Vec<_> = self.program.pins.iter().filter(|p| exact(p.property) && counts(p.constraint)).collect();
+        for pin in pins {
             let Some(formula) = pin.values.first() else { continue };
             // Nothing is in the instance yet, so that whatever depends on it has no value.
             let plain = formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::BuiltIn(..)));
             let world = Rc::clone(&self.world);
             if plain
-                && let Ok(Value::Rotation(rot)) = scratch.evaluate_with(formula, &world, self)
-                && rot.0.iter().all(|c| c.known().is_some())
+                && let Ok(Value::Rotation(value) | Value::Vector(value)) = scratch.evaluate_with(formula, &world, self)
+                && value.0.iter().all(|c| c.known().is_some_and(f64::is_finite))
+                && (pin.property != Pinned::Scale || value.0.iter().all(|c| c.known().is_some_and(|c| c > 0.0)))
             {
-                found.insert(pin.owner, (pin.constraint, rot));
+                found.insert((pin.owner, pin.property), (pin.constraint, value));
             }
         }
         found
@@ -163,7 +302,7 @@ impl<'p> Unknowns<'p> {
     /// Three unknown angles; only their turns modulo 360 have a say anywhere.
     fn angles(&mut self, owner: Owner) -> V3<Term> {
         let rot = V3(std::array::from_fn(|_| turn()));
-        self.owners.insert(rot.0[0], owner);
+        self.owners.insert(rot.0, owner);
         rot
     }
 
@@ -172,6 +311,15 @@ impl<'p> Unknowns<'p> {
         let Some(thing) = &self.world.objects[id.0 as usize] else { return };
         let axes = thing.axes.0.map(|axis| axis.0);
         if axes.iter().flatten().all(|c| c.known().is_some()) {
+            return;
+        }
+        if axes[1][1].known() == Some(1.0) {
+            // Upright: a circle, and the square around which it lies.
+            let (c, s) = (axes[0][0], axes[2][0]);
+            self.equal(c * c + s * s, Term::constant(1.0));
+            let sum = c.abs() + s.abs();
+            self.always.push(sum.at_least(1.0 - EXACT));
+            self.always.push((-sum).at_least(-std::f64::consts::SQRT_2 - EXACT));
             return;
         }
         let across = std::array::from_fn(|i| std::array::from_fn(|k| axes[k][i]));
@@ -214,6 +362,57 @@ impl<'p> Unknowns<'p> {
         }
     }
 
+    /// The directions between which claims know angles, by numbers, the contrary of an even one the next; with those
+    /// angles, and the right angles between the axes of an object. Of upright things whose turns are read, an angle is no
+    /// more than the turns differ by, one way round or the other.
+    pub fn directions(&mut self, objects: &BTreeSet<ObjectId>) -> Vec<([usize; 2], Term)> {
+        if self.angles.is_empty() {
+            return Vec::new();
+        }
+        let mut known: Vec<([Term; 3], usize)> = Vec::new();
+        let mut number = |v: V3<Term>| {
+            let first = v.0.iter().find(|c| c.known() != Some(0.0));
+            let (v, contrary) = if first.is_some_and(|c| c.is_contrary()) { (-v, 1) } else { (v, 0) };
+            let found = known.iter().find(|(k, _)| *k == v.0).map(|(_, n)| *n);
+            let at = found.unwrap_or_else(|| {
+                known.push((v.0, 2 * known.len()));
+                2 * (known.len() - 1)
+            });
+            at + contrary
+        };
+        let mut edges: Vec<([usize; 2], Term)> = Vec::new();
+        for ([p, q], angle) in self.angles.clone() {
+            edges.push(([number(p), number(q)], angle));
+        }
+        let mut turns: FxHashMap<usize, Term> = FxHashMap::default();
+        for &id in objects {
+            let thing = self.thing(id);
+            let axes = thing.axes.0.map(&mut number);
+            for [i, k] in [[0, 1], [0, 2], [1, 2]] {
+                edges.push(([axes[i], axes[k]], Term::constant(90.0)));
+            }
+            if thing.axes.0[1].0[1].known() == Some(1.0) {
+                let ahead = thing.rot.0[1];
+                for (axis, quarters) in [(axes[2], 0.0), (axes[0], 1.0), (axes[2] ^ 1, 2.0), (axes[0] ^ 1, 3.0)] {
+                    turns.insert(axis, ahead + Term::constant(90.0 * quarters));
+                }
+            }
+        }
+        let fixed: Vec<(V3<Term>, usize)> =
+            known.iter().filter(|(v, _)| v.iter().all(|c| c.known().is_some())).map(|(v, n)| (V3(*v), *n)).collect();
+        for (i, (p, a)) in fixed.iter().enumerate() {
+            edges.extend(fixed[..i].iter().map(|(q, b)| ([*a, *b], p.angle(*q))));
+        }
+        for ([p, q], angle) in &edges[..self.angles.len()] {
+            let (Some(p), Some(q)) = (turns.get(p), turns.get(q)) else { continue };
+            for whole in [-720.0, -360.0, 0.0, 360.0, 720.0] {
+                let apart = (*p - *q + Term::constant(whole)).abs();
+                self.always.push((apart - *angle).at_least(-1e-6));
+            }
+        }
+        edges
+    }
+
     /// An object.
     pub fn thing(&self, id: ObjectId) -> Thing<Term> {
         self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
@@ -222,6 +421,30 @@ impl<'p> Unknowns<'p> {
     /// A region.
     pub fn room(&self, id: RegionId) -> Room<Term> {
         self.world.regions[id.0 as usize].clone().expect("every region is there")
+    }
+
+    /// Whether a region's walls are along the axes of the world.
+    pub fn is_straight(&self, id: RegionId) -> bool {
+        self.yaws[id.0 as usize].map(Term::known) == [Some(1.0), Some(0.0)]
+    }
+
+    /// The height of an object's support surface.
+    pub fn surface(&mut self, id: ObjectId) -> Term {
+        let (surface, new) = self.term(format!("surface {id:?}"), Interval::new(-LARGEST * 4.0, LARGEST * 4.0));
+        if new {
+            // A surface that an asset declares is one of its own: somewhere from its base to its top.
+            let thing = self.thing(id);
+            let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
+            let (height, program) = (thing.scale.0[1], self.program);
+            let least = match self.usual {
+                Some(_) if carries_on_top(&program.objects[id.0 as usize]) => height,
+                Some(_) => height.scale(LOWEST_SURFACE),
+                None => Term::constant(0.0),
+            };
+            self.always.push((surface - (center - reach) - least).at_least(-EXACT));
+            self.always.push((center + reach - surface).at_least(-EXACT));
+        }
+        surface
     }
 
     /// A horizontal vector in the frame of a region: along its right and its front.
@@ -264,7 +487,12 @@ impl<'p> Unknowns<'p> {
 
     /// How far an object is from the side walls and from the end walls of a rectangular region, at least.
     pub fn wall_distances(&mut self, object: ObjectId, region: RegionId) -> [Term; 2] {
-        let (thing, room) = (self.thing(object), self.room(region));
+        self.wall_distances_of(&self.thing(object), object, region)
+    }
+
+    /// The same of a box that is turned as an object is.
+    pub fn wall_distances_of(&mut self, thing: &Thing<Term>, object: ObjectId, region: RegionId) -> [Term; 2] {
+        let room = self.room(region);
         let rows = self.frame(object, region);
         let between = thing.center() - room.pos;
         let at = self.framed(region, between.0[0], between.0[2]);
@@ -295,9 +523,29 @@ impl<'p> Unknowns<'p> {
         (term, true)
     }
 
+    /// Some point of the solid of an object: it is in its box.
+    pub fn point_of(&mut self, id: ObjectId) -> V3<Term> {
+        if let Some(known) = self.points.get(&id) {
+            return *known;
+        }
+        let (thing, point) = (self.thing(id), place());
+        let (center, reach) = (thing.center(), thing.reach());
+        for i in 0..3 {
+            let off = (point.0[i] - center.0[i]).abs();
+            self.always.push((reach.0[i] - off).at_least(-OUT_OF_BOX));
+        }
+        self.points.insert(id, point);
+        point
+    }
+
     /// Whether a measure is spoken of.
     pub fn knows(&self, name: &str) -> bool {
         self.terms.contains_key(name)
+    }
+
+    /// All regions.
+    pub fn regions(&self) -> Vec<RegionId> {
+        (0..self.program.regions.len() as u32).map(RegionId).collect()
     }
 
     /// Whether a region is a rectangle in every instance.
@@ -316,10 +564,10 @@ impl<'p> Unknowns<'p> {
 
     /// The axes of a rotation: of an object, or of an angle that is known.
     fn axes_of(&self, rot: V3<Term>) -> Option<M3<Term>> {
-        match self.owners.get(&rot.0[0]) {
+        match self.owners.get(&rot.0) {
             Some(Owner::Object(id)) => Some(self.thing(*id).axes),
             Some(Owner::Region(_)) => None,
-            None => rot.0.iter().all(|c| c.known().is_some()).then(|| M3::rotation(rot)),
+            None => [0, 2].iter().all(|i| rot.0[*i].known().is_some()).then(|| M3::rotation(rot)),
         }
     }
 
@@ -352,18 +600,7 @@ impl Oracle<Term> for Unknowns<'_> {
     ) -> Result<Value<Term>, EvalError> {
         let truth = |holds: Claim| Value::Truth(claimed(holds));
         Ok(match node {
-            Node::Object(ObjectProperty::Surface, object) => {
-                let (surface, new) =
-                    self.term(format!("surface {object:?}"), Interval::new(-LARGEST * 4.0, LARGEST * 4.0));
-                if new {
-                    // A surface that an asset declares is one of its own: somewhere from its base to its top.
-                    let thing = self.thing(*object);
-                    let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
-                    self.always.push((surface - (center - reach)).at_least(-EXACT));
-                    self.always.push((center + reach - surface).at_least(-EXACT));
-                }
-                Value::Number(surface)
-            }
+            Node::Object(ObjectProperty::Surface, object) => Value::Number(self.surface(*object)),
             Node::Region(property, region) => {
                 let exact = rectangle(world, *property, *region).map_err(|cause| EvalError { cause, node: id })?;
                 if self.rectangles.contains(region) {

@@ -11,6 +11,10 @@ use rustc_hash::FxHashMap;
 use scenelang_base::{Diagnostic, Span, codes};
 use scenelang_lang::program::Program;
 
+/// Of a contradiction that rests on what is usual.
+const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: rooms are taken to be \
+    unturned, and things to stand upright on the floor, as `solve` places them";
+
 /// Findings as diagnostics.
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
@@ -42,11 +46,12 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
 
 fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     let of = |index: usize| &program.constraints[index];
-    let rules = match found.rules.as_slice() {
-        [] => String::new(),
-        [one] => format!(": {one}"),
-        [one, two] => format!(": {one}, {two}"),
-        [one, rest @ ..] => format!(": {one}, and {} more rules take part", rest.len()),
+    let rules = match (&found.reason, found.rules.as_slice()) {
+        (Some(reason), _) => format!(": {reason}"),
+        (None, []) => String::new(),
+        (None, [one]) => format!(": {one}"),
+        (None, [one, two]) => format!(": {one}, {two}"),
+        (None, [one, rest @ ..]) => format!(": {one}, and {} more rules take part", rest.len()),
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
@@ -60,6 +65,9 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     };
     for (span, text) in members {
         finding = finding.related(span, format!("`{text}`"));
+    }
+    if found.as_usual {
+        finding = finding.note(AS_USUAL);
     }
     if let Some(proof) = &found.proof {
         for step in &proof.steps {
@@ -126,6 +134,7 @@ impl Speaker<'_> {
                 Rule::Verdict(_) => "that contradicts what is known".to_owned(),
                 Rule::Sum => "added up, these inequalities contradict each other".to_owned(),
                 Rule::Packing => "together the boxes are too large for the region".to_owned(),
+                Rule::Beside { fit } => format!("at most {fit} of the boxes fit beside each other"),
             },
             What::Excluded => "that cannot be".to_owned(),
         })

@@ -4,6 +4,7 @@
 mod builtins;
 mod cases;
 mod dice;
+mod everyday;
 mod given;
 mod gradients;
 mod naive;

@@ -36,7 +36,7 @@ fn proved(program: &Program) -> Findings {
 }
 
 /// The lines of the members of each contradiction.
-fn lines(text: &str, program: &Program, findings: &Findings) -> Vec<Vec<usize>> {
+pub fn lines(text: &str, program: &Program, findings: &Findings) -> Vec<Vec<usize>> {
     let line = |offset: u32| text[..offset as usize].matches('\n').count() + 1;
     let of = |c: &scenelang_verify::prove::Contradiction| {
         let statements = c.statements.iter().map(|s| program.constraints[*s].span);

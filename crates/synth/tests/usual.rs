@@ -1,0 +1,77 @@
+//! What proofs take for granted of usual things holds for the assets that they get.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
+
+use scenelang_base::{SourceFile, SourceMap};
+use scenelang_lang::compile::compile_main;
+use scenelang_lang::library;
+use scenelang_lang::program::Program;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::{Part, Vec3};
+use scenelang_synth::asset_of;
+use scenelang_verify::prove::core_of;
+use std::fmt::Write as _;
+use std::io;
+use std::path::Path;
+
+struct Nothing;
+
+impl Loader for Nothing {
+    fn load(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+}
+
+/// One object of each known category.
+fn kinds() -> Program {
+    let mut text = String::new();
+    for (i, (name, _)) in library::categories().iter().enumerate() {
+        writeln!(text, "object kind{i}; kind{i}.category <- \"{name}\";").unwrap();
+    }
+    let mut sources = SourceMap::new();
+    let main = sources.add(SourceFile::new("kinds.scene", "kinds.scene", &text));
+    compile_main(main, scenelang_lang::Options { core: false }, &Nothing, sources).program.unwrap()
+}
+
+/// Whether parts fill a box about the middle axis, as far as samples show.
+fn filled(parts: &[Part], [w, d]: [f64; 2], [from, to]: [f64; 2]) -> bool {
+    const SAMPLES: i32 = 8;
+    let along = |k: i32, length: f64| length * (f64::from(k) / f64::from(SAMPLES - 1) - 0.5);
+    let solid = |p: Vec3| {
+        parts.iter().any(|part| match part {
+            Part::Box { pos, size, rot } if *rot == Vec3::zeros() => {
+                (0..3).all(|i| (p[i] - pos[i]).abs() <= size[i] / 2.0 + 1e-6)
+            }
+            _ => false,
+        })
+    };
+    [0.001, 0.25, 0.5, 0.75, 0.999].into_iter().all(|part| {
+        let y = from + (to - from) * part;
+        (0..SAMPLES).all(|i| (0..SAMPLES).all(|k| solid(Vec3::new(along(i, w), y, along(k, d)))))
+    })
+}
+
+#[test]
+fn what_counts_as_solid_is() {
+    let (mut known, mut wrong) = (0, String::new());
+    for (object, (name, size)) in kinds().objects.iter().zip(library::categories()) {
+        for factor in [0.8, 1.0, 1.25] {
+            let size = size.map(|s| s * factor);
+            let Some((core, heights)) = core_of(object, size) else { continue };
+            known += 1;
+            let asset = asset_of(object, Some(Vec3::from(size)));
+            if !filled(&asset.parts, core, heights) {
+                writeln!(wrong, "{name} at {size:?}").unwrap();
+            }
+        }
+    }
+    assert!(known > 900, "{known}");
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn support_surfaces_are_well_above_the_base() {
+    for (object, (name, size)) in kinds().objects.iter().zip(library::categories()) {
+        let surface = asset_of(object, Some(Vec3::from(*size))).surface;
+        assert!(surface.is_none_or(|s| s >= 0.1 * size[1]), "{name}: {surface:?} of {}", size[1]);
+    }
+}

@@ -1,0 +1,358 @@
+//! What nobody means otherwise, and what `solve` takes for granted: rooms stand unturned with their floors at height 0,
+//! things stand upright on a floor, and have their usual sizes, unless the program speaks of it.
+//!
+//! A program that contradicts itself under this is refuted by it, and the verdict says so. Whatever is taken for granted
+//! is decided by the whole program, so that no choice among its statements changes it.
+
+use crate::eval::{cone, objects_of};
+use scenelang_lang::library::{usual_size, words};
+use scenelang_lang::program::{
+    Arith, Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned,
+    Program, RegionId, RegionProperty,
+};
+use scenelang_lang::roles::role_of;
+use std::collections::BTreeSet;
+
+/// A conjunction of more parts is looked at as one.
+const MOST_PARTS: usize = 64;
+/// The size of what nobody knows anything about (metres).
+const UNKNOWN: [f64; 3] = [0.5; 3];
+
+/// What is taken for granted of a program.
+#[derive(Clone, Debug)]
+pub(crate) struct Usual {
+    /// By object: whether it stands upright.
+    pub upright: Vec<bool>,
+    /// By object: its size (metres), where the program says nothing of it.
+    pub size: Vec<Option<[f64; 3]>>,
+    /// By object: what it may stand on, beside a floor; nothing is known of what the program says a height of.
+    pub carriers: Vec<Option<Vec<ObjectId>>>,
+    /// By region: whether it is unturned.
+    pub unturned: Vec<bool>,
+    /// By region: whether its floor is at height 0, unless that is assigned.
+    pub on_the_ground: Vec<bool>,
+}
+
+impl Usual {
+    /// What is taken for granted of a program.
+    pub fn of(program: &Program) -> Self {
+        use RegionProperty::{Ceiling, Center, Floor, Pos, Rot};
+        let objects = || (0..program.objects.len() as u32).map(ObjectId);
+        let regions = || (0..program.regions.len() as u32).map(RegionId);
+        let sized = sizes_said(program);
+        let size = |id: ObjectId| (!sized.contains(&id)).then(|| size_of(&program.objects[id.0 as usize]));
+        // Of a region that statements relate to others of its kind, or to numbers, nothing is taken for granted.
+        let said = |id: RegionId, properties: &[RegionProperty]| {
+            let reads = |n: &Node| matches!(n, Node::Region(p, r) if *r == id && properties.contains(p));
+            let alone = |c: &&Constraint| c.kind == ConstraintKind::Assert && c.formula.objects().is_empty();
+            hard(program).filter(alone).any(|c| c.formula.nodes.iter().any(reads))
+        };
+        Self {
+            upright: upright(program),
+            size: objects().map(size).collect(),
+            carriers: carriers(program),
+            unturned: regions().map(|r| !said(r, &[Rot])).collect(),
+            on_the_ground: regions().map(|r| !said(r, &[Pos, Floor, Ceiling, Center])).collect(),
+        }
+    }
+}
+
+/// What is solid of the assets of a kind, all of their footprint but for [`EDGE`]: from which to which part of the height.
+/// Kinds by their role; a word of their name decides where it is listed. A test in `synth` holds this to the assets.
+const SOLID: &[(&str, [f64; 2])] = &[
+    ("storage", [0.25, 0.99]),
+    ("appliance", [0.02, 0.98]),
+    ("table", [0.97, 0.99]),
+    ("desk", [0.97, 0.99]),
+    ("counter", [0.97, 0.99]),
+];
+const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
+    ("crate", [0.02, 0.98]),
+    ("box", [0.02, 0.98]),
+    ("rack", [0.99, 1.0]),
+    ("shelf", [0.99, 1.0]),
+    ("shelving", [0.99, 1.0]),
+    ("bookshelf", [0.99, 1.0]),
+    ("bookcase", [0.99, 1.0]),
+    ("sofa", [0.05, 0.42]),
+    ("loveseat", [0.05, 0.42]),
+    ("armchair", [0.05, 0.42]),
+    ("recliner", [0.05, 0.42]),
+    ("chair", [0.487, 0.503]),
+    ("bed", [0.06, 0.24]),
+    ("table", [0.97, 0.99]),
+    ("desk", [0.97, 0.99]),
+    ("bench", [0.0, 0.0]),
+    ("stool", [0.0, 0.0]),
+    ("gondola", [0.0, 0.0]),
+];
+/// Of these there are many shapes: only with such words before them, or none.
+const MANY_SHAPES: &[&str] = &["rack", "shelf", "shelving", "chair", "bed"];
+const PLAIN: &[&str] = &[
+    "storage",
+    "pallet",
+    "warehouse",
+    "steel",
+    "metal",
+    "wooden",
+    "book",
+    "dining",
+    "kitchen",
+    "school",
+    "visitor",
+    "conference",
+    "double",
+    "single",
+    "twin",
+    "queen",
+    "king",
+    "white",
+];
+/// Words of which nothing is known: other shapes.
+const OTHER: &[&str] = &[
+    "round",
+    "oval",
+    "circular",
+    "curved",
+    "corner",
+    "bistro",
+    "pedestal",
+    "coat",
+    "dumbbell",
+    "wine",
+    "hood",
+    "lectern",
+    "podium",
+    "bar",
+    "exam",
+    "massage",
+    "operating",
+    "wall",
+    "hat",
+    "towel",
+    "book",
+    "horse",
+    "rail",
+    "cubby",
+    "cubbies",
+    "etagere",
+    "tree",
+    "hook",
+    "holder",
+    "library",
+    "stall",
+    "newsstand",
+    "produce",
+    "newspaper",
+    "unit",
+    "cube",
+    "cubicle",
+    "pulpit",
+    "rostrum",
+    "speaker",
+    "speaking",
+    "presentation",
+    "presenter",
+    "ping",
+    "tennis",
+    "ironing",
+    "fan",
+    "extractor",
+    "lamp",
+    "shoe",
+    "clothes",
+    "clothing",
+    "garment",
+];
+/// How far from the sides that is (metres).
+const EDGE: f64 = 0.03;
+
+/// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
+/// and from which to which height above its base that reaches. Nothing is known of most.
+pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
+    let words = words(what(object));
+    let (last, before) = words.split_last()?;
+    let last = last.trim_end_matches('s');
+    let other = |word: &String| OTHER.contains(&word.as_str());
+    let is_plain = |word: &String| PLAIN.contains(&word.as_str());
+    let known = if MANY_SHAPES.contains(&last) { before.iter().all(is_plain) } else { !words.iter().any(other) };
+    if !object.features.is_empty() || !known {
+        return None;
+    }
+    let role = role_of(what(object));
+    let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
+    let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
+    let size = [w, d].map(|s| s - 2.0 * EDGE);
+    (to > from && size[0].min(size[1]) > EDGE).then_some((size, [from * h, to * h]))
+}
+
+/// Whether what stands on a thing stands on its top: no asset of its kind declares another surface.
+pub(crate) fn carries_on_top(object: &Object) -> bool {
+    let known = !object.category.is_empty() || usual_size(what(object)).is_some();
+    !known || matches!(role_of(what(object)), "storage" | "appliance" | "table" | "desk" | "counter")
+}
+
+fn hard(program: &Program) -> impl Iterator<Item = &Constraint> {
+    program.constraints.iter().filter(|c| !matches!(c.kind, ConstraintKind::Prefer { .. }))
+}
+
+/// The size that an object gets where the program says nothing of it: that of its category, or of its name.
+fn size_of(object: &Object) -> [f64; 3] {
+    usual_size(what(object)).unwrap_or(UNKNOWN)
+}
+
+/// What an object is: its category, or else what its name says.
+fn what(object: &Object) -> &str {
+    let name = object.array.as_ref().map_or(object.name.as_str(), |(array, _)| array.as_str());
+    if object.category.is_empty() { name } else { &object.category }
+}
+
+/// Objects whose size the program assigns, or speaks of by itself.
+fn sizes_said(program: &Program) -> BTreeSet<ObjectId> {
+    let mut found = BTreeSet::new();
+    for Constraint { formula, .. } in hard(program) {
+        for part in conjuncts(formula) {
+            let nodes: Vec<&Node> = cone(formula, part).into_iter().map(|n| formula.node(n)).collect();
+            let of_sizes = |n: &&Node| match n {
+                Node::Object(property, _) => *property == ObjectProperty::Scale,
+                node => !matches!(node, Node::BuiltIn(..)),
+            };
+            // Of a whole that is looked at as one nothing is known of its parts.
+            if nodes.iter().all(of_sizes) || matches!(formula.node(part), Node::And(_)) {
+                found.extend(nodes.iter().filter_map(|n| match n {
+                    Node::Object(ObjectProperty::Scale, id) => Some(*id),
+                    _ => None,
+                }));
+            }
+        }
+    }
+    found.extend(program.pins.iter().filter_map(|pin| match (pin.owner, pin.property) {
+        (Owner::Object(id), Pinned::Scale) => Some(id),
+        _ => None,
+    }));
+    found
+}
+
+/// The members of the top-level conjunctions of a formula; the whole of it where there are many.
+fn conjuncts(formula: &Formula) -> Vec<NodeId> {
+    let (mut open, mut found) = (vec![formula.root], Vec::new());
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            _ => found.push(id),
+        }
+    }
+    if found.len() > MOST_PARTS { vec![formula.root] } else { found }
+}
+
+/// By object: the others that some formula relates its height to; nothing, where one gives it a height otherwise.
+fn carriers(program: &Program) -> Vec<Option<Vec<ObjectId>>> {
+    let mut found: Vec<Option<Vec<ObjectId>>> = vec![Some(Vec::new()); program.objects.len()];
+    for Constraint { formula, .. } in &program.constraints {
+        for part in conjuncts(formula) {
+            let nodes = cone(formula, part);
+            let objects = objects_of(formula, part);
+            for id in heights_read(formula, &nodes) {
+                let others: Vec<ObjectId> = objects.iter().copied().filter(|o| *o != id).collect();
+                let own = &mut found[id.0 as usize];
+                match own {
+                    Some(list) if !others.is_empty() => list.extend(others),
+                    _ => *own = None,
+                }
+            }
+        }
+    }
+    for list in found.iter_mut().flatten() {
+        list.sort_unstable();
+        list.dedup();
+    }
+    found
+}
+
+/// Objects whose height a part of a formula reads: by its name, as a component, or in a place that is to be the same as
+/// another. What is multiplied by the height of an axis says nothing of upright things.
+fn heights_read(formula: &Formula, nodes: &[NodeId]) -> BTreeSet<ObjectId> {
+    use ObjectProperty::{Bottom, Center, Front, Max, Min, Pos, Right, Surface, Top};
+    let flat = |id: NodeId| match formula.node(id) {
+        Node::Component(Axis::Y, of) => matches!(formula.node(*of), Node::Object(Front | Right, _)),
+        _ => false,
+    };
+    let mut idle: BTreeSet<NodeId> = BTreeSet::new();
+    for &id in nodes {
+        if let Node::Arith(Arith::Mul, a, b) = formula.node(id)
+            && (flat(*a) || flat(*b))
+        {
+            idle.extend(cone(formula, if flat(*a) { *b } else { *a }));
+        }
+    }
+    let (mut bases, mut tops) = (BTreeSet::new(), BTreeSet::new());
+    for &id in nodes.iter().filter(|id| !idle.contains(id)) {
+        match formula.node(id) {
+            Node::Object(Bottom, object) => drop(bases.insert(*object)),
+            Node::Object(Top | Surface, object) => drop(tops.insert(*object)),
+            Node::Component(Axis::Y, of) => {
+                if let Node::Object(Pos | Center | Min | Max, object) = formula.node(*of) {
+                    bases.insert(*object);
+                }
+            }
+            Node::Same(a, b) => {
+                let places = [a, b].into_iter().flat_map(|n| cone(formula, *n));
+                bases.extend(places.filter_map(|n| match formula.node(n) {
+                    Node::Object(Pos | Center | Min | Max, object) => Some(*object),
+                    _ => None,
+                }));
+            }
+            _ => {}
+        }
+    }
+    // The top of something on which something else stands is no height of its own.
+    tops.retain(|top| !bases.iter().any(|base| base != top));
+    bases.extend(tops);
+    bases
+}
+
+/// Whether each object stands upright: no statement reads its turn about x or z, or its up, or turns it like something
+/// that is not level.
+fn upright(program: &Program) -> Vec<bool> {
+    let mut tilts = vec![false; program.objects.len()];
+    let mut same = Vec::new();
+    for Constraint { formula, .. } in hard(program) {
+        let turned = |id: NodeId| match formula.node(id) {
+            Node::Object(ObjectProperty::Rot, object) => Some(*object),
+            _ => None,
+        };
+        for node in &formula.nodes {
+            let tilted = match node {
+                Node::Component(Axis::X | Axis::Z, of) => turned(*of),
+                Node::Same(a, b) => {
+                    same.extend(turned(*a).zip(turned(*b)));
+                    turned(*a).filter(|_| !is_level(formula, *b)).or(turned(*b).filter(|_| !is_level(formula, *a)))
+                }
+                Node::Object(ObjectProperty::Up, object) => Some(*object),
+                _ => None,
+            };
+            if let Some(object) = tilted {
+                tilts[object.0 as usize] = true;
+            }
+        }
+    }
+    loop {
+        let before = tilts.iter().filter(|t| **t).count();
+        for (a, b) in same.iter().map(|(a, b)| (a.0 as usize, b.0 as usize)) {
+            let either = tilts[a] || tilts[b];
+            (tilts[a], tilts[b]) = (either, either);
+        }
+        if tilts.iter().filter(|t| **t).count() == before {
+            return tilts.into_iter().map(|t| !t).collect();
+        }
+    }
+}
+
+/// Whether a rotation is that of something upright, as far as its formula shows. That of an object is its own affair.
+fn is_level(formula: &Formula, id: NodeId) -> bool {
+    match formula.node(id) {
+        Node::Rotation([x, _, z]) => [x, z].iter().all(|c| *formula.node(**c) == Node::Number(0.0)),
+        Node::Object(..) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,93 @@
+//! What people write by mistake: contradictions that are proved where things are taken as usual, each with the smallest
+//! set of statements, and beside each a program that differs by a hair and is not called contradictory.
+//!
+//! Cases whose name begins with `(missed)` are not proved yet, or with a larger set; one that is proved loses the mark.
+//!
+//! The cases are in `tests/proofs/everyday`; the head of `packing.txt` says how they are written. That the other programs
+//! have layouts is tested where they can be solved (`crates/synth`).
+
+use crate::proofs::{compiled, lines};
+use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{fs, time::Instant};
+
+/// A case: its name, the contradictory program, the smallest set (lines), the other program.
+struct Case {
+    name: String,
+    text: String,
+    wanted: Vec<usize>,
+    twin: String,
+}
+
+fn cases() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/proofs/everyday");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    files.sort();
+    let mut out: Vec<Case> = Vec::new();
+    for file in files {
+        let stem = file.file_stem().unwrap().to_string_lossy().into_owned();
+        let text = fs::read_to_string(&file).unwrap();
+        for part in format!("\n{text}").split("\n== ").skip(1) {
+            let (name, body) = part.split_once('\n').unwrap();
+            let mut case =
+                Case { name: format!("{stem}: {name}"), text: String::new(), wanted: Vec::new(), twin: String::new() };
+            let mut last = 0;
+            for line in body.lines() {
+                if let Some(other) = line.strip_prefix("~ ") {
+                    case.twin.truncate(last);
+                    writeln!(case.twin, "{other}").unwrap();
+                    continue;
+                }
+                last = case.twin.len();
+                writeln!(case.text, "{line}").unwrap();
+                writeln!(case.twin, "{}", line.trim_end_matches("//!")).unwrap();
+                if line.ends_with("//!") {
+                    case.wanted.push(case.text.lines().count());
+                }
+            }
+            out.push(case);
+        }
+    }
+    out
+}
+
+fn proved(text: &str) -> (Findings, Vec<Vec<usize>>) {
+    let program = compiled(text);
+    let findings = prove(&program, &ProveOptions { usual: true, redundant: false, ..ProveOptions::default() });
+    let mut found = lines(text, &program, &findings);
+    found.iter_mut().for_each(Vec::dedup);
+    (findings, found)
+}
+
+#[test]
+fn everyday_contradictions_are_proved_with_the_smallest_set() {
+    let (mut wrong, mut inexact, mut proofs, mut all) = (String::new(), 0, 0, 0);
+    for case in cases() {
+        all += 1;
+        let begun = Instant::now();
+        let (findings, found) = proved(&case.text);
+        let took = begun.elapsed();
+        println!("{}: {found:?} in {took:.1?}, {} steps", case.name, findings.work_spent);
+        proofs += usize::from(!found.is_empty());
+        let exact = found.first() == Some(&case.wanted);
+        inexact += usize::from(!found.is_empty() && !exact);
+        if exact == case.name.contains("(missed)") {
+            writeln!(wrong, "{}: expected {:?}, found {found:?}", case.name, case.wanted).unwrap();
+        }
+    }
+    println!("{proofs} of {all} proved, {inexact} of them with another set");
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+#[test]
+fn what_differs_by_a_hair_is_not_contradictory() {
+    let mut wrong = String::new();
+    for case in cases() {
+        let (_, found) = proved(&case.twin);
+        if !found.is_empty() {
+            writeln!(wrong, "{}: {found:?}\n{}", case.name, case.twin).unwrap();
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
