@@ -52,7 +52,9 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
         replace::permit(&path, &[], args.force)?;
         replace::program(&path, &program)?;
     }
-    Ok(Reading { program, clauses: read.clauses, understood: read.understood, took })
+    let silent = read.silent().into_iter().map(|at| request.text[at].to_owned()).collect();
+    let (clauses, understood, words) = (read.clauses, read.understood, read.words.len());
+    Ok(Reading { program, clauses, understood, words, silent, took })
 }
 
 /// The program that a folder has for a request.
@@ -115,6 +117,9 @@ fn text(requests: &Requests, worst: usize) -> String {
         let _ = write!(out, "\n  {}\n", case.name);
         for miss in &case.score.misses {
             let _ = writeln!(out, "    {miss}");
+        }
+        if !case.reading.silent.is_empty() {
+            let _ = writeln!(out, "    lost without a word: {}", case.reading.silent.join(", "));
         }
     }
     out

@@ -32,6 +32,10 @@ pub struct Reading {
     pub clauses: usize,
     /// How many of them were understood.
     pub understood: usize,
+    /// How many words say something; 0 where the reader does not say.
+    pub words: usize,
+    /// Those of them that became nothing, and of which no note speaks.
+    pub silent: Vec<String>,
     /// How long it took, where it was read now.
     pub took: Option<Duration>,
 }
@@ -65,6 +69,11 @@ impl Case {
     /// The clauses that were understood.
     pub fn clauses(&self) -> Share {
         Share { part: self.reading.understood, whole: self.reading.clauses }
+    }
+
+    /// The words that say something and were lost without a word.
+    pub fn silent(&self) -> Share {
+        Share { part: self.reading.silent.len(), whole: self.reading.words }
     }
 
     /// The mean of all shares but precision and counts, which say nothing about what is missing: to find the worst.
@@ -123,15 +132,15 @@ impl Requests {
     }
 
     /// The same of the shares that say what is wrong, summed over the cases.
-    pub fn faults(&self) -> [(&'static str, Share); 3] {
-        let mut out = Score::default().faults();
-        for case in &self.cases {
-            for (sum, (_, share)) in out.iter_mut().zip(case.score.faults()) {
-                sum.1.part += share.part;
-                sum.1.whole += share.whole;
-            }
-        }
-        out
+    pub fn faults(&self) -> [(&'static str, Share); 4] {
+        let [connections, wrong, weakened] = Score::default().faults().map(|(name, _)| name);
+        let nth = |n: usize| self.sum(|case| case.score.faults()[n].1);
+        [(connections, nth(0)), (wrong, nth(1)), (weakened, nth(2)), ("silently lost", self.sum(Case::silent))]
+    }
+
+    fn sum(&self, of: impl Fn(&Case) -> Share) -> Share {
+        let add = |a: Share, b: Share| Share { part: a.part + b.part, whole: a.whole + b.whole };
+        self.cases.iter().map(of).fold(Share::default(), add)
     }
 
     /// How many programs compile.
@@ -146,8 +155,7 @@ impl Requests {
 
     /// The clauses of all requests that were understood.
     pub fn clauses(&self) -> Share {
-        let add = |a: Share, b: Share| Share { part: a.part + b.part, whole: a.whole + b.whole };
-        self.cases.iter().map(Case::clauses).fold(Share::default(), add)
+        self.sum(Case::clauses)
     }
 
     /// The longest time for one request.
@@ -175,6 +183,7 @@ impl Requests {
                 "compiled": case.contradictions.is_some(),
                 "contradictions": case.contradictions,
                 "clauses": pair(case.clauses()),
+                "silent": pair(case.silent()),
                 "milliseconds": case.reading.took.map(milliseconds),
             })
         };
@@ -228,7 +237,14 @@ mod tests {
                 "c-half" => "object chair; object lamp;",
                 _ => "object chair[2]; object table; assert table.pos.x > 1; assert table.pos.x < 0;",
             };
-            Ok(Reading { program: program.to_owned(), clauses: 4, understood: 3, took: None })
+            Ok(Reading {
+                program: program.to_owned(),
+                clauses: 4,
+                understood: 3,
+                words: 9,
+                silent: vec!["blue".to_owned()],
+                took: None,
+            })
         };
         let mut heard = Vec::new();
         let all = read_folder(folder.path(), &reader, |n, of| heard.push((n, of))).unwrap();
@@ -243,6 +259,7 @@ mod tests {
         assert_eq!(means[4], ("mentioned", None));
         assert_eq!((all.compiled().part, all.free().part), (3, 2));
         assert_eq!(all.clauses(), Share { part: 12, whole: 16 });
+        assert_eq!(all.faults()[3], ("silently lost", Share { part: 4, whole: 36 }));
         let worst: Vec<_> = all.worst(9).iter().map(|c| c.name.as_str()).collect();
         assert_eq!(worst, ["b-broken", "c-half"]);
         assert_eq!(all.json()["cases"][3]["contradictions"], 1);

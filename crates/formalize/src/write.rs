@@ -1,8 +1,8 @@
 //! A draft as the text of a program, the way a person would write it.
 //!
-//! Rooms first, then doors and windows, then each room with its things, what is asked of a thing behind it; at the end
-//! the words of the request that became no statement. Each declaration and statement has before it, as `@req`, the
-//! words that it comes from, or the reason why it is there (`inferred: …`).
+//! Rooms first, then doors and windows, then each room with its things, what is asked of a thing behind it, and at its
+//! end, together, what nobody asked for; last the words of the request that became no statement. Each declaration and
+//! statement has before it, as `@req`, the words that it comes from, or the reason why it is there (`inferred: …`).
 //!
 //! Words without a statement stand before a predicate that nobody calls (`unmet1`): it asks for nothing, and can be
 //! given a meaning. The text is as the formatter leaves it.
@@ -29,7 +29,7 @@ const SILL: f64 = 0.9;
 
 /// The text of a program: compiled, it has the rooms, openings, things and statements of the draft.
 pub fn write(draft: &Draft) -> String {
-    let mut writer = Writer { draft, out: String::new(), behind: behind(draft) };
+    let mut writer = Writer { draft, out: String::new(), behind: behind(draft), unasked: Vec::new(), begun: false };
     writer.program();
     format(&writer.out, &FormatOptions::default())
 }
@@ -53,14 +53,23 @@ fn rooms(draft: &Draft) -> impl Iterator<Item = Option<usize>> {
     (0..draft.rooms.len()).map(Some).chain([None])
 }
 
+/// The things of a room: what is asked for, then what is not.
 fn of_room(draft: &Draft, room: Option<usize>) -> impl Iterator<Item = &Thing> {
-    draft.things.iter().filter(move |thing| thing.room.filter(|at| *at < draft.rooms.len()) == room)
+    let own = move |thing: &&Thing| thing.room.filter(|at| *at < draft.rooms.len()) == room;
+    let own = move |asked: bool| {
+        draft.things.iter().filter(own).filter(move |t| matches!(t.source, Source::Stated(_)) == asked)
+    };
+    own(true).chain(own(false))
 }
 
 struct Writer<'d> {
     draft: &'d Draft,
     out: String,
     behind: BTreeMap<Option<&'d str>, Vec<usize>>,
+    /// Statements that nobody asked for and that are not written yet, each with its reason.
+    unasked: Vec<(Source, String)>,
+    /// Whether the section has come to what nobody asked for.
+    begun: bool,
 }
 
 impl Writer<'_> {
@@ -77,6 +86,7 @@ impl Writer<'_> {
             for opening in &self.draft.openings {
                 self.opening(opening);
             }
+            self.not_asked();
         }
         for room in rooms(self.draft) {
             let things: Vec<&Thing> = of_room(self.draft, room).collect();
@@ -88,13 +98,19 @@ impl Writer<'_> {
                 kind => kind,
             });
             self.heading(&capital(name.as_deref().unwrap_or("Elsewhere")));
-            for thing in things {
+            let asked = things.iter().take_while(|thing| matches!(thing.source, Source::Stated(_))).count();
+            for (at, thing) in things.into_iter().enumerate() {
+                if at == asked {
+                    self.begin_unasked();
+                }
                 self.thing(thing);
             }
+            self.not_asked();
         }
         if self.behind.contains_key(&None) {
             self.heading("Everything");
             self.following(None);
+            self.not_asked();
         }
         self.notes();
     }
@@ -169,9 +185,7 @@ impl Writer<'_> {
         let (connected, cleared, raised) = (named(&["connects"]), named(&["clear"]), named(&["pos", "bottom", "top"]));
         if !connected && !rooms.is_empty() {
             let ends: Vec<&str> = rooms.iter().map(|room| room.name.as_str()).collect();
-            self.line("");
-            self.requirement(source);
-            self.line(&format!("assert connects({name}, {});", ends.join(", ")));
+            self.statement(source, format!("assert connects({name}, {});", ends.join(", ")));
         }
         let ceiling = rooms.iter().map(|room| room.size[1]).fold(f64::INFINITY, f64::min);
         match kind {
@@ -198,9 +212,43 @@ impl Writer<'_> {
     fn inferred(&mut self, reason: &str, conditions: &[Option<String>]) {
         let conditions: Vec<&str> = conditions.iter().flatten().map(String::as_str).collect();
         if !conditions.is_empty() {
+            self.statement(&Source::Inferred(reason.to_owned()), format!("assert {};", conditions.join(" and ")));
+        }
+    }
+
+    /// A statement; one that nobody asked for waits for the end of its section.
+    fn statement(&mut self, source: &Source, line: String) {
+        if matches!(source, Source::Inferred(_)) {
+            self.unasked.push((source.clone(), line));
+            return;
+        }
+        self.line("");
+        self.requirement(source);
+        self.line(&line);
+    }
+
+    /// Says, once in a section, that nobody asked for what follows.
+    fn begin_unasked(&mut self) {
+        if !std::mem::replace(&mut self.begun, true) {
             self.line("");
-            self.requirement(&Source::Inferred(reason.to_owned()));
-            self.line(&format!("assert {};", conditions.join(" and ")));
+            self.line("// Not asked for:");
+        }
+    }
+
+    /// What nobody asked for, as far as it waits: statements for the same reason together.
+    fn not_asked(&mut self) {
+        let mut left = std::mem::take(&mut self.unasked);
+        if !left.is_empty() {
+            self.begin_unasked();
+        }
+        while let Some((reason, _)) = left.first().cloned() {
+            self.line("");
+            let (same, others): (Vec<_>, Vec<_>) = left.into_iter().partition(|(own, _)| *own == reason);
+            for (source, line) in same {
+                self.requirement(&source);
+                self.line(&line);
+            }
+            left = others;
         }
     }
 
@@ -214,14 +262,13 @@ impl Writer<'_> {
         self.look(name, look);
         let room = room.and_then(|at| self.draft.rooms.get(at));
         if let Some(room) = room.filter(|room| !self.says_where(thing, room)) {
-            self.line("");
-            self.requirement(source);
-            if *count > 1 {
+            let line = if *count > 1 {
                 let one = self.free_name(&["each", "one", "element", "any"]);
-                self.line(&format!("assert forall {one} in {name}: inside({one}, {});", room.name));
+                format!("assert forall {one} in {name}: inside({one}, {});", room.name)
             } else {
-                self.line(&format!("assert inside({name}, {});", room.name));
-            }
+                format!("assert inside({name}, {});", room.name)
+            };
+            self.statement(source, line);
         }
         self.following(Some(name));
     }
@@ -252,10 +299,9 @@ impl Writer<'_> {
     /// The statements that stand behind an object, or those that name none.
     fn following(&mut self, name: Option<&str>) {
         for at in self.behind.get(&name).cloned().unwrap_or_default() {
-            let statement = &self.draft.statements[at];
-            self.line("");
-            self.requirement(&statement.source);
-            self.line(&statement.line());
+            let draft = self.draft;
+            let statement = &draft.statements[at];
+            self.statement(&statement.source, statement.line());
         }
     }
 
@@ -289,6 +335,7 @@ impl Writer<'_> {
     }
 
     fn heading(&mut self, title: &str) {
+        self.begun = false;
         self.line("");
         self.line(&format!("// ---- {title} ----"));
         self.line("");

@@ -83,6 +83,8 @@ struct WireThing {
     room: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beyond: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    places: Option<usize>,
     #[serde(default, skip_serializing_if = "plain")]
     look: WireLook,
     #[serde(default, skip_serializing_if = "unsized_")]
@@ -251,6 +253,7 @@ impl Wire {
             of: thing.of.clone(),
             room: rooms[thing.room].clone(),
             beyond: thing.beyond.map(|beyond| rooms[beyond].clone()),
+            places: thing.places,
             look: WireLook::of(&thing.look),
             size: thing.size,
             part: thing.part.as_ref().map(|part| WirePart { of: things[part.of].clone(), pick: part.pick }),
@@ -431,6 +434,7 @@ impl Scope<'_> {
             of: thing.of,
             room: self.a_room(&format!("{path}.room"), &thing.room)?,
             beyond: thing.beyond.map(|id| self.a_room(&format!("{path}.beyond"), &id)).transpose()?,
+            places: thing.places.map(|n| n.min(MOST_COUNT)),
             look: thing.look.look(),
             size: Self::size(path, thing.size)?,
             source: self.source(&format!("{path}.source"), thing.source)?,

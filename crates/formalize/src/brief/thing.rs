@@ -21,6 +21,8 @@ pub struct Thing {
     pub room: usize,
     /// For a door or a window: the room on the other side. `None`: the outside.
     pub beyond: Option<usize>,
+    /// For how many people: "a table for six".
+    pub places: Option<usize>,
     /// Its looks.
     pub look: Look,
     /// Width, height and depth, where they are said.

@@ -46,6 +46,7 @@ fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> 
         of: None,
         room,
         beyond: None,
+        places: None,
         look: Look::default(),
         size: [None; 3],
         source: Source::Inferred(why.to_owned()),

@@ -1,12 +1,12 @@
 //! Tokens → chunks: noun phrases, relations, verbs, measures, and the little words between them.
 
-use super::lexicon::{Class, Look, Verb, get};
+use super::lexicon::{Class, Look, Verb, get, relation_called};
 use super::measure::{Measure, measure};
 use super::noun::{Kind as NounKind, Np, bounded, noun_phrase};
+use super::phrases::Phrases;
 use super::token::{Kind, Token};
 use crate::brief::{Dim, Pattern, Rel};
 use crate::draft;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -81,139 +81,30 @@ impl Chunk {
 }
 
 /// Phrases that are one piece.
-const FIXED: &[(&str, Piece)] = &[
-    ("side by side", Piece::Pattern(Pattern::SideBySide)),
-    ("next to each other", Piece::Pattern(Pattern::SideBySide)),
-    ("beside each other", Piece::Pattern(Pattern::SideBySide)),
-    ("next to one another", Piece::Pattern(Pattern::SideBySide)),
-    ("in a row", Piece::Pattern(Pattern::Row)),
-    ("in one row", Piece::Pattern(Pattern::Row)),
-    ("in a single row", Piece::Pattern(Pattern::Row)),
-    ("in a line", Piece::Pattern(Pattern::Row)),
-    ("in a straight line", Piece::Pattern(Pattern::Row)),
-    ("in line", Piece::Pattern(Pattern::Row)),
-    ("lined up", Piece::Pattern(Pattern::Row)),
-    ("in an orderly line", Piece::Pattern(Pattern::Row)),
-    ("in a circle", Piece::Pattern(Pattern::Circle)),
-    ("in a ring", Piece::Pattern(Pattern::Circle)),
-    ("in a semicircle", Piece::Pattern(Pattern::Circle)),
-    ("in a half circle", Piece::Pattern(Pattern::Circle)),
-    ("in a u shape", Piece::Pattern(Pattern::Circle)),
-    ("back to back", Piece::Pattern(Pattern::BackToBack)),
-    ("facing each other", Piece::Pattern(Pattern::FaceToFace)),
-    ("face each other", Piece::Pattern(Pattern::FaceToFace)),
-    ("facing one another", Piece::Pattern(Pattern::FaceToFace)),
-    ("opposite each other", Piece::Pattern(Pattern::FaceToFace)),
-    ("across from each other", Piece::Pattern(Pattern::FaceToFace)),
-    ("face to face", Piece::Pattern(Pattern::FaceToFace)),
-    ("left to right", Piece::Pattern(Pattern::LeftToRight)),
-    ("from left to right", Piece::Pattern(Pattern::LeftToRight)),
-    ("on top of each other", Piece::Pattern(Pattern::Stacked)),
-    ("to its left", Piece::ToIts(Rel::LeftOf)),
-    ("on its left", Piece::ToIts(Rel::LeftOf)),
-    ("to their left", Piece::ToIts(Rel::LeftOf)),
-    ("on its left side", Piece::ToIts(Rel::LeftOf)),
-    ("to the left", Piece::ToIts(Rel::LeftOf)),
-    ("on the left", Piece::ToIts(Rel::LeftOf)),
-    ("on the left side", Piece::ToIts(Rel::LeftOf)),
-    ("to its right", Piece::ToIts(Rel::RightOf)),
-    ("on its right", Piece::ToIts(Rel::RightOf)),
-    ("to their right", Piece::ToIts(Rel::RightOf)),
-    ("on its right side", Piece::ToIts(Rel::RightOf)),
-    ("to the right", Piece::ToIts(Rel::RightOf)),
-    ("on the right", Piece::ToIts(Rel::RightOf)),
-    ("on the right side", Piece::ToIts(Rel::RightOf)),
-    ("in its front", Piece::ToIts(Rel::InFrontOf)),
-    ("beside it", Piece::ToIts(Rel::Beside)),
-    ("next to it", Piece::ToIts(Rel::Beside)),
-    ("beside them", Piece::ToIts(Rel::Beside)),
-    ("next to them", Piece::ToIts(Rel::Beside)),
-    ("alongside it", Piece::ToIts(Rel::Beside)),
-    ("at its side", Piece::ToIts(Rel::Beside)),
-    ("on either side", Piece::ToIts(Rel::Beside)),
-    ("at either side", Piece::ToIts(Rel::Beside)),
-    ("on both sides", Piece::ToIts(Rel::Beside)),
-    ("on each side", Piece::ToIts(Rel::Beside)),
-    ("to either side", Piece::ToIts(Rel::Beside)),
-    ("above it", Piece::ToIts(Rel::Above)),
-    ("above them", Piece::ToIts(Rel::Above)),
-    ("over it", Piece::ToIts(Rel::Above)),
-    ("over them", Piece::ToIts(Rel::Above)),
-    ("overhead", Piece::ToIts(Rel::Above)),
-    ("under it", Piece::ToIts(Rel::Under)),
-    ("under them", Piece::ToIts(Rel::Under)),
-    ("below it", Piece::ToIts(Rel::Under)),
-    ("beneath it", Piece::ToIts(Rel::Under)),
-    ("underneath it", Piece::ToIts(Rel::Under)),
-    ("underneath", Piece::ToIts(Rel::Under)),
-    ("on it", Piece::ToIts(Rel::On)),
-    ("on them", Piece::ToIts(Rel::On)),
-    ("on top of it", Piece::ToIts(Rel::On)),
-    ("on top", Piece::ToIts(Rel::On)),
-    ("around it", Piece::ToIts(Rel::Around)),
-    ("around them", Piece::ToIts(Rel::Around)),
-    ("round it", Piece::ToIts(Rel::Around)),
-    ("in front of it", Piece::ToIts(Rel::InFrontOf)),
-    ("in front of them", Piece::ToIts(Rel::InFrontOf)),
-    ("in front", Piece::ToIts(Rel::InFrontOf)),
-    ("behind it", Piece::ToIts(Rel::Behind)),
-    ("behind them", Piece::ToIts(Rel::Behind)),
-    ("near it", Piece::ToIts(Rel::Near)),
-    ("near them", Piece::ToIts(Rel::Near)),
-    ("opposite it", Piece::ToIts(Rel::Opposite)),
-    ("facing it", Piece::ToIts(Rel::Facing)),
-    ("facing them", Piece::ToIts(Rel::Facing)),
-    ("across from it", Piece::ToIts(Rel::Opposite)),
-    ("between them", Piece::ToIts(Rel::Between)),
-    ("in between", Piece::ToIts(Rel::Between)),
-    ("inside it", Piece::ToIts(Rel::In)),
-    ("in it", Piece::ToIts(Rel::In)),
-    ("as well as", Piece::And),
-    ("along with", Piece::And),
-    ("together with", Piece::With),
-    ("complete with", Piece::With),
-    ("if you can", Piece::Soft),
-    ("there is", Piece::There),
-    ("there are", Piece::There),
-    ("there's", Piece::There),
-    ("there should be", Piece::There),
-    ("there must be", Piece::There),
-    ("there shall be", Piece::There),
-    ("there will be", Piece::There),
-    ("at eye level", Piece::Word(false)),
-    ("at eye height", Piece::Word(false)),
-    ("at knee height", Piece::Word(false)),
-    ("at waist height", Piece::Word(false)),
-    ("at hip height", Piece::Word(false)),
-    ("at head height", Piece::Word(false)),
-    ("at shoulder height", Piece::Word(false)),
-    ("has to", Piece::Word(false)),
-    ("have to", Piece::Word(false)),
-    ("had to", Piece::Word(false)),
-    ("needs to", Piece::Word(false)),
-    ("need to", Piece::Word(false)),
-    ("ought to", Piece::Word(false)),
-    ("is to be", Piece::Verb(Verb::Be)),
-    ("are to be", Piece::Verb(Verb::Be)),
-    ("in parallel rows", Piece::Pattern(Pattern::Rows(usize::MAX))),
-    ("parallel to each other", Piece::Pattern(Pattern::Rows(usize::MAX))),
-    ("end to end", Piece::Pattern(Pattern::Row)),
-    ("one behind the other", Piece::Pattern(Pattern::Row)),
-    ("one after the other", Piece::Pattern(Pattern::Row)),
-    ("one after another", Piece::Pattern(Pattern::Row)),
-    ("in a neat row", Piece::Pattern(Pattern::Row)),
-    ("in a long row", Piece::Pattern(Pattern::Row)),
-    ("on the left and right", Piece::ToIts(Rel::Beside)),
-    ("to the left and right", Piece::ToIts(Rel::Beside)),
-    ("on the left and the right", Piece::ToIts(Rel::Beside)),
-    ("at either end", Piece::ToIts(Rel::Beside)),
-    ("at both ends", Piece::ToIts(Rel::Beside)),
-    ("at each end", Piece::ToIts(Rel::Beside)),
-    ("made of", Piece::Rel(Rel::Of)),
-    ("made from", Piece::Rel(Rel::Of)),
-    ("built of", Piece::Rel(Rel::Of)),
-    ("made out of", Piece::Rel(Rel::Of)),
-];
+fn fixed_phrases() -> &'static Phrases<Piece> {
+    static PHRASES: OnceLock<Phrases<Piece>> = OnceLock::new();
+    let piece = |key: &str| {
+        Some(match key {
+            "sideBySide" => Piece::Pattern(Pattern::SideBySide),
+            "row" => Piece::Pattern(Pattern::Row),
+            "rows" => Piece::Pattern(Pattern::Rows(usize::MAX)),
+            "circle" => Piece::Pattern(Pattern::Circle),
+            "backToBack" => Piece::Pattern(Pattern::BackToBack),
+            "faceToFace" => Piece::Pattern(Pattern::FaceToFace),
+            "leftToRight" => Piece::Pattern(Pattern::LeftToRight),
+            "stacked" => Piece::Pattern(Pattern::Stacked),
+            "and" => Piece::And,
+            "with" => Piece::With,
+            "soft" => Piece::Soft,
+            "there" => Piece::There,
+            "word" => Piece::Word(false),
+            "be" => Piece::Verb(Verb::Be),
+            "of" => Piece::Rel(Rel::Of),
+            key => Piece::ToIts(relation_called(key.strip_prefix("its ")?)?),
+        })
+    };
+    PHRASES.get_or_init(|| Phrases::new(include_str!("../../data/phrases.txt"), piece))
+}
 
 /// The chunks of a text. Linear: no look ahead is longer than a phrase.
 pub fn chunks(tokens: &[Token]) -> Vec<Chunk> {
@@ -348,31 +239,9 @@ fn noun_here(rest: &[Token], before: &[Chunk], longest: usize) -> Option<(Piece,
     noun.then(|| (Piece::Np(Box::new(np)), used))
 }
 
-/// The phrases of `FIXED` that begin with a word.
-fn phrases(first: &str) -> &'static [&'static (&'static str, Piece)] {
-    type ByWord = BTreeMap<&'static str, Vec<&'static (&'static str, Piece)>>;
-    static BY_WORD: OnceLock<ByWord> = OnceLock::new();
-    let all = BY_WORD.get_or_init(|| {
-        let mut out = ByWord::new();
-        for entry in FIXED {
-            out.entry(entry.0.split(' ').next().unwrap_or("")).or_default().push(entry);
-        }
-        out
-    });
-    all.get(first).map_or(&[], Vec::as_slice)
-}
-
-/// The longest phrase of `FIXED` that begins here.
+/// The longest of these that begins here.
 pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
-    let fits = |phrase: &str| {
-        let words = phrase.split(' ');
-        let n = words.clone().count();
-        (rest.len() >= n && words.zip(rest).all(|(w, t)| t.is(w))).then_some(n)
-    };
-    let best = phrases(&rest.first()?.text)
-        .iter()
-        .filter_map(|&(phrase, piece)| fits(phrase).map(|n| (piece, n)))
-        .max_by_key(|(_, n)| *n)?;
+    let best = fixed_phrases().longest(rest)?;
     let next = rest.get(best.1);
     let open = matches!(best.0, Piece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
     // "underneath the table", "in front the" are relations to what follows; "on top of", "to the left of" too.

@@ -55,6 +55,8 @@ pub enum Class {
     Tail,
     Paired,
     Surface,
+    Which,
+    Person,
 }
 
 /// A kind of room.
@@ -92,7 +94,7 @@ pub fn get() -> &'static Lexicon {
 }
 
 /// Lines `key: item, item`, goes on over indented lines; `#` begins a comment.
-fn table(text: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
+pub(super) fn table(text: &'static str) -> Vec<(&'static str, Vec<&'static str>)> {
     let mut out: Vec<(&str, Vec<&str>)> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('#') && !l.trim().is_empty()) {
         let items = match line.split_once(": ").filter(|_| !line.starts_with(' ')) {
@@ -182,6 +184,11 @@ const RELATIONS: [(&str, Rel); 30] = [
     ("than", Rel::Than),
 ];
 
+/// The relation of this name in the tables.
+pub fn relation_called(name: &str) -> Option<Rel> {
+    RELATIONS.iter().find(|(key, _)| *key == name).map(|(_, rel)| *rel)
+}
+
 /// What the verbs are called in `verbs.txt`.
 const VERBS: [(&str, Verb); 12] = [
     ("have", Verb::Have),
@@ -199,7 +206,7 @@ const VERBS: [(&str, Verb); 12] = [
 ];
 
 /// What the classes of words are called in `words.txt`.
-const CLASSES: [(&str, Class); 15] = [
+const CLASSES: [(&str, Class); 17] = [
     ("det", Class::Det),
     ("def", Class::Def),
     ("each", Class::Each),
@@ -215,6 +222,8 @@ const CLASSES: [(&str, Class); 15] = [
     ("tail", Class::Tail),
     ("paired", Class::Paired),
     ("surface", Class::Surface),
+    ("which", Class::Which),
+    ("person", Class::Person),
 ];
 
 impl Lexicon {
@@ -284,8 +293,7 @@ impl Lexicon {
 
     /// Whether a word is in any table.
     pub fn known(&self, word: &str) -> bool {
-        let grammar =
-            |c: &Class| !matches!(c, Class::Holder | Class::Portion | Class::Tail | Class::Paired | Class::Surface);
+        let grammar = |c: &Class| *c < Class::Holder;
         self.words.get(word).is_some_and(|classes| classes.iter().any(grammar))
             || self.looks.contains_key(word)
             || self.relations.contains_key(word)

@@ -1,8 +1,10 @@
 //! Lengths with what is said of them: "at least 1.2 m wide", "not more than three metres", "5 by 4 m", "30 m²".
 
 use super::number::{area, count, length, unit};
+use super::phrases::Phrases;
 use super::token::{Kind, Token};
 use crate::brief::{Dim, Op};
+use std::sync::OnceLock;
 
 /// A measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,196 +30,48 @@ impl Measure {
     }
 }
 
-/// What stands before a measure and says how it binds. A `-` before the operator turns on a negation before it.
-const BEFORE: &[(&str, Op, Option<Dim>)] = &[
-    ("at least", Op::Least, None),
-    ("no less than", Op::Least, None),
-    ("not less than", Op::Least, None),
-    ("not be less than", Op::Least, None),
-    ("no fewer than", Op::Least, None),
-    ("a minimum of", Op::Least, None),
-    ("minimum of", Op::Least, None),
-    ("minimum", Op::Least, None),
-    ("min", Op::Least, None),
-    ("min.", Op::Least, None),
-    ("a minimum distance of", Op::Least, None),
-    ("minimum distance of", Op::Least, None),
-    ("more than", Op::Least, None),
-    ("not under", Op::Least, None),
-    ("no closer than", Op::Least, None),
-    ("not closer than", Op::Least, None),
-    ("not nearer than", Op::Least, None),
-    ("no nearer than", Op::Least, None),
-    ("never closer than", Op::Least, None),
-    ("never less than", Op::Least, None),
-    ("not below", Op::Least, None),
-    ("no narrower than", Op::Least, None),
-    ("not narrower than", Op::Least, None),
-    ("closer than", Op::Most, None),
-    ("nearer than", Op::Most, None),
-    ("at most", Op::Most, None),
-    ("no more than", Op::Most, None),
-    ("not more than", Op::Most, None),
-    ("within", Op::Most, None),
-    ("less than", Op::Most, None),
-    ("up to", Op::Most, None),
-    ("a maximum of", Op::Most, None),
-    ("maximum of", Op::Most, None),
-    ("maximum", Op::Most, None),
-    ("max", Op::Most, None),
-    ("max.", Op::Most, None),
-    ("no further than", Op::Most, None),
-    ("not further than", Op::Most, None),
-    ("barely", Op::Equal, None),
-    ("no farther than", Op::Most, None),
-    ("not farther than", Op::Most, None),
-    ("further than", Op::Least, None),
-    ("farther than", Op::Least, None),
-    ("not beyond", Op::Most, None),
-    ("never further than", Op::Most, None),
-    ("never more than", Op::Most, None),
-    ("not over", Op::Most, None),
-    ("not exceeding", Op::Most, None),
-    ("hardly", Op::Equal, None),
-    ("dia", Op::Equal, Some(Dim::Across)),
-    ("diam", Op::Equal, Some(Dim::Across)),
-    ("no wider than", Op::Most, Some(Dim::Width)),
-    ("not wider than", Op::Most, Some(Dim::Width)),
-    ("no higher than", Op::Most, Some(Dim::Height)),
-    ("not higher than", Op::Most, Some(Dim::Height)),
-    ("higher than", Op::Least, Some(Dim::Height)),
-    ("no taller than", Op::Most, Some(Dim::Height)),
-    ("not taller than", Op::Most, Some(Dim::Height)),
-    ("taller than", Op::Least, Some(Dim::Height)),
-    ("not exceed", Op::Most, None),
-    ("exceed", Op::Least, None),
-    ("not lower than", Op::Least, Some(Dim::Height)),
-    ("no lower than", Op::Least, Some(Dim::Height)),
-    ("lower than", Op::Most, Some(Dim::Height)),
-    ("wider than", Op::Least, Some(Dim::Width)),
-    ("not be higher than", Op::Most, Some(Dim::Height)),
-    ("no deeper than", Op::Most, Some(Dim::Depth)),
-    ("no longer than", Op::Most, Some(Dim::Length)),
-    ("longer than", Op::Least, Some(Dim::Length)),
-    ("exactly", Op::Equal, None),
-    ("precisely", Op::Equal, None),
-    ("about", Op::Equal, None),
-    ("around", Op::Equal, None),
-    ("roughly", Op::Equal, None),
-    ("approximately", Op::Equal, None),
-    ("approx", Op::Equal, None),
-    ("some", Op::Equal, None),
-    ("ca", Op::Equal, None),
-    ("circa", Op::Equal, None),
-    ("say", Op::Equal, None),
-    ("a good", Op::Least, None),
-    ("good", Op::Least, None),
-    ("almost", Op::Equal, None),
-    ("a full", Op::Equal, None),
-    ("under", Op::Most, None),
-    ("ceiling height of", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling height is", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling height", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling at", Op::Equal, Some(Dim::Ceiling)),
-    ("ceilings at", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling is", Op::Equal, Some(Dim::Ceiling)),
-    ("ceiling of", Op::Equal, Some(Dim::Ceiling)),
-    ("ceilings of", Op::Equal, Some(Dim::Ceiling)),
-    ("beams at", Op::Equal, Some(Dim::Ceiling)),
-    ("clear height", Op::Equal, Some(Dim::Ceiling)),
-    ("clear height of", Op::Equal, Some(Dim::Ceiling)),
-    ("room height", Op::Equal, Some(Dim::Ceiling)),
-    ("room height of", Op::Equal, Some(Dim::Ceiling)),
-    ("the ceiling is", Op::Equal, Some(Dim::Ceiling)),
-    ("ceilings", Op::Equal, Some(Dim::Ceiling)),
-    ("a ceiling at", Op::Equal, Some(Dim::Ceiling)),
-    ("a ceiling of", Op::Equal, Some(Dim::Ceiling)),
-    ("the ceiling height is", Op::Equal, Some(Dim::Ceiling)),
-    ("a clear height of", Op::Equal, Some(Dim::Ceiling)),
-    ("the clear height is", Op::Equal, Some(Dim::Ceiling)),
-    ("clear height is", Op::Equal, Some(Dim::Ceiling)),
-    ("a ceiling height of", Op::Equal, Some(Dim::Ceiling)),
-    ("at a height of", Op::Equal, Some(Dim::Elevation)),
-    ("in a height of", Op::Equal, Some(Dim::Elevation)),
-    ("at a mounting height of", Op::Equal, Some(Dim::Elevation)),
-    ("a height of", Op::Equal, Some(Dim::Height)),
-    ("height of", Op::Equal, Some(Dim::Height)),
-    ("a clearance of", Op::Least, None),
-    ("clearance of", Op::Least, None),
-    ("a spacing of", Op::Equal, None),
-    ("spacing of", Op::Equal, None),
-    ("distance of", Op::Equal, None),
-    ("gap of", Op::Equal, None),
-    ("not exceed", Op::Most, None),
-    ("must not exceed", Op::Most, None),
-    ("no smaller than", Op::Least, None),
-    ("not smaller than", Op::Least, None),
-    ("smaller than", Op::Most, None),
-    ("greater than", Op::Least, None),
-    ("over", Op::Least, None),
-    ("nearly", Op::Equal, None),
-    ("just under", Op::Equal, None),
-    ("just over", Op::Equal, None),
-    ("a width of", Op::Equal, Some(Dim::Width)),
-    ("a length of", Op::Equal, Some(Dim::Length)),
-    ("a depth of", Op::Equal, Some(Dim::Depth)),
-    ("a diameter of", Op::Equal, Some(Dim::Across)),
-    ("a distance of", Op::Equal, None),
-    ("a gap of", Op::Equal, None),
-    ("a free depth of", Op::Least, None),
-    ("a depth of at least", Op::Least, None),
-    ("a clear strip of", Op::Least, None),
-    ("an area of", Op::Equal, None),
-    ("like", Op::Equal, None),
-    ("less", Op::Most, None),
-    ("width of", Op::Equal, Some(Dim::Width)),
-    ("width", Op::Equal, Some(Dim::Width)),
-    ("length of", Op::Equal, Some(Dim::Length)),
-    ("length", Op::Equal, Some(Dim::Length)),
-    ("depth of", Op::Equal, Some(Dim::Depth)),
-    ("depth", Op::Equal, Some(Dim::Depth)),
-    ("height", Op::Equal, Some(Dim::Height)),
-    ("diameter of", Op::Equal, Some(Dim::Across)),
-    ("diameter", Op::Equal, Some(Dim::Across)),
-];
+/// What is said before a measure, and after it: how it binds, and which measure it is.
+struct Bounds {
+    before: Phrases<(Op, Option<Dim>)>,
+    after: Phrases<(Op, Option<Dim>)>,
+}
 
-/// What stands after it.
-const AFTER: &[(&str, Op)] = &[
-    ("or more", Op::Least),
-    ("or further", Op::Least),
-    ("minimum", Op::Least),
-    ("min", Op::Least),
-    ("at least", Op::Least),
-    ("at minimum", Op::Least),
-    ("or less", Op::Most),
-    ("maximum", Op::Most),
-    ("max", Op::Most),
-    ("at most", Op::Most),
-    ("or closer", Op::Most),
-    ("at the most", Op::Most),
-    ("or wider", Op::Least),
-    ("or farther", Op::Least),
-];
-
-fn starts(rest: &[Token], phrase: &str) -> Option<usize> {
-    let words = phrase.split(' ');
-    let n = words.clone().count();
-    (rest.len() >= n && words.zip(rest).all(|(w, t)| t.is(w))).then_some(n)
+fn bounds() -> &'static Bounds {
+    static BOUNDS: OnceLock<Bounds> = OnceLock::new();
+    const OPS: [(&str, Op); 3] = [("least", Op::Least), ("most", Op::Most), ("equal", Op::Equal)];
+    const DIMS: [(&str, Dim); 7] = [
+        ("width", Dim::Width),
+        ("height", Dim::Height),
+        ("depth", Dim::Depth),
+        ("length", Dim::Length),
+        ("across", Dim::Across),
+        ("ceiling", Dim::Ceiling),
+        ("elevation", Dim::Elevation),
+    ];
+    let bound = |key: &str| {
+        let word = |n: usize| key.split(' ').nth(n).unwrap_or("");
+        let op = OPS.iter().find(|(name, _)| *name == word(0))?.1;
+        Some((op, DIMS.iter().find(|(name, _)| *name == word(1)).map(|(_, dim)| *dim)))
+    };
+    BOUNDS.get_or_init(|| {
+        let text = include_str!("../../data/measures.txt");
+        Bounds {
+            before: Phrases::new(text, bound),
+            after: Phrases::new(text, |key| key.strip_prefix("after ").and_then(bound)),
+        }
+    })
 }
 
 /// The measure that begins here, and how many tokens it takes.
 pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
-    let before = BEFORE.iter().filter_map(|(p, op, dim)| starts(rest, p).map(|n| (*op, *dim, n))).max_by_key(|b| b.2);
+    let Bounds { before: bound, after } = bounds();
+    let before = bound.longest(rest).map(|((op, dim), n)| (op, dim, n));
     // Two in a row: "width about 3 m", "at least about".
     let mut used = before.map_or(0, |b| b.2);
     let mut op = before.map_or(Op::Equal, |b| b.0);
     let mut dims: Vec<Dim> = before.and_then(|b| b.1).into_iter().collect();
     if used > 0
-        && let Some((second, dim, n)) = BEFORE
-            .iter()
-            .filter_map(|(p, op, dim)| starts(&rest[used..], p).map(|n| (*op, *dim, n)))
-            .max_by_key(|b| b.2)
+        && let Some(((second, dim), n)) = bound.longest(&rest[used..])
     {
         used += n;
         if op == Op::Equal {
@@ -253,9 +107,7 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
         dims.push(dim);
         used += n;
     }
-    if let Some((after, n)) =
-        AFTER.iter().filter_map(|(p, op)| starts(&rest[used..], p).map(|n| (*op, n))).max_by_key(|a| a.1)
-    {
+    if let Some(((after, _), n)) = after.longest(&rest[used..]) {
         op = after;
         said = true;
         used += n;

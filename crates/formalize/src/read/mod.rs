@@ -20,8 +20,10 @@ mod number;
 mod owner;
 mod paraphrase;
 mod people;
+mod phrases;
 mod rooms;
 pub(crate) mod several;
+mod taken_back;
 mod talk;
 mod token;
 mod zones;
@@ -61,6 +63,14 @@ pub struct Reading {
     pub words: Vec<Word>,
     /// Whether nothing came of the request at all.
     pub nothing: bool,
+}
+
+impl Reading {
+    /// The words that say something, of which nothing came and no note speaks: lost without a word.
+    pub fn silent(&self) -> Vec<Range<usize>> {
+        let told = |at: &Range<usize>| self.draft.notes.iter().any(|n| n.at.start <= at.start && at.end <= n.at.end);
+        self.words.iter().filter(|word| !word.used && !told(&word.at)).map(|word| word.at.clone()).collect()
+    }
 }
 
 /// More words than this are not read: the rest is one note.
@@ -138,7 +148,9 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let brief = complete(brief, extent);
     let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned());
-    if let (Extent::Literal, Some(people)) = (extent, brief.rooms.iter().find_map(|room| room.people)) {
+    let people = brief.rooms.iter().find_map(|room| room.people);
+    let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
+    if let (Extent::Literal, Some(people)) = (extent, people) {
         let reason = format!("for {people} people: no statement says so where nothing is added");
         draft.notes.push(Note { at: people::phrase(&brief.request), reason });
     }

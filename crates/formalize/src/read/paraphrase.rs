@@ -8,19 +8,19 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
-            [apart, seats, stools, sleepers, purpose, opposite, opens, extends, walls];
-        let _turned = turns.iter().any(|turn| turn(tokens, i));
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
+            [apart, seats, stools, sleepers, purpose, opposite, opens, extends, walls, distance];
+        let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
         i += 1;
     }
 }
 
-fn word(tokens: &[Token], i: usize) -> &str {
+pub(super) fn word(tokens: &[Token], i: usize) -> &str {
     tokens.get(i).filter(|t| t.word()).map_or("", |t| t.text.as_str())
 }
 
 /// Whether a clause ends before this token.
-fn ends(tokens: &[Token], i: usize) -> bool {
+pub(super) fn ends(tokens: &[Token], i: usize) -> bool {
     tokens.get(i).is_none_or(|t| matches!(t.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!' | '?')) || t.is("and"))
 }
 
@@ -227,6 +227,20 @@ fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Distance desks to wall: 2 m": the distance between desks and wall.
+fn distance(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 5;
+    let begins = i == 0 || matches!(tokens[i - 1].kind, Kind::Line | Kind::Bullet);
+    let said = begins && matches!(word(tokens, i), "distance" | "gap" | "clearance");
+    if !said || matches!(word(tokens, i + 1), "between" | "of" | "from" | "to" | "is" | "in" | "") {
+        return false;
+    }
+    let Some(to) = (i + 2..i + FAR).find(|k| word(tokens, *k) == "to") else { return false };
+    put(tokens, to, to + 1, &["and"]);
+    put(tokens, i, i + 1, &["distance", "between"]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::token::tokens;
@@ -240,6 +254,7 @@ mod tests {
             ("no two plants are closer than 1 m to the sofa", "no two plants are closer than 1 m to the sofa"),
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),
+            ("distance desks to wall: 2 m", "distance between desks and wall : 2 m"),
             ("a cafe with a bar and seating for twenty", "a cafe with a bar for twenty"),
             ("a workshop for bicycle repair", "a bicycle repair workshop"),
             ("a room for meetings with a screen", "a meeting room with a screen"),

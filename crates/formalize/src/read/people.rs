@@ -1,34 +1,37 @@
 //! For how many people a room is: "for eight people", "seating ten guests", "for six".
 
+use super::lexicon::{Class, get};
 use super::number;
 use super::token::{Kind, Token, tokens};
 use crate::brief::{Brief, Number, Room, Thing};
 use std::ops::Range;
 
-/// How many people, and the tokens that say so.
-fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
-    const WHO: [&str; 18] = [
-        "people",
-        "persons",
-        "guests",
-        "participants",
-        "attendees",
-        "colleagues",
-        "members",
-        "employees",
-        "visitors",
-        "diners",
-        "pupils",
-        "students",
-        "children",
-        "kids",
-        "adults",
-        "workers",
-        "patients",
-        "readers",
-    ];
+/// How many people are spoken of right after "for", and how many tokens that takes: "six", "six people".
+fn after_for(rest: &[Token]) -> Option<(f64, usize)> {
     // "A table for eight and a sideboard".
     const GO_ON: [&str; 11] = ["and", "with", "plus", "in", "at", "near", "by", "under", "next", "beside", "where"];
+    let (n, words) = number::count(rest)?;
+    // "For six" without a noun speaks of people, too.
+    let ends = |who: &Token| {
+        matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!' | ')' | ':'))
+            || GO_ON.iter().any(|word| who.is(word))
+    };
+    match rest.get(words) {
+        None => Some((n, words)),
+        Some(who) if ends(who) => Some((n, words)),
+        Some(who) => get().is(&who.text, Class::Person).then_some((n, words + 1)),
+    }
+}
+
+/// For how many people a thing is of which this is said: "for six".
+pub fn places(tokens: &[Token]) -> Option<(usize, usize)> {
+    const MOST: f64 = 60.0;
+    let (n, words) = tokens.first().filter(|t| t.is("for")).and_then(|_| after_for(&tokens[1..]))?;
+    (n.fract() == 0.0 && (1.0..=MOST).contains(&n)).then_some((n as usize, words + 1))
+}
+
+/// How many people, and the tokens that say so.
+fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
     const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
     const MOST: f64 = 120.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
@@ -37,20 +40,15 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
         let of = group.filter(|k| GROUPS.iter().any(|group| tokens[k - 1].is(group)));
         let first = of.map_or(i, |of| of - 1);
         let i = of.unwrap_or(i);
-        let (n, words) = number::count(&tokens[i + 1..])?;
-        // "For six" without a noun speaks of people, too.
-        let who = tokens.get(i + 1 + words).filter(|_| of.is_none());
-        let ends = |who: &Token| {
-            matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!')) || GO_ON.iter().any(|word| who.is(word))
+        // "For a family of five" ends there.
+        let (n, words) = match of {
+            Some(_) => number::count(&tokens[i + 1..])?,
+            None => after_for(&tokens[i + 1..])?,
         };
-        let speaks_of_people = who.is_none_or(|who| ends(who) || WHO.iter().any(|w| who.is(w)));
         // "Six tables for two" are for twelve.
         let tables = if of.is_none() { tables(&tokens[..i]) } else { Some(1.0) };
         let all = n * tables?;
-        (n > 1.0 && all <= MOST && speaks_of_people).then(|| {
-            let named = who.is_some_and(|who| !ends(who));
-            (all as usize, first..i + 1 + words + usize::from(named))
-        })
+        (n > 1.0 && all <= MOST).then(|| (all as usize, first..i + 1 + words))
     })
 }
 

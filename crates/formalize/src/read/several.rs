@@ -230,6 +230,7 @@ fn door(room: usize, beyond: usize, source: Source) -> Thing {
         of: None,
         room,
         beyond: Some(beyond),
+        places: None,
         look: Look::default(),
         size: [None; 3],
         source,

@@ -53,8 +53,11 @@ fn proposal(said: &[Token]) -> Option<(usize, &[Token])> {
     (!choice).then_some((from, &question[lead..]))
 }
 
-/// Takes the names of who speaks out of a conversation, and what is said by those who answer; notes on the latter.
-pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
+/// A turn of a conversation: where its label is, and whether it is of one who answers.
+type Turn = (usize, bool);
+
+/// The turns of a conversation between those who are known to ask and to answer.
+fn known(tokens: &[Token]) -> Vec<Turn> {
     let label = |i: usize| {
         let fresh = match i.checked_sub(1).map(|k| tokens[k].kind) {
             None | Some(Kind::Line | Kind::Bullet | Kind::Sign('.' | '!' | '?' | ';' | '"' | '…')) => true,
@@ -65,20 +68,111 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
         (fresh && colon && tokens[i].word() && (ASKS.contains(&name) || ANSWERS.contains(&name)))
             .then(|| ANSWERS.contains(&name))
     };
-    let labels: Vec<(usize, bool)> = (0..tokens.len()).filter_map(|i| label(i).map(|answers| (i, answers))).collect();
+    let turns: Vec<Turn> = (0..tokens.len()).filter_map(|i| label(i).map(|answers| (i, answers))).collect();
     // "Client: a bank" alone is a heading; a conversation begins with a name, and another follows.
-    let asked = labels.iter().any(|(_, answers)| !answers);
-    if labels.len() < 2 || !asked {
+    let asked = turns.iter().any(|(_, answers)| !answers);
+    if turns.len() < 2 || !asked { Vec::new() } else { turns }
+}
+
+/// The turns of a conversation between two others: their names begin all lines that begin with a name, in turn. If
+/// neither name tells, it is the one who says more that asks for something.
+fn others(tokens: &[Token]) -> Vec<Turn> {
+    const LEAST: usize = 4;
+    let label = |i: &usize| {
+        let fresh = i.checked_sub(1).is_none_or(|k| tokens[k].kind == Kind::Line);
+        fresh && tokens[*i].word() && tokens.get(i + 1).is_some_and(|t| t.is(":"))
+    };
+    let at: Vec<usize> = (0..tokens.len()).filter(label).collect();
+    let [first, second, ..] = at[..] else { return Vec::new() };
+    let (first, second) = (tokens[first].text.as_str(), tokens[second].text.as_str());
+    let in_turn = |(n, i): (usize, &usize)| tokens[*i].is(if n % 2 == 0 { first } else { second });
+    if at.len() < LEAST || first == second || !at.iter().enumerate().all(in_turn) {
+        return Vec::new();
+    }
+    let words = |parity: usize| -> usize {
+        let ends = at.iter().skip(1).copied().chain([tokens.len()]);
+        at.iter().zip(ends).skip(parity).step_by(2).map(|(from, to)| to - from).sum()
+    };
+    let told = |name: &str| if ASKS.contains(&name) { Some(true) } else { ANSWERS.contains(&name).then_some(false) };
+    let first_asks = told(first).or(told(second).map(|asks| !asks)).unwrap_or(words(0) > words(1));
+    at.into_iter().enumerate().map(|(n, i)| (i, (n % 2 == 0) != first_asks)).collect()
+}
+
+/// The last room that is named: "And the kitchen?" Its words.
+fn room(said: &[Token]) -> Option<&[Token]> {
+    (0..said.len()).rev().find_map(|i| {
+        let of_several = |n: &usize| i + n <= said.len() && said[i..i + n].iter().all(Token::word);
+        (2..=3).rev().chain([1]).filter(of_several).find_map(|n| {
+            let phrase = said[i..i + n].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+            let named = super::lexicon::get().room(&phrase).is_some_and(|kind| !kind.loose) && phrase != "room";
+            // "the living room", not the room that it ends in.
+            let before = i.checked_sub(1).is_some_and(|k| {
+                let longer = format!("{} {phrase}", said[k].text);
+                super::lexicon::get().room(&longer).is_some()
+            });
+            (named && !before).then(|| &said[i..i + n])
+        })
+    })
+}
+
+/// What a question is about, as the beginning of its answer, and how many words of the answer it takes the place of:
+/// "Where is the lamp? It hangs …": the lamp hangs. "Where do coats go? On a rack.": coats go on a rack. "What goes
+/// between them? A table.": between them is a table.
+fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
+    let end = said.len().checked_sub(1).filter(|k| said[*k].is("?"))?;
+    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';' | ',' | ':'));
+    let from = said[..end].iter().rposition(ends).map_or(0, |k| k + 1);
+    let lead = said[from..end].iter().take_while(|t| matches!(t.text.as_str(), "and" | "so" | "then")).count();
+    let question = &said[from + lead..end];
+    let [first, verb, rest @ ..] = question else { return None };
+    let lexicon = super::lexicon::get();
+    if rest.is_empty() {
+        return None;
+    }
+    let is = Token { kind: Kind::Word, text: "is".to_owned(), ..verb.clone() };
+    match (first.text.as_str(), verb.text.as_str()) {
+        ("where", "is" | "are" | "does" | "do" | "should" | "shall" | "will") => {
+            let pronoun = matches!(answer.first()?.text.as_str(), "it" | "they" | "that" | "those" | "these");
+            let verb = |t: &Token| matches!(t.text.as_str(), "go" | "stand" | "be" | "hang" | "sit");
+            let subject = &rest[..rest.len() - usize::from(rest.last().is_some_and(verb))];
+            if pronoun {
+                return Some((subject.to_vec(), 1));
+            }
+            lexicon.relation(answer)?;
+            let mut out = subject.to_vec();
+            out.push(is);
+            Some((out, 0))
+        }
+        ("what", "goes" | "stands" | "is" | "hangs") => {
+            let new = matches!(answer.first()?.text.as_str(), "a" | "an") || super::number::count(answer).is_some();
+            lexicon.relation(rest).filter(|_| new)?;
+            let mut out = rest.to_vec();
+            out.push(is);
+            Some((out, 0))
+        }
+        _ => None,
+    }
+}
+
+/// Takes the names of who speaks out of a conversation, and what is said by those who answer; notes on the latter.
+pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
+    let mut labels = known(tokens);
+    if labels.is_empty() {
+        labels = others(tokens);
+    }
+    if labels.is_empty() {
         return Vec::new();
     }
     let mut notes = Vec::new();
     let mut kept = tokens[..labels[0].0].to_vec();
+    let said_in = |n: usize| {
+        let end = labels.get(n + 1).map_or(tokens.len(), |next: &Turn| next.0);
+        &tokens[(labels[n].0 + 2).min(end)..end]
+    };
     for (n, &(at, answers)) in labels.iter().enumerate() {
-        let end = labels.get(n + 1).map_or(tokens.len(), |next| next.0);
-        let mut line = tokens[at].clone();
-        (line.kind, line.text) = (Kind::Line, "\n".to_owned());
-        kept.push(line);
-        let said = &tokens[at + 2..end];
+        let line = Token { kind: Kind::Line, text: "\n".to_owned(), ..tokens[at].clone() };
+        kept.push(line.clone());
+        let said = said_in(n);
         // "Yes, please, and …": the rest of the answer is read.
         let yes =
             if answers { 0 } else { said.iter().take_while(|t| YES.contains(&t.text.as_str()) || t.is(",")).count() };
@@ -88,12 +182,24 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
         let proposed = proposal(said).filter(|_| answers && taken);
         let (Some(first), Some(last)) = (said.first(), said.last()) else { continue };
         if !answers {
-            let begins = if n > 0 && labels[n - 1].1 { yes } else { 0 };
+            let asked = n.checked_sub(1).filter(|before| labels[*before].1);
+            let mut begins = if asked.is_some() { yes } else { 0 };
+            let asked = asked.map_or(&said[..0], said_in);
+            let body = asked.iter().rposition(|t| t.kind != Kind::Line).map_or(0, |k| k + 1);
+            if let Some((topic, instead)) = topic(&asked[..body], &said[begins..]) {
+                kept.extend(topic);
+                begins += instead;
+            }
             kept.extend_from_slice(&said[begins..]);
             continue;
         }
         let mut at = first.at.start..last.at.end;
         let mut reason = "this is an answer in a conversation, and asks for nothing";
+        if let Some(room) = room(said).filter(|_| proposed.is_none()) {
+            kept.extend_from_slice(room);
+            kept.push(Token { kind: Kind::Sign(':'), text: ":".to_owned(), ..room[room.len() - 1].clone() });
+            kept.push(line);
+        }
         if let Some((from, asked)) = proposed {
             kept.extend_from_slice(asked);
             kept.push(Token { kind: Kind::Sign('.'), text: ".".to_owned(), ..last.clone() });
@@ -124,6 +230,10 @@ mod tests {
             ("User: a bed. AI: Nice. How about a rug? User: Sure, a red one.", "a bed . a rug . a red one .", 1),
             ("User: a bed. AI: A rug or a mat? User: Yes.", "a bed . .", 1),
             ("User: a bed. AI: Shall I add a lamp? User: No.", "a bed . no .", 1),
+            ("Ann: a bed.\nBob: Where is the lamp?\nAnn: It hangs.\nBob: Bye.", "a bed . the lamp hangs .", 2),
+            ("Jo: a bed.\nAl: What goes beside it?\nJo: A rug.\nAl: ok", "a bed . beside it is a rug .", 2),
+            ("Jo: a hall, a bar.\nAl: And the kitchen?\nJo: A hob.\nAl: ok", "a hall , a bar . kitchen : a hob .", 2),
+            ("Bed: oak\nDesk: pine\nBed: big", "bed : oak desk : pine bed : big", 0),
         ] {
             let mut tokens = tokens(text, 100).0;
             assert_eq!(turns(&mut tokens).len(), notes, "{text}");

@@ -254,7 +254,15 @@ impl Named<'_> {
     }
 
     pub(super) fn rows_apart(&self, a: usize, op: Op, v: f64) -> Option<String> {
-        let Some(grid) = self.grid(a).filter(|g| g.rows > 1) else { return self.among(a, op, v) };
+        let Some(grid) = self.grid(a).filter(|g| g.rows > 1) else {
+            // An aisle runs before the front of each; beside each other they may touch.
+            let aisles = op == Op::Least && self.array(a) && self.grid(a).is_none();
+            return if aisles {
+                Some(format!("rackAisles({}, {})", self.name(a), number(v)))
+            } else {
+                self.among(a, op, v)
+            };
+        };
         let (of, k, v) = (self.name(a), grid.columns, number(v));
         let test = match op {
             Op::Most => format!("near({of}[i], {of}[i + {k}], {v})"),

@@ -56,7 +56,7 @@ impl Reader<'_> {
         let mut k = from;
         let mut depth = 0;
         loop {
-            if let Some(next) = self.count_after(k, end, id, from) {
+            if let Some(next) = self.count_after(k, end, id, from).or_else(|| self.places_after(k, end, id)) {
                 k = next;
                 continue;
             }
@@ -240,6 +240,21 @@ impl Reader<'_> {
         self.brief.notes.extend(crate::read::counts::said(n as f64).map(|reason| Note { at, reason }));
         self.mark(k + 1);
         Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
+    }
+
+    /// "a table for six", "six tables, each for four pupils".
+    fn places_after(&mut self, k: usize, end: usize, id: usize) -> Option<usize> {
+        let each = self.piece(k, end) == Some(&Piece::Comma)
+            && self.chunks.get(k + 1).is_some_and(|c| c.at.len() == 1 && self.tokens[c.at.start].is("each"));
+        let first = if each { k + 2 } else { k };
+        let from = self.chunks.get(first).filter(|_| first < end)?.at.start;
+        let (n, words) = crate::read::people::places(&self.tokens[from..])?;
+        let seats = matches!(self.brief.things[id].group, Group::Table | Group::Seat | Group::Bed);
+        let to = (first..end).find(|c| self.chunks[*c].at.end == from + words).filter(|_| seats)? + 1;
+        let whole = self.brief.whole(id);
+        self.brief.things[whole].places = Some(n);
+        (k..to).for_each(|c| self.mark(c));
+        Some(to)
     }
 
     /// "no television and no whiteboard".

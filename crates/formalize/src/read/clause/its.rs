@@ -88,7 +88,9 @@ impl Reader<'_> {
             self.drop_usual(&[of]);
             return self.relate(&[of], rel, &[among]);
         }
-        let object = self.its(i, end, rel);
+        // "the ovens stand here, and nothing within 1.5 m in front of them"
+        let own = many && self.s.nothing && self.s.pending.is_some() && rel != Rel::Between;
+        let object = if own { self.them() } else { self.its(i, end, rel) };
         let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
         let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
         if object.is_empty() {
@@ -132,6 +134,7 @@ impl Reader<'_> {
                     }
                 }
             }
+            self.four_sides(i, &of);
             self.drop_usual(&of);
             self.relate(&of, if sides && rel == Rel::Beside { Rel::Sides } else { rel }, &object);
         }

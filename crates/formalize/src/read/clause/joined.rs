@@ -64,6 +64,7 @@ impl Reader<'_> {
     /// Things that come with another.
     pub(super) fn join(&mut self, owner: &[usize], things: &[usize], join: Join) {
         for t in things {
+            self.seats_for(owner[owner.len() - 1], *t);
             let (group, owner_group) = (self.brief.things[*t].group, self.brief.things[owner[owner.len() - 1]].group);
             let usual = match group {
                 Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
@@ -101,6 +102,16 @@ impl Reader<'_> {
             if let Some((rel, _)) = rel {
                 self.relate(&[*t], rel, owner);
             }
+        }
+    }
+
+    /// "a table for six with chairs": as many as it has places.
+    fn seats_for(&mut self, owner: usize, seat: usize) {
+        let Some(number) = self.brief.things[owner].places else { return };
+        let each = self.brief.things[owner].number.many();
+        let seat = &mut self.brief.things[seat];
+        if seat.group == Group::Seat && matches!(seat.number, Number::Plural | Number::Each { number: 1, .. }) {
+            seat.number = if each { Number::Each { of: owner, number } } else { Number::Exactly(number) };
         }
     }
 

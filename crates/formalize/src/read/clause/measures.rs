@@ -5,6 +5,7 @@ use super::*;
 impl Reader<'_> {
     pub(super) fn on_measure(&mut self, i: usize, end: usize, m: &Measure) -> usize {
         self.mark(i);
+        self.s.waits = i;
         self.s.range = m.least.map(|least| [least, m.values[0]]);
         let after_room = self.s.of_room && !self.s.subject || self.s.room_last;
         if m.dims.contains(&Dim::Ceiling) {
@@ -155,9 +156,8 @@ impl Reader<'_> {
             [one] => {
                 let door = self.brief.things.iter().position(|it| it.group == Group::Door);
                 match door {
-                    _ if self.brief.things[*one].number.many() => {
-                        self.say(&[*one], What::Among(Op::Least, m.values[0]))
-                    }
+                    // "aisles 2 m wide between six racks": from row to row.
+                    _ if self.brief.things[*one].number.many() => self.say(&[*one], What::Rows(Op::Least, m.values[0])),
                     Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
                     _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
                 }
@@ -237,6 +237,7 @@ impl Reader<'_> {
         }
         if let Some(Piece::Measure(m)) = self.piece(k, end) {
             self.s.pending = Some(m.clone());
+            self.s.waits = k;
             self.mark(k);
             k += 1;
             while self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
@@ -372,7 +373,10 @@ impl Reader<'_> {
             self.main = self.before.clone();
             self.apply_lead();
         }
-        self.s.pending = None;
+        if self.s.pending.take().is_some() {
+            // It has found nothing that it is of.
+            self.chunks[self.s.waits].at.clone().for_each(|t| self.used[t] = false);
+        }
         self.framed();
         // "a scale on the counter, and a basket": on the counter too.
         if let Some((rel, to)) = self.s.shared.take() {

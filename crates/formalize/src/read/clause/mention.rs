@@ -26,6 +26,11 @@ impl Reader<'_> {
                     || item.look.features.iter().any(|f| f == w)
                     || item.look.material.as_deref() == Some(w)
             });
+            // "the entrance" is no door between two rooms.
+            let inner = item.beyond.is_some() && matches!(tail.as_str(), "entrance" | "exit" | "entry");
+            if inner && !same_tail {
+                return 0;
+            }
             let fewer = item.words.iter().all(|w| np.words.contains(w));
             let color = np.look.color.is_none() || np.look.color == item.look.color;
             if item.words == np.words && color {
@@ -133,6 +138,7 @@ impl Reader<'_> {
             of: None,
             room: self.room,
             beyond: None,
+            places: None,
             look: np.look.clone(),
             size: [None; 3],
             source: Source::Stated(at),

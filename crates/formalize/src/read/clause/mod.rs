@@ -26,9 +26,10 @@ mod things;
 mod verbs;
 
 /// What a noun phrase that comes next is to what came before.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 enum Expect {
     /// A subject.
+    #[default]
     Nothing,
     /// "a table with …", "each desk has …": things that belong to these.
     With(Vec<usize>, Join),
@@ -89,7 +90,7 @@ pub struct Reader<'a> {
 }
 
 /// What holds within one sentence.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Sentence {
     at: Range<usize>,
     /// Its chunks.
@@ -122,8 +123,9 @@ struct Sentence {
     verb: bool,
     /// "each", "all", "both".
     each: bool,
-    /// A measure that waits for its relation.
+    /// A measure that waits for its relation, and its chunk.
     pending: Option<Measure>,
+    waits: usize,
     /// The ends of the range that was read last.
     range: Option<[f64; 2]>,
     /// The relation said last, for a measure that comes after it.
@@ -182,7 +184,6 @@ impl<'a> Reader<'a> {
     /// A reader of a text; nothing is read yet.
     pub fn new(tokens: &'a [Token], chunks: &'a [Chunk], rooms: &'a Rooms) -> Self {
         let brief = Brief { rooms: rooms.rooms.clone(), ..Brief::default() };
-        let s = Sentence::new(0..0);
         Self {
             tokens,
             chunks,
@@ -200,7 +201,7 @@ impl<'a> Reader<'a> {
             dealt: None,
             carrier: vec![],
             side: None,
-            s,
+            s: Sentence::default(),
         }
     }
 
@@ -254,8 +255,9 @@ impl<'a> Reader<'a> {
             self.sentence(turn, end);
             return;
         }
+        let from = self.moved(from, end);
         let at = self.bytes(from..end);
-        self.s = Sentence { from: self.room, chunks: from..end, now: from, ..Sentence::new(at) };
+        self.s = Sentence { from: self.room, chunks: from..end, now: from, at, ..Sentence::default() };
         let words = &chunks[from..end.min(chunks.len())];
         // What depends on a condition is no more than a preference.
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
@@ -488,6 +490,12 @@ impl<'a> Reader<'a> {
         if self.s.expect == Expect::Blocked {
             self.s.expect = Expect::Nothing;
         }
+        // "each desk: a lamp, two pens": that is what each has.
+        let listed = self.np(i + 1, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
+        if listed && self.s.each && self.s.subject && !self.s.verb && self.main.len() == 1 {
+            self.s.expect = Expect::With(self.main.clone(), Join::Usual);
+            return i + 1;
+        }
         let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
         if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
             let item = &mut self.brief.things[self.near[0]];
@@ -629,54 +637,6 @@ impl<'a> Reader<'a> {
             if self.main.is_empty() { self.before.clone() } else { self.main.clone() }
         } else {
             self.near.clone()
-        }
-    }
-}
-
-impl Sentence {
-    fn new(at: Range<usize>) -> Self {
-        Self {
-            at,
-            chunks: 0..0,
-            now: 0,
-            quantifier: Quantifier::Usual,
-            subject: false,
-            lead: vec![],
-            lead_not: false,
-            lead_twice: false,
-            lead_pattern: None,
-            turned: None,
-            expect: Expect::Nothing,
-            soft: false,
-            not: false,
-            keep: false,
-            nothing: false,
-            hang: false,
-            path: false,
-            verb: false,
-            each: false,
-            pending: None,
-            range: None,
-            last: None,
-            listed: false,
-            of_room: false,
-            room_first: false,
-            rows: false,
-            doors: false,
-            room_last: false,
-            unknown: false,
-            rooms: vec![],
-            from: 0,
-            one: false,
-            owned: vec![],
-            frame: None,
-            together: false,
-            centre: false,
-            object: vec![],
-            it: vec![],
-            skip: None,
-            definite: vec![],
-            shared: None,
         }
     }
 }

@@ -74,6 +74,15 @@ impl Reader<'_> {
             Lead::Items(items, _) if !reduced || rel == Rel::On => self.all_owned(i, items).unwrap_or(said_of),
             _ => said_of,
         };
+        if let (Rel::Between, Lead::Items(items, _)) = (rel, &object)
+            && self.wall_next(next, end)
+            && let Some(m) = self.s.pending.take()
+        {
+            // "90 cm between the counter and the wall"
+            self.say(items, What::Wall(min_if_keep(&m, self.s.keep), m.values[0]));
+            (i..next + 2).for_each(|k| self.mark(k));
+            return next + 2;
+        }
         let said = Said { i, next, end, rel, of, negative, before_subject };
         match object {
             Lead::Items(items, each) => self.relate_items(said, items, each),
@@ -81,6 +90,12 @@ impl Reader<'_> {
         }
         self.s.quantifier = Quantifier::Usual;
         next
+    }
+
+    /// "… and the wall".
+    fn wall_next(&self, next: usize, end: usize) -> bool {
+        let wall = self.np(next + 1, end).is_some_and(|np| np.kind == Kind::Place(Place::Wall));
+        wall && self.piece(next, end) == Some(&Piece::And)
     }
 
     /// Where a word of a relation says something else than how two things stand to each other; the next chunk.
@@ -168,6 +183,7 @@ impl Reader<'_> {
                     rel
                 };
                 let fresh = items.iter().all(|o| self.brief.things[*o].source.at().start >= self.bytes(i..i + 1).start);
+                self.four_sides(i, &of);
                 self.drop_usual(&of);
                 self.relate(&of, rel, &items);
                 // "a lamp on a table next to the sofa": the table is next to the sofa.
@@ -574,6 +590,19 @@ impl Reader<'_> {
                     && matches!(&f.what, What::Rel(_, o) if o == owner)
                     && !f.not)
             });
+        }
+    }
+
+    /// "chairs on all four sides": at least one at each, so four where nobody counts them.
+    pub(super) fn four_sides(&mut self, i: usize, of: &[usize]) {
+        if !self.chunks[i].at.clone().any(|t| self.tokens[t].is("four")) {
+            return;
+        }
+        for o in of {
+            let item = &mut self.brief.things[*o];
+            if item.number == Number::Plural {
+                item.number = Number::Exactly(4);
+            }
         }
     }
 

@@ -105,6 +105,14 @@ impl Reader<'_> {
             self.mark(i);
             return i + 1;
         }
+        // "its front is kept clear to a depth of 1 m"
+        if place == Place::Front && np.det == Det::Own && self.s.keep && !self.s.subject {
+            self.main = self.it();
+            self.near = self.main.clone();
+            self.s.subject = !self.main.is_empty();
+            self.mark(i);
+            return i + 1;
+        }
         self.near.clear();
         if place == Place::Ceiling {
             self.s.room_last = true;
@@ -473,13 +481,18 @@ impl Reader<'_> {
         let placed = |p: Option<&Piece>| matches!(p, Some(Piece::Rel(r)) if !matches!(r, Rel::Of | Rel::To | Rel::From | Rel::In | Rel::Than));
         let stands =
             matches!(self.chunks.get(i + 1).map(|c| &c.piece), Some(Piece::Verb(Verb::Be | Verb::Hang | Verb::Carry)));
-        let around = placed(self.chunks.get(i + 1).map(|c| &c.piece))
+        // "no farther than 2 m from the silo"
+        let measured = self.s.pending.is_some()
+            && i > 0
+            && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::From | Rel::To | Rel::Of | Rel::Than));
+        let around = measured
+            || placed(self.chunks.get(i + 1).map(|c| &c.piece))
             || i > 0 && placed(self.chunks.get(i - 1).map(|c| &c.piece))
             || stands;
         if !np.known && matches!(np.det, Det::Definite | Det::Own | Det::Each) && !around {
             return None;
         }
-        if !np.known && abstraction(np) {
+        if !np.known && (abstraction(np) || self.no_noun(i, np)) {
             return None;
         }
         let at = self.bytes(i..i + 1);
@@ -501,6 +514,14 @@ impl Reader<'_> {
             self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
         }
         Some(id)
+    }
+
+    /// "opinions about that", "to fight": a word nobody knows that is no thing here.
+    fn no_noun(&self, i: usize, np: &Np) -> bool {
+        let at = &self.chunks[i].at;
+        let about = self.tokens.get(at.end).is_some_and(|t| t.is("about"));
+        let to = at.start.checked_sub(1).is_some_and(|k| self.tokens[k].is("to"));
+        np.det == Det::None && np.count.is_none() && (about || to && !np.many)
     }
 
     pub(super) fn say(&mut self, of: &[usize], what: What) {
@@ -525,7 +546,8 @@ impl Reader<'_> {
             || self.s.not
                 && self.s.expect != Expect::Blocked
                 && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
-        let limits = (i..end).any(|k| match &chunks[k].piece {
+        let to = (i..end).find(|k| chunks[*k].piece == Piece::Colon).unwrap_or(end);
+        let limits = (i..to).any(|k| match &chunks[k].piece {
             Piece::Measure(_) => true,
             Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
                 self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.find(np).is_some()

@@ -66,7 +66,7 @@ impl Reader<'_> {
     fn elsewhere(&self, i: usize, end: usize) -> bool {
         let Expect::With(owner, _) = &self.s.expect else { return false };
         let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != Piece::And);
-        if comma != Some(&Piece::Comma) || self.s.each {
+        if comma != Some(&Piece::Comma) {
             return false;
         }
         let mut k = i + 1;
@@ -83,7 +83,8 @@ impl Reader<'_> {
         let Some(np) = self.np(k + 1, end) else { return false };
         match np.kind {
             Kind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
-            Kind::Thing if np.det == Det::Own => false,
+            // "each with a computer, a safe on the wall": one safe; but "each with a lamp, a cup beside it".
+            Kind::Thing if np.det == Det::Own || self.s.each => false,
             // What was named before its owner, and is not what it has.
             Kind::Thing => match (self.find(np), owner.last()) {
                 (Some(found), Some(of)) => {
@@ -247,7 +248,9 @@ impl Reader<'_> {
         let told = matches!(self.piece(to, end), Some(Piece::Verb(_) | Piece::ToIts(_) | Piece::Pattern(_)))
             || matches!(self.piece(to, end), Some(Piece::Rel(rel)) if *rel != Rel::To);
         let things: Vec<usize> = (i..to).filter(|k| self.np(*k, to).is_some()).collect();
-        if !chunks[from..i].iter().any(there) || told || things.len() < 2 {
+        // "No, neither a hood nor a fridge."
+        let alone = chunks[from..i].iter().all(|c| matches!(c.piece, Piece::Not | Piece::Comma | Piece::Word(_)));
+        if !alone && !chunks[from..i].iter().any(there) || told || things.len() < 2 {
             return None;
         }
         for k in things {
@@ -265,6 +268,34 @@ impl Reader<'_> {
         let words: Vec<&str> = tokens.iter().filter(|t| t.word()).map(|t| t.text.as_str()).collect();
         words.windows(2).any(|pair| matches!(pair, ["actually", "no"] | ["no", "actually"] | ["no", "wait"]))
             || words.windows(3).any(|three| matches!(three, ["on", "second", "thought" | "thoughts"]))
+    }
+
+    /// "… in the middle. Actually no, put it under the window": where it was said to be before is said no more. The chunk
+    /// that the rest begins with.
+    pub(super) fn moved(&mut self, from: usize, end: usize) -> usize {
+        let first = |k: usize| self.chunks.get(k).map_or("", |c| self.tokens[c.at.start].text.as_str());
+        let lead = |k: &usize| {
+            self.piece(*k, end) == Some(&Piece::Comma)
+                || matches!(first(*k), "actually" | "no" | "wait" | "sorry" | "hmm" | "oh")
+        };
+        let Some(begin) = (from..end).find(|k| !lead(k)) else { return from };
+        let turns = (from..begin).any(|k| matches!(first(k), "no" | "sorry" | "wait"));
+        let again = matches!(first(begin), "put" | "place" | "move" | "stand" | "hang" | "set" | "keep")
+            && self.np(begin + 1, end).is_some_and(|np| np.kind == Kind::Pronoun);
+        if !turns || !again || self.main.is_empty() {
+            return from;
+        }
+        let (before, main) = (self.s.at.clone(), self.main.clone());
+        let there = |fact: &Fact| {
+            let at = fact.source.at();
+            before.start <= at.start
+                && at.end <= before.end
+                && fact.of.iter().all(|o| main.contains(o))
+                && matches!(fact.what, What::Place(..) | What::Rel(..) | What::Gap(..))
+        };
+        self.brief.facts.retain(|fact| !there(fact));
+        (from..begin).for_each(|k| self.mark(k));
+        begin
     }
 
     /// "taller than the desk": a comparison with a thing, for which there is no statement.

@@ -7,77 +7,10 @@ use super::super::token::Token;
 use super::Nth;
 use crate::brief::{Group, Place};
 
-/// Words before a place that tell which one.
-pub(super) const WHICH: &[&str] = &[
-    "left",
-    "right",
-    "front",
-    "back",
-    "far",
-    "near",
-    "north",
-    "south",
-    "east",
-    "west",
-    "northern",
-    "southern",
-    "eastern",
-    "western",
-    "rear",
-    "long",
-    "short",
-    "opposite",
-    "other",
-    "same",
-    "side",
-    "inner",
-    "outer",
-    "end",
-    "left-hand",
-    "right-hand",
-    "northeast",
-    "northwest",
-    "southeast",
-    "southwest",
-    "north-east",
-    "north-west",
-    "south-east",
-    "south-west",
-    "exact",
-    "very",
-    "quiet",
-    "free",
-    "entrance",
-    "window",
-    "main",
-    "bare",
-    "longer",
-    "shorter",
-    "longest",
-    "remaining",
-    "third",
-    "first",
-    "second",
-    "lower",
-    "upper",
-    "top",
-    "bottom",
-    "outside",
-    "exterior",
-    "farthest",
-    "furthest",
-    "farther",
-    "further",
-    "dark",
-    "brick",
-    "top-left",
-    "opposing",
-    "blank",
-    "empty",
-    "whole",
-    "entire",
-    "dead",
-];
+/// Whether a word before a place tells which one.
+pub(super) fn tells_which(word: &str) -> bool {
+    get().is(word, Class::Which)
+}
 
 pub(super) fn place(word: &str) -> Option<Place> {
     Some(match word {
@@ -177,12 +110,9 @@ pub(super) fn leads_to_noun(rest: &[Token]) -> bool {
 
 /// Whether words that tell which place end in a place: "left front corner".
 pub(super) fn leads_to_place(rest: &[Token]) -> bool {
-    let words = rest.iter().take(4).take_while(|t| t.word() && WHICH.contains(&t.text.as_str())).count();
-    (1..=words).any(|n| {
-        rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!WHICH.contains(&t.text.as_str()) || n == words))
-    }) && rest
-        .get(words)
-        .is_some_and(|t| place(&t.text).is_some() || WHICH.contains(&rest[words - 1].text.as_str()) && words > 1)
+    let words = rest.iter().take(4).take_while(|t| t.word() && tells_which(&t.text)).count();
+    (1..=words).any(|n| rest.get(n).is_some_and(|t| place(&t.text).is_some() && (!tells_which(&t.text) || n == words)))
+        && rest.get(words).is_some_and(|t| place(&t.text).is_some() || tells_which(&rest[words - 1].text) && words > 1)
 }
 
 /// A word that is a noun and a verb: here the verb, where no noun phrase has begun.

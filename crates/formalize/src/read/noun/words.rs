@@ -7,8 +7,8 @@ use super::super::measure::measure;
 use super::super::number;
 use super::super::token::{Kind as TokenKind, Token};
 use super::ahead::{
-    WHICH, adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stops_here,
-    tail_here, takes_object, worded_look,
+    adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stops_here, tail_here,
+    takes_object, tells_which, worded_look,
 };
 use super::amount::{add_dims, in_inches};
 use super::scan::{Scan, Step};
@@ -227,7 +227,7 @@ impl Scan<'_> {
             self.np.which = vec![w.to_owned()];
             return Some(self.is_place(Place::Side, "side", 1));
         }
-        if WHICH.contains(&w) && leads_to_place(self.from(used)) {
+        if tells_which(w) && leads_to_place(self.from(used)) {
             self.np.which.push(w.to_owned());
             self.used += 1;
             return Some(Step::Go);
@@ -249,7 +249,7 @@ impl Scan<'_> {
     }
 
     fn may_be_place(&self, w: &str) -> bool {
-        self.nouns.iter().all(|(n, _)| WHICH.contains(&n.as_str()))
+        self.nouns.iter().all(|(n, _)| tells_which(n))
             // "six wall panels": no place.
             && (self.np.count.is_none_or(|n| n <= 1) || w.ends_with('s'))
             && (self.expects_noun()
