@@ -37,7 +37,7 @@ fn report(scene: &str, parts: &[&str], opens: Opens) -> Report {
     judged(scene, &short(parts), &Options { opens, ..Options::default() }).report
 }
 
-fn rows<'r>(report: &'r Report) -> Vec<&'r Row> {
+fn rows(report: &Report) -> Vec<&Row> {
     report.constraints.iter().filter(|row| row.rule.as_deref() == Some("P-OPEN")).collect()
 }
 

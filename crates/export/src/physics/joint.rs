@@ -137,8 +137,8 @@ fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<Group> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::{Body, Physics};
     use crate::physics::fixture::cupboard;
+    use crate::physics::{Body, Physics};
 
     #[test]
     fn what_moves_is_taken_out_of_the_body_and_nothing_is_lost() {
@@ -194,10 +194,10 @@ mod tests {
     #[test]
     fn what_cannot_be_taken_apart_stays_whole() {
         let mut scene = cupboard();
-        let [door, drawer] = <[Told; 2]>::try_from(scene.objects[0].place.joints.clone()).unwrap();
+        let [door, drawer] = <[Told; 2]>::try_from(std::mem::take(&mut scene.objects[0].place.joints)).unwrap();
         let all = Told { parts: vec![0, 1, 2], ..door.clone() };
         let none = Told { parts: Vec::new(), ..door.clone() };
-        let beyond = Told { parts: vec![7], ..door.clone() };
+        let beyond = Told { parts: vec![7], ..door };
         let nowhere = Told { axis: Vec3::zeros(), ..drawer };
         for told in [all, none, beyond, nowhere] {
             scene.objects[0].place.joints = vec![told];

@@ -134,7 +134,8 @@ fn ordinal(tokens: &mut Vec<Token>, i: usize) -> bool {
     {
         return false;
     }
-    let first = (i.saturating_sub(FAR)..i).rev().find(|k| word(tokens, *k) == "first" && word(tokens, *k + 1) != "");
+    let first =
+        (i.saturating_sub(FAR)..i).rev().find(|k| word(tokens, *k) == "first" && !word(tokens, *k + 1).is_empty());
     let Some(first) = first else { return false };
     let noun = |n: usize| {
         let phrase: Vec<String> = (first + 1..=first + n).map(|k| singular(word(tokens, k))).collect();

@@ -18,6 +18,7 @@ use super::tape::{Claim, Term};
 use rustc_hash::FxHashMap;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// A box that may stand in a region, by terms.
 #[derive(Clone, Copy, Debug)]
@@ -269,7 +270,7 @@ impl Packing {
         for &i in upright {
             let member = &group.members[i];
             let size = footprint(state, member).map(|size| smaller(Interval::from(size), self.contact));
-            let round = Interval::point(3.1415 * around) * Interval::point(around);
+            let round = Interval::point(PI) * Interval::point(around) * Interval::point(around);
             sum = sum + size[0] * size[1] + (size[0] + size[1]) * Interval::point(2.0 * around) + round;
             why.extend(known_of(state, member));
         }

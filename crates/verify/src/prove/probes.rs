@@ -108,6 +108,9 @@ pub(super) fn covers_one(
     true
 }
 
+/// Places along a line: its length, the side of what stands there, the space around it, how many.
+type Spread = fn(f64, f64, f64, usize) -> Vec<f64>;
+
 /// Guesses for things of a kind on a floor: fewer than `fewer` points each.
 pub(super) fn guesses(floor: [f64; 2], kind: &Kind, fewer: usize) -> Vec<Points> {
     let side = kind.core[0].min(kind.core[1]) + 2.0 * kind.space;
@@ -120,8 +123,7 @@ pub(super) fn guesses(floor: [f64; 2], kind: &Kind, fewer: usize) -> Vec<Points>
         }
     };
     let fit = |length: f64, side: f64| ((length + 2.0 * kind.space) / side + 1e-6).floor().max(1.0) as usize;
-    let spreads: [fn(f64, f64, f64, usize) -> Vec<f64>; 3] = [at_walls, evenly, amid];
-    for spread in spreads {
+    for spread in [at_walls as Spread, evenly, amid] {
         let line = |i: usize, n: usize| spread(floor[i], side, kind.space, n);
         let [nx, nz] = [0, 1].map(|i| fit(floor[i], side));
         let [x, z] = [line(0, nx), line(1, nz)];
