@@ -48,6 +48,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
         bars: true,
         explain: args.explain,
         proofs: args.explain_proof,
+        ..Detail::default()
     };
     let work = |target: &Target| {
         let door = Door::of(target.path()).named(&named);

@@ -12,8 +12,10 @@ use crate::{Joint, Motion, Obb, Vec3, obb};
 use nalgebra::{Matrix3, Rotation3, Unit};
 use std::f64::consts::{PI, TAU};
 
-/// The least gap of a motion is known to this (metres): what is said of it is less than it is by no more.
+/// The least gap of a motion is known to this (metres) where it decides: what is said of it is less than it is by no more.
 pub const RESOLUTION: f64 = 5e-4;
+/// Where it decides nothing, since there is plenty of room or much too little, it is known to this share of itself.
+const SHARE: f64 = 1.0 / 32.0;
 /// The free range is known to this, in metres that the fastest point goes.
 const STEP: f64 = 5e-4;
 
@@ -31,7 +33,8 @@ pub struct Moving {
 /// The least gap over a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swept {
-    /// No more than the least gap, and less by at most [`RESOLUTION`], unless the looks were not enough (metres).
+    /// No more than the least gap, and less by at most [`RESOLUTION`] or a 32nd of it, whichever is more, unless the looks
+    /// were not enough (metres).
     pub gap: f64,
     /// An amount at which the gap is nearly that (degrees or metres).
     pub at: f64,
@@ -110,7 +113,7 @@ impl Moving {
                         best = Some(Swept { gap: 0.0, at, separation: look.separation, parts: [i, j] });
                     }
                     let most = best.map_or(below, |swept| swept.separation.gap.min(below));
-                    if look.least >= most - RESOLUTION || *looks == 0 {
+                    if look.least >= most - RESOLUTION.max(SHARE * most.abs()) || *looks == 0 {
                         bound = bound.min(look.least);
                     } else {
                         open.extend([[middle, until], [from, middle]]);

@@ -138,7 +138,8 @@ pub fn joints<N: Number>(world: &World<N>, id: ObjectId) -> &[Joint] {
     world.object(id).map_or(&[], |thing| thing.body.joints())
 }
 
-/// The least gap between a part and whatever is in its way, opened by so much (degrees or metres); `None`: there is nothing.
+/// The least gap between a part and whatever is in its way, opened by so much (degrees or metres); `None`: there is nothing as
+/// near as the clearance that is asked for.
 ///
 /// # Errors
 /// The layout lacks the object.
@@ -152,7 +153,7 @@ pub fn nearest<N: Number>(
     let Some(moving) = world.object(id)?.body.moving(part) else { return Ok(None) };
     let mut best: Option<Nearest> = None;
     for obstacle in obstacles(world, id, moving, amount) {
-        let below = best.map_or(f64::INFINITY, |nearest| nearest.swept.gap);
+        let below = best.map_or(world.options.detail.clearance, |nearest| nearest.swept.gap);
         if obstacle.distance > below.max(0.0) {
             break;
         }
@@ -202,8 +203,12 @@ pub fn opens<N: Number>(
     amount: f64,
     looks: &mut usize,
 ) -> Result<Truth<N>, Cause> {
-    let Some(nearest) = nearest(world, id, part, amount, looks)? else { return Ok(Truth::discrete(true)) };
     let tolerances = &world.options.tolerances;
+    let Some(nearest) = nearest(world, id, part, amount, looks)? else {
+        let clearance = world.options.detail.clearance;
+        let free = Truth::metres(N::constant(clearance), tolerances.order);
+        return Ok(if clearance.is_finite() { free } else { Truth::discrete(true) });
+    };
     let gap = N::measured(nearest.swept.gap, || widening(world, id, part, &nearest).unwrap_or(N::constant(0.0)));
     Ok(Truth::metres(gap + N::constant(tolerances.contact), tolerances.order))
 }

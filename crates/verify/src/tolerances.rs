@@ -104,11 +104,20 @@ pub struct Detail {
     pub explain: Explain,
     /// Whether contradictions come with their proofs, step by step.
     pub proofs: bool,
+    /// How far the room around what opens is measured (metres): more than that counts as that.
+    pub clearance: f64,
 }
 
 impl Default for Detail {
     fn default() -> Self {
-        Self { all: false, sentences: true, bars: true, explain: Explain::default(), proofs: false }
+        Self {
+            all: false,
+            sentences: true,
+            bars: true,
+            explain: Explain::default(),
+            proofs: false,
+            clearance: f64::INFINITY,
+        }
     }
 }
 

@@ -442,9 +442,12 @@ pub(super) fn display_case(a: &Ask) -> Model {
             m.solid(shelf);
             m.mesh.crisp(shelf, &stuff::STEEL.surface());
         }
+        // One solid for all that stands on a shelf.
+        let highest = 0.14_f64.min(0.5 * shelf.size().y);
+        m.solid(shelf.inset(0.02, 0.0, 0.3 * shelf.size().z).y(board..board + highest));
         for place in shelf.split(0, pieces(shelf.size().x, 0.2, 2, 8), 0.0) {
             let size = place.size();
-            let high = (0.14_f64).min(0.5 * size.y) * (0.6 + 0.4 * dice.unit());
+            let high = highest * (0.6 + 0.4 * dice.unit());
             let thing = place.inset(0.28 * size.x, 0.0, 0.3 * size.z).y(board..board + high);
             m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 2, &dice.pick(goods).surface());
         }

@@ -47,7 +47,7 @@ fn what_is_in_the_way_is_named_in_words() {
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
     let said = "without this statement the rest can hold, as in this layout (found by search, not proved):\n  \
-                room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) >= 3\n";
+                room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
     assert!(ended.stdout.contains("when the budget was spent (--effort raises it)\n"), "{}", ended.stdout);
     assert!(ended.stdout.contains(said), "{}", ended.stdout);
     // The layout is the witness, as `check` sees it.

@@ -109,7 +109,8 @@ fn stools(tokens: &mut Vec<Token>, i: usize) -> bool {
     if used != 1 || !ends(tokens, last + people) {
         return false;
     }
-    let stools = ["bar", "stools"].map(|text| Token { text: text.to_owned(), kind: Kind::Word, ..tokens[i].clone() });
+    let stools =
+        ["bar", "stools"].map(|text| Token { text: text.to_owned(), kind: Kind::Word, ..tokens[last - 1].clone() });
     tokens.splice(last..last + people, stools);
     put(tokens, i + 1, i + 2, &["and"]);
     put(tokens, i, i + 1, &["bar", "counter"]);

@@ -36,11 +36,14 @@ const PROPOSES: [&[&str]; 20] = [
     &["what", "about"],
 ];
 
+fn ends_sentence(t: &Token) -> bool {
+    matches!(t.kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';'))
+}
+
 /// What is proposed in the last question of an answer; nothing if it leaves a choice.
 fn proposal(said: &[Token]) -> Option<(usize, &[Token])> {
     let end = said.len().checked_sub(1).filter(|k| said[*k].is("?"))?;
-    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';'));
-    let from = said[..end].iter().rposition(ends).map_or(0, |k| k + 1);
+    let from = said[..end].iter().rposition(ends_sentence).map_or(0, |k| k + 1);
     let question = &said[from..end];
     // "Great. Then shall I …", "Sure, what about …"
     let lead = (0..question.len().min(4)).find_map(|skip| {
@@ -75,7 +78,7 @@ fn known(tokens: &[Token]) -> Vec<Turn> {
 }
 
 /// The turns of a conversation between two others: their names begin all lines that begin with a name, in turn. If
-/// neither name tells, it is the one who says more that asks for something.
+/// neither name tells, it is the one who says more, without questions, that asks for something.
 fn others(tokens: &[Token]) -> Vec<Turn> {
     const LEAST: usize = 4;
     let label = |i: &usize| {
@@ -91,10 +94,12 @@ fn others(tokens: &[Token]) -> Vec<Turn> {
     }
     let words = |parity: usize| -> usize {
         let ends = at.iter().skip(1).copied().chain([tokens.len()]);
-        at.iter().zip(ends).skip(parity).step_by(2).map(|(from, to)| to - from).sum()
+        let turns = at.iter().zip(ends).skip(parity).step_by(2);
+        let sentences = turns.flat_map(|(from, to)| tokens[*from + 2..to].split_inclusive(ends_sentence));
+        sentences.filter(|s| s.last().is_some_and(|t| !t.is("?"))).map(<[Token]>::len).sum()
     };
     let told = |name: &str| if ASKS.contains(&name) { Some(true) } else { ANSWERS.contains(&name).then_some(false) };
-    let first_asks = told(first).or(told(second).map(|asks| !asks)).unwrap_or(words(0) > words(1));
+    let first_asks = told(first).or(told(second).map(|asks| !asks)).unwrap_or(words(0) >= words(1));
     at.into_iter().enumerate().map(|(n, i)| (i, (n % 2 == 0) != first_asks)).collect()
 }
 

@@ -54,13 +54,15 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     categories(facts, out);
 }
 
-/// Categories of which neither a usual size nor what they are for is known, each once.
+/// Categories of which neither a usual size nor what they are for is known, each once: where they are assigned, for what
+/// no object has is reported where it is compared.
 fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     let mut known: Vec<&str> = Vec::new();
     let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
-    for (linted, text) in texts.filter(|(_, t)| t.property == "category" && !t.text.trim().is_empty()) {
+    for (linted, text) in texts.filter(|(_, t)| t.property == "category" && !t.compared && !t.text.trim().is_empty()) {
         let Some(place) = linted.place.span(text.range) else { continue };
-        if known.contains(&text.text.as_str()) || library::is_known(&text.text) {
+        let told = out.iter().any(|d| d.code == codes::W0204 && d.primary.as_ref().is_some_and(|l| l.place == place));
+        if told || known.contains(&text.text.as_str()) || library::is_known(&text.text) {
             continue;
         }
         known.push(&text.text);

@@ -32,7 +32,7 @@ pub(super) fn row(judged: &Judged) -> RowRef {
 
 impl<'a> Judge<'a> {
     pub fn new(damaged: &Damaged<'a>, which: &Which, options: &RepairOptions) -> Result<Self, Unjudged> {
-        let detail = Detail { all: false, sentences: false, bars: true, explain: Explain::First(0), proofs: false };
+        let detail = Detail { all: false, sentences: false, explain: Explain::First(0), ..Detail::default() };
         let judging = Options { detail, ..options.judge };
         let verdict = check(damaged.program, damaged.layout, &judging);
         if verdict.rows.iter().any(|row| row.satisfied.is_none()) || verdict.diagnostics.iter().any(|d| d.is_error()) {

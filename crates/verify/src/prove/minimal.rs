@@ -256,8 +256,20 @@ impl<'a> Prover<'a> {
         Some(core)
     }
 
-    /// A minimal set among these that cannot hold together, if one is found.
+    /// A minimal set among these that cannot hold together, if one is found: one that rests on what is usual only where there is
+    /// no other.
     fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
+        let found = self.minimal(among, part)?;
+        if !found.as_usual {
+            return Some(found);
+        }
+        let usual = self.usual.take();
+        let strictly = self.minimal(among, part);
+        self.usual = usual;
+        strictly.or(Some(found))
+    }
+
+    fn minimal(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
         let mut core = self.refute(self.whole(among), part, false)?;
         // Small first: a core of a core is often smaller, and costs little.
         while let Some(next) = self.refute(self.whole(&core.statements), SMALLER, false) {

@@ -255,6 +255,9 @@ impl<'p> Unknowns<'p> {
         if self.usual.is_some_and(|usual| usual.on_the_ground[id.0 as usize]) {
             pos.0[1] = zero;
         }
+        if self.usual.is_some_and(|usual| usual.origin == Some(id)) {
+            (pos.0[0], pos.0[2]) = (zero, zero);
+        }
         // Beside an outline only the heights of place and size count.
         let counts = if self.program.regions[id.0 as usize].has_vertices { 1..2 } else { 0..3 };
         for (own, property) in [(&mut pos, Pinned::Pos), (&mut scale, Pinned::Scale)] {

@@ -7,8 +7,8 @@
 use crate::eval::{cone, objects_of};
 use scenelang_lang::library::{usual_size, words};
 use scenelang_lang::program::{
-    Arith, Axis, Constraint, ConstraintKind, Formula, Node, NodeId, Object, ObjectId, ObjectProperty, Owner, Pinned,
-    Program, RegionId, RegionProperty,
+    Arith, Axis, Constraint, ConstraintKind, Formula, Function, Node, NodeId, Object, ObjectId, ObjectProperty, Owner,
+    Pinned, Program, RegionId, RegionProperty,
 };
 use scenelang_lang::roles::role_of;
 use std::collections::BTreeSet;
@@ -31,6 +31,8 @@ pub(crate) struct Usual {
     pub unturned: Vec<bool>,
     /// By region: whether its floor is at height 0, unless that is assigned.
     pub on_the_ground: Vec<bool>,
+    /// The region whose middle is taken for the origin of x and z: nothing in the program depends on where that is.
+    pub origin: Option<RegionId>,
 }
 
 impl Usual {
@@ -53,18 +55,20 @@ impl Usual {
             carriers: carriers(program),
             unturned: regions().map(|r| !said(r, &[Rot])).collect(),
             on_the_ground: regions().map(|r| !said(r, &[Pos, Floor, Ceiling, Center])).collect(),
+            origin: regions().next().filter(|_| is_relative(program)),
         }
     }
 }
 
 /// What is solid of the assets of a kind, all of their footprint but for [`EDGE`]: from which to which part of the height.
-/// Kinds by their role; a word of their name decides where it is listed. A test in `synth` holds this to the assets.
+/// Storage and appliances count as full: nothing stands in them that the program does not put there. Kinds by their role;
+/// a word of their name decides where it is listed. A test in `synth` holds this to the assets.
 const SOLID: &[(&str, [f64; 2])] = &[
     ("storage", [0.25, 0.99]),
     ("appliance", [0.02, 0.98]),
-    ("table", [0.97, 0.99]),
-    ("desk", [0.97, 0.99]),
-    ("counter", [0.97, 0.99]),
+    ("table", [0.975, 0.99]),
+    ("desk", [0.975, 0.99]),
+    ("counter", [0.975, 0.99]),
 ];
 const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
     ("crate", [0.02, 0.98]),
@@ -78,10 +82,10 @@ const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
     ("loveseat", [0.05, 0.42]),
     ("armchair", [0.05, 0.42]),
     ("recliner", [0.05, 0.42]),
-    ("chair", [0.487, 0.503]),
-    ("bed", [0.06, 0.24]),
-    ("table", [0.97, 0.99]),
-    ("desk", [0.97, 0.99]),
+    ("chair", [0.49, 0.5]),
+    ("bed", [0.06, 0.22]),
+    ("table", [0.975, 0.99]),
+    ("desk", [0.975, 0.99]),
     ("bench", [0.0, 0.0]),
     ("stool", [0.0, 0.0]),
     ("gondola", [0.0, 0.0]),
@@ -166,6 +170,8 @@ const OTHER: &[&str] = &[
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
+/// A height is the usual one if it differs from it by no more than this part of it.
+const ABOUT: f64 = 0.05;
 
 /// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
 /// and from which to which height above its base that reaches. Nothing is known of most.
@@ -182,6 +188,11 @@ pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 
     let role = role_of(what(object));
     let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
     let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
+    // Seats and tops have a usual height, or thickness, in metres.
+    let usual = usual_size(what(object)).is_some_and(|[_, usual, _]| (h / usual - 1.0).abs() <= ABOUT);
+    if !usual && !matches!(role, "storage" | "appliance") {
+        return None;
+    }
     let size = [w, d].map(|s| s - 2.0 * EDGE);
     (to > from && size[0].min(size[1]) > EDGE).then_some((size, [from * h, to * h]))
 }
@@ -231,6 +242,40 @@ fn sizes_said(program: &Program) -> BTreeSet<ObjectId> {
         _ => None,
     }));
     found
+}
+
+/// Whether all of a program means the same wherever it is moved along x and z: places are assigned nowhere, and only
+/// compared with, or taken from, others.
+fn is_relative(program: &Program) -> bool {
+    let placed = program.pins.iter().any(|pin| pin.property == Pinned::Pos);
+    !placed && !program.regions.iter().any(|r| r.has_vertices) && program.constraints.iter().all(is_relative_formula)
+}
+
+fn is_relative_formula(constraint: &Constraint) -> bool {
+    use ObjectProperty::{Center, Max, Min, Pos};
+    let formula = &constraint.formula;
+    let is_place = |id: NodeId| match formula.node(id) {
+        Node::Object(property, _) => matches!(property, Pos | Center | Min | Max),
+        Node::Region(property, _) => matches!(property, RegionProperty::Pos | RegionProperty::Center),
+        _ => false,
+    };
+    // A place, or a component of one.
+    let part = |id: NodeId| match formula.node(id) {
+        Node::Component(axis, of) if is_place(*of) => Some(Some(*axis)),
+        _ => is_place(id).then_some(None),
+    };
+    let same_part = |a: NodeId, b: NodeId| matches!((part(a), part(b)), (Some(a), Some(b)) if a == b);
+    formula.nodes.iter().all(|node| match node {
+        Node::Arith(Arith::Sub, a, b) | Node::Same(a, b) | Node::Compare(_, _, a, b) if same_part(*a, *b) => true,
+        Node::Call(Function::Distance, points) if points.iter().all(|p| is_place(*p)) => true,
+        Node::Component(..) => true,
+        Node::SamePolygon(..) => false,
+        node => {
+            let mut relative = true;
+            node.for_each_child(|child| relative &= matches!(part(child), None | Some(Some(Axis::Y))));
+            relative
+        }
+    })
 }
 
 /// The members of the top-level conjunctions of a formula; the whole of it where there are many.

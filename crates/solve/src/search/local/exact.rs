@@ -22,7 +22,9 @@ const PATH: u64 = 150_000;
 /// Of several paths over one floor each takes such a part of that.
 const SHARED: u64 = 20;
 /// What trying the movable parts of a thing takes.
-const SWING: u64 = 400;
+const SWING: u64 = 100;
+/// More room than this before what opens is as good as this (metres).
+const CLEARANCE: f64 = 0.01;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
 
@@ -128,7 +130,8 @@ pub(super) struct Instance {
 }
 
 impl Instance {
-    pub fn new(world: World<f64>) -> Self {
+    pub fn new(mut world: World<f64>) -> Self {
+        world.options.detail.clearance = CLEARANCE;
         let all: Vec<ObjectId> = world.bodies().map(|(id, _)| id).collect();
         let mut mirror = Mirror::new(world);
         all.into_iter().for_each(|id| mirror.moved(id));
