@@ -323,6 +323,20 @@ pub(super) fn game_table(a: &Ask) -> Model {
     for short in b.y(a.h - 0.09 * a.h..a.h).x(b.min.x..b.min.x + rim).inset(0.0, 0.0, rim).both_sides() {
         m.mesh.rounded(short, 0.015, 2, &wood);
     }
+    if a.says(&["pool", "billiard", "snooker"]) {
+        // Pockets in the corners and in the middle of the long sides, a little above the cloth.
+        let r = 0.065_f64.min(0.1 * a.w.min(a.d));
+        let field = b.inset(rim, 0.0, rim);
+        let long = usize::from(a.d > a.w) * 2;
+        let ends = |k: usize| [field.min[k] + 0.8 * r, field.max[k] - 0.8 * r];
+        let middle = (field.min[long] + field.max[long]) / 2.0;
+        let along = ends(long).into_iter().chain([middle]);
+        for (u, v) in along.flat_map(|u| ends(2 - long).map(|v| (u, v))) {
+            let (x, z) = if long == 0 { (u, v) } else { (v, u) };
+            let pocket = block(x - r..x + r, a.h - 0.03 * a.h..a.h - 0.015 * a.h, z - r..z + r);
+            m.mesh.drum(pocket, &stuff::RUBBER.surface());
+        }
+    }
     m.legs(b.inset(0.1, 0.0, 0.1).y(0.0..box_low), 0.14, &wood);
     m
 }
