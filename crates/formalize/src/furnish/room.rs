@@ -389,7 +389,9 @@ fn above_low(plan: &Plan, line: &Line) -> f64 {
     const OVER: f64 = 0.55;
     let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !line.by.is_empty());
     let thing = things.find(|t| t.category.replace('_', " ").ends_with(line.by));
-    thing.and_then(|t| t.size).map_or(0.0, |[_, h, _]| if h < LOW { h + OVER } else { 0.0 })
+    thing
+        .and_then(|t| t.size)
+        .map_or(0.0, |[_, h, _]| if h < LOW && !stand::has_back(line.by) { h + OVER } else { 0.0 })
 }
 
 /// Nothing more stands between a thing and what it is opposite of.
