@@ -132,11 +132,17 @@ fn bunk(a: &Ask) -> Model {
     }
     let guard = b.y(0.9 * a.h..0.985 * a.h);
     m.solid(guard.inset(t, 0.0, 0.0).z(b.min.z + 0.3 * t..b.min.z + 0.6 * t));
-    m.solid(guard.inset(0.0, 0.0, t).x(b.min.x + 0.3 * t..b.min.x + 0.6 * t));
+    let side = |at: Block| at.x(b.min.x + 0.3 * t..b.min.x + 0.6 * t);
+    // Along both sides: either may be the one at the wall. One climbs up at the foot.
+    for rail in side(guard.inset(0.0, 0.0, t)).both_sides() {
+        m.solid(rail);
+    }
     for y in [0.9 * a.h, 0.96 * a.h] {
         let rail = b.inset(0.3 * t, 0.0, 0.0).y(y..y + 0.025 * a.h);
         m.mesh.board(rail.z(b.min.z + 0.3 * t..b.min.z + 0.6 * t), &frame);
-        m.mesh.board(b.inset(0.0, 0.0, 0.3 * t).y(y..y + 0.025 * a.h).x(b.min.x + 0.3 * t..b.min.x + 0.6 * t), &frame);
+        for rail in side(b.inset(0.0, 0.0, 0.3 * t).y(y..y + 0.025 * a.h)).both_sides() {
+            m.mesh.board(rail, &frame);
+        }
     }
     let steps = block(b.max.x - 0.35 * a.w..b.max.x - 0.5 * t, 0.12 * a.h..0.66 * a.h, b.max.z - 0.7 * t..b.max.z);
     m.solid(steps);
@@ -161,6 +167,14 @@ pub(super) fn crib(a: &Ask) -> Model {
     m.board(b.inset(0.3 * t, 0.0, 0.3 * t).y(0.24 * a.h..0.3 * a.h), &main);
     let soft = b.inset(t, 0.0, t).y(0.3 * a.h..mattress);
     m.cushion(soft, &stuff::SHEET.surface());
+    m.mesh.cushion(
+        soft.share(0.42..0.97, 0.5..1.0, 0.04..0.96).y(soft.min.y..mattress + 0.02 * a.h),
+        &a.second(stuff::CLOTH),
+    );
+    m.mesh.cushion(
+        soft.share(0.06..0.28, 0.5..1.0, 0.22..0.78).y(mattress - 0.02 * a.h..mattress + 0.03 * a.h),
+        &stuff::LINEN.surface(),
+    );
     let rail = 0.04 * a.h;
     for long in b.z(b.min.z + 0.25 * t..b.min.z + 0.75 * t).inset(t, 0.0, 0.0).four_corners().into_iter().step_by(2) {
         m.solid(long.y(mattress..0.97 * a.h));

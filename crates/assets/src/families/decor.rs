@@ -502,13 +502,19 @@ pub(super) fn person(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Plastic, 0xd9d5cd));
+    // A mannequin shows what it wears.
+    let mut dice = a.dice();
+    let dressed = a.says(&["mannequin", "manikin"]);
+    let cloth = |color: u32| if dressed { Stuff(Finish::Fabric, color).surface() } else { main.clone() };
+    let top = cloth(*dice.pick(&[0xa8483f, 0x3f6f8c, 0xd2a94a, 0x5f7f63, 0x8a5f7c]));
+    let trousers = cloth(0x2f3a4a);
     m.solid(b.y(0.0..0.44 * a.h).inset(0.15 * a.w, 0.0, 0.0));
     m.solid_drum(b.y(0.44 * a.h..0.84 * a.h));
     m.solid_drum(b.inset(0.3 * a.w, 0.0, 0.05 * a.d).y(0.84 * a.h..a.h));
     m.mesh.stretch(b, |mesh| {
         for side in [-1.0, 1.0] {
             let leg = [(0.55, 0.0), (0.5, 0.06), (0.62, 0.45), (0.95, 0.9), (1.0, 1.0)];
-            mesh.lathe(block(-0.09..0.09, 0.0..0.9, -0.1..0.1).moved(0.11 * side, 0.0, 0.0), &leg, 12, &main);
+            mesh.lathe(block(-0.09..0.09, 0.0..0.9, -0.1..0.1).moved(0.11 * side, 0.0, 0.0), &leg, 12, &trousers);
             mesh.rounded(block(-0.06..0.06, 0.0..0.07, -0.08..0.19).moved(0.11 * side, 0.0, 0.0), 0.03, 2, &main);
             mesh.tube(
                 &[
@@ -517,11 +523,11 @@ pub(super) fn person(a: &Ask) -> Model {
                     Vec3::new(0.26 * side, 0.82, 0.06),
                 ],
                 0.045,
-                &main,
+                &top,
             );
         }
         let torso = [(0.75, 0.0), (0.9, 0.1), (0.72, 0.38), (1.0, 0.8), (0.85, 0.95), (0.3, 1.0), (0.27, 1.06)];
-        mesh.lathe(block(-0.22..0.22, 0.84..1.48, -0.13..0.13), &torso, 20, &main);
+        mesh.lathe(block(-0.22..0.22, 0.84..1.48, -0.13..0.13), &torso, 20, &top);
         mesh.ball(block(-0.09..0.09, 1.5..1.76, -0.11..0.11), &main);
     });
     m

@@ -64,7 +64,7 @@ pub(super) fn fridge(a: &Ask) -> Model {
     let main = a.main(Stuff(Finish::Metal, 0xd3d7da));
     let grip = stuff::STEEL.surface();
     let face = appliance(&mut m, a, &main);
-    if a.says(&["glass", "display", "beverage", "shop"]) {
+    if a.says(&["glass", "display", "beverage", "drink", "shop"]) {
         let deep = face.size().z;
         m.leaf("door", face, Hung::Left);
         let door = face.inset(0.0, 0.03 * a.h, 0.0);

@@ -23,6 +23,7 @@ mod studio;
 mod tables;
 mod toys;
 mod vehicles;
+mod venue;
 mod workshop;
 
 use crate::ask::Ask;
@@ -35,14 +36,17 @@ pub(crate) type Maker = fn(&Ask) -> Model;
 
 /// All families; the aliases that lead to them are in `lexicon.txt`.
 pub(crate) const FAMILIES: &[(&str, Maker)] = &[
+    ("acoustic_panel", venue::acoustic_panel),
     ("aed", safety::aed),
     ("air_conditioner", leisure::air_conditioner),
     ("alarm", safety::alarm),
+    ("altar", venue::altar),
     ("aquarium", decor::aquarium),
     ("armchair", seating::sofa),
     ("backdrop", studio::backdrop),
     ("ball", decor::ball),
     ("basket", leisure::basket),
+    ("barber_chair", venue::barber_chair),
     ("barre", sport::barre),
     ("bathtub", bathroom::bathtub),
     ("bed", beds::bed),
@@ -75,9 +79,13 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("exam_table", beds::exam_table),
     ("counter", tables::counter),
     ("crib", beds::crib),
+    ("cue_rack", venue::cue_rack),
     ("cup", decor::cup),
+    ("cross", venue::cross),
     ("curtain", openings::curtain),
+    ("dartboard", venue::dartboard),
     ("desk", tables::desk),
+    ("deck_oven", venue::deck_oven),
     ("desk_lamp", lighting::desk_lamp),
     ("detector", safety::detector),
     ("device", electronics::device),
@@ -92,6 +100,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("drone", robots::drone),
     ("dumbbell_rack", sport::dumbbell_rack),
     ("easel", panels::easel),
+    ("electronic_keyboard", venue::electronic_keyboard),
     ("emergency_shower", bathroom::emergency_shower),
     ("exercise_bike", leisure::bike),
     ("exit_sign", safety::exit_sign),
@@ -116,6 +125,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("hand_truck", fittings::hand_truck),
     ("hood", kitchen::hood),
     ("ironing_board", workshop::ironing_board),
+    ("jukebox", venue::jukebox),
     ("kettlebell", sport::kettlebell),
     ("kettle", kitchen::kettle),
     ("keyboard", electronics::keyboard),
@@ -128,7 +138,9 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("locker", storage::locker),
     ("lounger", care::lounger),
     ("machine", robots::machine),
+    ("magazine_rack", venue::magazine_rack),
     ("microphone", music::microphone),
+    ("medicine_shelf", venue::medicine_shelf),
     ("microwave", kitchen::microwave),
     ("mirror", panels::mirror),
     ("mobile_robot", robots::mobile_robot),
@@ -162,6 +174,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("sconce", lighting::sconce),
     ("server_rack", storage::server_rack),
     ("shelf", storage::open_shelf),
+    ("shampoo_station", venue::shampoo_station),
     ("shower", bathroom::shower),
     ("sink", kitchen::sink),
     ("softbox", studio::softbox),
@@ -188,6 +201,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("urinal", bathroom::urinal),
     ("vase", decor::vase),
     ("wardrobe", storage::wardrobe),
+    ("vocal_booth", venue::vocal_booth),
     ("washer", kitchen::washer),
     ("water_dispenser", fittings::water_dispenser),
     ("weight_bench", sport::weight_bench),

@@ -65,7 +65,13 @@ pub(super) fn chair(a: &Ask) -> Model {
     } else {
         bent_back(&mut m, back, &main)
     }
-    if a.says(&["armrest", "arm", "armed"]) {
+    if runner > 0.0 && !soft {
+        // Nobody nurses on bare wood.
+        let pad = board.inset(0.04 * a.w, 0.0, 0.0).y(seat..seat + 0.05 * a.h).z(b.min.z + depth..b.max.z - 0.02 * a.d);
+        m.cushion(pad, &stuff::LINEN.surface());
+        m.surface = Some(pad.max.y);
+    }
+    if a.says(&["armrest", "arm", "armed", "rocking", "rocker"]) {
         let rest = seat + 0.45 * (a.h - seat);
         for side in b.x(b.min.x..b.min.x + 1.2 * post).both_sides() {
             m.board(side.y(rest - 0.6 * post..rest).z(b.min.z + depth..b.max.z - 0.12 * a.d), &legs);

@@ -196,14 +196,30 @@ pub(super) fn counter(a: &Ask) -> Model {
     });
     m.rounded(b.y(under..a.h), 0.008, &top);
     let plinth = 0.09_f64.min(0.15 * a.h);
-    let overhang = if a.says(&["bar", "breakfast"]) { 0.22 } else { 0.04 } * a.d;
+    // Who sits at an island has room for the knees; its doors are on the side of the cook.
+    let island = a.says(&["island"]);
+    let overhang = match island {
+        true => 0.28,
+        false if a.says(&["bar", "breakfast"]) => 0.22,
+        false => 0.04,
+    } * a.d;
     let body = b.inset(0.01, 0.0, 0.01).y(plinth..under).z(b.min.z + 0.01 * a.d..b.max.z - overhang);
     m.solid(body.y(0.0..under));
     m.mesh.board(body.inset(0.03, 0.0, 0.03).y(0.0..plinth), &stuff::BLACK_STEEL.surface());
     let skin = 0.022_f64.min(0.2 * a.d);
-    m.mesh.board(body.z(body.min.z..body.max.z - skin), &main);
+    let behind = if island { skin } else { 0.0 };
+    m.mesh.board(body.z(body.min.z + behind..body.max.z - skin), &main);
     let face = body.z(body.max.z - skin..body.max.z);
-    if a.says(&["kitchen", "island", "vanity", "base", "lab", "laboratory", "pantry", "worktop"]) {
+    if island {
+        for panel in face.split(0, pieces(a.w, 0.6, 1, 10), 0.006) {
+            m.mesh.board(panel, &main);
+        }
+        for door in body.z(body.min.z..body.min.z + skin).split(0, pieces(a.w, 0.5, 1, 12), 0.006) {
+            m.mesh.board(door.z(door.min.z + 0.4 * skin..door.max.z), &shade(&main, 1.1));
+            let grip = door.share(0.3..0.7, 0.9..0.93, 0.0..0.4);
+            m.mesh.crisp(grip, &stuff::STEEL.surface());
+        }
+    } else if a.says(&["kitchen", "island", "vanity", "base", "lab", "laboratory", "pantry", "worktop"]) {
         let doors = pieces(a.w, 0.5, 1, 12);
         for door in face.split(0, doors, 0.006) {
             m.mesh.board(door.inset(0.002, 0.002, 0.0).z(face.min.z..face.max.z - 0.4 * skin), &shade(&main, 1.1));
@@ -322,6 +338,20 @@ pub(super) fn game_table(a: &Ask) -> Model {
     }
     for short in b.y(a.h - 0.09 * a.h..a.h).x(b.min.x..b.min.x + rim).inset(0.0, 0.0, rim).both_sides() {
         m.mesh.rounded(short, 0.015, 2, &wood);
+    }
+    if a.says(&["pool", "billiard", "snooker"]) {
+        // Pockets in the corners and in the middle of the long sides, a little above the cloth.
+        let r = 0.065_f64.min(0.1 * a.w.min(a.d));
+        let field = b.inset(rim, 0.0, rim);
+        let long = usize::from(a.d > a.w) * 2;
+        let ends = |k: usize| [field.min[k] + 0.8 * r, field.max[k] - 0.8 * r];
+        let middle = (field.min[long] + field.max[long]) / 2.0;
+        let along = ends(long).into_iter().chain([middle]);
+        for (u, v) in along.flat_map(|u| ends(2 - long).map(|v| (u, v))) {
+            let (x, z) = if long == 0 { (u, v) } else { (v, u) };
+            let pocket = block(x - r..x + r, a.h - 0.03 * a.h..a.h - 0.015 * a.h, z - r..z + r);
+            m.mesh.drum(pocket, &stuff::RUBBER.surface());
+        }
     }
     m.legs(b.inset(0.1, 0.0, 0.1).y(0.0..box_low), 0.14, &wood);
     m

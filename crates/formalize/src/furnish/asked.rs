@@ -184,12 +184,16 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                 Place::Service(gap) => choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9)),
                 _ => near(line, floor, shape, nominal),
             }
-        } else if like.aside {
-            choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
-        } else if like.at_wall && it.count <= 8 {
-            choice.wall(floor, shape, before)
         } else {
-            choice.floor(floor, shape, before, yaws)
+            // What is asked for stands behind the counter rather than nowhere.
+            let anywhere = Choice { staffed: None, ..choice };
+            [&choice, &anywhere].into_iter().find_map(|choice| match like {
+                Like { aside: true, .. } => {
+                    choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
+                }
+                Like { at_wall: true, .. } if it.count <= 8 => choice.wall(floor, shape, before),
+                _ => choice.floor(floor, shape, before, yaws),
+            })
         }
     };
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };

@@ -123,6 +123,10 @@ impl Building {
         }
         for frame in &frames {
             self.piece(new, noun, size, frame);
+            if stand::is_easy(noun) {
+                let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };
+                self.shape.free.push((frame.then(&feet), [size[0], 1.0, FEET]));
+            }
             let seat = matches!(at, Where::Around(..) | Where::LongSides(..))
                 || matches!(at, Where::Front(..)) && noun.ends_with("chair");
             if seat {

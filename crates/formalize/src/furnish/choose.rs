@@ -1,7 +1,7 @@
 //! Which of the places that are free is the better one: beds with the head at a closed wall, sofas across from where there is
 //! room for a screen, cupboards side by side in corners, little near the door.
 
-use super::floor::{Floor, Pose, Shape};
+use super::floor::{Block, Floor, Pose, Shape};
 use super::seek::{self, Wall};
 use super::stand;
 
@@ -17,9 +17,9 @@ pub struct Choice<'a> {
     pub looks_at: Option<Pose>,
     /// Whether it must look at it straight.
     pub strictly: bool,
-    /// Whether the back of the room is for those who work there.
-    pub staffed: bool,
-    /// What it hangs near: its place.
+    /// Where the part of the room begins, towards its back, that is for those who work behind a counter.
+    pub staffed: Option<f64>,
+    /// What it stands or hangs near: its place.
     pub near: Option<Pose>,
 }
 
@@ -29,10 +29,25 @@ const TOGETHER: f64 = 0.35;
 const SERVED: f64 = 2.6;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
+/// What hangs beside the door, where everybody finds it.
+const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
+/// So far beside the door's middle (metres).
+const BESIDE_DOOR: f64 = 1.3;
 
 impl Choice<'_> {
     fn is(&self, nouns: &[&str]) -> bool {
         nouns.iter().any(|noun| self.noun == *noun || self.noun.ends_with(&format!(" {noun}")))
+    }
+
+    /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.
+    fn is_misplaced(&self, pose: &Pose) -> bool {
+        let beyond = |z: f64| Block::of(pose, self.size).high[2] > z + 0.1;
+        stand::for_guests(self.noun) && self.staffed.is_some_and(beyond)
+    }
+
+    /// How far it is from what it stands near.
+    fn to_near(&self, pose: &Pose) -> f64 {
+        self.near.map_or(0.0, |near| (near.x - pose.x).hypot(near.z - pose.z))
     }
 
     /// What a place at a wall costs; `None`: it is no good at all.
@@ -58,10 +73,13 @@ impl Choice<'_> {
             }
             cost = aside + if opposite { 0.0 } else { 0.6 };
         }
-        // Guests do not sit behind the counter.
-        if self.staffed && wall == Wall::Back && stand::group(self.noun) != crate::brief::Group::Storage {
+        if self.is_misplaced(pose) {
+            return None;
+        }
+        if self.staffed.is_some() && wall == Wall::Back && stand::group(self.noun) != crate::brief::Group::Storage {
             cost += 1.0;
         }
+        cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
         if self.is(&["bed"]) {
             // A narrow one lies along a wall, and its free side is its right one.
@@ -120,8 +138,12 @@ impl Choice<'_> {
                 let front = -(dx * turn.sin() + dz * turn.cos()) / dx.hypot(dz).max(0.1);
                 cost += 1.0 - front;
             }
-            if let Some(near) = self.near {
-                cost += (near.x - pose.x).hypot(near.z - pose.z) * 0.8;
+            cost += self.to_near(pose) * 0.8;
+            if self.is(&BY_DOOR) {
+                cost += (floor.away_from_door(pose) - BESIDE_DOOR).abs().min(6.0) * 0.4;
+            }
+            if self.is_misplaced(pose) {
+                cost += 2.0;
             }
             cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * 0.5;
             Some(cost)
@@ -149,11 +171,10 @@ impl Choice<'_> {
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
         let places = seek::in_corners(floor.size, self.size).into_iter();
         let cost = |pose: &Pose| {
-            // Guests do not sit behind the counter.
-            let guest = self.staffed && stand::group(self.noun) == crate::brief::Group::Seat;
-            if guest && pose.z > 0.0 {
+            if self.is_misplaced(pose) {
                 return None;
             }
+            let guest = self.staffed.is_some() && stand::for_guests(self.noun);
             let front = if pose.z < 0.0 && !guest { 0.5 } else { 0.0 };
             // Who sits in a corner has the light of a window.
             let lit = self.windows.iter().any(|wall| match wall {
@@ -164,7 +185,7 @@ impl Choice<'_> {
             });
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             let door = (2.0 - floor.away_from_door(pose)).max(0.0) * 0.4;
-            Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door)
+            Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8)
         };
         seek::best(floor, shape, places, &cost)
     }
@@ -173,10 +194,16 @@ impl Choice<'_> {
     pub fn floor(&self, floor: &Floor, shape: &Shape, before: &[Pose], yaws: &[f64]) -> Option<Pose> {
         let places = seek::on_floor(floor.size, self.size, yaws).into_iter();
         let cost = |pose: &Pose| {
+            if self.is_misplaced(pose) {
+                return None;
+            }
             let around = floor.room_around(shape, pose).min(1.0);
             let middle = pose.x.abs() + pose.z.abs();
+            // A mat is lain on: not where one stands before something else.
+            let trodden = self.size[1] < 0.05 && floor.keeps_free(&Block::of(pose, self.size));
             let lined = before.iter().any(|o| (o.x - pose.x).abs() < 0.02 || (o.z - pose.z).abs() < 0.02);
-            Some(-around + 0.06 * middle + if before.is_empty() || lined { 0.0 } else { 0.5 })
+            let cost = -around + 0.06 * middle + if before.is_empty() || lined { 0.0 } else { 0.5 };
+            Some(cost + if trodden { 1.5 } else { 0.0 } + self.to_near(pose) * 0.8)
         };
         seek::best(floor, shape, places, &cost)
     }

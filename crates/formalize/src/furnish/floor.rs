@@ -207,6 +207,17 @@ impl Floor {
         self.lit.push(Block::of(&all, [size[0] + 0.24, self.size[1], size[2] + 0.24]));
     }
 
+    /// Keeps a place free from now on.
+    pub fn keep(&mut self, pose: &Pose, size: [f64; 3]) {
+        self.free.push(Block::of(pose, size));
+    }
+
+    /// Whether some of a place is kept free.
+    pub fn keeps_free(&self, block: &Block) -> bool {
+        let raised = Block { high: [block.high[0], block.high[1].max(0.2), block.high[2]], ..*block };
+        self.free.iter().any(|free| free.meets(&raised))
+    }
+
     /// Whether a group has room at a place.
     pub fn fits(&self, shape: &Shape, at: &Pose) -> bool {
         let bodies = shape.pieces.iter().map(|piece| (piece, Block::of(&at.then(&piece.at), piece.size)));

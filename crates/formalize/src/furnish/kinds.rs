@@ -57,9 +57,9 @@ pub struct Line {
     pub place: Place,
     /// Only in rooms of at least so many square metres.
     pub least: f64,
-    /// Of several in a run: so far apart. Of what hangs: near this.
+    /// Of several in a run: so far apart.
     pub gap: f64,
-    /// What it hangs near.
+    /// What it stands or hangs near; empty: nothing in particular.
     pub by: &'static str,
 }
 
@@ -247,7 +247,10 @@ fn entry(line: &'static str) -> Option<Line> {
     };
     let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);
     let gap = if place == Place::Run { number().max(0.01) } else { 0.0 };
-    let by = if place == Place::Hung { rest_of(line, rest) } else { "" };
+    let by = match place {
+        Place::Hung | Place::Wall | Place::Floor | Place::Corner => rest_of(line, rest),
+        _ => "",
+    };
     Some(Line { count, noun, place, least, gap, by })
 }
 

@@ -2,6 +2,7 @@
 
 use super::floor::{Floor, Pose};
 use super::gates::GATE;
+use super::kinds;
 use super::seek::Wall;
 use crate::draft::{Draft, Opening, OpeningKind};
 
@@ -73,6 +74,9 @@ pub fn doors(draft: &mut Draft, room: usize) {
             continue;
         }
         let beyond = door.rooms.iter().copied().find(|other| *other != room);
+        // One comes in at the end of the aisle between pews.
+        let pews = |kind: &kinds::Kind| kind.lines.iter().any(|line| line.noun.ends_with("pew"));
+        let to_aisle = beyond.is_none() && kinds::of(&draft.rooms[room].kind).is_some_and(pews);
         let mut best: Option<(f64, Pose)> = None;
         for wall in [Wall::Front, Wall::Right, Wall::Left, Wall::Back] {
             let gate = door.category.as_deref() == Some(GATE);
@@ -97,7 +101,12 @@ pub fn doors(draft: &mut Draft, room: usize) {
                 for along in (0..=steps).map(|i| last - 0.2 * i as f64).chain([first]) {
                     let off = if beyond.is_some() { -BETWEEN } else { 0.0 };
                     let pose = wall.place(draft.rooms[room].size, along, off);
-                    let cost = dear + if gate { (along + 0.6).abs() } else { (last - along).min(along - first) } * 0.2;
+                    let off_best = match (gate, to_aisle) {
+                        (true, _) => (along + 0.6).abs(),
+                        (_, true) => along.abs(),
+                        _ => (last - along).min(along - first),
+                    };
+                    let cost = dear + off_best * 0.2;
                     let free = !at_odds(draft, room, &pose, &door);
                     if free && best.as_ref().is_none_or(|(least, _)| cost < *least - 1e-9) {
                         best = Some((cost, pose));

@@ -285,7 +285,9 @@ impl<'a> Plan<'a> {
             .building
             .as_ref()
             .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
-        if left_out || self.is_closed(noun) || self.is_full() || noun == "bin" && anchors > 2 {
+        // One easy chair is enough for several cribs.
+        let shared = noun == "bin" && anchors > 2 || stand::is_easy(noun) && anchors > 1;
+        if left_out || self.is_closed(noun) || self.is_full() || shared {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));

@@ -9,8 +9,9 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
+use super::seek::Wall;
 use super::{asked, even, gates, groups, place, stand, taste};
-use crate::brief::{Brief, MOST_GUIDED};
+use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
 
@@ -49,9 +50,9 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     // What seats go with comes before them.
     asked.sort_by_key(|i| {
         let category = &draft.things[*i].category;
-        stand::group(category) == crate::brief::Group::Seat && !stand::has_back(category)
+        stand::group(category) == Group::Seat && !stand::has_back(category)
     });
-    let windows = brief.things.iter().any(|t| t.room == at && t.group == crate::brief::Group::Window)
+    let windows = brief.things.iter().any(|t| t.room == at && t.group == Group::Window)
         || closed.iter().any(|name| name.contains("window"))
         || draft.outdoor;
     let room = &mut draft.rooms[at];
@@ -116,7 +117,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
 
 /// Whether things of a category are tables.
 fn tables(category: &str) -> bool {
-    stand::group(category) == crate::brief::Group::Table
+    stand::group(category) == Group::Table
 }
 
 /// Adds a line of the inventory, and notes where it matters and finds no room.
@@ -124,7 +125,8 @@ fn matter(plan: &mut Plan, line: &Line, matters: bool) {
     plan.matters = matters;
     let (things, closed) = (plan.draft.things.len(), plan.is_closed(line.noun));
     inventory(plan, line);
-    plan.lacking += usize::from(matters && !closed && plan.draft.things.len() == things);
+    let is_there = closed || came_along(plan, line);
+    plan.lacking += usize::from(matters && !is_there && plan.draft.things.len() == things);
 }
 
 /// Adds what one eats at, if there is room for its seats, too.
@@ -133,15 +135,22 @@ fn eat_at(plan: &mut Plan, line: &Line) {
     let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
     inventory(plan, line);
     let new = &plan.draft.things[draft.things.len()..];
-    if !new.iter().any(|thing| stand::group(&thing.category) == crate::brief::Group::Seat) {
+    if !new.iter().any(|thing| stand::group(&thing.category) == Group::Seat) {
         *plan.draft = draft;
         (plan.ground, plan.floor, plan.walls, plan.turn) = before;
     }
 }
 
-/// Whether someone works behind a counter at the back of such a room.
-pub(super) fn staffed(plan: &Plan) -> bool {
-    plan.kind.lines.iter().any(|line| matches!(line.place, Place::Before(_, yaw) if yaw == 180.0))
+/// Where the part of a room begins, towards its back, in which someone works behind a counter; `None`: nobody does.
+pub(super) fn staffed(plan: &Plan) -> Option<f64> {
+    let [_, _, depth] = plan.draft.rooms[plan.room].size;
+    plan.kind.lines.iter().find_map(|line| match line.place {
+        Place::Before(gap, yaw) if yaw == 180.0 => {
+            let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
+            Some(near_to(plan, line.noun).map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0))
+        }
+        _ => None,
+    })
 }
 
 /// The place of what someone sits or lies on who looks at something.
@@ -219,11 +228,23 @@ fn ends([w, h, d]: [f64; 3], gap: f64, n: usize) -> Vec<(Pose, [f64; 3])> {
     if gap > 0.1 { vec![beside(-(w + gap) / 2.0), beside(last + (w + gap) / 2.0)] } else { Vec::new() }
 }
 
+/// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
+fn came_along(plan: &Plan, line: &Line) -> bool {
+    let listed = format!("a {} has ", plan.kind.name);
+    let with_another = |t: &Thing| match &t.source {
+        Source::Inferred(why) => !why.starts_with(&listed),
+        _ => false,
+    };
+    let hung = line.place == Place::Hung || line.place == Place::Ceiling;
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    line.count == Count::Fixed(1) && !hung && here.any(|t| t.category.replace('_', " ") == line.noun && with_another(t))
+}
+
 /// Adds a line of the inventory.
 fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    if plan.counted < line.least || closed || plan.is_furnished() {
+    if plan.counted < line.least || closed || plan.is_furnished() || came_along(plan, line) {
         return;
     }
     let people = plan.people.map_or(plan.kind.people, |n| n as f64);
@@ -272,8 +293,7 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
 
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
 fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
-    let hung = line.place == Place::Hung
-        || matches!(stand::group(line.noun), crate::brief::Group::Wall | crate::brief::Group::Screen);
+    let hung = line.place == Place::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
     // Where places are known, they say better what there is room for.
     let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
@@ -282,7 +302,8 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         return false;
     }
     let height = plan.draft.rooms[plan.room].size[1];
-    let y = if hung { (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3)) } else { 0.0 };
+    let under_ceiling = (height - size[1] - 0.1).max(0.3);
+    let y = if hung { (EYES - size[1] / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling) } else { 0.0 };
     let opposite = match &line.place {
         Place::Opposite(other) => plan
             .draft
@@ -354,17 +375,46 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
     }
     let Some((thing, poses)) = found else { return false };
+    if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
+        keep_view(plan, at, &seen);
+    }
     let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
+}
+
+/// How high something hangs at least that hangs near something low: both are seen, as a board over the counter.
+fn above_low(plan: &Plan, line: &Line) -> f64 {
+    const LOW: f64 = 1.3;
+    const OVER: f64 = 0.55;
+    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !line.by.is_empty());
+    let thing = things.find(|t| t.category.replace('_', " ").ends_with(line.by));
+    thing
+        .and_then(|t| t.size)
+        .map_or(0.0, |[_, h, _]| if h < LOW && !stand::has_back(line.by) { h + OVER } else { 0.0 })
+}
+
+/// Nothing more stands between a thing and what it is opposite of.
+fn keep_view(plan: &mut Plan, at: &Pose, seen: &Pose) {
+    const WIDE: f64 = 0.8;
+    let [dx, dz] = [(at.x - seen.x).abs(), (at.z - seen.z).abs()];
+    let middle = Pose { x: (at.x + seen.x) / 2.0, y: 0.05, z: (at.z + seen.z) / 2.0, yaw: 0.0 };
+    if let Some(ground) = &mut plan.ground {
+        ground.keep(&middle, [dx.max(WIDE), 1.2, dz.max(WIDE)]);
+    }
 }
 
 /// Of places along a line, the nearest to the one that is meant.
 pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose> {
     let car = line.noun.ends_with("car");
     let far = if car { 0.5 } else { 2.0 };
-    let off =
-        |i: i32, k: i32| Pose { x: nominal.x + 0.15 * f64::from(i), z: nominal.z - 0.15 * f64::from(k), ..nominal };
+    // At a wall at the side "along" is to the back and to the front.
+    let sideways = nominal.yaw == 90.0 || nominal.yaw == 270.0;
+    let sideways = sideways && matches!(line.place, Place::Back(_) | Place::Front(_));
+    let off = |i: i32, k: i32| match (0.15 * f64::from(i), 0.15 * f64::from(k)) {
+        (along, off) if sideways => Pose { x: nominal.x + off, z: nominal.z + along, ..nominal },
+        (along, off) => Pose { x: nominal.x + along, z: nominal.z - off, ..nominal },
+    };
     let further = match line.place {
         Place::Before(..) => 0..=6,
         // What came in by a wide door stands in line with it, as deep in the room as it must.
@@ -372,7 +422,10 @@ pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> 
         _ => 0..=0,
     };
     let steps = further.flat_map(|k| (-30..=30).map(move |i| off(i, k)));
-    super::seek::best(floor, shape, steps, &|pose| Some((pose.x - nominal.x).abs() + far * (pose.z - nominal.z).abs()))
+    let [fx, fz] = if sideways { [far, 1.0] } else { [1.0, far] };
+    super::seek::best(floor, shape, steps, &|pose| {
+        Some(fx * (pose.x - nominal.x).abs() + fz * (pose.z - nominal.z).abs())
+    })
 }
 
 /// Where a thing of an inventory should stand that has its place in the room.
@@ -380,6 +433,12 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
     let [width, _, depth] = plan.draft.rooms[plan.room].size;
     let middle_yaw = if (width >= depth) == (size[0] >= size[2]) { 0.0 } else { 90.0 };
     match &line.place {
+        // Who sits at the long sides of a table looks at one of its ends.
+        Place::Back(0.0) if width > depth && has_table(plan) && stand::group(line.noun) == Group::Screen => {
+            let windows = window_walls(plan);
+            let wall = if windows.contains(&Wall::Right) { Wall::Left } else { Wall::Right };
+            Pose { y, ..wall.place([width, 0.0, depth], 0.0, size[2] / 2.0) }
+        }
         Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
         Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
         Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
@@ -390,11 +449,23 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
     }
 }
 
-/// The place of the first thing of this name in the room.
+/// Whether such a room has a table in its middle.
+fn has_table(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| line.place == Place::Middle && stand::group(line.noun) == Group::Table)
+}
+
+/// The place of the first thing of this name in the room; of several, their middle.
 fn near_to(plan: &Plan, noun: &str) -> Option<Pose> {
     let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !noun.is_empty());
     let thing = things.find(|t| t.category.replace('_', " ").ends_with(noun))?;
-    plan.place_in_room(&thing.name)
+    let names = (0..thing.count).map(|i| format!("{}[{i}]", thing.name));
+    let all: Vec<Pose> = match thing.count {
+        1 => plan.place_in_room(&thing.name).into_iter().collect(),
+        _ => names.filter_map(|name| plan.place_in_room(&name)).collect(),
+    };
+    let n = all.len() as f64;
+    let middle = |of: fn(&Pose) -> f64| all.iter().map(of).sum::<f64>() / n;
+    Some(Pose { x: middle(|p| p.x), z: middle(|p| p.z), ..*all.first()? })
 }
 
 /// A line of an inventory that has found its place.

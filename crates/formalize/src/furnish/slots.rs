@@ -227,7 +227,7 @@ fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
 }
 
 /// Shelves that the furniture library draws as racks or as gondolas, with goods in them: nothing else finds room there.
-const STOCKED: [&str; 15] = [
+const STOCKED: [&str; 17] = [
     "display",
     "drying",
     "gondola",
@@ -235,7 +235,9 @@ const STOCKED: [&str; 15] = [
     "heavy",
     "industrial",
     "market",
+    "medicine",
     "merchandise",
+    "pharmacy",
     "product",
     "retail",
     "shop",

@@ -72,6 +72,40 @@ pub fn is_easy(chair: &str) -> bool {
     chair.split(' ').any(|word| EASY.contains(&word))
 }
 
+/// What guests use, beside seats: it does not stand behind the counter of those who serve them.
+const GUESTS: [&str; 24] = [
+    "arcade machine",
+    "atm",
+    "bistro table",
+    "booth",
+    "brochure rack",
+    "cafe table",
+    "clothes rack",
+    "coat rack",
+    "coat stand",
+    "dartboard",
+    "display table",
+    "fitting room",
+    "jukebox",
+    "kiosk",
+    "low table",
+    "luggage cart",
+    "magazine rack",
+    "mannequin",
+    "pool table",
+    "scale",
+    "shopping basket",
+    "umbrella stand",
+    "vending machine",
+    "water dispenser",
+];
+
+/// Whether guests use a thing of this name.
+pub fn for_guests(noun: &str) -> bool {
+    let is = |guest: &&str| noun == *guest || noun.ends_with(&format!(" {guest}"));
+    group(noun) == Group::Seat || GUESTS.iter().any(|guest| is(&guest))
+}
+
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
 pub fn counts_as(noun: &str, asked: &str) -> bool {
     let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
