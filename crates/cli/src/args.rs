@@ -365,6 +365,9 @@ pub struct Synth {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+    /// What becomes of scenes that were edited
+    #[command(flatten)]
+    pub edits: Edits,
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
@@ -414,6 +417,9 @@ pub struct Export {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+    /// What becomes of scenes that were edited
+    #[command(flatten)]
+    pub edits: Edits,
     /// Which formats
     #[command(flatten)]
     pub formats: Formats,
@@ -438,6 +444,17 @@ pub struct Import {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+}
+
+/// What `export` and `synth` do where they would write over an exported scene that was edited since.
+#[derive(ClapArgs, Debug, Clone, Copy, Default)]
+pub struct Edits {
+    /// Go on from the exported scene (GLB, Unity project) as it stands there now, with what was edited in it
+    #[arg(long, conflicts_with = "overwrite")]
+    pub take: bool,
+    /// Write over exported scenes that were edited, and lose what was changed in them
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Which formats `export` and `synth` write.

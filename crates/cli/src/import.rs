@@ -1,6 +1,7 @@
 //! `scenelang import`: the program and the layout of a GLB file or a Unity project, as the scene stands there now.
 
 use crate::args::Import;
+use crate::replace::May;
 use crate::targets::{Target, find};
 use crate::{FAILED, GOOD, out, replace};
 use scenelang_base::door::{Door, Named, relative};
@@ -37,7 +38,8 @@ fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
     for change in &scene.changes {
         eprintln!("{name}: {}", change.message);
     }
-    replace::folder(&args.output, &files(&scene)?, &[path], args.force)
+    let may = May { force: args.force, ..May::default() };
+    replace::folder(&args.output, &files(&scene)?, &[path], may)
 }
 
 /// The files of a scene, as they stood in relation to each other. Where one stood above the folder of the program, that

@@ -8,6 +8,7 @@ mod bench;
 mod check;
 mod consent;
 mod diff;
+mod edited;
 mod eval;
 mod export;
 mod fix;
