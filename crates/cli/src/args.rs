@@ -50,6 +50,8 @@ pub enum Command {
     Diff(Diff),
     /// Say what became of each requirement: statements, objects, verdict; and the other way round
     Trace(Trace),
+    /// Say what is known of an object: where it is declared, what for, how it stands, what holds of it
+    Query(Query),
     /// Serve an editor over standard input and output, by the Language Server Protocol
     Lsp(Lsp),
     /// Print the JSON Schema of a format
@@ -469,7 +471,7 @@ pub struct Formats {
     pub all_formats: bool,
 }
 
-/// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`
+/// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`, `query --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -594,6 +596,23 @@ pub enum By {
     Requirement,
     /// From each object to its statements and their requirements
     Object,
+}
+
+/// `scenelang query`
+#[derive(ClapArgs, Debug)]
+pub struct Query {
+    /// A program, judged by the layout beside it if there is one; a layout, a GLB file or a Unity project
+    #[arg(value_name = "SCENE")]
+    pub scene: PathBuf,
+    /// The object, `chair[2]`, or all elements of an array, `chair`; without it, a table of all objects
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
+    /// How the answer is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
 }
 
 /// `scenelang lsp`

@@ -159,7 +159,7 @@ fn schemas_are_printed() {
     }
     let ended = scenelang(folder.path(), ["schema", "sofa"]);
     assert!(
-        ended.code == 2 && ended.stderr.contains("config, diff, layout, repair, report, solution"),
+        ended.code == 2 && ended.stderr.contains("config, diff, layout, query, repair, report, solution"),
         "{}",
         ended.stderr
     );
