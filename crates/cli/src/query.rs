@@ -99,7 +99,7 @@ fn table(found: &Query) -> String {
 fn block(object: &Object, judged: bool) -> String {
     let mut out = object.name.clone();
     if !object.category.is_empty() {
-        out += &format!(", a {}", object.category);
+        out += &format!(", category \"{}\"", object.category);
     }
     let at = &object.declared;
     out += &format!("\n  declared at {}:{}:{}: {}\n", at.span.file, at.span.start[0], at.span.start[1], at.text);

@@ -171,10 +171,11 @@ fn the_settings_are_named_by_every_command_that_judges() {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), "room.scene", "object a;\nobject b;\n@req(\"a is there\")\nassert a.pos.x = 0;\n");
     write(folder.path(), "room.layout.json", &layout(0.5));
-    let commands: [&[&str]; 4] = [
+    let commands: [&[&str]; 5] = [
         &["check", "room.layout.json"],
         &["repair", "room.layout.json"],
         &["trace", "room.scene"],
+        &["query", "room.scene"],
         &["diff", "room.layout.json", "room.layout.json"],
     ];
     for (settings, wanted) in [("physics = false\n", true), ("physics = true\n", false)] {

@@ -225,7 +225,7 @@ fn rows(checked: &Checked, program: &Program) -> Vec<(Vec<ObjectId>, Row)> {
             satisfied: row.satisfied,
             margin: row.margin,
             unit: row.unit.clone(),
-            message: row.message.clone(),
+            message: judged.measured.clone(),
             requirements: row.requirements.clone(),
         };
         (objects, row)
