@@ -7,7 +7,7 @@
 use crate::args::Edits;
 use crate::replace;
 use scenelang_base::door::{Door, relative};
-use scenelang_base::owned;
+use scenelang_base::{owned, plain};
 use scenelang_export::embedded::{self, Embedded, carrier};
 use scenelang_export::{Exporter, glb, unity};
 use std::collections::BTreeMap;
@@ -146,7 +146,7 @@ fn refused(lost: &[&Found]) -> String {
     let mut out = "nothing is written, since an exported scene was edited:\n".to_owned();
     for found in lost {
         out += &format!("  {} was edited since scenelang wrote it:\n", found.name);
-        out.extend(found.words().iter().map(|line| format!("    {line}\n")));
+        out.extend(found.words().iter().map(|line| format!("    {}\n", plain::line(line))));
     }
     out + "--take goes on from the scene as it stands there now, --overwrite writes over it; or name another folder with -o"
 }
@@ -223,7 +223,7 @@ impl Found {
     }
 
     fn tell(&self, done: &str) {
-        self.words().iter().for_each(|line| eprintln!("note: {done} {}: {line}", self.name));
+        self.words().iter().for_each(|line| eprintln!("note: {done} {}: {}", self.name, plain::line(line)));
     }
 }
 

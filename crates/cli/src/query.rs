@@ -7,9 +7,8 @@ use crate::solve::color_err;
 use crate::table::Table;
 use crate::targets::{Target, find};
 use crate::{FAILED, GOOD, out};
-use scenelang_base::Diagnostic;
-use scenelang_base::codes;
 use scenelang_base::door::{Door, Named};
+use scenelang_base::{Diagnostic, codes, plain};
 use scenelang_verify::query::{Object, On, Opens, Pose, Query, RestsOn, Row, query};
 use scenelang_verify::report::model::Kind;
 use scenelang_verify::{Checked, Detail, Explain, exit_code, report};
@@ -90,7 +89,16 @@ fn table(found: &Query) -> String {
         };
         let [holds, fails, unmet, unjudged] =
             [counts.holds, counts.fails, counts.unmet, counts.unjudged].map(|n| n.to_string());
-        table.row([object.name.clone(), object.category.clone(), at, turned, holds, fails, unmet, unjudged]);
+        table.row([
+            object.name.clone(),
+            plain::line(&object.category).into_owned(),
+            at,
+            turned,
+            holds,
+            fails,
+            unmet,
+            unjudged,
+        ]);
     }
     table.render()
 }
@@ -99,7 +107,7 @@ fn table(found: &Query) -> String {
 fn block(object: &Object, judged: bool) -> String {
     let mut out = object.name.clone();
     if !object.category.is_empty() {
-        out += &format!(", category \"{}\"", object.category);
+        out += &format!(", category \"{}\"", plain::line(&object.category));
     }
     let at = &object.declared;
     out += &format!("\n  declared at {}:{}:{}: {}\n", at.span.file, at.span.start[0], at.span.start[1], at.text);

@@ -244,7 +244,7 @@ fn tell(
     match args.format {
         SummaryFormat::Human => {
             for line in &moved {
-                eprintln!("note: so that all holds: {line}");
+                eprintln!("note: so that all holds: {}", scenelang_base::plain::line(line));
             }
             human(solved, written, seconds, &args.output);
             eprint!("{}", formats::notes(lost));
