@@ -82,7 +82,8 @@ pub fn ask(
     }
     let lost: Vec<&Found> = scenes.iter().filter(|found| found.is_edited()).collect();
     let mut why = String::new();
-    if !lost.is_empty() && !(said.take || said.overwrite || force) {
+    let is_asked_for = said.take || said.overwrite || force;
+    if !is_asked_for && !lost.is_empty() {
         why = refused(&lost);
     }
     if let Err(others) = replace::still_ours(if force { Vec::new() } else { rest }) {

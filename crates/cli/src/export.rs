@@ -91,7 +91,7 @@ fn export(args: &Export) -> Result<Exported, String> {
     if let Some(text) = &layout {
         room = room.with_layout(text)?;
     }
-    let scene = room.scene().map_err(|e| error(e.to_string()))?;
+    let scene = room.scene().map_err(error)?;
     let mut files = Vec::new();
     // All bytes before the first file.
     for exporter in &chosen {
