@@ -231,6 +231,12 @@ pub fn edited_below(folder: &Path) -> Vec<PathBuf> {
     edited.map(|(_, path)| path).collect()
 }
 
+/// Whether the list of a folder has a file of this name, or files below a folder of this name.
+pub fn knows(folder: &Path, name: &Path) -> bool {
+    let (name, below) = (key(name), format!("{}/", key(name)));
+    List::of(folder).0.keys().any(|known| *known == name || known.starts_with(&below))
+}
+
 /// Whether a path below a folder leads out of it, by a link on its way.
 fn is_outside(root: Option<&Path>, path: &Path) -> bool {
     let Some(root) = root else { return false };
@@ -320,6 +326,8 @@ mod tests {
         fs::write(&b, "mine").unwrap();
         assert_eq!(in_the_way(dir.path(), &new).unwrap(), [InTheWay { path: b.clone(), why: Why::Edited }]);
         assert_eq!(edited_below(dir.path()), std::slice::from_ref(&b));
+        let known = ["a", "deep", "deep/b", "dee", "b"].map(|name| knows(dir.path(), Path::new(name)));
+        assert_eq!(known, [true, true, true, false, false]);
         fs::write(&b, "3").unwrap();
         assert_eq!(in_the_way(dir.path(), &old).unwrap(), []);
     }

@@ -50,6 +50,8 @@ pub enum Command {
     Diff(Diff),
     /// Say what became of each requirement: statements, objects, verdict; and the other way round
     Trace(Trace),
+    /// Say what is known of an object: where it is declared, what for, how it stands, what holds of it
+    Query(Query),
     /// Serve an editor over standard input and output, by the Language Server Protocol
     Lsp(Lsp),
     /// Print the JSON Schema of a format
@@ -365,6 +367,9 @@ pub struct Synth {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+    /// What becomes of scenes that were edited
+    #[command(flatten)]
+    pub edits: Edits,
     /// The same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
@@ -414,6 +419,9 @@ pub struct Export {
     /// Replace files that scenelang did not write, or that were edited since
     #[arg(long)]
     pub force: bool,
+    /// What becomes of scenes that were edited
+    #[command(flatten)]
+    pub edits: Edits,
     /// Which formats
     #[command(flatten)]
     pub formats: Formats,
@@ -440,6 +448,17 @@ pub struct Import {
     pub force: bool,
 }
 
+/// What `export` and `synth` do where they would write over an exported scene that was edited since.
+#[derive(ClapArgs, Debug, Clone, Copy, Default)]
+pub struct Edits {
+    /// Go on from the exported scene (GLB, Unity project) as it stands there now, with what was edited in it
+    #[arg(long, conflicts_with = "overwrite")]
+    pub take: bool,
+    /// Write over exported scenes that were edited, and lose what was changed in them
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
 /// Which formats `export` and `synth` write.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Formats {
@@ -452,7 +471,7 @@ pub struct Formats {
     pub all_formats: bool,
 }
 
-/// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`
+/// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`, `query --format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SummaryFormat {
     /// A table
@@ -577,6 +596,23 @@ pub enum By {
     Requirement,
     /// From each object to its statements and their requirements
     Object,
+}
+
+/// `scenelang query`
+#[derive(ClapArgs, Debug)]
+pub struct Query {
+    /// A program, judged by the layout beside it if there is one; a layout, a GLB file or a Unity project
+    #[arg(value_name = "SCENE")]
+    pub scene: PathBuf,
+    /// The object, `chair[2]`, or all elements of an array, `chair`; without it, a table of all objects
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
+    /// How the answer is written
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// How to judge
+    #[command(flatten)]
+    pub judging: Judging,
 }
 
 /// `scenelang lsp`

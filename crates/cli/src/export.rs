@@ -1,10 +1,15 @@
 //! `scenelang export`: a layout as it is, in the formats of others.
 
 use crate::args::{Export, SummaryFormat};
+use crate::edited::{self, Taken};
+use crate::replace::May;
 use crate::room::Room;
 use crate::trial::{self, Trial};
 use crate::{FAILED, FINDINGS, formats, out, replace};
+use scenelang_base::FileId;
+use scenelang_base::owned::sealed_json;
 use scenelang_export::{Exporter, Loss, losses, mjcf::Mjcf, unity};
+use scenelang_layout::{Layout, file};
 use scenelang_verify::exit_code;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -41,6 +46,7 @@ struct Exported {
     code: u8,
     written: Vec<PathBuf>,
     lost: Vec<Loss>,
+    taken: Option<Taken>,
     /// The file to be tried.
     model: Option<PathBuf>,
 }
@@ -50,6 +56,9 @@ impl Exported {
         let files: Vec<String> = self.written.iter().map(|p| p.display().to_string()).collect();
         let lost = formats::json(&self.lost);
         let mut out = json!({ "format": EXPORT, "ok": self.code == 0, "files": files, "lost": lost });
+        if let Some(taken) = &self.taken {
+            out["taken"] = json!({ "from": taken.name, "changes": taken.changes });
+        }
         if let Some(Ok(trial)) = trial {
             out["trial"] = trial.json();
         }
@@ -68,21 +77,72 @@ fn human(exported: &Exported, trial: Option<&Result<Trial, String>>) {
 }
 
 fn export(args: &Export) -> Result<Exported, String> {
-    let room = Room::read(&args.layout, None)?;
-    replace::unedited(&args.output, args.force).map_err(|message| format!("error: {message}"))?;
-    let scene = room.scene().map_err(|e| format!("error: {e}"))?;
+    let error = |message: String| format!("error: {message}");
+    let mut room = Room::read(&args.layout, None)?;
     let mut chosen = formats::chosen(&args.formats, unity::Pipeline::BuiltIn);
     if args.trial && !chosen.iter().any(|e| e.name() == Mjcf.name()) {
         chosen.push(Box::new(Mjcf));
     }
+    let answer = edited::ask(&args.output, &room.stem(), &chosen, args.edits, args.force).map_err(error)?;
+    let layout = match &answer.taken {
+        Some(taken) => layout_of(&room, taken, args.force).map_err(error)?,
+        None => None,
+    };
+    if let Some(text) = &layout {
+        room = room.with_layout(text)?;
+    }
+    let scene = room.scene().map_err(error)?;
     let mut files = Vec::new();
     // All bytes before the first file.
     for exporter in &chosen {
-        files.extend(exporter.files(&scene).map_err(|e| format!("error: {e}"))?);
+        files.extend(exporter.files(&scene).map_err(|e| error(e.to_string()))?);
     }
     let inputs: Vec<&Path> = room.checked.sources.iter().map(|(_, file)| file.path()).collect();
-    let written =
-        replace::folder(&args.output, &files, &inputs, args.force).map_err(|message| format!("error: {message}"))?;
+    let may = May { force: args.force, these: &answer.replaced };
+    let mut written = Vec::new();
+    if let Some(text) = &layout {
+        replace::permit_folder(&args.output, &files, &inputs, may).map_err(error)?;
+        // The layout first: if anything ends the command then, the edited scene is still there to be taken again.
+        replace::layouts(&[(&room.path, text)], |_| true).map_err(error)?;
+        written.push(room.path.clone());
+    }
+    written.extend(replace::folder(&args.output, &files, &inputs, may).map_err(error)?);
     let model = args.trial.then(|| args.output.join(Mjcf::model(&scene)));
-    Ok(Exported { code: exit_code(&room.checked.report), written, lost: losses(&scene, &chosen), model })
+    let (code, lost) = (exit_code(&room.checked.report), losses(&scene, &chosen));
+    Ok(Exported { code, written, lost, taken: answer.taken, model })
+}
+
+/// The text of the layout file with what was edited in an exported scene; `None`: it says the same as before.
+fn layout_of(room: &Room, taken: &Taken, force: bool) -> Result<Option<String>, String> {
+    let (path, name) = (room.path.display(), &taken.name);
+    let [old, was, now] =
+        [room.text(), &taken.scene.exported, &taken.scene.layout].map(|text| file::read(text, FileId(0)));
+    if !now.usable || now.diagnostics.iter().any(scenelang_base::Diagnostic::is_error) {
+        return Err(format!("the layout in {name} cannot be used; `scenelang check {name}` says why"));
+    }
+    let says = |layout: &Layout| {
+        let Layout { objects, regions, variables, draws, .. } = layout.clone();
+        (objects, regions, variables, draws)
+    };
+    let is_edited = taken.is_rewritten || says(&now.layout) != says(&was.layout);
+    if !is_edited || says(&now.layout) == says(&old.layout) {
+        return Ok(None);
+    }
+    // Of what was edited by itself nobody knows what it was before.
+    if !taken.is_rewritten && says(&was.layout) != says(&old.layout) {
+        return Err(format!(
+            "{path} is not the layout any more that {name} was exported from, so what was edited there cannot be taken into \
+             it; `scenelang import {name} -o FOLDER` writes the layout of the scene, --overwrite writes over it"
+        ));
+    }
+    let is_ours = replace::is_ours(&room.path, room.text());
+    if !is_ours && !force {
+        return Err(format!(
+            "what was edited in {name} would have to be written to {path}, which was edited, too, or which scenelang did not \
+             write, so it stays as it is; --force writes to it"
+        ));
+    }
+    let layout = Layout { scene: old.layout.scene.clone(), ..now.layout };
+    let text = file::checked(&room.path, &layout, Some(&old.document)).map_err(|e| e.to_string())?;
+    Ok(Some(if is_ours { sealed_json(&text) } else { text }))
 }

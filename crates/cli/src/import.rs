@@ -1,9 +1,11 @@
 //! `scenelang import`: the program and the layout of a GLB file or a Unity project, as the scene stands there now.
 
 use crate::args::Import;
+use crate::replace::May;
 use crate::targets::{Target, find};
 use crate::{FAILED, GOOD, out, replace};
 use scenelang_base::door::{Door, Named, relative};
+use scenelang_base::plain;
 use scenelang_export::OutFile;
 use scenelang_export::embedded::{self, Embedded};
 use std::path::{Component, Path, PathBuf};
@@ -35,9 +37,10 @@ fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
         format!("{}{notes}", finding.message)
     })?;
     for change in &scene.changes {
-        eprintln!("{name}: {}", change.message);
+        eprintln!("{name}: {}", plain::line(&change.message));
     }
-    replace::folder(&args.output, &files(&scene)?, &[path], args.force)
+    let may = May { force: args.force, ..May::default() };
+    replace::folder(&args.output, &files(&scene)?, &[path], may)
 }
 
 /// The files of a scene, as they stood in relation to each other. Where one stood above the folder of the program, that
@@ -48,7 +51,7 @@ fn files(scene: &Embedded) -> Result<Vec<OutFile>, String> {
         scene.files().map(|(path, text)| (relative(path, folder).into(), text)).collect();
     if let Some((path, _)) = programs.iter().find(|(path, _)| path.extension().is_none_or(|e| e != "scene")) {
         let name = path.display().to_string();
-        let shown = scenelang_base::plain::line(&name);
+        let shown = plain::line(&name);
         return Err(format!(
             "nothing is written: the scene has a file `{shown}`, which is no program, since it does not end in .scene"
         ));

@@ -8,6 +8,7 @@ mod bench;
 mod check;
 mod consent;
 mod diff;
+mod edited;
 mod eval;
 mod export;
 mod fix;
@@ -24,6 +25,7 @@ mod model;
 mod parallel;
 mod permissions;
 mod progress;
+mod query;
 mod repair;
 mod replace;
 mod room;
@@ -73,6 +75,7 @@ fn main() -> ExitCode {
         Command::Constraints(args) => inspect::constraints(&args),
         Command::Diff(diff) => diff::run(&diff),
         Command::Trace(args) => trace::run(&args),
+        Command::Query(args) => query::run(&args),
         Command::Lsp(lsp) => lsp::run(&lsp),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),

@@ -3,7 +3,7 @@
 
 use scenelang_base::door::Door;
 use scenelang_base::fs::{is_same, is_stream, write_set};
-use scenelang_base::owned::{self, Standing, Why, sealed_json, sealed_program, write_folder};
+use scenelang_base::owned::{self, InTheWay, Standing, Why, sealed_json, sealed_program, write_folder};
 use scenelang_export::OutFile;
 use std::path::{Path, PathBuf};
 
@@ -78,7 +78,14 @@ pub fn is_ours(path: &Path, text: &str) -> bool {
 /// # Errors
 /// Which are not, and how to go on.
 pub fn unedited(folder: &Path, force: bool) -> Result<(), String> {
-    let edited = if force { Vec::new() } else { owned::edited_below(folder) };
+    still_ours(if force { Vec::new() } else { owned::edited_below(folder) })
+}
+
+/// Says of files that were edited why they are not replaced.
+///
+/// # Errors
+/// There are any.
+pub fn still_ours(edited: Vec<PathBuf>) -> Result<(), String> {
     if edited.is_empty() {
         return Ok(());
     }
@@ -86,12 +93,36 @@ pub fn unedited(folder: &Path, force: bool) -> Result<(), String> {
     Err(refused(&files))
 }
 
+/// What may be replaced of what is not ours.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct May<'a> {
+    /// Everything.
+    pub force: bool,
+    /// These files, and what is below these folders.
+    pub these: &'a [PathBuf],
+}
+
 /// Writes a set of files into a folder, all or none of them. Which files.
 ///
 /// # Errors
 /// Which are in the way, and how to go on; or what the file system says.
-pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], force: bool) -> Result<Vec<PathBuf>, String> {
-    let set: Vec<(PathBuf, &[u8])> = files.iter().map(|file| (file.path.clone(), file.bytes.as_slice())).collect();
+pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], may: May<'_>) -> Result<Vec<PathBuf>, String> {
+    permit_folder(folder, files, inputs, may)?;
+    let set = set_of(files);
+    write_folder(folder, &set).map_err(|e| e.to_string())?;
+    Ok(set.into_iter().map(|(name, _)| folder.join(name)).collect())
+}
+
+fn set_of(files: &[OutFile]) -> Vec<(PathBuf, &[u8])> {
+    files.iter().map(|file| (file.path.clone(), file.bytes.as_slice())).collect()
+}
+
+/// Whether [`folder`] would write these files, where something else has to be written before.
+///
+/// # Errors
+/// Which are in the way, and how to go on.
+pub fn permit_folder(folder: &Path, files: &[OutFile], inputs: &[&Path], may: May<'_>) -> Result<(), String> {
+    let set = set_of(files);
     let door = Door::within(folder);
     for (name, bytes) in &set {
         let path = folder.join(name);
@@ -104,14 +135,14 @@ pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], force: bool) -
             return Err(format!("{} would replace the input {input}; name another folder with -o", path.display()));
         }
     }
-    if !force {
-        let found = owned::in_the_way(folder, &set).map_err(|e| e.to_string())?;
-        if !found.is_empty() {
-            return Err(refused(&found.into_iter().map(|found| (found.path, found.why)).collect::<Vec<_>>()));
-        }
+    if may.force {
+        return Ok(());
     }
-    write_folder(folder, &set).map_err(|e| e.to_string())?;
-    Ok(set.into_iter().map(|(name, _)| folder.join(name)).collect())
+    let allowed = |found: &InTheWay| found.why != Why::Outside && may.these.iter().any(|at| found.path.starts_with(at));
+    let found = owned::in_the_way(folder, &set).map_err(|e| e.to_string())?;
+    let found: Vec<_> =
+        found.into_iter().filter(|found| !allowed(found)).map(|found| (found.path, found.why)).collect();
+    if found.is_empty() { Ok(()) } else { Err(refused(&found)) }
 }
 
 fn refused(files: &[(PathBuf, Why)]) -> String {

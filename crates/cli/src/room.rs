@@ -12,6 +12,7 @@ use scenelang_layout::Layout;
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::settings::Settings;
 use scenelang_verify::{Checked, Detail, Options};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// A layout that can be drawn.
@@ -35,11 +36,25 @@ impl Room {
     /// What is wrong with it, for people: a line for each error.
     pub fn read(path: &Path, seen: Option<&Seen>) -> Result<Self, String> {
         let path = layout_of(path);
-        let name = path.display().to_string();
         let door = Door::of(&path);
-        let watched = seen.map(|seen| Watched { seen, door: &door });
-        let loader = watched.as_ref().map_or(&door as &dyn Loader, |watched| watched);
-        let found = settings::find(&door, loader);
+        match seen {
+            Some(seen) => Self::judge(path, &door, &Watched { seen, door: &door }),
+            None => Self::judge(path, &door, &door),
+        }
+    }
+
+    /// The same room with another text in place of its layout file's.
+    ///
+    /// # Errors
+    /// As for [`Room::read`].
+    pub fn with_layout(&self, text: &str) -> Result<Self, String> {
+        let door = Door::of(&self.path);
+        Self::judge(self.path.clone(), &door, &Instead { path: &self.path, text, door: &door })
+    }
+
+    fn judge(path: PathBuf, door: &Door, loader: &dyn Loader) -> Result<Self, String> {
+        let name = path.display().to_string();
+        let found = settings::find(door, loader);
         let (given, detail, compile) = (Settings::default(), Detail::default(), scenelang_lang::Options::default());
         let question = Question { name: &name, path: &path, given: &given, detail, compile };
         let mut checked = scenelang_analysis::judge(&question, &found, loader);
@@ -80,6 +95,19 @@ impl Room {
             report: &report,
         };
         Scene::build(&input).map_err(|e| e.to_string())
+    }
+}
+
+/// The files of a door, but one that has another text.
+struct Instead<'a> {
+    path: &'a Path,
+    text: &'a str,
+    door: &'a Door,
+}
+
+impl Loader for Instead<'_> {
+    fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if path == self.path { Ok(self.text.as_bytes().to_vec()) } else { self.door.load(path) }
     }
 }
 

@@ -2,13 +2,16 @@
 
 use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
+use crate::edited::{self, Answer, Taken};
 use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
+use crate::replace::May;
 use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, formats, interrupt, out, replace, settings};
+use scenelang_base::FileId;
 use scenelang_base::door::Door;
-use scenelang_export::{Exporter, Loss, OutFile, losses, unity};
+use scenelang_export::{Exporter, Loss, OutFile, embedded, losses, unity};
 use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
@@ -31,9 +34,11 @@ pub fn run(args: &Synth) -> u8 {
         Err(message) => return fail(&message),
     };
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
-    if let Err(message) = permitted(args, &path, request.is_some(), &stem) {
-        return fail(&message);
-    }
+    let exporters = chosen(args);
+    let Answer { taken, replaced } = match permitted(args, &path, request.is_some(), &stem, &exporters) {
+        Ok(answer) => answer,
+        Err(message) => return fail(&message),
+    };
     let (judging, settings) = match settings::all(&Judging::default(), &Door::of(&path)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
@@ -49,10 +54,17 @@ pub fn run(args: &Synth) -> u8 {
         None => None,
     };
     let layout_name = format!("{stem}.layout.json");
+    let (start, quality) = match (&taken, &planned) {
+        // What somebody has put somewhere is not moved for a preference.
+        (Some(taken), _) => (Some((taken.scene.layout_name.as_str(), taken.scene.layout.as_str())), 0),
+        // What was planned is good already: little work shows what more there is.
+        (None, Some(text)) => (Some((layout_name.as_str(), text.as_str())), args.search.quality.div_ceil(PLANNED)),
+        (None, None) => (None, args.search.quality),
+    };
     let request = Request {
         name: &path.display().to_string(),
         path: &path,
-        start: planned.as_deref().map(|text| (layout_name.as_str(), text)),
+        start,
         // As seen from the output folder, so that what is written does not depend on where that is.
         layout_name: &layout_name,
         scene_member: &format!("{stem}.scene"),
@@ -62,8 +74,7 @@ pub fn run(args: &Synth) -> u8 {
         free: 0,
         threads: args.search.threads(),
         effort: args.search.effort,
-        // What was planned is good already: little work shows what more there is.
-        quality: if planned.is_some() { args.search.quality.div_ceil(PLANNED) } else { args.search.quality },
+        quality,
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,
@@ -84,11 +95,12 @@ pub fn run(args: &Synth) -> u8 {
     stages.enter(Stage::Export);
     // A layout that was found is not lost to a Ctrl-C while it is exported.
     interrupt::gently();
-    let written = exported(&solved, &stem, &chosen(args)).and_then(|exported| {
+    let written = exported(&solved, &stem, &exporters).and_then(|exported| {
         let interrupted = exported.is_none();
         let (files, lost) = exported.unwrap_or_else(|| (own_files(&solved, &stem), Vec::new()));
         let inputs: Vec<&Path> = solved.compiled.sources.iter().map(|(_, file)| file.path()).collect();
-        Ok((replace::folder(&args.output, &files, &inputs, args.force)?, lost, interrupted))
+        let may = May { force: args.force, these: &replaced };
+        Ok((replace::folder(&args.output, &files, &inputs, may)?, lost, interrupted))
     });
     let (written, lost, interrupted) = match written {
         Ok(written) => written,
@@ -100,7 +112,7 @@ pub fn run(args: &Synth) -> u8 {
     stages.leave(Stage::Export);
     let seconds = std::mem::take(&mut stages.seconds);
     drop(stages);
-    tell(args, &solved, &written, &lost, &seconds, model.as_ref());
+    tell(args, &solved, &written, &lost, &seconds, model.as_ref(), taken.as_ref());
     if interrupted {
         let so_far = if solved.first.layout().incomplete {
             "; the layout is the best so far, and marked as incomplete"
@@ -163,8 +175,17 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
     Ok(Begun::With(planned.map(|layout| scenelang_layout::file::to_json(&layout, None))))
 }
 
-/// Whether what is known before the work will be written may be: so that it is not done in vain.
-fn permitted(args: &Synth, path: &Path, asked: bool, stem: &str) -> Result<(), String> {
+/// Whether what is known before the work will be written may be: so that it is not done in vain. The scene to go on from,
+/// if there is one.
+fn permitted(
+    args: &Synth,
+    path: &Path,
+    asked: bool,
+    stem: &str,
+    exporters: &[Box<dyn Exporter>],
+) -> Result<Answer, String> {
+    // First of all, so that nobody who says --force of another file loses an edit that was never spoken of.
+    let answer = edited::ask(&args.output, stem, exporters, args.edits, args.force)?;
     let named = PathBuf::from(&args.request);
     let mut inputs: Vec<&Path> = vec![path];
     if asked {
@@ -173,7 +194,7 @@ fn permitted(args: &Synth, path: &Path, asked: bool, stem: &str) -> Result<(), S
     }
     replace::permit(&args.output.join(format!("{stem}.layout.json")), &inputs, args.force)?;
     replace::permit(&args.output.join("report.json"), &inputs, args.force)?;
-    replace::unedited(&args.output, args.force)
+    Ok(answer)
 }
 
 /// All files of a scene, and what is not in them.
@@ -217,9 +238,14 @@ fn tell(
     lost: &[Loss],
     seconds: &[(Stage, Duration)],
     model: Option<&Asked>,
+    taken: Option<&Taken>,
 ) {
+    let moved = taken.map_or_else(Vec::new, |taken| moved(taken, solved));
     match args.format {
         SummaryFormat::Human => {
+            for line in &moved {
+                eprintln!("note: so that all holds: {}", scenelang_base::plain::line(line));
+            }
             human(solved, written, seconds, &args.output);
             eprint!("{}", formats::notes(lost));
             model::summary(model, solved.advice.as_ref());
@@ -227,12 +253,21 @@ fn tell(
         SummaryFormat::Json => {
             let mut summary = json(solved, written, seconds);
             summary["lost"] = formats::json(lost);
+            if let Some(taken) = taken {
+                summary["taken"] = json!({ "from": taken.name, "changes": taken.changes, "moved": moved });
+            }
             if let Some(said) = model::json(model, solved.advice.as_ref()) {
                 summary["model"] = said;
             }
             println!("{summary}");
         }
     }
+}
+
+/// What stands elsewhere than in the scene that was taken, in words.
+fn moved(taken: &Taken, solved: &Solved) -> Vec<String> {
+    let before = scenelang_layout::file::read(&taken.scene.layout, FileId(0)).layout;
+    embedded::differences(&before, solved.first.layout())
 }
 
 fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], folder: &Path) {

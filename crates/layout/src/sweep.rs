@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 /// The least gap of a motion is known to this (metres) where it decides: what is said of it is less than it is by no more.
 pub const RESOLUTION: f64 = 5e-4;
 /// Where it decides nothing, since there is plenty of room or much too little, it is known to this share of itself.
-const SHARE: f64 = 1.0 / 32.0;
+pub const SHARE: f64 = 1.0 / 32.0;
 /// The free range is known to this, in metres that the fastest point goes.
 const STEP: f64 = 5e-4;
 
@@ -92,6 +92,18 @@ impl Moving {
     /// `below`, or there are no obstacles. Each look at a pose takes one of `looks`; without any left the bounds are as good
     /// as they are by then.
     pub fn least(&self, obstacles: &[Convex], amount: f64, below: f64, looks: &mut usize) -> Option<Swept> {
+        self.least_about(obstacles, amount, below, SHARE, looks)
+    }
+
+    /// The same, known to another share of itself than [`SHARE`].
+    pub fn least_about(
+        &self,
+        obstacles: &[Convex],
+        amount: f64,
+        below: f64,
+        share: f64,
+        looks: &mut usize,
+    ) -> Option<Swept> {
         let to = self.inner(amount);
         let mut best: Option<Swept> = None;
         // No gap is less than this.
@@ -113,7 +125,7 @@ impl Moving {
                         best = Some(Swept { gap: 0.0, at, separation: look.separation, parts: [i, j] });
                     }
                     let most = best.map_or(below, |swept| swept.separation.gap.min(below));
-                    if look.least >= most - RESOLUTION.max(SHARE * most.abs()) || *looks == 0 {
+                    if look.least >= most - RESOLUTION.max(share * most.abs()) || *looks == 0 {
                         bound = bound.min(look.least);
                     } else {
                         open.extend([[middle, until], [from, middle]]);

@@ -43,8 +43,10 @@ fn filled(parts: &[Part], [w, d]: [f64; 2], [from, to]: [f64; 2], shut: bool) ->
             _ => None,
         })
     };
+    // Nothing stands in the gap beside a door.
+    let gap = if shut { 0.015 } else { 1e-6 };
     let within = |p: Vec3, (pos, half): (&Vec3, Vec3), axes: &[usize]| {
-        axes.iter().all(|i| (p[*i] - pos[*i]).abs() <= half[*i] + 1e-6)
+        axes.iter().all(|i| (p[*i] - pos[*i]).abs() <= half[*i] + gap)
     };
     let solid = |p: Vec3| {
         let met = |axis: usize, way: f64| {

@@ -16,6 +16,7 @@ mod navigation;
 pub mod number;
 pub mod opening;
 pub mod prove;
+pub mod query;
 pub mod report;
 pub mod rules;
 pub mod schemas;

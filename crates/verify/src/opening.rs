@@ -9,6 +9,7 @@ use crate::number::Number;
 use crate::world::World;
 use nalgebra::Matrix3;
 use scenelang_lang::program::{ObjectId, Program, RegionId, Side};
+use scenelang_layout::sweep::SHARE;
 use scenelang_layout::{Aabb, Convex, Joint, Motion, Moving, Obb, Separation, Swept, Vec2, Vec3};
 
 /// What a person pushes aside before furniture is opened: the last word of the category. An object with the feature "fixed"
@@ -41,6 +42,8 @@ pub const PUSHED_ASIDE: [&str; 22] = [
 const SOFT: [&str; 2] = ["carpet", "curtain"];
 /// What goes along with an object is no further from it (metres).
 pub(crate) const CARRIED: f64 = 0.5;
+/// How well it has to be known how much is missing, as a share of it, for a search that goes on.
+const ROUGH: f64 = 0.5;
 /// So many looks at poses are spent on one part.
 pub const LOOKS: usize = 20_000;
 
@@ -152,12 +155,15 @@ pub fn nearest<N: Number>(
 ) -> Result<Option<Nearest>, Cause> {
     let Some(moving) = world.object(id)?.body.moving(part) else { return Ok(None) };
     let mut best: Option<Nearest> = None;
+    let clearance = world.options.detail.clearance;
+    // Who does not ask how much room there is does not ask how much is missing, either.
+    let share = if clearance.is_finite() { ROUGH } else { SHARE };
     for obstacle in obstacles(world, id, moving, amount) {
-        let below = best.map_or(world.options.detail.clearance, |nearest| nearest.swept.gap);
+        let below = best.map_or(clearance, |nearest| nearest.swept.gap);
         if obstacle.distance > below.max(0.0) {
             break;
         }
-        if let Some(swept) = moving.least(&obstacle.solid, amount, below, looks) {
+        if let Some(swept) = moving.least_about(&obstacle.solid, amount, below, share, looks) {
             let there = &moving.opened(swept.at)[swept.parts[0]];
             let at = there.contact(&obstacle.solid[swept.parts[1]], &swept.separation).1;
             best = Some(Nearest { met: obstacle.met, swept, at });

@@ -1,12 +1,13 @@
 //! JSON Schemas (draft 2020-12) of the files that tools exchange: the layout, the report, the comparison, the trace,
-//! the brief of a request, what `repair` and `solve` print, the settings.
+//! the brief of a request, what `query`, `repair` and `solve` print, the settings.
 
 /// The schemas by name: name and text.
-pub const ALL: [(&str, &str); 8] = [
+pub const ALL: [(&str, &str); 9] = [
     ("brief", include_str!("../schemas/brief.json")),
     ("config", include_str!("../schemas/config.json")),
     ("diff", include_str!("../schemas/diff.json")),
     ("layout", include_str!("../schemas/layout.json")),
+    ("query", include_str!("../schemas/query.json")),
     ("repair", include_str!("../schemas/repair.json")),
     ("report", include_str!("../schemas/report.json")),
     ("solution", include_str!("../schemas/solution.json")),

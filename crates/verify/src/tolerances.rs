@@ -104,7 +104,8 @@ pub struct Detail {
     pub explain: Explain,
     /// Whether contradictions come with their proofs, step by step.
     pub proofs: bool,
-    /// How far the room around what opens is measured (metres): more than that counts as that.
+    /// How far the room around what opens is measured (metres): more than that counts as that. Where it is finite, what is
+    /// missing is known roughly.
     pub clearance: f64,
 }
 

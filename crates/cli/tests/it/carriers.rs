@@ -84,7 +84,7 @@ fn what_an_edited_layout_breaks_is_shown() {
 }
 
 /// Changes the document of a GLB file.
-fn edit_glb(path: &Path, change: impl FnOnce(&mut Value)) {
+pub fn edit_glb(path: &Path, change: impl FnOnce(&mut Value)) {
     let bytes = fs::read(path).unwrap();
     let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     let mut document: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod agreement;
+mod back;
 mod bounded;
 mod brief;
 mod carriers;
@@ -33,6 +34,7 @@ mod model;
 mod permissions;
 mod pipes;
 mod problems;
+mod query;
 mod repair;
 mod replacing;
 mod rooms;

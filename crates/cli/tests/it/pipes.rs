@@ -12,12 +12,14 @@ use std::process::Stdio;
 const CLOSED: i32 = 141;
 
 /// Commands in a folder with `bedroom.scene` and a layout of it, each with more to print than nothing.
-const COMMANDS: [&[&str]; 27] = [
+const COMMANDS: [&[&str]; 29] = [
     &["check", "bedroom.scene"],
     &["formalize", "a bedroom with a bed and two lamps"],
     &["formalize", "a bedroom with a bed and two lamps", "--format", "json"],
     &["trace", "bedroom.scene"],
     &["categories"],
+    &["query", "bedroom.layout.json"],
+    &["query", "bedroom.scene", "--object", "bed", "--format", "json"],
     &["check", "bedroom.layout.json", "--all"],
     &["check", "bedroom.layout.json", "--format", "json"],
     &["check", "bedroom.layout.json", "--format", "sarif"],

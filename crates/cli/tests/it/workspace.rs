@@ -159,7 +159,7 @@ fn schemas_are_printed() {
     }
     let ended = scenelang(folder.path(), ["schema", "sofa"]);
     assert!(
-        ended.code == 2 && ended.stderr.contains("config, diff, layout, repair, report, solution"),
+        ended.code == 2 && ended.stderr.contains("config, diff, layout, query, repair, report, solution"),
         "{}",
         ended.stderr
     );
@@ -171,10 +171,11 @@ fn the_settings_are_named_by_every_command_that_judges() {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), "room.scene", "object a;\nobject b;\n@req(\"a is there\")\nassert a.pos.x = 0;\n");
     write(folder.path(), "room.layout.json", &layout(0.5));
-    let commands: [&[&str]; 4] = [
+    let commands: [&[&str]; 5] = [
         &["check", "room.layout.json"],
         &["repair", "room.layout.json"],
         &["trace", "room.scene"],
+        &["query", "room.scene"],
         &["diff", "room.layout.json", "room.layout.json"],
     ];
     for (settings, wanted) in [("physics = false\n", true), ("physics = true\n", false)] {

@@ -112,6 +112,24 @@ impl Edits {
     }
 }
 
+/// What differs of the things of two layouts, in the words in which changes of a scene are reported: "`desk` was moved by …".
+/// Of a thing that only the second one has, that it was put in.
+pub fn differences(before: &Layout, after: &Layout) -> Vec<String> {
+    let mut out = Vec::new();
+    for (name, now) in &after.objects {
+        let Some(mut was) = before.object(name).cloned() else {
+            out.push(format!("`{name}` was put in"));
+            continue;
+        };
+        let (axes, scale) = (rotation::matrix(now.rot), now.scale.component_div(&was.scale));
+        let said = changed(&mut was, &Place { pos: now.pos, axes, scale });
+        if !said.is_empty() {
+            out.push(format!("`{name}` was {}", said.join(" and ")));
+        }
+    }
+    out
+}
+
 /// Takes over what differs, and says what that is.
 fn changed(placement: &mut Placement, place: &Place) -> Vec<String> {
     let mut said = Vec::new();

@@ -10,6 +10,8 @@ mod glb;
 mod stand;
 mod unity;
 
+pub use edits::differences;
+
 use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::library::IMPORTED;
 use scenelang_lang::sources::{Loader, normal};
@@ -38,6 +40,8 @@ pub struct Embedded {
     pub main: PathBuf,
     /// The layout's text: the embedded one, with what was changed in the scene since.
     pub layout: String,
+    /// The layout's text as it was embedded.
+    pub exported: String,
     /// What was changed, one warning for each thing.
     pub changes: Vec<Diagnostic>,
     files: BTreeMap<PathBuf, String>,
@@ -108,5 +112,6 @@ fn embedded(layout_name: String, layout_path: PathBuf, layout: &str, spec: &str,
     let mut files: BTreeMap<PathBuf, String> =
         texts.filter_map(|(path, text)| Some((normal(&beside.join(path)), text.as_str()?.to_owned()))).collect();
     files.insert(main.clone(), spec.to_owned());
-    Embedded { layout_name, layout_path, main, layout: layout.to_owned(), changes: Vec::new(), files }
+    let layout = layout.to_owned();
+    Embedded { layout_name, layout_path, main, exported: layout.clone(), layout, changes: Vec::new(), files }
 }

@@ -13,6 +13,7 @@ mod yaml;
 use crate::names::Stems;
 use crate::{ExportError, Exporter, OutFile, Scene};
 use project::Project;
+pub use project::ROOT;
 
 /// The `unity/` folder.
 #[derive(Clone, Copy, Debug, Default)]

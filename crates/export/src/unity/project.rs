@@ -6,7 +6,7 @@ use crate::OutFile;
 use std::collections::BTreeSet;
 
 /// The folder that the project is written to.
-const ROOT: &str = "unity";
+pub const ROOT: &str = "unity";
 /// The editor that the files are written for.
 const EDITOR: &str = "2022.3.16f1";
 

@@ -85,6 +85,25 @@ fn said(found: &Embedded) -> Vec<&str> {
     found.changes.iter().map(|change| change.message.as_str()).collect()
 }
 
+#[test]
+fn layouts_differ_in_the_words_of_edits() {
+    let before = parts().layout;
+    assert_eq!(embedded::differences(&before, &before), Vec::<String>::new());
+    let mut after = before.clone();
+    let index = |name: &str| before.objects.iter().position(|(n, _)| n == name).unwrap();
+    let (table, picture) = (index("table"), index("picture"));
+    after.objects[table].1.pos.x += 0.25;
+    after.objects[picture].1.rot.y += 90.0;
+    let mut fewer = before.clone();
+    fewer.objects.retain(|(name, _)| name != "balloon");
+    assert_eq!(
+        embedded::differences(&fewer, &after),
+        ["`table` was moved by +0.250 m along x", "`balloon` was put in", "`picture` was turned by 90.0°"]
+    );
+    // What only the first one has is no difference of things that both have.
+    assert_eq!(embedded::differences(&before, &fewer), Vec::<String>::new());
+}
+
 fn triple() -> impl Strategy<Value = [f64; 3]> {
     [-9.0..9.0, 0.0..4.0, -9.0..9.0]
 }

@@ -161,6 +161,10 @@ fn every_block_is_executed() {
                 }
                 ["json", "solve"] => page.path == Path::new("command-line.md") && after(Block::is_scene),
                 ["text", "trace"] => page.path == Path::new("command-line.md") && after(Block::is_scene),
+                ["text", "query", ..] => {
+                    page.path == Path::new("command-line.md")
+                        && after(|b| b.info.starts_with("json layout") || b.info.starts_with("text query"))
+                }
                 ["toml", "own"] | ["text", "asking"] => page.path == Path::new("models.md"),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["ebnf"] => page.path.starts_with("reference"),

@@ -167,6 +167,10 @@ const OTHER: &[&str] = &[
     "clothes",
     "clothing",
     "garment",
+    "shaped",
+    "sectional",
+    "mixing",
+    "lathe",
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
@@ -188,9 +192,9 @@ pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 
     let role = role_of(what(object));
     let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
     let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
-    // Seats and tops have a usual height, or thickness, in metres.
+    // Seats and tops have a height, or a thickness, that does not grow with the thing.
     let usual = usual_size(what(object)).is_some_and(|[_, usual, _]| (h / usual - 1.0).abs() <= ABOUT);
-    if !usual && !matches!(role, "storage" | "appliance") {
+    if to - from < 0.5 && !usual {
         return None;
     }
     let size = [w, d].map(|s| s - 2.0 * EDGE);

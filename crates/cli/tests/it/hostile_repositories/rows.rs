@@ -30,6 +30,23 @@ fn of(repo: &Repository, program: &str) {
     repo.write("room.layout.json", LAYOUT.replace("room.scene", program));
 }
 
+/// A GLB file with a scene in it: a program, its imports, a layout, and a thing that stands there.
+fn carrier(repo: &Repository, spec: &str, import: &str, layout: &str, thing: &str) {
+    let document = serde_json::json!({
+        "asset": { "version": "2.0" },
+        "scenes": [{ "nodes": [0], "extras": { "scenelang": {
+            "spec": spec, "layout": layout, "imports": { import: "object more;\n" } } } }],
+        "nodes": [{ "name": thing, "mesh": 0 }],
+    });
+    let mut json = document.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let number = |n: usize| u32::try_from(n).unwrap().to_le_bytes();
+    repo.write(
+        "room.glb",
+        [b"glTF", &number(2)[..], &number(20 + json.len()), &number(json.len()), b"JSON", &json].concat(),
+    );
+}
+
 rows! {
     // ── Paths in a program ──
     import_from_above: |repo| import(repo, "../secret.scene");
@@ -106,6 +123,22 @@ rows! {
     a_layout_of_a_folder: |repo| of(repo, ".");
     a_layout_of_itself: |repo| of(repo, "room.layout.json");
     a_layout_of_a_pipe: |repo| { repo.pipe("lib.scene"); of(repo, "lib.scene"); };
+    // ── What a GLB file carries ──
+    a_carrier_is_a_link: |repo| repo.link("room.glb", "../secret.scene");
+    a_carrier_is_a_pipe: |repo| repo.pipe("room.glb");
+    a_carrier_with_a_hook: |repo| carrier(repo, ROOM, ".git/hooks/post-checkout", LAYOUT, "desk");
+    a_carrier_with_a_script: |repo| carrier(repo, ROOM, "../tool.js", LAYOUT, "desk");
+    a_carrier_with_a_program_far_above: |repo| carrier(repo, ROOM, "../../../../secret.scene", LAYOUT, "desk");
+    a_carrier_of_a_program_above: |repo| {
+        carrier(repo, "import \"secret.scene\";", "more.scene", &LAYOUT.replace("room.scene", "../secret.scene"), "desk");
+    };
+    a_carrier_with_an_absolute_path: |repo| {
+        let path = repo.at("../secret.scene").display().to_string();
+        carrier(repo, ROOM, &path, &LAYOUT.replace("room.scene", &path), "desk");
+    };
+    a_carrier_that_paints: |repo| {
+        carrier(repo, "object desk; // \x1b]0;title\x07\n", "\x1b[31m.scene", LAYOUT, "\x1b[31m\n::error::x\u{202e}");
+    };
     // ── Names and texts that act ──
     a_name_with_a_command: |repo| import(repo, "q\\n::error::x");
     a_name_with_a_line_break: |repo| repo.write("a\n::error::x.scene", "object a;;\nobject");
