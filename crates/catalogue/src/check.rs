@@ -17,8 +17,10 @@ const SMALLEST: f64 = 0.005;
 const LARGEST: f64 = 20.0;
 /// The size on the card may differ by so much from the proportions of the triangles.
 const DISTORTION: f64 = 1.1;
-/// A single piece that fills less than this of its one convex part is not what the part says.
+/// A single piece that fills less than this share of its one convex part, and leaves more room in it than this (m³), is
+/// not what the part says. Cups and baskets leave less: nothing is pushed under them.
 const HOLLOW: f64 = 0.5;
+const ROOM: f64 = 0.1;
 /// Air has about one kilogram per cubic metre, a block of steel about eight thousand.
 const LIGHTEST: f64 = 1.0;
 const HEAVIEST: f64 = 8000.0;
@@ -57,10 +59,11 @@ pub fn check(folder: &Path, usual: &dyn Fn(&str) -> Option<Vec3>) -> Result<Vec<
     Ok(out)
 }
 
-/// What is to be said of a model, in the order of the codes.
+/// What is to be said of a model, in the order of the codes. Room and density mean nothing where the size is wrong.
 fn findings(model: &Model, usual: Option<Vec3>) -> Vec<Diagnostic> {
-    let all = [open(model), size(model, usual), front(model), base(model), parts(model), mass(model), licence(model)];
-    all.into_iter().flatten().collect()
+    let size = size(model, usual);
+    let (parts, mass) = if size.is_none() { (parts(model), mass(model)) } else { (None, None) };
+    [open(model), size, front(model), base(model), parts, mass, licence(model)].into_iter().flatten().collect()
 }
 
 fn open(model: &Model) -> Option<Diagnostic> {
@@ -126,9 +129,10 @@ fn base(model: &Model) -> Option<Diagnostic> {
 
 fn parts(model: &Model) -> Option<Diagnostic> {
     let origin = model.origin;
-    let filled = origin.volume? / origin.filled;
+    let volume = origin.volume?;
+    let (filled, room) = (volume / origin.filled, origin.filled - volume);
     let say = format!("it is one piece that fills {:.0} % of its convex part", 100.0 * filled);
-    (origin.pieces == 1 && model.parts.len() == 1 && filled < HOLLOW).then(|| {
+    (origin.pieces == 1 && model.parts.len() == 1 && filled < HOLLOW && room > ROOM).then(|| {
         Diagnostic::without_place(codes::W0705, say)
             .note("nothing can stand in or under it; make it of several convex pieces that do not share edges")
     })

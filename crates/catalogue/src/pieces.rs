@@ -71,22 +71,32 @@ fn weld(triangles: &[[Vec3; 3]]) -> (Vec<Vec3>, Vec<Corners>) {
     (points, corners)
 }
 
-/// How many edges are open, and the pieces: lists of triangles in the order of their first ones.
+/// How many edges are open, and the pieces: lists of triangles in the order of their first ones. Triangles hang together
+/// where exactly two meet at an edge: of two boxes that touch along an edge, four do.
 fn connect(corners: &[Corners]) -> (usize, Vec<Vec<u32>>) {
-    let mut owner: Vec<u32> = (0..corners.len() as u32).collect();
-    /// How often an edge is run along in each direction, and a triangle that has it.
+    /// How often an edge is run along in each direction, how many triangles have it, and the first two of them.
+    #[derive(Default)]
     struct Side {
         balance: i64,
-        triangle: u32,
+        count: usize,
+        triangles: [u32; 2],
     }
     let mut sides: FxHashMap<[u32; 2], Side> = FxHashMap::default();
     for (t, &[a, b, c]) in corners.iter().enumerate() {
         for (from, to) in [(a, b), (b, c), (c, a)] {
-            let side = sides.entry([from.min(to), from.max(to)]).or_insert(Side { balance: 0, triangle: t as u32 });
+            let side = sides.entry([from.min(to), from.max(to)]).or_default();
             side.balance += if from < to { 1 } else { -1 };
-            let (one, other) = (root(&mut owner, side.triangle), root(&mut owner, t as u32));
-            owner[one.max(other) as usize] = one.min(other);
+            if let Some(place) = side.triangles.get_mut(side.count) {
+                *place = t as u32;
+            }
+            side.count += 1;
         }
+    }
+    let mut owner: Vec<u32> = (0..corners.len() as u32).collect();
+    for side in sides.values().filter(|side| side.count == 2) {
+        let [one, other] = side.triangles.map(|t| root(&mut owner, t));
+        // The least one owns, so that the order of the edges does not matter.
+        owner[one.max(other) as usize] = one.min(other);
     }
     let open: u64 = sides.values().map(|side| side.balance.unsigned_abs()).sum();
     let mut place: FxHashMap<u32, usize> = FxHashMap::default();

@@ -127,7 +127,7 @@ fn findings_say_how_much_and_what_to_do() {
         said,
         [
             "a.glb W0701 its mesh is open: 3 edges have no triangle on the other side; close the holes, or merge vertices that are at the same place",
-            "b.glb W0702 it is 120 m large; the usual size of \"table\" is 1.6 m; its numbers may be centimetres",
+            "b.glb W0702 it is 120 m large; the usual size of \"table\" is 1.4 m; its numbers may be centimetres",
             "c.glb W0702 the size on its card has other proportions than its triangles, by a factor of 2.00; write the width, height and depth that it has with its front turned to +z",
             "d.glb W0702 it is 900 m large; its numbers may be millimetres",
             "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is put on the floor; if it is to hang higher, place it so in the program",

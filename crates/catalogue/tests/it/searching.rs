@@ -7,11 +7,12 @@ use scenelang_layout::Vec3;
 use serde_json::{Value, json};
 use tempfile::{TempDir, tempdir};
 
-/// A folder with a model of one box for each card.
+/// A folder with a model of one box for each card, of the size that it says.
 fn shop(cards: &[Value]) -> (TempDir, Catalogue) {
     let folder = tempdir().unwrap();
     for (i, card) in cards.iter().enumerate() {
-        write(folder.path(), &format!("m{i:04}.glb"), &block(1.0, 1.0, 1.0).glb(), card);
+        let [w, h, d] = [0, 1, 2].map(|axis: usize| card["size"][axis].as_f64().unwrap_or(1.0) as f32);
+        write(folder.path(), &format!("m{i:04}.glb"), &block(w, h, d).glb(), card);
     }
     let catalogue = Catalogue::open(folder.path()).unwrap();
     assert!(catalogue.refused.is_empty(), "{:?}", catalogue.refused);
