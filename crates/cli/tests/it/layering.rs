@@ -11,6 +11,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("layout", &["base"]),
     ("verify", &["lang", "layout"]),
     ("assets", &["layout"]),
+    ("catalogue", &["assets"]),
     ("llm", &["base"]),
     ("formalize", &["verify", "llm"]),
     ("engine", &["verify"]),
@@ -21,7 +22,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("analysis", &["engine"]),
     ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp", "eval"]),
+    ("cli", &["lsp", "eval", "catalogue"]),
     ("grammars", &["lang"]),
 ];
 
