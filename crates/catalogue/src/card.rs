@@ -126,7 +126,9 @@ mod tests {
 
     fn said(text: &str) -> String {
         match Card::read(text.as_bytes(), "oak_chair2") {
-            Ok(card) => format!("{} front {:?} size {:?}", card.category, card.front, card.size.map(|s| [s.x, s.y, s.z])),
+            Ok(card) => {
+                format!("{} front {:?} size {:?}", card.category, card.front, card.size.map(|s| [s.x, s.y, s.z]))
+            }
             Err(fault) => fault.message,
         }
     }
@@ -138,10 +140,19 @@ mod tests {
             (r#"{"category": "stool", "front": "-x", "more": 1}"#, "stool front Some(270.0) size None"),
             (r#"{"front": -90, "size": [1, 2, 3]}"#, "oak chair front Some(270.0) size Some([1.0, 2.0, 3.0])"),
             (r#"{"front": "-y", "up": "z"}"#, "oak chair front Some(0.0) size None"),
-            (r#"{"front": "y"}"#, "its card oak_chair2.json cannot be used: `front` is \"+z\", \"+x\", \"-z\" or \"-x\", or an angle in degrees, not \"y\""),
+            (
+                r#"{"front": "y"}"#,
+                "its card oak_chair2.json cannot be used: `front` is \"+z\", \"+x\", \"-z\" or \"-x\", or an angle in degrees, not \"y\"",
+            ),
             (r#"{"up": "w"}"#, "its card oak_chair2.json cannot be used: `up` is \"y\" or \"z\", not \"w\""),
-            (r#"{"size": [1, 0, 3]}"#, "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000"),
-            (r#"{"size": [1, 1e9, 3]}"#, "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000"),
+            (
+                r#"{"size": [1, 0, 3]}"#,
+                "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000",
+            ),
+            (
+                r#"{"size": [1, 1e9, 3]}"#,
+                "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000",
+            ),
         ] {
             assert_eq!(said(text), wanted, "{text}");
         }

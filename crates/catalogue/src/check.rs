@@ -71,7 +71,8 @@ fn open(model: &Model) -> Option<Diagnostic> {
     let edges = if open == 1 { "edge has" } else { "edges have" };
     let say = format!("its mesh is open: {open} {edges} no triangle on the other side");
     (open > 0).then(|| {
-        Diagnostic::without_place(codes::W0701, say).note("close the holes, or merge vertices that are at the same place")
+        Diagnostic::without_place(codes::W0701, say)
+            .note("close the holes, or merge vertices that are at the same place")
     })
 }
 
@@ -88,7 +89,8 @@ fn size(model: &Model, usual: Option<Vec3>) -> Option<Diagnostic> {
     match usual.map(|usual| usual.max()) {
         Some(usual) if largest / usual > UNIT || usual / largest > UNIT => {
             let category = &model.card.category;
-            let say = format!("it is {} m large; the usual size of \"{category}\" is {} m", shown(largest), shown(usual));
+            let say =
+                format!("it is {} m large; the usual size of \"{category}\" is {} m", shown(largest), shown(usual));
             Some(with_unit(found(say), largest / usual))
         }
         None if !(SMALLEST..=LARGEST).contains(&largest) => {
@@ -160,6 +162,12 @@ fn licence(model: &Model) -> Option<Diagnostic> {
 
 /// A number with as many digits as are of use.
 fn shown(x: f64) -> String {
-    let text = if x >= 100.0 { format!("{x:.0}") } else if x >= 0.1 { format!("{x:.2}") } else { format!("{x:.5}") };
+    let text = if x >= 100.0 {
+        format!("{x:.0}")
+    } else if x >= 0.1 {
+        format!("{x:.2}")
+    } else {
+        format!("{x:.5}")
+    };
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -26,8 +26,7 @@ pub(crate) fn beyond(message: impl Into<String>) -> Fault {
 pub(crate) fn unreadable(e: &io::Error) -> Fault {
     if let Some(refused) = outside(e) {
         return Box::new(
-            Diagnostic::without_place(codes::E0703, "it leads outside of its folder")
-                .note(refused.advice()),
+            Diagnostic::without_place(codes::E0703, "it leads outside of its folder").note(refused.advice()),
         );
     }
     let (code, say) = match e.kind() {

@@ -77,11 +77,11 @@ impl Catalogue {
     /// The models by their names and cards; none is read.
     pub(crate) fn list(folder: &Path) -> Result<Self, Fault> {
         let door = Door::within(folder);
-        let mut catalogue =
-            Self { folder: folder.to_owned(), door, entries: Vec::new(), refused: Vec::new() };
+        let mut catalogue = Self { folder: folder.to_owned(), door, entries: Vec::new(), refused: Vec::new() };
         if let Some(annotations) = objathor::annotations(folder, &catalogue.door) {
             let (objects, wrong) = objathor::objects(folder, annotations, &catalogue.door)?;
-            let entry = |o: objathor::Object| Entry { file: o.file, size: o.card.size, card: o.card, kind: Kind::Objathor };
+            let entry =
+                |o: objathor::Object| Entry { file: o.file, size: o.card.size, card: o.card, kind: Kind::Objathor };
             catalogue.entries = objects.into_iter().map(entry).collect();
             catalogue.refused = wrong.into_iter().map(|(file, f)| Refused { file, finding: *f }).collect();
         } else {

@@ -118,7 +118,11 @@ fn turn(card: &Card, axes: Axes) -> Matrix3<f64> {
     match axes {
         Axes::LeftHanded => front,
         Axes::RightHanded => {
-            let upright = if card.z_up { Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0) } else { Matrix3::identity() };
+            let upright = if card.z_up {
+                Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0)
+            } else {
+                Matrix3::identity()
+            };
             Matrix3::from_diagonal(&Vec3::new(-1.0, 1.0, 1.0)) * front * upright
         }
     }

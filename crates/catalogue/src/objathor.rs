@@ -92,8 +92,8 @@ pub(crate) fn objects(
     door: &Door,
 ) -> Result<(Vec<Object>, Vec<(String, Fault)>), Fault> {
     let bytes = unpacked(door.read(&folder.join(annotations)).map_err(|e| crate::faults::unreadable(&e))?)?;
-    let all: BTreeMap<String, Annotation> = serde_json::from_slice(&bytes)
-        .map_err(|e| broken(format!("it is no list of annotations: {e}")))?;
+    let all: BTreeMap<String, Annotation> =
+        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no list of annotations: {e}")))?;
     if all.len() > limits::MODELS {
         return Err(beyond(format!("it has {} objects; the most is {}", all.len(), limits::MODELS)));
     }
@@ -169,7 +169,8 @@ impl Card {
 /// Reads the triangles of an object.
 pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<Model, Fault> {
     let bytes = unpacked(bytes)?;
-    let asset: Asset = serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no model of objathor: {e}")))?;
+    let asset: Asset =
+        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no model of objathor: {e}")))?;
     let vectors = |points: &[Point]| -> Vec<Vec3> { points.iter().map(|p| Vec3::from(*p)).collect() };
     let positions = vectors(&asset.vertices);
     let normals = Some(vectors(&asset.normals)).filter(|n| n.len() == positions.len()).unwrap_or_default();

@@ -252,7 +252,8 @@ mod tests {
         let body = take_apart(&mesh);
         assert_eq!((body.parts.len(), body.pieces), (MOST, 201));
         let boxes = body.parts.iter().filter_map(Convex::from_part).map(|c| *c.aabb());
-        let (lo, hi) = boxes.fold((Vec3::repeat(9.0), Vec3::repeat(-9.0)), |(lo, hi), b| (lo.inf(&b.min), hi.sup(&b.max)));
+        let (lo, hi) =
+            boxes.fold((Vec3::repeat(9.0), Vec3::repeat(-9.0)), |(lo, hi), b| (lo.inf(&b.min), hi.sup(&b.max)));
         assert!((hi - lo - Vec3::new(1.0, 1.01, 1.0)).amax() < 1e-9, "{lo} {hi}");
     }
 }

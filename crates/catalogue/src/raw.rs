@@ -42,7 +42,10 @@ impl Raw {
             return Err(beyond(format!("a vertex is {far:.1e} from the origin; the most is {}", limits::EXTENT)));
         }
         if patch.indices.iter().any(|&i| i as usize >= patch.positions.len()) {
-            return Err(broken(format!("a triangle has a corner that is none of the {} vertices", patch.positions.len())));
+            return Err(broken(format!(
+                "a triangle has a corner that is none of the {} vertices",
+                patch.positions.len()
+            )));
         }
         self.patches.push(patch);
         if self.triangles() > limits::TRIANGLES {
@@ -53,8 +56,7 @@ impl Raw {
 
     /// Least and greatest corner of what the triangles touch; `None` without triangles.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
-        let mut points =
-            self.patches.iter().flat_map(|p| p.indices.iter().map(|&i| p.positions[i as usize]));
+        let mut points = self.patches.iter().flat_map(|p| p.indices.iter().map(|&i| p.positions[i as usize]));
         let first = points.next()?;
         Some(points.fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p))))
     }

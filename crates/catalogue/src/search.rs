@@ -99,7 +99,8 @@ impl Index {
 pub fn size_factor(size: Option<Vec3>, wanted: &Vec3) -> f64 {
     let Some(size) = size else { return 1.0 / (1.0 + std::f64::consts::LN_2) };
     let sorted = |v: &Vec3| [v.y, v.x.max(v.z), v.x.min(v.z)];
-    let apart = sorted(&size).iter().zip(sorted(wanted)).map(|(is, wanted)| (is / wanted).ln().abs()).sum::<f64>() / 3.0;
+    let apart =
+        sorted(&size).iter().zip(sorted(wanted)).map(|(is, wanted)| (is / wanted).ln().abs()).sum::<f64>() / 3.0;
     1.0 / (1.0 + apart)
 }
 

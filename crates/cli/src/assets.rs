@@ -1,15 +1,14 @@
 //! `scenelang assets`: what things will look like, from the furniture library and from a folder of the user's own models.
 
 use crate::args::{AssetsCheck, AssetsFormat, AssetsList, AssetsSearch, Plain};
-use crate::check::color;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD, out};
 use scenelang_assets::family_of;
 use scenelang_base::{Diagnostic, Severity, SourceMap, plain};
-use scenelang_catalogue::{Catalogue, Entry, Hit, Index, check as look_at};
+use scenelang_catalogue::{Catalogue, Checked as Found, Entry, Hit, Index, check as look_at};
 use scenelang_lang::library::usual_size;
 use scenelang_layout::Vec3;
-use scenelang_verify::report::{self, Human, diagnostics};
+use scenelang_verify::report::{self, diagnostics};
 use scenelang_verify::{Checked, Options};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -50,8 +49,8 @@ pub fn search(args: &AssetsSearch) -> u8 {
                 let mut table = Table::new(&["score", "model", "category", "size", "description"]);
                 for hit in &hits {
                     let entry = &entries[hit.entry];
-                    let [file, category, description] =
-                        [&entry.file, &entry.card.category, &entry.card.description].map(|t| plain::line(t).into_owned());
+                    let [file, category, description] = [&entry.file, &entry.card.category, &entry.card.description]
+                        .map(|t| plain::line(t).into_owned());
                     table.row([format!("{:.3}", hit.score), file, category, sized(entry.size), description]);
                 }
                 out::show(&table.render());
@@ -116,20 +115,28 @@ pub fn check(args: &AssetsCheck) -> u8 {
     };
     let worst = checked.iter().map(|c| code(&c.findings)).max().unwrap_or(GOOD);
     let (total, good) = (checked.len(), checked.iter().filter(|c| c.findings.is_empty()).count());
-    let reports = checked.into_iter().map(|c| {
-        let name = args.folder.join(&c.file).display().to_string();
-        Checked::refused(&name, SourceMap::new(), c.findings, &Options::default())
-    });
+    let name = |file: &str| args.folder.join(file).display().to_string();
+    if args.format == AssetsFormat::Human {
+        let lines = |c: &Found| -> String { c.findings.iter().map(|d| in_words(&name(&c.file), d)).collect() };
+        out::show(&checked.iter().map(lines).collect::<String>());
+        out::show(&format!("{folder}: {good} of {total} models are good\n"));
+        return worst;
+    }
+    let judged = |c: Found| Checked::refused(&name(&c.file), SourceMap::new(), c.findings, &Options::default());
+    let judged: Vec<Checked> = checked.into_iter().map(judged).collect();
     match args.format {
-        AssetsFormat::Json => reports.for_each(|checked| print!("{}\n", report::json(&checked.report))),
-        AssetsFormat::Sarif => print!("{}\n", report::sarif(&reports.collect::<Vec<_>>())),
-        AssetsFormat::Human => {
-            let look = Human { color: color(), all: false };
-            reports.for_each(|checked| print!("{}", report::compact(&checked.report, look)));
-            out::show(&format!("{folder}: {good} of {total} models are good\n"));
-        }
+        AssetsFormat::Sarif => println!("{}", report::sarif(&judged)),
+        _ => judged.iter().for_each(|checked| println!("{}", report::json(&checked.report))),
     }
     worst
+}
+
+/// A finding for people: a line that says what it is, and one for each thing to do.
+fn in_words(file: &str, finding: &Diagnostic) -> String {
+    let Diagnostic { code, severity, message, notes, .. } = finding;
+    let head = format!("{file}: {}[{code}]: {message}", severity.as_str());
+    let notes = notes.iter().map(|note| format!("  {note}"));
+    std::iter::once(head).chain(notes).map(|line| format!("{}\n", plain::line(&line))).collect()
 }
 
 /// Opens a folder; the exit code where that cannot be done.

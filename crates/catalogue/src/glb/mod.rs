@@ -99,7 +99,8 @@ fn refuse_references(document: &Document, binary: usize) -> Result<(), Fault> {
         }
     }
     let leads_out = |uri: &str| {
-        let uri = uri.replace('\\', "/").replace("%2e", ".").replace("%2E", ".").replace("%2f", "/").replace("%2F", "/");
+        let uri =
+            uri.replace('\\', "/").replace("%2e", ".").replace("%2E", ".").replace("%2f", "/").replace("%2F", "/");
         uri.starts_with('/') || uri.contains(':') || uri.split('/').any(|part| part == "..")
     };
     match document.images.iter().filter_map(|i| i.uri.as_deref()).find(|u| !u.starts_with("data:") && leads_out(u)) {
@@ -129,7 +130,8 @@ impl Walk<'_> {
         if depth > limits::DEPTH {
             return Err(beyond(format!("its nodes are more than {} deep in each other", limits::DEPTH)));
         }
-        self.left = self.left.checked_sub(1).ok_or_else(|| beyond(format!("it has more than {} nodes", limits::NODES)))?;
+        self.left =
+            self.left.checked_sub(1).ok_or_else(|| beyond(format!("it has more than {} nodes", limits::NODES)))?;
         let here = above * local(node)?;
         if let Some(mesh) = node.mesh {
             let mesh = document.meshes.get(mesh).ok_or_else(|| broken(format!("there is no mesh {mesh}")))?;
@@ -185,7 +187,11 @@ fn local(node: &Node) -> Result<Matrix4<f64>, Fault> {
                 * Matrix4::new_nonuniform_scaling(&Vector3::from(node.scale))
         }
     };
-    if matrix.iter().all(|x| x.is_finite()) { Ok(matrix) } else { Err(broken("a node has a transform that is not finite")) }
+    if matrix.iter().all(|x| x.is_finite()) {
+        Ok(matrix)
+    } else {
+        Err(broken("a node has a transform that is not finite"))
+    }
 }
 
 /// What a material looks like. Colours of glTF are linear.

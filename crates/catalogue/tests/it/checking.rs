@@ -116,12 +116,19 @@ fn findings_say_how_much_and_what_to_do() {
     write(folder.path(), "b.glb", &block(120.0, 75.0, 80.0).glb(), &table(json!({})));
     write(folder.path(), "c.glb", &block(1.0, 0.75, 1.0).glb(), &table(json!({ "size": [1.0, 0.75, 2.0] })));
     write(folder.path(), "d.glb", &block(450.0, 900.0, 450.0).glb(), &table(json!({ "category": "gizmo" })));
-    write(folder.path(), "e.glb", &block(1.0, 0.75, 1.0).map(|[x, y, z]| [x, y + 0.1, z]).glb(), &table(json!({ "mass": 7000 })));
+    write(
+        folder.path(),
+        "e.glb",
+        &block(1.0, 0.75, 1.0).map(|[x, y, z]| [x, y + 0.1, z]).glb(),
+        &table(json!({ "mass": 7000 })),
+    );
     write(folder.path(), "f.glb", &table_of_one_piece().glb(), &table(json!({ "mass": -1 })));
     let said: Vec<String> = check(folder.path(), &usual)
         .unwrap()
         .into_iter()
-        .flat_map(|c| c.findings.into_iter().map(move |d| format!("{} {} {}; {}", c.file, d.code, d.message, d.notes[0])))
+        .flat_map(|c| {
+            c.findings.into_iter().map(move |d| format!("{} {} {}; {}", c.file, d.code, d.message, d.notes[0]))
+        })
         .collect();
     assert_eq!(
         said,

@@ -29,7 +29,11 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
         ("empty", Vec::new(), "E0701 it is not a GLB file"),
         ("text", b"solid".to_vec(), "E0701 it is not a GLB file"),
         ("header", good[..10].to_vec(), "E0701 it ends within its header"),
-        ("truncated", good[..good.len() - 7].to_vec(), "E0701 it ends early: it says that it has 700 bytes, and has 693"),
+        (
+            "truncated",
+            good[..good.len() - 7].to_vec(),
+            "E0701 it ends early: it says that it has 700 bytes, and has 693",
+        ),
         ("nan", strange(3, f32::NAN), "E0701 it has a vertex whose numbers are not finite"),
         ("infinite", strange(3, f32::INFINITY), "E0701 it has a vertex whose numbers are not finite"),
         ("far", strange(3, 1e30), "E0702 a vertex is 1.0e30 from the origin; the most is 10000"),
@@ -37,21 +41,84 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
         ("a_point", block(1.0, 1.0, 1.0).map(|_| [1.0; 3]).glb(), "E0704 all its triangles are without area"),
         ("no_scene", changed(|d| d["scenes"] = json!([])), "E0701 it has no scene"),
         ("points", changed(|d| d["meshes"][0]["primitives"][0]["mode"] = json!(0)), "E0704 it has no triangles"),
-        ("claim", changed(|d| d["buffers"][0]["byteLength"] = json!(10_000_000_000_u64)), "E0702 it claims a buffer of 9536 MB; the most is 64 MB"),
-        ("count", changed(|d| d["accessors"][0]["count"] = json!(u64::MAX)), "E0701 it claims 18446744073709551615 numbers where there are fewer"),
-        ("many", changed(|d| d["accessors"][1]["count"] = json!(4_000_000_000_u64)), "E0701 it claims 4000000000 numbers where there are fewer"),
-        ("stride", changed(|d| d["bufferViews"][0]["byteStride"] = json!(0)), "E0701 its numbers are 0 bytes apart, and 12 bytes long"),
-        ("view", changed(|d| d["bufferViews"][0]["byteOffset"] = json!(u64::MAX)), "E0701 it refers to bytes beyond its buffer"),
-        ("external", changed(|d| d["buffers"][0]["uri"] = json!("mesh.bin")), "E0703 it has a buffer that is not in the file"),
-        ("picture", changed(|d| d["images"] = json!([{ "uri": "a/%2e%2e/../../key.png" }])), "E0703 it has a picture outside of its folder: a/%2e%2e/../../key.png"),
-        ("address", changed(|d| d["images"] = json!([{ "uri": "http://a.example/x" }])), "E0703 it has a picture outside of its folder: http://a.example/x"),
-        ("circle", changed(|d| d["nodes"][0]["children"] = json!([0])), "E0702 its nodes are more than 64 deep in each other"),
-        ("copies", changed(|d| d["nodes"] = (0..16).map(|i| json!({ "mesh": 0, "children": [i + 1, i + 1] })).chain([json!({})]).collect()), "E0702 it has more than 10000 nodes"),
-        ("corner", Mesh { positions: vec![[0.0; 3]; 3], indices: vec![0, 1, 9] }.glb(), "E0701 a triangle has a corner that is none of the 3 vertices"),
-        ("draco", changed(|d| d["extensionsRequired"] = json!(["KHR_draco_mesh_compression"])), "E0701 it cannot be read without the extension KHR_draco_mesh_compression, which is not known here"),
-        ("sparse", changed(|d| d["accessors"][0]["sparse"] = json!({})), "E0701 it has sparse accessors, which are not read"),
-        ("types", changed(|d| d["nodes"] = json!("none")), "E0701 its JSON is not that of a glTF file: invalid type: string \"none\", expected a sequence"),
-        ("rotation", changed(|d| d["nodes"][0]["rotation"] = json!([0, 0, 0, 0])), "E0701 a node has a rotation that is none"),
+        (
+            "claim",
+            changed(|d| d["buffers"][0]["byteLength"] = json!(10_000_000_000_u64)),
+            "E0702 it claims a buffer of 9536 MB; the most is 64 MB",
+        ),
+        (
+            "count",
+            changed(|d| d["accessors"][0]["count"] = json!(u64::MAX)),
+            "E0701 it claims 18446744073709551615 numbers where there are fewer",
+        ),
+        (
+            "many",
+            changed(|d| d["accessors"][1]["count"] = json!(4_000_000_000_u64)),
+            "E0701 it claims 4000000000 numbers where there are fewer",
+        ),
+        (
+            "stride",
+            changed(|d| d["bufferViews"][0]["byteStride"] = json!(0)),
+            "E0701 its numbers are 0 bytes apart, and 12 bytes long",
+        ),
+        (
+            "view",
+            changed(|d| d["bufferViews"][0]["byteOffset"] = json!(u64::MAX)),
+            "E0701 it refers to bytes beyond its buffer",
+        ),
+        (
+            "external",
+            changed(|d| d["buffers"][0]["uri"] = json!("mesh.bin")),
+            "E0703 it has a buffer that is not in the file",
+        ),
+        (
+            "picture",
+            changed(|d| d["images"] = json!([{ "uri": "a/%2e%2e/../../key.png" }])),
+            "E0703 it has a picture outside of its folder: a/%2e%2e/../../key.png",
+        ),
+        (
+            "address",
+            changed(|d| d["images"] = json!([{ "uri": "http://a.example/x" }])),
+            "E0703 it has a picture outside of its folder: http://a.example/x",
+        ),
+        (
+            "circle",
+            changed(|d| d["nodes"][0]["children"] = json!([0])),
+            "E0702 its nodes are more than 64 deep in each other",
+        ),
+        (
+            "copies",
+            changed(|d| {
+                d["nodes"] =
+                    (0..16).map(|i| json!({ "mesh": 0, "children": [i + 1, i + 1] })).chain([json!({})]).collect()
+            }),
+            "E0702 it has more than 10000 nodes",
+        ),
+        (
+            "corner",
+            Mesh { positions: vec![[0.0; 3]; 3], indices: vec![0, 1, 9] }.glb(),
+            "E0701 a triangle has a corner that is none of the 3 vertices",
+        ),
+        (
+            "draco",
+            changed(|d| d["extensionsRequired"] = json!(["KHR_draco_mesh_compression"])),
+            "E0701 it cannot be read without the extension KHR_draco_mesh_compression, which is not known here",
+        ),
+        (
+            "sparse",
+            changed(|d| d["accessors"][0]["sparse"] = json!({})),
+            "E0701 it has sparse accessors, which are not read",
+        ),
+        (
+            "types",
+            changed(|d| d["nodes"] = json!("none")),
+            "E0701 its JSON is not that of a glTF file: invalid type: string \"none\", expected a sequence",
+        ),
+        (
+            "rotation",
+            changed(|d| d["nodes"][0]["rotation"] = json!([0, 0, 0, 0])),
+            "E0701 a node has a rotation that is none",
+        ),
     ];
     for (name, bytes, wanted) in rows {
         let folder = tempdir().unwrap();
@@ -72,13 +139,38 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
 fn obj_files_and_cards_are_not_trusted_either() {
     let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (name, text, card, wanted) in [
-        ("face", format!("{cube}f 1 2 9\n"), Value::Null, "E0701 it is not an OBJ file that can be read: face vertex index out of bounds"),
-        ("nan", "v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".into(), Value::Null, "E0701 it has a vertex whose numbers are not finite"),
+        (
+            "face",
+            format!("{cube}f 1 2 9\n"),
+            Value::Null,
+            "E0701 it is not an OBJ file that can be read: face vertex index out of bounds",
+        ),
+        (
+            "nan",
+            "v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".into(),
+            Value::Null,
+            "E0701 it has a vertex whose numbers are not finite",
+        ),
         ("none", cube.into(), Value::Null, "E0704 it has no triangles"),
         ("line", format!("{cube}f 1 1 1\n"), Value::Null, "E0704 all its triangles are without area"),
-        ("above", format!("mtllib ../secret.mtl\n{cube}f 1 2 3\n"), Value::Null, "E0703 it leads outside of its folder"),
-        ("absolute", format!("mtllib /etc/passwd\n{cube}f 1 2 3\n"), Value::Null, "E0703 it leads outside of its folder"),
-        ("card", format!("{cube}f 1 2 3\n"), json!([1]), "E0705 its card card.json cannot be used: invalid type: integer `1`"),
+        (
+            "above",
+            format!("mtllib ../secret.mtl\n{cube}f 1 2 3\n"),
+            Value::Null,
+            "E0703 it leads outside of its folder",
+        ),
+        (
+            "absolute",
+            format!("mtllib /etc/passwd\n{cube}f 1 2 3\n"),
+            Value::Null,
+            "E0703 it leads outside of its folder",
+        ),
+        (
+            "card",
+            format!("{cube}f 1 2 3\n"),
+            json!([1]),
+            "E0705 its card card.json cannot be used: invalid type: integer `1`",
+        ),
     ] {
         let folder = tempdir().unwrap();
         let own = folder.path().join("models");

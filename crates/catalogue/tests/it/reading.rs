@@ -187,7 +187,8 @@ fn the_folder_of_objathor_is_read() {
     write(folder.path(), "assets/bb22/bb22.pkl.gz", b"", &Value::Null);
 
     let catalogue = Catalogue::open(folder.path()).unwrap();
-    let refused: Vec<String> = catalogue.refused.iter().map(|r| format!("{} {} {}", r.file, r.finding.code, r.finding.message)).collect();
+    let refused: Vec<String> =
+        catalogue.refused.iter().map(|r| format!("{} {} {}", r.file, r.finding.code, r.finding.message)).collect();
     assert_eq!(
         refused,
         [

@@ -39,7 +39,10 @@ fn furniture() -> Vec<Value> {
 
 /// The score as the book has it, from the texts alone.
 fn reference(entries: &[Entry], query: &str, wanted: Option<Vec3>) -> Vec<(usize, f64)> {
-    let empty = ["a", "an", "and", "as", "at", "by", "for", "from", "in", "is", "it", "of", "on", "or", "some", "that", "the", "this", "to", "with"];
+    let empty = [
+        "a", "an", "and", "as", "at", "by", "for", "from", "in", "is", "it", "of", "on", "or", "some", "that", "the",
+        "this", "to", "with",
+    ];
     let terms = |text: &str, named: &str| -> Vec<String> {
         let mut all: Vec<String> = words(text).into_iter().filter(|w| !empty.contains(&w.as_str())).collect();
         all.extend(family_of(named, "").map(|f| format!("family:{f}")));
@@ -88,7 +91,8 @@ fn the_score_is_that_of_a_plain_reference() {
     let (_folder, catalogue) = shop(&furniture());
     let index = Index::of(&catalogue.entries);
     let sizes = [None, Some(Vec3::new(0.5, 0.5, 0.5)), Some(Vec3::new(0.9, 0.75, 1.8))];
-    for query in ["chair", "oak table", "sofa", "reading lamps", "a table for six chairs", "round glass table", "zebra"] {
+    for query in ["chair", "oak table", "sofa", "reading lamps", "a table for six chairs", "round glass table", "zebra"]
+    {
         for wanted in sizes {
             let found = index.search(query, wanted, usize::MAX);
             let plain = reference(&catalogue.entries, query, wanted);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod agreement;
+mod assets;
 mod bounded;
 mod brief;
 mod carriers;
