@@ -115,7 +115,9 @@ pub fn check(args: &AssetsCheck) -> u8 {
     };
     let worst = checked.iter().map(|c| code(&c.findings)).max().unwrap_or(GOOD);
     let (total, good) = (checked.len(), checked.iter().filter(|c| c.findings.is_empty()).count());
-    let name = |file: &str| args.folder.join(file).display().to_string();
+    // `./chair.glb` would look odd in a report.
+    let here = args.folder == Path::new(".");
+    let name = |file: &str| if here { file.to_owned() } else { args.folder.join(file).display().to_string() };
     if args.format == AssetsFormat::Human {
         let lines = |c: &Found| -> String { c.findings.iter().map(|d| in_words(&name(&c.file), d)).collect() };
         out::show(&checked.iter().map(lines).collect::<String>());
