@@ -19,6 +19,7 @@ mod words;
 pub use lexicon::{categories, family_of};
 pub use looks::{color_names, color_of, covering, material_names};
 pub use mesh::{Group, Mesh, Surface};
+pub use words::words;
 
 use scenelang_layout::{Joint, Part, Vec3};
 

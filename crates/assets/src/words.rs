@@ -2,7 +2,7 @@
 
 /// Lower-case words in the singular: split at blanks, signs, digits and humps; digits dropped; British spelling of grey
 /// folded. What stands in brackets (an index) is dropped.
-pub(crate) fn words(text: &str) -> Vec<String> {
+pub fn words(text: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     let mut word = String::new();
     let mut was_lower = false;

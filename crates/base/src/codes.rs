@@ -1,7 +1,7 @@
 //! The table of codes. `E`: cannot be judged, or proved impossible. `W`: warning. `V`: a violation in a layout.
 //!
-//! E00 files and options, E01 text and syntax, E02 names, E03 types, E04 static proofs, E05 layout files, E06 values;
-//! W alike; V01 verdicts.
+//! E00 files and options, E01 text and syntax, E02 names, E03 types, E04 static proofs, E05 layout files, E06 values,
+//! E07 models of the user; W alike; V01 verdicts.
 
 use crate::Severity;
 use std::fmt;
@@ -120,6 +120,12 @@ codes! {
     E0606 "a direction that a zero vector does not have"
     E0607 "a number that is not finite"
 
+    E0701 "a model that cannot be read"
+    E0702 "a model beyond the limits"
+    E0703 "a model that refers to other files"
+    E0704 "a model without a body"
+    E0705 "a card that cannot be used"
+
     W0101 "a stray semicolon"
     W0102 "an arrow inside an expression"
     W0103 "a comment that silences nothing"
@@ -143,6 +149,13 @@ codes! {
     W0504 "changed since it was exported"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
+    W0701 "a mesh that is not closed"
+    W0702 "a size that such a thing does not have"
+    W0703 "a front that is not known"
+    W0704 "a base that is not at the floor"
+    W0705 "one part for a hollow thing"
+    W0706 "a mass that such a thing does not have"
+    W0707 "no licence"
 
     V0101 "an assertion fails"
     V0102 "two objects collide"

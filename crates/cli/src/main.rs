@@ -4,6 +4,7 @@
 mod out;
 
 mod args;
+mod assets;
 mod bench;
 mod check;
 mod consent;
@@ -41,7 +42,7 @@ mod view;
 mod watch;
 mod words;
 
-use args::{Args, Bench, Command, Eval};
+use args::{Args, Assets, Bench, Command, Eval};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -70,6 +71,9 @@ fn main() -> ExitCode {
         Command::New(new) => look::new(&new),
         Command::Explain(explain) => look::explain(&explain),
         Command::Categories(args) => words::categories(&args),
+        Command::Assets(Assets::Search(args)) => assets::search(&args),
+        Command::Assets(Assets::List(args)) => assets::list(&args),
+        Command::Assets(Assets::Check(args)) => assets::check(&args),
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),

@@ -17,11 +17,12 @@ const TABLE: &[(&str, &[&str])] = &[
     ("solve", &["engine", "llm"]),
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve", "formalize"]),
+    ("catalogue", &["assets"]),
     ("eval", &["synth"]),
     ("analysis", &["engine"]),
     ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp", "eval"]),
+    ("cli", &["lsp", "eval", "catalogue"]),
     ("grammars", &["lang"]),
 ];
 

@@ -4,6 +4,7 @@
 
 mod agreement;
 mod back;
+mod assets;
 mod bounded;
 mod brief;
 mod carriers;

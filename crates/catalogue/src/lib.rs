@@ -1,0 +1,28 @@
+//! The user's own models: a folder of GLB and OBJ files, each with a card (a JSON file beside it) where there is one, or
+//! the folder of objathor and Holodeck.
+//!
+//! What comes in is not trusted. Each file is read up to [`limits`], may refer to nothing outside of its folder, and
+//! what cannot be used is one diagnostic, after which the next file goes on. A [`Model`] is in metres and in the frame
+//! of the layout (left-handed, y up; origin in the middle of the bottom face; front to +z), like the furniture of
+//! `scenelang_assets`, and made of convex parts.
+//!
+//! Absent here: textures (a material is its plain colour), which model an object of a program gets, and usual sizes.
+
+mod card;
+mod check;
+mod faults;
+mod folder;
+mod glb;
+pub mod limits;
+mod model;
+mod obj;
+mod objathor;
+mod pieces;
+mod raw;
+mod search;
+
+pub use card::Card;
+pub use check::{Checked, check};
+pub use folder::{Catalogue, Entry, Refused};
+pub use model::{Model, Origin};
+pub use search::{B, Hit, Index, K1, size_factor};
