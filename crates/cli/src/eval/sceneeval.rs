@@ -8,7 +8,7 @@ use crate::table::Table as Columns;
 use crate::{FINDINGS, GOOD, INTERRUPTED, interrupt, parallel, replace};
 use scenelang_base::door::Door;
 use scenelang_base::owned::{Standing, standing};
-use scenelang_engine::{check_file, file::program_of};
+use scenelang_engine::{check_file, program_of};
 use scenelang_eval::Share;
 use scenelang_eval::sceneeval::{Asked, Benchmark, Case, Made, Scores, Table, read};
 use scenelang_export::OutFile;
@@ -55,7 +55,11 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         return fail(&message);
     }
     if interrupt::asked() {
-        eprintln!("interrupted after {} of {} requests; --resume goes on from there", scores.cases.len(), requests.len());
+        eprintln!(
+            "interrupted after {} of {} requests; --resume goes on from there",
+            scores.cases.len(),
+            requests.len()
+        );
         return INTERRUPTED;
     }
     let files = REPORT.into_iter().zip([format!("{:#}\n", scores.json()), scores.csv()]);
@@ -76,7 +80,8 @@ fn chosen(args: &EvalSceneEval) -> Result<Benchmark, String> {
     let bytes = Door::of(&args.annotations).read(&args.annotations).map_err(|e| format!("cannot read {name}: {e}"))?;
     let text = String::from_utf8(bytes).map_err(|_| format!("{name} is no text in UTF-8"))?;
     let mut benchmark = read(&text).map_err(|why| format!("{name}: {why}"))?;
-    let parity = |asked: &Asked| asked.id.bytes().all(|b| b.is_ascii_digit()).then(|| asked.id.bytes().last()).flatten();
+    let parity =
+        |asked: &Asked| asked.id.bytes().all(|b| b.is_ascii_digit()).then(|| asked.id.bytes().last()).flatten();
     let ids: Vec<&str> = args.ids.iter().map(String::as_str).collect();
     match ids.as_slice() {
         [] => {}
@@ -101,7 +106,8 @@ fn files(folder: &Path, asked: &Asked) -> [PathBuf; 2] {
 fn permitted(args: &EvalSceneEval, requests: &[Asked]) -> Result<(), String> {
     let inputs = [args.annotations.as_path()];
     let own = requests.iter().filter(|_| args.layouts.is_none()).flat_map(|asked| files(&args.output, asked));
-    own.chain(REPORT.map(|name| args.output.join(name))).try_for_each(|path| replace::permit(&path, &inputs, args.force))
+    own.chain(REPORT.map(|name| args.output.join(name)))
+        .try_for_each(|path| replace::permit(&path, &inputs, args.force))
 }
 
 /// Makes what there is to make for a request, and scores it; `None`: the end was asked for.
@@ -116,7 +122,8 @@ fn case(args: &EvalSceneEval, asked: &Asked, table: &Table) -> Result<Option<Cas
             let trouble = format!("there is no {}", layout.display());
             return Ok(Some(Case::without(asked, trouble, table)));
         }
-    } else if !(args.resume && [&scene, &layout].iter().all(|path| standing(path).is_ok_and(|is| is == Standing::Ours))) {
+    } else if !(args.resume && [&scene, &layout].iter().all(|path| standing(path).is_ok_and(|is| is == Standing::Ours)))
+    {
         let trouble = make(asked, &scene, &layout)?;
         if interrupt::asked() {
             return Ok(None);

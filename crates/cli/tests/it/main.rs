@@ -36,6 +36,7 @@ mod problems;
 mod repair;
 mod replacing;
 mod rooms;
+mod sceneeval;
 mod signals;
 mod solving;
 mod speaking;
