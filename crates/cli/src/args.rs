@@ -744,6 +744,8 @@ pub struct BenchSolve {
 pub enum Eval {
     /// Read requests without a model, and score the programs by what was to be read: things, looks, relations, measures
     Requests(EvalRequests),
+    /// Make programs and layouts for the requests of SceneEval-500, or take those of others, and score them by its annotations
+    Sceneeval(EvalSceneEval),
 }
 
 /// `scenelang eval requests`
@@ -768,6 +770,38 @@ pub struct EvalRequests {
     #[arg(long)]
     pub force: bool,
     /// Say of so many requests what was missed, the worst first
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    pub worst: usize,
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+}
+
+/// `scenelang eval sceneeval`
+#[derive(ClapArgs, Debug)]
+pub struct EvalSceneEval {
+    /// The benchmark's file: requests with counts, attributes and relations
+    #[arg(long, value_name = "FILE.csv")]
+    pub annotations: PathBuf,
+    /// Only those with an even or an odd ID, or with these IDs, separated by commas
+    #[arg(long, value_name = "even | odd | LIST", value_delimiter = ',')]
+    pub ids: Vec<String>,
+    /// Score the layouts that are there, ID.layout.json, instead of making any
+    #[arg(long, value_name = "FOLDER")]
+    pub layouts: Option<PathBuf>,
+    /// The folder to write to: ID.scene, ID.layout.json, report.json, summary.csv
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Keep the programs and layouts that an earlier run has made, and make the others
+    #[arg(long, conflicts_with = "layouts")]
+    pub resume: bool,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// How many requests are worked on at once; the result does not depend on it [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Say of so many requests what was missed, those with the most first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,
     /// How the result is printed

@@ -1,6 +1,10 @@
 //! `scenelang eval requests`: reads requests without a model and scores the programs by their ground truth, or scores
 //! programs that others have made of them.
 
+mod sceneeval;
+
+pub use sceneeval::run as sceneeval;
+
 use crate::args::{EvalRequests, SummaryFormat};
 use crate::formalize::try_out;
 use crate::progress::Progress;

@@ -84,6 +84,7 @@ fn main() -> ExitCode {
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
         Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),
+        Command::Eval(Eval::Sceneeval(args)) => eval::sceneeval(&args),
     };
     ExitCode::from(out::end(code))
 }

@@ -10,6 +10,7 @@
 mod expect;
 mod pairing;
 pub mod requests;
+pub mod sceneeval;
 mod score;
 mod told;
 mod words;

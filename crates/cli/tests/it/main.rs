@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod agreement;
-mod back;
 mod assets;
+mod back;
 mod bounded;
 mod brief;
 mod carriers;
@@ -39,6 +39,7 @@ mod query;
 mod repair;
 mod replacing;
 mod rooms;
+mod sceneeval;
 mod signals;
 mod solving;
 mod speaking;

@@ -1,0 +1,99 @@
+//! Faithfulness: which annotations a layout fulfils.
+
+use super::annotations::{Annotation, Asked, How, Says};
+use super::places::{Place, kind};
+use super::relations::{Relation, surround};
+use super::scene::{Scene, Thing};
+use super::shape::Shape;
+use super::table::Table;
+
+/// Above this a relation holds.
+const THRESHOLD: f64 = 0.5;
+
+/// What was found of an annotation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict<'a> {
+    /// What is asked for.
+    pub annotation: &'a Annotation,
+    /// Whether it is there.
+    pub holds: bool,
+    /// How many there are that fulfil it.
+    pub found: usize,
+    /// Whether no object has one of its names.
+    pub absent: bool,
+}
+
+/// The verdicts on a request's annotations, and those annotations that are not judged: sizes, which only compare, and
+/// relations that the table does not have.
+pub fn judge<'a>(asked: &'a Asked, scene: &Scene, table: &Table) -> (Vec<Verdict<'a>>, Vec<&'a Annotation>) {
+    let (mut verdicts, mut unjudged) = (Vec::new(), Vec::new());
+    for annotation in &asked.annotations {
+        match verdict(annotation, scene, table) {
+            Some(verdict) => verdicts.push(verdict),
+            None => unjudged.push(annotation),
+        }
+    }
+    (verdicts, unjudged)
+}
+
+/// Whether an annotation can be judged.
+pub fn is_judged(annotation: &Annotation, table: &Table) -> bool {
+    match &annotation.says {
+        Says::Attribute(_, adjective) => !table.has("sizes", adjective),
+        Says::Between { relation, .. } => relation_of(relation, table).is_some(),
+        Says::Count(_) | Says::Place { .. } => true,
+    }
+}
+
+/// The geometry of a word for a relation between objects.
+pub fn relation_of(word: &str, table: &Table) -> Option<Relation> {
+    table.find("between", word).and_then(Relation::of)
+}
+
+fn verdict<'a>(annotation: &'a Annotation, scene: &Scene, table: &Table) -> Option<Verdict<'a>> {
+    if !is_judged(annotation, table) {
+        return None;
+    }
+    let wanted = annotation.number;
+    let called = |name| scene.called(name, table).collect::<Vec<&Thing>>();
+    let (found, absent, holds) = match &annotation.says {
+        Says::Count(name) => {
+            let found = called(name).len();
+            (found, found == 0, annotation.how.holds(found, wanted))
+        }
+        Says::Attribute(name, adjective) => {
+            let all = called(name);
+            let found = all.iter().filter(|thing| thing.looks.carries(adjective)).count();
+            // More of them than asked for do no harm.
+            let enough = annotation.how == How::Equal && found >= wanted;
+            (found, all.is_empty(), enough || annotation.how.holds(found, wanted))
+        }
+        Says::Between { relation, reference, targets } => {
+            let relation = relation_of(relation, table)?;
+            let references = called(reference);
+            let absent = references.is_empty() || targets.iter().any(|name| called(name).is_empty());
+            if relation == Relation::Surround {
+                let round = targets.first().map(|name| called(name)).unwrap_or_default();
+                let round: Vec<&Shape> = round.iter().map(|thing| &thing.shape).collect();
+                let found = references.iter().filter(|thing| surround(&round, &thing.shape) > THRESHOLD).count();
+                (found, absent, found >= 1)
+            } else {
+                let holds = |target: &&Thing| {
+                    let others = references.iter().filter(|reference| !std::ptr::eq(**reference, *target));
+                    others.into_iter().any(|other| relation.score(&target.shape, &other.shape) > THRESHOLD)
+                };
+                let found = targets.iter().map(|name| called(name).iter().filter(|t| holds(t)).count()).sum();
+                (found, absent, found >= wanted)
+            }
+        }
+        Says::Place { relation, name, element } => {
+            let place = Place::of(relation, element, table);
+            let openings = scene.openings(kind(element));
+            let all = called(name);
+            let holds = |thing: &&&Thing| place.score(&thing.shape, &scene.rooms, &openings) > THRESHOLD;
+            let found = all.iter().filter(holds).count();
+            (found, all.is_empty(), found >= wanted)
+        }
+    };
+    Some(Verdict { annotation, holds, found, absent })
+}
