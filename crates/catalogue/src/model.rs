@@ -72,7 +72,7 @@ impl Model {
             patch.positions.iter_mut().for_each(|p| *p = place(*p));
         }
         let size = (extents * scale).map(|x| x.max(THINNEST));
-        if !(size.max() <= limits::EXTENT) {
+        if size.max().is_nan() || size.max() > limits::EXTENT {
             return Err(beyond(format!("it is {:.0} m large; the most is {} m", size.max(), limits::EXTENT)));
         }
         let triangles: Vec<[Vec3; 3]> = raw

@@ -11,13 +11,7 @@ use std::path::Path;
 
 /// The triangles of an OBJ file in `folder`.
 pub(crate) fn read(bytes: &[u8], folder: &Path, door: &Door) -> Result<Raw, Fault> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        single_index: true,
-        ignore_points: true,
-        ignore_lines: true,
-        ..tobj::LoadOptions::default()
-    };
+    let options = tobj::LoadOptions { triangulate: true, single_index: true, ignore_points: true, ignore_lines: true };
     let refused = RefCell::new(None);
     let materials = |name: &Path| match door.read(&folder.join(name)) {
         Ok(bytes) => tobj::load_mtl_buf(&mut bytes.as_slice()),

@@ -85,12 +85,11 @@ pub(crate) struct Object {
     pub card: Card,
 }
 
+/// Objects, and what is wrong with others by their names.
+type Found = (Vec<Object>, Vec<(String, Fault)>);
+
 /// What there is in the folder: objects in the order of their names, and what was found wrong with others.
-pub(crate) fn objects(
-    folder: &Path,
-    annotations: &str,
-    door: &Door,
-) -> Result<(Vec<Object>, Vec<(String, Fault)>), Fault> {
+pub(crate) fn objects(folder: &Path, annotations: &str, door: &Door) -> Result<Found, Fault> {
     let bytes = unpacked(door.read(&folder.join(annotations)).map_err(|e| crate::faults::unreadable(&e))?)?;
     let all: BTreeMap<String, Annotation> =
         serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no list of annotations: {e}")))?;

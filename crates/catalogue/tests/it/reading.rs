@@ -6,6 +6,7 @@ use flate2::write::GzEncoder;
 use scenelang_catalogue::{Catalogue, Model};
 use scenelang_layout::{Convex, Part, Vec3};
 use serde_json::{Value, json};
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::fs;
 use std::io::Write;
 use tempfile::tempdir;
@@ -87,7 +88,7 @@ fn nodes_put_meshes_where_they_are() {
     let (mut document, binary) = block(1.0, 1.0, 1.0).document();
     document["nodes"] = json!([
         { "mesh": 0, "children": [1] },
-        { "mesh": 0, "translation": [0.0, 2.0, 0.0], "rotation": [0.0, 0.0, 0.70710678, 0.70710678], "scale": [1.0, 1.0, -3.0] },
+        { "mesh": 0, "translation": [0.0, 2.0, 0.0], "rotation": [0.0, 0.0, FRAC_1_SQRT_2, FRAC_1_SQRT_2], "scale": [1.0, 1.0, -3.0] },
     ]);
     let model = read("tower.glb", &glb(&document, &binary), &Value::Null);
     // The second lies on its side: from x = −1 to 0 and three times as deep.

@@ -4,6 +4,7 @@
 use super::{fail, of, percent};
 use crate::args::{EvalSceneEval, SummaryFormat};
 use crate::progress::Progress;
+use crate::replace::May;
 use crate::table::Table as Columns;
 use crate::{FINDINGS, GOOD, INTERRUPTED, interrupt, parallel, replace};
 use scenelang_base::door::Door;
@@ -64,7 +65,9 @@ pub fn run(args: &EvalSceneEval) -> u8 {
     }
     let files = REPORT.into_iter().zip([format!("{:#}\n", scores.json()), scores.csv()]);
     let files: Vec<OutFile> = files.map(|(name, text)| OutFile::new(name, text)).collect();
-    if let Err(message) = replace::folder(&args.output, &files, &[&args.annotations], args.force) {
+    if let Err(message) =
+        replace::folder(&args.output, &files, &[&args.annotations], May { force: args.force, these: &[] })
+    {
         return fail(&message);
     }
     match args.format {

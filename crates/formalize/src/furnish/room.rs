@@ -145,7 +145,7 @@ fn eat_at(plan: &mut Plan, line: &Line) {
 pub(super) fn staffed(plan: &Plan) -> Option<f64> {
     let [_, _, depth] = plan.draft.rooms[plan.room].size;
     plan.kind.lines.iter().find_map(|line| match line.place {
-        Place::Before(gap, yaw) if yaw == 180.0 => {
+        Place::Before(gap, 180.0) => {
             let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
             Some(near_to(plan, line.noun).map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0))
         }

@@ -103,7 +103,7 @@ const GUESTS: [&str; 24] = [
 /// Whether guests use a thing of this name.
 pub fn for_guests(noun: &str) -> bool {
     let is = |guest: &&str| noun == *guest || noun.ends_with(&format!(" {guest}"));
-    group(noun) == Group::Seat || GUESTS.iter().any(|guest| is(&guest))
+    group(noun) == Group::Seat || GUESTS.iter().any(is)
 }
 
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
