@@ -69,8 +69,11 @@ impl<'a> Source<'a> {
                 let geometry = relation_of(relation, table).map_or("", |relation| relation.name());
                 let targets: BTreeSet<usize> = targets.iter().flat_map(|name| named(name)).collect();
                 let references = named(reference);
+                // Of things of one name, a statement about each of them with something else says nothing.
+                let among = references.iter().all(|id| targets.contains(id));
                 let about = |of: &BTreeSet<usize>| {
-                    of.iter().any(|id| targets.contains(id) && references.iter().any(|r| r != id && of.contains(r)))
+                    let related = |id: &usize| references.iter().any(|r| r != id && of.contains(r));
+                    of.iter().any(|id| targets.contains(id) && related(id)) && (!among || of.is_subset(&targets))
                 };
                 self.stated(table.said(geometry), &about, None)
             }
