@@ -12,12 +12,13 @@ use std::process::Stdio;
 const CLOSED: i32 = 141;
 
 /// Commands in a folder with `bedroom.scene` and a layout of it, each with more to print than nothing.
-const COMMANDS: [&[&str]; 29] = [
+const COMMANDS: [&[&str]; 30] = [
     &["check", "bedroom.scene"],
     &["formalize", "a bedroom with a bed and two lamps"],
     &["formalize", "a bedroom with a bed and two lamps", "--format", "json"],
     &["trace", "bedroom.scene"],
     &["categories"],
+    &["assets", "search", "chair"],
     &["query", "bedroom.layout.json"],
     &["query", "bedroom.scene", "--object", "bed", "--format", "json"],
     &["check", "bedroom.layout.json", "--all"],
