@@ -305,11 +305,18 @@ impl Builder<'_> {
             if regions.is_empty() || !scope.bounds(id) {
                 heights.push(Term::constant(0.0));
             }
-            heights.extend(carriers.iter().map(|c| unknowns.surface(*c)));
             heights.sort_by_key(|t| t.0);
             heights.dedup();
             let rests_on = |h: &Term| all(&[(bottom - *h).at_least(-off), (*h - bottom).at_least(-off)]);
-            let claim = any(&heights.iter().map(rests_on).collect::<Vec<_>>());
+            let mut ways: Vec<Claim> = heights.iter().map(rests_on).collect();
+            // A carrier may have boards below its top.
+            ways.extend(carriers.iter().map(|c| {
+                let carrier = unknowns.thing(*c);
+                let [base, top] =
+                    [carrier.center() - carrier.reach(), carrier.center() + carrier.reach()].map(|p| p.0[1]);
+                all(&[(bottom - base).at_least(-off), (top - bottom).at_least(-off)])
+            }));
+            let claim = any(&ways);
             let what = Source::Rule(format!("`{}` stands on the floor", self.name(id)));
             let spoken: Vec<ObjectId> = carriers.iter().copied().chain([id]).collect();
             self.given.push(Given { claim, what, premises: rests(unknowns, &spoken, &regions) });
