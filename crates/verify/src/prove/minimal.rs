@@ -260,13 +260,11 @@ impl<'a> Prover<'a> {
     /// no other.
     fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
         let found = self.minimal(among, part)?;
-        if !found.as_usual {
-            return Some(found);
-        }
-        let usual = self.usual.take();
-        let strictly = self.minimal(among, part);
-        self.usual = usual;
-        strictly.or(Some(found))
+        let Some(usual) = self.usual.take() else { return Some(found) };
+        let strictly = self.minimal(if found.as_usual { among } else { &found.statements }, part);
+        self.usual = Some(usual);
+        let is_better = |other: &Contradiction| found.as_usual || other.statements.len() <= found.statements.len();
+        Some(strictly.filter(is_better).unwrap_or(found))
     }
 
     fn minimal(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {

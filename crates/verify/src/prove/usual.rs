@@ -12,6 +12,7 @@ use scenelang_lang::program::{
 };
 use scenelang_lang::roles::role_of;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// A conjunction of more parts is looked at as one.
 const MOST_PARTS: usize = 64;
@@ -174,8 +175,8 @@ const OTHER: &[&str] = &[
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
-/// A height is the usual one if it differs from it by no more than this part of it.
-const ABOUT: f64 = 0.05;
+/// Heights that are usual enough for what is solid to be where it usually is, as parts of the usual one.
+const USUAL: RangeInclusive<f64> = 0.79..=1.051;
 
 /// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
 /// and from which to which height above its base that reaches. Nothing is known of most.
@@ -192,9 +193,9 @@ pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 
     let role = role_of(what(object));
     let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
     let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
-    // Seats and tops have a height, or a thickness, that does not grow with the thing.
-    let usual = usual_size(what(object)).is_some_and(|[_, usual, _]| (h / usual - 1.0).abs() <= ABOUT);
-    if to - from < 0.5 && !usual {
+    // Seats and tops have a height, or a thickness, that does not grow with the thing; boards at the very top end there.
+    let usual = usual_size(what(object)).is_some_and(|[_, usual, _]| USUAL.contains(&(h / usual)));
+    if to - from < 0.5 && from < 0.99 && !usual {
         return None;
     }
     let size = [w, d].map(|s| s - 2.0 * EDGE);
