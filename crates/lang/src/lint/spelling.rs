@@ -61,7 +61,8 @@ fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
     for (linted, text) in texts.filter(|(_, t)| t.property == "category" && !t.compared && !t.text.trim().is_empty()) {
         let Some(place) = linted.place.span(text.range) else { continue };
-        let told = out.iter().any(|d| d.code == codes::W0204 && d.primary.as_ref().is_some_and(|l| l.place == place));
+        let mended = |d: &Diagnostic| d.fixes.iter().flat_map(|f| &f.edits).any(|edit| edit.place == place);
+        let told = out.iter().any(|d| d.code == codes::W0204 && mended(d));
         if told || known.contains(&text.text.as_str()) || library::is_known(&text.text) {
             continue;
         }

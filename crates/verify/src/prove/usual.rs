@@ -82,8 +82,8 @@ const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
     ("sofa", [0.05, 0.42]),
     ("loveseat", [0.05, 0.42]),
     ("armchair", [0.05, 0.42]),
-    ("recliner", [0.05, 0.42]),
-    ("chair", [0.49, 0.5]),
+    ("recliner", [0.0, 0.0]),
+    ("chair", [0.0, 0.0]),
     ("bed", [0.06, 0.22]),
     ("table", [0.975, 0.99]),
     ("desk", [0.975, 0.99]),
@@ -92,7 +92,7 @@ const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
     ("gondola", [0.0, 0.0]),
 ];
 /// Of these there are many shapes: only with such words before them, or none.
-const MANY_SHAPES: &[&str] = &["rack", "shelf", "shelving", "chair", "bed"];
+const MANY_SHAPES: &[&str] = &["rack", "shelf", "shelving", "bed"];
 const PLAIN: &[&str] = &[
     "storage",
     "pallet",
@@ -100,7 +100,6 @@ const PLAIN: &[&str] = &[
     "steel",
     "metal",
     "wooden",
-    "book",
     "dining",
     "kitchen",
     "school",
@@ -172,6 +171,15 @@ const OTHER: &[&str] = &[
     "sectional",
     "mixing",
     "lathe",
+    "washer",
+    "washing",
+    "dishwasher",
+    "glasswasher",
+    "dryer",
+    "laundry",
+    "jukebox",
+    "mini",
+    "cash",
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
