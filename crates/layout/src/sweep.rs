@@ -153,7 +153,8 @@ impl Moving {
                 }
             }
         }
-        (self.outer(to), blocker)
+        // What nothing ends is the amount itself: to radians and back would round it.
+        (if blocker.is_some() { self.outer(to) } else { amount }, blocker)
     }
 
     /// How far one body comes past one obstacle.

@@ -1,6 +1,6 @@
 //! `scenelang query`: what is known of an object, in the scene as it stands.
 
-use crate::support::{Ended, fits, root, scenelang};
+use crate::support::{Ended, fits, folder_of, root, scenelang};
 use serde_json::{Value, json};
 use std::fs;
 
@@ -36,16 +36,8 @@ const LAYOUT: &str = r#"{ "format": "scenelang.layout/1", "scene": "room.scene",
     "picture": { "pos": [0, 1.4, 1.98], "rot": [0, 180, 0], "scale": [0.8, 0.6, 0.04] } },
   "regions": { "study": { "pos": [0, 0, 0], "scale": [4, 2.5, 4] } } }"#;
 
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
-}
-
 fn query(files: &[(&str, &str)], args: &[&str]) -> Ended {
-    scenelang(folder(files).path(), ["query"].iter().chain(args))
+    scenelang(folder_of(files).path(), ["query"].iter().chain(args))
 }
 
 /// The objects of an answer, and what is known of each beside its pose.

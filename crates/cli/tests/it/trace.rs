@@ -1,6 +1,6 @@
 //! `scenelang trace`: from requirements to statements, objects and verdicts, and back.
 
-use crate::support::{Ended, fits, root, scenelang, scenelang_with_input};
+use crate::support::{Ended, fits, folder_of, root, scenelang, scenelang_with_input};
 use serde_json::{Value, json};
 use std::fs;
 
@@ -39,16 +39,8 @@ const LAYOUT: &str = r#"{ "format": "scenelang.layout/1", "scene": "room.scene",
     "chair[1]": { "pos": [0, 0, -0.8], "scale": [0.5, 0.9, 0.5] } },
   "regions": { "study": { "pos": [0, 0, 0], "scale": [4, 2.5, 4] } } }"#;
 
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
-}
-
 fn trace(files: &[(&str, &str)], more: &[&str]) -> Ended {
-    scenelang(folder(files).path(), ["trace", "room.scene"].iter().chain(more))
+    scenelang(folder_of(files).path(), ["trace", "room.scene"].iter().chain(more))
 }
 
 fn verdicts(document: &Value) -> Vec<(String, String)> {
@@ -98,7 +90,7 @@ fn machines_read_verdicts_objects_and_what_is_missing() {
     assert_eq!((&lamp["requirements"], &lamp["satisfied"]), (&json!([1, 5, 7]), &json!(true)));
     assert_eq!(lamp["statements"].as_array().unwrap().len(), 4);
     // The ids are those of reports.
-    let dir = folder(&files);
+    let dir = folder_of(&files);
     let report = scenelang(dir.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
     let ids: Vec<&Value> = report["constraints"].as_array().unwrap().iter().map(|row| &row["id"]).collect();
     for statement in with["requirements"].as_array().unwrap().iter().flat_map(|r| r["statements"].as_array().unwrap()) {
@@ -138,9 +130,9 @@ fn exit_codes_tell_good_missing_and_unjudged() {
         assert!(ended.stdout.contains(said) && (code < 2 || !ended.stderr.is_empty()), "{said}: {ended:?}");
     }
     // From standard input, and what an import says.
-    let ended = scenelang_with_input(folder(&[]).path(), ["trace", "-"], good.as_bytes());
+    let ended = scenelang_with_input(folder_of(&[]).path(), ["trace", "-"], good.as_bytes());
     assert_eq!(ended.code, 0, "{ended:?}");
-    let dir = folder(&[("room.scene", good.as_str()), ("all.scene", nested)]);
+    let dir = folder_of(&[("room.scene", good.as_str()), ("all.scene", nested)]);
     let ended = scenelang(dir.path(), ["trace", "all.scene"]);
     assert!(ended.stdout.contains("\"more\": not judged") && ended.stdout.contains("\"two chairs\""), "{ended:?}");
 }
