@@ -8,6 +8,7 @@ use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_formalize::brief::{Word, json};
 use scenelang_formalize::draft::{Source, Statement};
+use scenelang_formalize::read::BECAME_NOTHING;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
 use scenelang_layout::Layout;
@@ -265,7 +266,8 @@ pub fn notes(reading: &Reading) -> String {
             );
         }
     }
-    for note in &reading.draft.notes {
+    // Single words that became nothing are listed already.
+    for note in reading.draft.notes.iter().filter(|note| note.reason != BECAME_NOTHING) {
         let _ =
             writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
     }
@@ -277,7 +279,7 @@ pub fn notes(reading: &Reading) -> String {
 
 /// How many of the words that say something became part of the program, and which did not.
 fn accounted(reading: &Reading) -> String {
-    const LISTED: usize = 12;
+    const LISTED: usize = 40;
     let all = reading.words.len();
     let lost: Vec<&Word> = reading.words.iter().filter(|word| !word.used).collect();
     let words = if all == 1 { "word" } else { "words" };

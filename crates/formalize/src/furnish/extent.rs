@@ -21,6 +21,8 @@ const LEAST: f64 = 0.66;
 const FACTS: usize = 2;
 /// What is lower than this covers no floor (metres).
 const FLAT: f64 = 0.05;
+/// What is left of the longer wall beside the longest thing (metres).
+const BESIDE: f64 = 0.1;
 /// A room is no longer than so many times its width.
 const LONG: f64 = 1.7;
 
@@ -71,10 +73,13 @@ fn grow(
 fn shrink(draft: &mut Draft, mut empty: Draft, at: usize, least: f64, furnish: &impl Fn(&mut Draft) -> usize) {
     let mut size = draft.rooms[at].size;
     let mut done = [false; 2];
+    let own = draft.things.iter().filter(|thing| thing.room == Some(at));
+    let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
     for step in 0..2 * SHRUNK {
         let k = 2 * (step % 2);
         let side = (size[k] * SHRINKING * 10.0).floor() / 10.0;
-        if covered(draft, at) >= COVERED || done[k / 2] || size[2 - k] > LONG * side || size[2 - k] * side < least {
+        let odd = size[2 - k] > LONG * side || size[2 - k] * side < least || side.max(size[2 - k]) < longest;
+        if covered(draft, at) >= COVERED || done[k / 2] || odd {
             continue;
         }
         empty.rooms[at].size = size;

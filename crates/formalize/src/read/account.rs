@@ -16,8 +16,9 @@ pub struct Account {
     pub notes: Vec<Note>,
 }
 
-/// Of so many words in a row that became nothing there is a note, whatever they are.
-const MANY: usize = 3;
+/// Why there is a note on a word that nothing came of and that seems to change nothing.
+pub const BECAME_NOTHING: &str = "this word became nothing";
+const BECAME_NOTHING_MANY: &str = "these words became nothing";
 
 /// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like
 /// and say nothing of their own. `noted`: what the reader has reported.
@@ -32,27 +33,28 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
             out.notes.push(Note { at, reason: "nothing was understood here".into() });
             continue;
         }
+        let told = |notes: &[Note], at: &Range<usize>| {
+            notes.iter().chain(noted).any(|note| note.at.start <= at.start && at.end <= note.at.end)
+        };
         let first = out.notes.len();
-        for run in runs(&own, used, clause.clone()) {
-            if let (true, [first, .., last]) = (run.len() >= MANY, run.as_slice()) {
-                let at = tokens[*first].at.start..tokens[*last].at.end;
-                if noted.iter().any(|note| note.at.start <= at.start && at.end <= note.at.end) {
-                    continue;
-                }
-                out.notes.push(Note { at, reason: "these words became nothing".into() });
-            }
-        }
         for &i in own.iter().filter(|i| !used[**i]) {
             let at = tokens[i].at.clone();
-            let told = |note: &Note| note.at.start <= at.start && at.end <= note.at.end;
             let reason = match tokens[i].kind {
                 Kind::Number(_) => "this number is in no statement",
                 _ if turns(tokens, i) => "this changes what is asked for, and no statement says it",
                 _ => continue,
             };
-            if !out.notes[first..].iter().chain(noted).any(told) {
+            if !told(&out.notes[first..], &at) {
                 out.notes.push(Note { at, reason: reason.into() });
             }
+        }
+        for run in runs(&own, used, clause.clone()) {
+            let untold = |i: &&usize| !told(&out.notes[first..], &tokens[**i].at);
+            let left: Vec<usize> = run.iter().filter(untold).copied().collect();
+            let (Some(from), Some(to)) = (left.first(), left.last()) else { continue };
+            let at = tokens[*from].at.start..tokens[*to].at.end;
+            let reason = if left.len() == 1 { BECAME_NOTHING } else { BECAME_NOTHING_MANY };
+            out.notes.push(Note { at, reason: reason.into() });
         }
     }
     out

@@ -142,6 +142,10 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         if one_of(np, n) && out.is_one_of(i, np, kind.name, &source) {
             continue;
         }
+        if np.words.len() == 1 && base == "room" && of_two(chunk, tokens, 0).is_some() {
+            loose.push((i, np.name()));
+            continue;
+        }
         if let Some(room) = out.named(np, &base) {
             out.spoken.insert(i, room);
             continue;
@@ -191,6 +195,16 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     out
 }
 
+/// "the big room", "the other room": which of two rooms this is; the larger one is named first.
+fn of_two(chunk: &Chunk, tokens: &[Token], last: usize) -> Option<usize> {
+    tokens[chunk.at.clone()].iter().find_map(|token| match token.text.as_str() {
+        "big" | "bigger" | "large" | "larger" | "main" => Some(0),
+        "small" | "smaller" | "little" => Some(1),
+        "other" => Some(1 - last.min(1)),
+        _ => None,
+    })
+}
+
 /// "a two-bedroom flat": the flat, and its bedrooms.
 fn hyphened(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], (i, count, noun): (usize, usize, &str)) {
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
@@ -231,11 +245,15 @@ fn settle(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], loose: Vec<(usize
             out.spoken.entry(*i).or_insert(room);
         }
     }
-    // "the room", "the flat": the room last spoken of.
+    // "the room", "the flat": the room last spoken of. "The big room", "the other room", of two: one of them.
     for (i, _) in loose {
-        let last = out.spoken.range(..i).next_back().map_or(0, |(_, r)| *r);
+        // "You get there from the hall. The room …": not the hall.
+        let left = |k: usize| k > 0 && chunks[k - 1].piece == Piece::Rel(Rel::From);
+        let last = out.spoken.range(..i).rev().find(|(k, _)| !left(**k)).map_or(0, |(_, r)| *r);
         let whole = chunks[i].np().filter(|np| is_home(&np.name())).and(out.whole);
-        out.spoken.insert(i, whole.unwrap_or(last));
+        let told = of_two(&chunks[i], tokens, last);
+        let told = told.filter(|_| out.rooms.len() == 2);
+        out.spoken.insert(i, whole.or(told).unwrap_or(last));
     }
 }
 

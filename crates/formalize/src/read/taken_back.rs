@@ -8,7 +8,8 @@ use super::token::{Kind, Token};
 
 /// Turns what begins at a token, or ends there; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] = [banned, not_stored, instead, altogether, mended, ordinal];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [banned, not_to_be, not_the, not_stored, instead, altogether, mended, ordinal];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -42,6 +43,33 @@ fn banned(tokens: &mut Vec<Token>, i: usize) -> bool {
         no(tokens, from);
     }
     said
+}
+
+/// "The sink is not to be next to the fryer": it must not be.
+fn not_to_be(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "is" | "are") && word(tokens, i + 1) == "not" && word(tokens, i + 2) == "to";
+    if said {
+        put(tokens, i, i + 3, &["must", "not"]);
+    }
+    said
+}
+
+/// "Not the beanbags, though.": no beanbags. Within a sentence it may be the other side of something: "facing the door,
+/// not the window".
+fn not_the(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const MOST: usize = 4;
+    let starts =
+        i.checked_sub(1).is_none_or(|k| matches!(tokens[k].kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';')));
+    if !starts || word(tokens, i) != "not" || !matches!(word(tokens, i + 1), "the" | "those" | "these") {
+        return false;
+    }
+    let last = |k: &usize| ends(tokens, *k) || matches!(word(tokens, *k), "tho" | "though" | "please" | "again");
+    let Some(end) = (i + 2..i + 3 + MOST).find(last) else { return false };
+    let thing = end > i + 2 && get().noun(&singular(word(tokens, end - 1))).is_some();
+    if thing {
+        put(tokens, i, i + 2, &["no"]);
+    }
+    thing
 }
 
 /// "Gas cylinders shall not be stored in the laboratory": no gas cylinders.
@@ -165,6 +193,9 @@ mod tests {
         for (text, becomes) in [
             ("wooden pallets are banned from here.", "no wooden pallets from here ."),
             ("pets are not allowed", "no pets"),
+            ("the sink is not to be near the hob", "the sink must not be near the hob"),
+            ("a couch. not the beanbags tho", "a couch . no beanbags tho"),
+            ("facing the door. not the left wall", "facing the door . not the left wall"),
             ("the lamp is forbidden", "the lamp is forbidden"),
             ("gas bottles shall not be stored inside the kitchen.", "no gas bottles inside the kitchen ."),
             ("cups shall not be stored in the cupboard.", "cups shall not be stored in the cupboard ."),

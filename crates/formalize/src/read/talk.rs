@@ -115,7 +115,11 @@ fn room(said: &[Token]) -> Option<&[Token]> {
                 let longer = format!("{} {phrase}", said[k].text);
                 super::lexicon::get().room(&longer).is_some()
             });
-            (named && !before).then(|| &said[i..i + n])
+            // "kitchen corner?": no kitchen.
+            let part = said.get(i + n).is_some_and(|t| {
+                matches!(t.text.as_str(), "corner" | "area" | "nook" | "zone" | "island" | "counter" | "table" | "sink")
+            });
+            (named && !before && !part).then(|| &said[i..i + n])
         })
     })
 }

@@ -301,14 +301,19 @@ impl<'a> Reader<'a> {
             self.mark(from);
         }
         let ruled_out = self.neither(from, end);
-        let mut unsaid = if ruled_out.is_some() { Vec::new() } else { self.unsaid(from, end) };
+        let revised = self.revised(from, end);
+        let mut unsaid = match (&ruled_out, &revised) {
+            _ if self.joking(end) => vec![from..end],
+            (None, None) => self.unsaid(from, end),
+            _ => Vec::new(),
+        };
         for range in &unsaid {
             let at = self.bytes(range.clone());
             let reason = "a word here changes what is asked for, and no statement says it so".to_owned();
             self.brief.notes.push(Note { at, reason });
         }
         unsaid.extend(ruled_out);
-        unsaid.extend(self.revised(from, end));
+        unsaid.extend(revised);
         let (mut i, facts, things) = (from, self.brief.facts.len(), self.brief.things.len());
         while i < end {
             self.s.now = i;

@@ -9,6 +9,23 @@ impl Reader<'_> {
         first(end).is_some_and(|t| t.is("?")) && first(end + 1).is_some_and(|t| t.is("no") || t.is("nope"))
     }
 
+    /// Whether what comes next takes a sentence back as a whole: "There is a whale above it … just joking.", "Put up a
+    /// poster. No, what am I saying, …".
+    pub(super) fn joking(&self, end: usize) -> bool {
+        const TAKES_BACK: [&[&str]; 6] = [
+            &["just", "joking"],
+            &["just", "kidding"],
+            &["only", "joking"],
+            &["i'm", "joking"],
+            &["no", "what", "am", "i", "saying"],
+            &["what", "am", "i", "saying"],
+        ];
+        let Some(next) = self.chunks.get(end + 1) else { return false };
+        let words: Vec<&str> =
+            self.tokens[next.at.start..].iter().filter(|t| t.word()).take(5).map(|t| t.text.as_str()).collect();
+        TAKES_BACK.iter().any(|phrase| words.starts_with(phrase))
+    }
+
     /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
     pub(super) fn last_clause(&self, from: usize, end: usize) -> usize {
         let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;

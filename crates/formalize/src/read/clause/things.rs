@@ -137,7 +137,17 @@ impl Reader<'_> {
         let led = self.s.lead.iter().any(|(_, l)| matches!(l, Lead::Items(..)));
         self.s.room_first |= !self.s.subject && !led;
         self.s.of_room = true;
-        self.room = room;
+        // "You get there from the hall", "the office is next to the hall": what comes next is not in the hall.
+        let before = i.checked_sub(1).and_then(|k| self.piece(k, end));
+        let beside = [Rel::Beside, Rel::Near, Rel::Behind, Rel::Opposite];
+        let aside = match before {
+            Some(Piece::Rel(Rel::From)) => true,
+            Some(Piece::Rel(rel)) => named_before && beside.contains(rel),
+            _ => false,
+        };
+        if !aside {
+            self.room = room;
+        }
         self.near.clear();
         if !self.s.subject {
             self.main.clear();
@@ -352,7 +362,9 @@ impl Reader<'_> {
                 let plain = np.look == crate::draft::Look::default() && np.dims.is_empty() && !np.other;
                 let known = |f: &usize| {
                     let item = &self.brief.things[*f];
-                    let of_these = np.det == Det::Number || item.opening() || item.number.said() == Some(2);
+                    // "never on a console": on none of them.
+                    let of_these =
+                        np.det == Det::Number || item.opening() || item.number.said() == Some(2) || self.s.not;
                     plain && of_these && item.number.many() && item.words == np.words && item.room == self.room
                 };
                 match found.filter(known) {
@@ -375,13 +387,18 @@ impl Reader<'_> {
     }
 
     /// "A shower within 3 m of every bench. There are three benches.": how many those are of which all were spoken of.
+    /// "It runs in front of the benches" as well.
     fn is_every(&self, thing: usize, np: &Np) -> bool {
         let it = &self.brief.things[thing];
         let first = self.tokens.iter().find(|token| token.at.start == it.source.at().start);
-        it.number == Number::Unsaid
-            && np.det == Det::Number
+        let all: &[&str] = match it.number {
+            Number::Unsaid => &["every", "each", "all"],
+            Number::Plural => &["the", "all"],
+            _ => return false,
+        };
+        np.det == Det::Number
             && np.count.is_some_and(|n| n > 1)
-            && first.is_some_and(|token| ["every", "each", "all"].iter().any(|word| token.is(word)))
+            && first.is_some_and(|token| all.iter().any(|word| token.is(word)))
     }
 
     /// "the first exit", "two of the chairs": some of what is known.

@@ -150,6 +150,11 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
+                // "nobody wants a table under it": not which table there is; "clocks make people nervous"
+                ("nobody" | "noone", "wants" | "needs" | "likes" | "uses")
+                | ("make" | "makes" | "made", "people" | "everyone" | "everybody" | "him" | "her" | "us" | "me") => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
                 // "left of the bed as seen from the door": left and right are the viewer's, and no statement says whose.
                 ("as" | "when", "seen" | "viewed") => out.push((from..i).rev().find(stop).unwrap_or(from)..to),
                 _ if self.uncounted(i, to) => {
@@ -208,7 +213,7 @@ impl Reader<'_> {
     /// "Actually, make that three chairs": so many of what there is, or what it looks like. What is read with it.
     pub(super) fn revised(&mut self, from: usize, end: usize) -> Option<Range<usize>> {
         let first = |k: usize| self.chunks.get(k).map_or("", |c| self.tokens[c.at.start].text.as_str());
-        let i = (from..end.min(from + 4)).find(|k| matches!(first(*k), "make" | "makes"))?;
+        let i = (from..end.min(from + 6)).find(|k| matches!(first(*k), "make" | "makes"))?;
         let at = self.chunks[i].at.end;
         if !self.tokens.get(at).is_some_and(|t| matches!(t.text.as_str(), "that" | "it" | "them" | "those" | "this")) {
             return None;
@@ -267,7 +272,9 @@ impl Reader<'_> {
         let tokens = &self.tokens[self.chunks[from].at.start..last.at.end];
         let words: Vec<&str> = tokens.iter().filter(|t| t.word()).map(|t| t.text.as_str()).collect();
         words.windows(2).any(|pair| matches!(pair, ["actually", "no"] | ["no", "actually"] | ["no", "wait"]))
-            || words.windows(3).any(|three| matches!(three, ["on", "second", "thought" | "thoughts"]))
+            || words
+                .windows(3)
+                .any(|three| matches!(three, ["on", "second", "thought" | "thoughts"] | ["i", "said", "no"]))
     }
 
     /// "… in the middle. Actually no, put it under the window": where it was said to be before is said no more. The chunk
