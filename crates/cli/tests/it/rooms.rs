@@ -9,7 +9,7 @@ use std::process::Command;
 const ALWAYS: [&str; 4] = ["backsToWalls", "squareToWalls", "waysFree", "doorsFree"];
 
 /// What is known not to hold, and is to be mended: ways that are narrower than 0.75 m, and a dresser in mid-room.
-const KNOWN: [(&str, &str); 8] = [
+const KNOWN: [(&str, &str); 5] = [
     // The basin stands at the foot of the strip between bed and curtain, 0.33 m are left.
     ("A hospital room with two beds.", "bedsideCabinet[0]"),
     // The dresser pushes the beds apart after the ways were planned.
@@ -17,13 +17,8 @@ const KNOWN: [(&str, &str); 8] = [
     // 0.72 m are left.
     ("A restaurant kitchen.", "sink[1]"),
     ("A two bedroom apartment with kitchen and bathroom.", "dresser2"),
-    // The armchair of the sectional sofa stands in front of it.
-    ("A modern living room with a sectional sofa, a TV and a coffee table.", "bookshelf2"),
     // The beds have their heads at opposite walls, and what is between them is in mid-room.
     ("A bedroom with twin beds and a dresser between them.", "dresser"),
-    // The coffee machine stands on the floor, between the table and the kitchenette.
-    ("A teacher's lounge with a sofa, a coffee machine and lockers.", "kitchenette"),
-    ("A teacher's lounge with a sofa, a coffee machine and lockers.", "miniFridge"),
 ];
 
 /// Each fourth of the requests, so that they are tried side by side.
@@ -32,7 +27,7 @@ fn hold(first: usize) {
     let mut wrong = String::new();
     for request in requests.lines().skip(first).step_by(4) {
         let folder = tempfile::tempdir().unwrap();
-        let ended = scenelang(folder.path(), ["synth", request, "-o", "out"]);
+        let ended = scenelang(folder.path(), ["synth", request, "-o", "out", "--only", "plan"]);
         if ended.code != 0 {
             wrong += &format!("{request}: exit {}\n{}\n", ended.code, ended.stderr);
             continue;

@@ -170,8 +170,8 @@ pub struct Root<'r> {
 
 /// How far a plan was before a group was tried.
 struct Mark {
-    /// Of things, statements and claimed things.
-    counts: [usize; 3],
+    /// Of things, statements, claimed things, and what stands on things.
+    counts: [usize; 4],
     names: Names,
     floor: f64,
     walls: f64,
@@ -235,18 +235,19 @@ impl Plan<'_> {
     }
 
     fn mark(&self) -> Mark {
-        let Self { draft, names, claimed, floor, walls, turn, .. } = self;
-        let counts = [draft.things.len(), draft.statements.len(), claimed.len()];
+        let Self { draft, names, claimed, loads, floor, walls, turn, .. } = self;
+        let counts = [draft.things.len(), draft.statements.len(), claimed.len(), loads.len()];
         Mark { counts, names: names.clone(), floor: *floor, walls: *walls, turn: *turn }
     }
 
     /// Takes back what was added since for a group that begins with a thing. The part to be left out next.
     fn take_back(&mut self, before: Mark, thing: usize) -> Option<&'static str> {
         let least = self.building.take().and_then(|group| group.least(thing));
-        let [things, statements, claimed] = before.counts;
+        let [things, statements, claimed, loads] = before.counts;
         self.draft.things.truncate(things);
         self.draft.statements.truncate(statements);
         self.claimed.truncate(claimed);
+        self.loads.truncate(loads);
         (self.names, self.floor, self.walls, self.turn) = (before.names, before.floor, before.walls, before.turn);
         least
     }

@@ -5,7 +5,7 @@
 use super::groups::{self, Along, Part, Where};
 use super::kinds::{Count, Kind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
-use super::slots::{Sizes, Slot, Taken, slots};
+use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
 use crate::brief::Group;
 use crate::draft::{Demand, Source, Statement};
@@ -80,7 +80,8 @@ impl Plan<'_> {
         }
         self.fix(thing, asked, &places, height, &why);
         let flush = matches!(part.at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
-        self.surround_as(part.noun, asked, if flush { wall } else { AtWall::No }, deep + 1);
+        let name = if slots::in_corner(&part.at, &Sizes { of, own, round }) { CORNER_TABLE } else { part.noun };
+        self.surround_as(name, asked, if flush { wall } else { AtWall::No }, deep + 1);
         true
     }
 

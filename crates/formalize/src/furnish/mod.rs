@@ -27,6 +27,7 @@ mod seek;
 mod slots;
 mod stand;
 mod taste;
+mod tops;
 
 use crate::brief::{Brief, Fact, Number, Pattern, What};
 use crate::draft::Draft;

@@ -4,8 +4,8 @@ use super::build::Building;
 use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::{Kind, Place, seats_all};
-use super::slots::{Level, Sizes, Slot, Taken, boards, capacity, slots};
-use super::{place, stand, taste};
+use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, slots};
+use super::{place, stand, taste, tops};
 use crate::brief::Group;
 use crate::draft::{Draft, OpeningKind, Source, Statement, Thing};
 use crate::names::{Names, identifier, words};
@@ -55,6 +55,10 @@ pub struct Plan<'a> {
     pub lacking: usize,
     /// Whether nothing is added but lights: the room has only what is asked for.
     pub only: bool,
+    /// Small things that are asked for and wait for something to stand on.
+    pub small: Vec<usize>,
+    /// What stands on the tops of things.
+    pub loads: Vec<(usize, Taken)>,
     /// The group that is being put together.
     pub building: Option<Building>,
 }
@@ -112,6 +116,8 @@ impl<'a> Plan<'a> {
             matters: true,
             lacking: 0,
             only: false,
+            small: Vec::new(),
+            loads: Vec::new(),
             building: None,
         }
     }
@@ -230,7 +236,8 @@ impl<'a> Plan<'a> {
         }
         let loaded = stand::loaded(self.draft, thing);
         let is_under_window = self.is_under_window(&self.draft.things[thing].name);
-        let mut taken: Vec<Taken> = Vec::new();
+        tops::load(self, thing);
+        let mut taken: Vec<Taken> = self.loads.iter().filter(|(of, _)| *of == thing).map(|(_, taken)| *taken).collect();
         for part in groups::of(name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
@@ -349,7 +356,8 @@ impl<'a> Plan<'a> {
         }
         self.fix(thing, new, &places, height, &why);
         self.group(thing, new, &at, &why);
-        self.surround(new, if flush { wall } else { AtWall::No }, deep + 1);
+        let name = if in_corner(&at, &Sizes { of, own, round }) { CORNER_TABLE } else { noun };
+        self.surround_as(name, new, if flush { wall } else { AtWall::No }, deep + 1);
     }
 
     /// Says where the elements of a part are, given those of what it goes with.
@@ -372,6 +380,9 @@ impl<'a> Plan<'a> {
                 place::fixed(&element, &anchor, slot, own, ceiling)
             })
             .collect();
+        let size = part.size.unwrap_or_default();
+        let on_top = places.iter().filter(|slot| slot.level == Level::Top);
+        self.loads.extend(on_top.map(|slot| (thing, Taken::by(slot, size))));
         let all = fixed.join(" and ");
         let text =
             if of.count > 1 { format!("assert forall i in 0..{}: {all};", of.count) } else { format!("assert {all};") };

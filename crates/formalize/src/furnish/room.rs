@@ -10,7 +10,7 @@ use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
 use super::seek::Wall;
-use super::{asked, even, gates, groups, place, stand, taste};
+use super::{asked, even, gates, groups, place, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
@@ -72,7 +72,9 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     asked::lengthened(&mut plan, brief);
     // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
     let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
-    // What goes with something else waits for that.
+    // What goes with something else waits for that, and what stands on things for all of them.
+    let (small, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| tops::waits(&plan, *at));
+    plan.small = small.clone();
     let (with_asked, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
     let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
     // Many tables leave the place where such rooms have their counter.
@@ -110,6 +112,12 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     for thing in waiting.iter().filter(|_| !crowd) {
         asked::stand_up(&mut plan, *thing);
     }
+    for thing in small {
+        if !tops::carry(&mut plan, thing) && !crowd {
+            asked::stand_up(&mut plan, thing);
+        }
+    }
+    tops::settle(&mut plan);
     let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
     lacking

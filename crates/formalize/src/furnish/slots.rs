@@ -47,6 +47,14 @@ const LOW: f64 = 0.6;
 const BEFORE_SEATS: f64 = 0.42;
 const AT_DESKS: f64 = 0.05;
 
+/// The group of what stands around a low table there.
+pub const CORNER_TABLE: &str = "corner table";
+
+/// Whether a part stands in the corner of what it goes with: a low table in that of a sofa.
+pub fn in_corner(at: &Where, sizes: &Sizes) -> bool {
+    matches!(at, Where::Front(gap, ..) if *gap < 0.0) && sizes.of[2] >= BENT && sizes.own[1] < LOW
+}
+
 /// The places of the parts of one kind.
 pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
     let ([width, height, depth], [w, _, d]) = (sizes.of, sizes.own);

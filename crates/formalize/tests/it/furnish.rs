@@ -330,3 +330,26 @@ fn a_room_with_much_empty_floor_is_smaller_than_usual_and_keeps_its_furniture() 
         assert!(area(&draft(request)) >= said - 1e-9, "{request}: {}", area(&draft(request)));
     }
 }
+
+#[test]
+fn small_things_stand_on_what_carries_such_things() {
+    for (request, thing, carrier) in [
+        ("A break room with a coffee machine.", "coffeeMachine", "kitchenette"),
+        ("A study with a laptop.", "laptop", "desk"),
+        ("An office with a printer.", "printer", "printerTable"),
+        ("A bedroom with a table lamp.", "tableLamp", "nightstand[0]"),
+        ("A lab with a microscope and a centrifuge.", "centrifuge", "labBench[0]"),
+        ("A living room with a record player.", "recordPlayer", "sideboard"),
+        ("A waiting room with magazines.", "magazine[1]", "receptionDesk"),
+    ] {
+        let draft = read(request, &Options::default()).draft;
+        let fixed = format!("{thing}.pos = {carrier}.pos");
+        let statements: Vec<&str> = draft.statements.iter().map(|s| s.text.as_str()).collect();
+        assert!(statements.iter().any(|s| s.contains(&fixed)), "{request}: no {fixed} in {statements:#?}");
+        let floor = format!("onFloor({thing},");
+        assert!(!statements.iter().any(|s| s.contains(&floor)), "{request}: {floor}");
+    }
+    // Where it is said, it is where it is said.
+    let draft = read("A study with a laptop on the floor.", &Options::default()).draft;
+    assert!(!draft.statements.iter().any(|s| s.text.contains("laptop.pos = desk")), "{:?}", draft.statements);
+}
