@@ -125,6 +125,11 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     let rows = matches!(line.place, kinds::Place::Rows(_)) && thing.number == Number::Plural && thing.part.is_none();
     match line.count {
         kinds::Count::Area(each) if rows => Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize),
+        // "A church with pews": as many as its people need.
+        kinds::Count::People(each) if rows => {
+            let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
+            Some((people / each).ceil().max(2.0) as usize)
+        }
         _ => None,
     }
 }

@@ -159,8 +159,9 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             out.spoken.insert(i, room);
             continue;
         }
-        // "evacuation study", "case study"
-        if base == "study" && np.words.len() > 1 {
+        // "evacuation study", "case study", but "a wizard's study"
+        let owned = tokens[chunk.at.clone()].iter().any(|token| token.owner);
+        if base == "study" && np.words.len() > 1 && !owned {
             continue;
         }
         // "eye test cabin": a thing, where nothing says that it is a room.
