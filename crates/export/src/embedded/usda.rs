@@ -191,10 +191,12 @@ impl<'t> Parser<'t> {
                 return Ok(out);
             }
             let plain = rest.find([quote, '\\', '\n']).unwrap_or(rest.len());
-            out.push_str(&rest[..plain]);
-            self.at += plain;
-            let mut letters = rest[plain..].chars();
-            match letters.next() {
+            if plain > 0 {
+                out.push_str(&rest[..plain]);
+                self.at += plain;
+                continue;
+            }
+            match rest.chars().next() {
                 Some('\\') => {
                     self.at += 1;
                     self.escape(&mut out);
