@@ -147,6 +147,7 @@ codes! {
     W0502 "rooms closer than their walls"
     W0503 "an object crosses a wall"
     W0504 "changed since it was exported"
+    W0505 "a file of others that leaves something open"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
     W0701 "a mesh that is not closed"

@@ -1,10 +1,10 @@
 //! `scenelang check`: judges files and prints reports.
 
-use crate::args::{Check, Format, Judging, Verbosity};
+use crate::args::{Beside, Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
 use crate::targets::Target;
 use crate::watch::{Seen, Watched};
-use crate::{FAILED, GOOD, fix, interrupt, out, parallel, permissions, settings, targets, watch};
+use crate::{FAILED, GOOD, fix, foreign, interrupt, out, parallel, permissions, settings, targets, watch};
 use scenelang_analysis::Question;
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Diagnostic, SourceMap, codes};
@@ -54,7 +54,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
         let door = Door::of(target.path()).named(&named);
         let watched = seen.map(|seen| Watched { seen, door: &door });
         let loader = watched.as_ref().map_or(&door as &dyn Loader, |watched| watched);
-        judge(target, &args.judging, detail, args.core, &door, loader)
+        judge(target, &args.judging, &args.beside, detail, args.core, &door, loader)
     };
     parallel::in_order(&targets, jobs, work, |mut checked| {
         match fixed.next() {
@@ -96,10 +96,12 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
     worst
 }
 
-/// Judges one target by its settings; files come from `loader`, where `door` allows them.
+/// Judges one target by its settings; files come from `loader`, where `door` allows them. `beside`: what is known of a file of
+/// another system.
 pub fn judge(
     target: &Target,
     judging: &Judging,
+    beside: &Beside,
     detail: Detail,
     core: bool,
     door: &Door,
@@ -114,7 +116,10 @@ pub fn judge(
         question.judge_by(&found, |options| Checked::refused(&name, SourceMap::new(), vec![finding], options))
     };
     match target {
-        Target::File(_) => scenelang_analysis::judge(&question, &found, loader),
+        Target::File(_) => match foreign::find(&name, path, beside, loader) {
+            Some(read) => question.judge_by(&found, |options| foreign::judge(&name, read, &question, options)),
+            None => scenelang_analysis::judge(&question, &found, loader),
+        },
         Target::Empty(_) => {
             let say = format!("there is no .scene and no .layout.json file in {name}");
             nothing(Diagnostic::without_place(codes::E0001, say))

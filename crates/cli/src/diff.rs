@@ -1,7 +1,7 @@
 //! `scenelang diff`: what two layouts differ in.
 
 use crate::FAILED;
-use crate::args::{Diff, SummaryFormat};
+use crate::args::{Beside, Diff, SummaryFormat};
 use crate::check::judge;
 use crate::solve::color_err;
 use crate::table::Table;
@@ -18,7 +18,7 @@ pub fn run(args: &Diff) -> u8 {
     let [before, after] = match [&args.before, &args.after].map(target) {
         [Ok(before), Ok(after)] => [before, after].map(|target| {
             let door = Door::of(target.path()).named(&named);
-            judge(&target, &args.judging, Detail::default(), false, &door, &door)
+            judge(&target, &args.judging, &Beside::default(), Detail::default(), false, &door, &door)
         }),
         [Err(message), _] | [_, Err(message)] => {
             eprintln!("error: {message}");

@@ -9,7 +9,7 @@ use crate::replace;
 use scenelang_base::door::{Door, relative};
 use scenelang_base::{owned, plain};
 use scenelang_export::embedded::{self, Embedded, carrier};
-use scenelang_export::{Exporter, glb, unity};
+use scenelang_export::{Exporter, glb, unity, usd};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -132,6 +132,8 @@ fn written(folder: &Path, stem: &str, exporters: &[Box<dyn Exporter>]) -> Vec<Pa
     let writes = |name: &str| exporters.iter().any(|exporter| exporter.name() == name);
     let scenes = [
         (writes(glb::Glb.name()), format!("{stem}.glb")),
+        (writes(usd::Usd.name()), format!("{stem}.usda")),
+        (writes(usd::Usdz.name()), format!("{stem}.usdz")),
         (writes(unity::Unity::default().name()), unity::ROOT.to_owned()),
     ];
     scenes.into_iter().filter(|(is_written, _)| *is_written).map(|(_, name)| folder.join(name)).collect()

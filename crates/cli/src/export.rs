@@ -8,7 +8,7 @@ use crate::trial::{self, Trial};
 use crate::{FAILED, FINDINGS, formats, out, replace};
 use scenelang_base::FileId;
 use scenelang_base::owned::sealed_json;
-use scenelang_export::{Exporter, Loss, losses, mjcf::Mjcf, unity};
+use scenelang_export::{Exporter, Loss, losses, mjcf::Mjcf, unity, urdf::Urdf};
 use scenelang_layout::{Layout, file};
 use scenelang_verify::exit_code;
 use serde_json::{Value, json};
@@ -79,7 +79,7 @@ fn human(exported: &Exported, trial: Option<&Result<Trial, String>>) {
 fn export(args: &Export) -> Result<Exported, String> {
     let error = |message: String| format!("error: {message}");
     let mut room = Room::read(&args.layout, None)?;
-    let mut chosen = formats::chosen(&args.formats, unity::Pipeline::BuiltIn);
+    let mut chosen = chosen(args);
     if args.trial && !chosen.iter().any(|e| e.name() == Mjcf.name()) {
         chosen.push(Box::new(Mjcf));
     }
@@ -110,6 +110,15 @@ fn export(args: &Export) -> Result<Exported, String> {
     let model = args.trial.then(|| args.output.join(Mjcf::model(&scene)));
     let (code, lost) = (exit_code(&room.checked.report), losses(&scene, &chosen));
     Ok(Exported { code, written, lost, taken: answer.taken, model })
+}
+
+/// The exporters asked for. One object alone is no scene, so that nothing else is written with it unless it is named.
+fn chosen(args: &Export) -> Vec<Box<dyn Exporter>> {
+    let Some(object) = &args.object else { return formats::chosen(&args.formats, unity::Pipeline::BuiltIn) };
+    let named = args.formats.all_formats || !args.formats.only.is_empty();
+    let mut out = if named { formats::chosen(&args.formats, unity::Pipeline::BuiltIn) } else { Vec::new() };
+    out.push(Box::new(Urdf { object: object.clone() }));
+    out
 }
 
 /// The text of the layout file with what was edited in an exported scene; `None`: it says the same as before.

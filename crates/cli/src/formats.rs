@@ -3,6 +3,7 @@
 use crate::args::Formats;
 use scenelang_base::plain;
 use scenelang_export::unity::{Pipeline, Unity};
+use scenelang_export::urdf::Urdf;
 use scenelang_export::{Exporter, Loss, all_exporters, exporters};
 use serde_json::{Value, json};
 
@@ -20,6 +21,9 @@ pub fn chosen(asked: &Formats, pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
 pub fn name(text: &str) -> Result<String, String> {
     let all = all_exporters();
     let names: Vec<_> = all.iter().map(|e| e.name()).collect();
+    if text == Urdf::NAME {
+        return Err("urdf is one object; name it with --object, and leave urdf out of --only".to_owned());
+    }
     if names.contains(&text) { Ok(text.to_owned()) } else { Err(format!("there are {}", names.join(", "))) }
 }
 

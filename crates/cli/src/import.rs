@@ -1,13 +1,16 @@
-//! `scenelang import`: the program and the layout of a GLB file or a Unity project, as the scene stands there now.
+//! `scenelang import`: the program and the layout of a GLB file, a USD file or a Unity project, as the scene stands
+//! there now; and of a house or a layout of another system, as far as that says it.
 
 use crate::args::Import;
 use crate::replace::May;
+use crate::solve::color_err;
 use crate::targets::{Target, find};
-use crate::{FAILED, GOOD, out, replace};
+use crate::{FAILED, GOOD, foreign, out, replace};
 use scenelang_base::door::{Door, Named, relative};
-use scenelang_base::plain;
+use scenelang_base::{Diagnostic, SourceMap, plain};
 use scenelang_export::OutFile;
 use scenelang_export::embedded::{self, Embedded};
+use scenelang_verify::report;
 use std::path::{Component, Path, PathBuf};
 
 /// Writes the files; 0 if they are written, 2 if not.
@@ -26,8 +29,15 @@ pub fn run(args: &Import) -> u8 {
 
 fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
     let targets = find(std::slice::from_ref(&args.scene));
-    let [Target::Carrier(path, kind)] = targets.as_slice() else {
-        return Err(format!("{} is neither a GLB file nor the folder of a Unity project", args.scene.display()));
+    let (path, kind) = match targets.as_slice() {
+        [Target::Carrier(path, kind)] => (path, kind),
+        [Target::File(path)] if foreign::may_be(path) => return from_others(args, path),
+        _ => {
+            return Err(format!(
+                "{} is neither a GLB or USD file, nor the folder of a Unity project, nor a JSON file of another system",
+                args.scene.display()
+            ));
+        }
     };
     replace::unedited(&args.output, args.force)?;
     let door = Door::of(path).named(&Named::new([path.as_path()]));
@@ -41,6 +51,27 @@ fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
     }
     let may = May { force: args.force, ..May::default() };
     replace::folder(&args.output, &files(&scene)?, &[path], may)
+}
+
+/// A house or a layout of another system.
+fn from_others(args: &Import, path: &Path) -> Result<Vec<PathBuf>, String> {
+    replace::unedited(&args.output, args.force)?;
+    let door = Door::of(path).named(&Named::new([path]));
+    let name = path.display().to_string();
+    let said = |sources: &SourceMap, findings: &[Diagnostic]| report::diagnostics(findings, sources, color_err());
+    let scene = foreign::open(&name, path, &args.beside, &door).map_err(|refused| {
+        // The report says it with its place; the sentence alone goes to the end.
+        eprint!("{}", said(&refused.0, std::slice::from_ref(&refused.1)));
+        format!("{name} cannot be imported; nothing is written")
+    })?;
+    eprint!("{}", said(&SourceMap::new(), &scene.notes));
+    let beside = |path: &Path| path.file_name().map(PathBuf::from).unwrap_or_default();
+    let files = [(&scene.main, &scene.program), (&scene.layout_path, &scene.layout)];
+    let files = files.map(|(path, text)| OutFile::new(beside(path), text.as_str()));
+    let mut inputs = vec![path];
+    inputs.extend(args.beside.sizes.as_deref());
+    inputs.extend(args.beside.room.as_deref());
+    replace::folder(&args.output, &files, &inputs, May { force: args.force, ..May::default() })
 }
 
 /// The files of a scene, as they stood in relation to each other. Where one stood above the folder of the program, that

@@ -14,6 +14,7 @@ mod eval;
 mod export;
 mod fix;
 mod fmt;
+mod foreign;
 mod formalize;
 mod formats;
 mod import;

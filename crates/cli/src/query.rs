@@ -1,6 +1,6 @@
 //! `scenelang query`: what is known of an object, or of all of them.
 
-use crate::args::{Query as Args, SummaryFormat};
+use crate::args::{Beside, Query as Args, SummaryFormat};
 use crate::check::judge;
 use crate::room::layout_of;
 use crate::solve::color_err;
@@ -22,7 +22,7 @@ pub fn run(args: &Args) -> u8 {
     let named = Named::new([args.scene.as_path()]);
     let door = Door::of(target.path()).named(&named);
     let detail = Detail { all: true, explain: Explain::First(0), ..Detail::default() };
-    let checked = judge(&target, &args.judging, detail, false, &door, &door);
+    let checked = judge(&target, &args.judging, &Beside::default(), detail, false, &door, &door);
     eprint!("{}", said(&checked));
     let found = match query(&checked, args.object.as_deref()) {
         Ok(Some(found)) => found,
@@ -46,7 +46,7 @@ fn target(args: &Args) -> Result<Target, String> {
     match find(std::slice::from_ref(&path)).as_slice() {
         [one @ (Target::File(_) | Target::Carrier(..))] if one.path() == path => Ok(one.clone()),
         _ => Err(format!(
-            "{} is a folder; query takes a program, a layout, a GLB file or the folder of a Unity project",
+            "{} is a folder; query takes a program, a layout, a GLB or USD file or the folder of a Unity project",
             path.display()
         )),
     }

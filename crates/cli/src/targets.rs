@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 pub enum Target {
     /// A program or a layout.
     File(PathBuf),
-    /// A GLB file or a Unity project.
+    /// A GLB file, a USD file or a Unity project.
     Carrier(PathBuf, Carrier),
     /// A folder without anything to judge in it.
     Empty(PathBuf),

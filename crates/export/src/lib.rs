@@ -23,6 +23,7 @@ pub mod preview;
 pub mod scene;
 pub mod sdf;
 pub mod unity;
+pub mod urdf;
 pub mod usd;
 mod xml;
 

@@ -36,7 +36,8 @@ pub enum Command {
     View(View),
     /// Write a layout as it is in other formats: Unity project, glTF, pictures, a page to look at
     Export(Export),
-    /// Write the program and the layout of a GLB file or a Unity project, as the scene stands there now
+    /// Write the program and the layout of a GLB or USD file or a Unity project, as the scene stands there now; or of a house of
+    /// another system
     Import(Import),
     /// Write programs in the standard form
     Fmt(Fmt),
@@ -76,8 +77,8 @@ pub enum Command {
 /// `scenelang check`
 #[derive(ClapArgs, Debug)]
 pub struct Check {
-    /// Programs (`room.scene`), layouts (`room.layout.json`), what `synth` wrote (`room.glb`, a Unity project), and
-    /// folders: all programs and layouts below
+    /// Programs (`room.scene`), layouts (`room.layout.json`), what `synth` wrote (`room.glb`, `room.usda`, a Unity project),
+    /// houses and layouts of AI2-THOR, LayoutVLM and SceneEval (`house.json`), and folders: all programs and layouts below
     #[arg(required = true, value_name = "FILE | FOLDER")]
     pub files: Vec<PathBuf>,
     /// How the report is written; with json, one report per line and file
@@ -110,9 +111,23 @@ pub struct Check {
     /// All of it takes at most so long; what is not judged by then could not be judged (exit 2)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
+    /// What is known of a file of another system
+    #[command(flatten)]
+    pub beside: Beside,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
+}
+
+/// What else is known of a house or a layout of another system.
+#[derive(ClapArgs, Debug, Clone, Default)]
+pub struct Beside {
+    /// For a house or a layout of another system: how large its models are, as a JSON file in which each has a `boundingBox`
+    #[arg(long, value_name = "FILE.json")]
+    pub sizes: Option<PathBuf>,
+    /// For a layout of LayoutVLM: the room that it belongs to
+    #[arg(long, value_name = "FILE.json")]
+    pub room: Option<PathBuf>,
 }
 
 /// `--explain`
@@ -434,6 +449,9 @@ pub struct Export {
     /// Which formats
     #[command(flatten)]
     pub formats: Formats,
+    /// Write this object alone as a robot, in the format `urdf`; other formats as well only if they are named
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
     /// Also write `mjcf`, load it in MuJoCo, and say what overlaps and how far things move in two seconds. It needs Python
     /// with the package mujoco; SCENELANG_PYTHON names which
     #[arg(long = "try")]
@@ -446,9 +464,13 @@ pub struct Export {
 /// `scenelang import`
 #[derive(ClapArgs, Debug)]
 pub struct Import {
-    /// What `synth` or `export` wrote, edited or not: `room.glb`, or the folder of a Unity project
-    #[arg(value_name = "FILE.glb | PROJECT")]
+    /// What `synth` or `export` wrote, edited or not: `room.glb`, `room.usda`, or the folder of a Unity project; or a house or a
+    /// layout of AI2-THOR, LayoutVLM or SceneEval: `house.json`
+    #[arg(value_name = "FILE | PROJECT")]
     pub scene: PathBuf,
+    /// What is known of a file of another system
+    #[command(flatten)]
+    pub beside: Beside,
     /// The folder to write to
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
@@ -460,7 +482,7 @@ pub struct Import {
 /// What `export` and `synth` do where they would write over an exported scene that was edited since.
 #[derive(ClapArgs, Debug, Clone, Copy, Default)]
 pub struct Edits {
-    /// Go on from the exported scene (GLB, Unity project) as it stands there now, with what was edited in it
+    /// Go on from the exported scene (GLB, USD, Unity project) as it stands there now, with what was edited in it
     #[arg(long, conflicts_with = "overwrite")]
     pub take: bool,
     /// Write over exported scenes that were edited, and lose what was changed in them
@@ -610,7 +632,7 @@ pub enum By {
 /// `scenelang query`
 #[derive(ClapArgs, Debug)]
 pub struct Query {
-    /// A program, judged by the layout beside it if there is one; a layout, a GLB file or a Unity project
+    /// A program, judged by the layout beside it if there is one; a layout, a GLB or USD file or a Unity project
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
     /// The object, `chair[2]`, or all elements of an array, `chair`; without it, a table of all objects

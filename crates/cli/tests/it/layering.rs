@@ -18,11 +18,12 @@ const TABLE: &[(&str, &[&str])] = &[
     ("export", &["lang", "layout", "assets", "verify"]),
     ("synth", &["export", "solve", "formalize"]),
     ("catalogue", &["assets"]),
+    ("foreign", &["lang", "layout"]),
     ("eval", &["synth"]),
     ("analysis", &["engine"]),
     ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp", "eval", "catalogue"]),
+    ("cli", &["lsp", "eval", "catalogue", "foreign"]),
     ("grammars", &["lang"]),
 ];
 

@@ -20,6 +20,7 @@ mod examples;
 mod exporting;
 mod faults;
 mod fixing;
+mod foreign;
 mod formats;
 mod groups;
 mod hostile;

@@ -1,7 +1,7 @@
-//! The program and the layout that a GLB file or a Unity project carries, read back as the scene stands now.
+//! The program and the layout that a GLB file, a USD file or a Unity project carries, read back as the scene stands now.
 //!
 //! Somebody may have moved a desk in Blender or in Unity since. So the transforms of the objects are read, too ([`glb`],
-//! [`unity`]) and held against the layout that was embedded ([`edits`]): what was moved is where it was moved to, and
+//! [`usd`], [`unity`]) and held against the layout that was embedded ([`edits`]): what was moved is where it was moved to, and
 //! each change is reported. A scene that nobody changed gives the embedded layout back, to the byte.
 
 mod documents;
@@ -9,6 +9,8 @@ mod edits;
 mod glb;
 mod stand;
 mod unity;
+mod usd;
+mod usda;
 
 pub use edits::differences;
 
@@ -25,6 +27,8 @@ use std::path::{Path, PathBuf};
 pub enum Carrier {
     /// A GLB file.
     Glb,
+    /// A layer of USD as text, or a package with one.
+    Usd,
     /// The folder of a Unity project.
     Unity,
 }
@@ -82,7 +86,12 @@ pub fn carrier(path: &Path) -> Option<Carrier> {
         let unity = path.join("Assets").is_dir() && path.join("ProjectSettings").is_dir();
         return unity.then_some(Carrier::Unity);
     }
-    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb")).then_some(Carrier::Glb)
+    let extension = path.extension()?.to_string_lossy().to_ascii_lowercase();
+    match extension.as_str() {
+        "glb" => Some(Carrier::Glb),
+        "usda" | "usdz" | "usd" => Some(Carrier::Usd),
+        _ => None,
+    }
 }
 
 /// Reads what a carrier, called `name`, holds; files come from `loader`.
@@ -92,6 +101,7 @@ pub fn carrier(path: &Path) -> Option<Carrier> {
 pub fn read(name: &str, path: &Path, carrier: Carrier, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
     match carrier {
         Carrier::Glb => glb::read(name, path, loader),
+        Carrier::Usd => usd::read(name, path, loader),
         Carrier::Unity => unity::read(name, path, loader),
     }
 }

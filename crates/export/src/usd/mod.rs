@@ -133,7 +133,8 @@ fn leaf(path: &str) -> &str {
 fn write_body(out: &mut Usda, body: &Body<'_>, path: &str, through: &[&str], shape: shapes::Use<'_>) {
     let base = Piece { inertia: body.inertia.as_ref().filter(|_| body.loose), through, shape };
     let mut apis = vec!["SemanticsLabelsAPI:category", "SemanticsLabelsAPI:instance"];
-    let mut metadata = vec![format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into()];
+    let mut metadata = own(body, leaf(path));
+    metadata.extend([format!("displayName = {}", quoted(body.name)), "kind = \"component\"".into()]);
     let whole = body.moving.is_empty();
     if whole {
         apis.extend(base.apis());
@@ -150,6 +151,17 @@ fn write_body(out: &mut Usda, body: &Body<'_>, path: &str, through: &[&str], sha
         joints::write(out, path, &base, &body.moving);
     }
     out.end();
+}
+
+/// By what a body is known again when the file is read back: as metadata, a line each.
+fn own(body: &Body<'_>, prim: &str) -> Vec<String> {
+    let said = match body.as_object() {
+        Some(object) => vec![("id", object.name.as_str()), ("prim", prim)],
+        None => vec![("part", body.category())],
+    };
+    let said = said.into_iter().map(|(key, value)| format!("        string {key} = {}", quoted(value)));
+    let begin = ["customData = {".into(), "    dictionary scenelang = {".into()];
+    begin.into_iter().chain(said).chain(["    }".into(), "}".into()]).collect()
 }
 
 /// What is rigid.

@@ -8,4 +8,5 @@ mod pictures;
 mod scene;
 mod simulators;
 mod unity;
+mod usd_back;
 mod written;

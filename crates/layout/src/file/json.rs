@@ -14,19 +14,27 @@ const MAX_FINDINGS: usize = 100;
 
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
+pub struct Node {
+    /// What it is.
     pub value: Json,
+    /// Where it stands.
     pub range: TextRange,
 }
 
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Json {
+pub enum Json {
+    /// `null`
     Null,
+    /// `true` or `false`
     Bool(bool),
+    /// A finite number.
     Number(f64),
+    /// A string, escapes resolved.
     Text(String),
+    /// Items in order.
     Array(Vec<Node>),
+    /// Members in order, each key once.
     Object(Vec<Member>),
     /// Something was here that an error has been reported for.
     Invalid,
@@ -34,21 +42,24 @@ pub(super) enum Json {
 
 /// A member of an object.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Member {
+pub struct Member {
     /// The key, escapes resolved.
     pub key: String,
     /// The key with its quotation marks.
     pub key_range: TextRange,
+    /// The value.
     pub node: Node,
 }
 
 impl Node {
+    /// The members, if it is an object.
     pub fn members(&self) -> Option<&[Member]> {
         match &self.value {
             Json::Object(members) => Some(members),
             _ => None,
         }
     }
+    /// The items, if it is an array.
     pub fn items(&self) -> Option<&[Node]> {
         match &self.value {
             Json::Array(items) => Some(items),
@@ -79,17 +90,20 @@ impl Node {
 }
 
 /// The member of a key.
-pub(super) fn find<'a>(members: &'a [Member], key: &str) -> Option<&'a Member> {
+pub fn find<'a>(members: &'a [Member], key: &str) -> Option<&'a Member> {
     members.iter().find(|m| m.key == key)
 }
 
 /// Findings in one file.
-pub(super) struct Findings {
+#[derive(Debug)]
+pub struct Findings {
     file: FileId,
+    /// As they were found, the first hundred of them.
     pub list: Vec<Diagnostic>,
 }
 
 impl Findings {
+    /// None yet.
     pub fn new(file: FileId) -> Self {
         Self { file, list: Vec::new() }
     }
@@ -97,6 +111,7 @@ impl Findings {
     pub fn add(&mut self, code: Code, at: TextRange, message: impl Into<String>) {
         self.push(Diagnostic::new(code, at, message));
     }
+    /// Adds a finding that says more.
     pub fn push(&mut self, finding: Diagnostic<TextRange>) {
         if self.list.len() < MAX_FINDINGS {
             self.list.push(finding.map_places(|range| range.in_file(self.file)));
@@ -105,7 +120,7 @@ impl Findings {
 }
 
 /// Reads a text; `None` where nothing of use came of it.
-pub(super) fn parse(text: &str, findings: &mut Findings) -> Option<Node> {
+pub fn parse(text: &str, findings: &mut Findings) -> Option<Node> {
     let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let mut parser = Parser { text, at: start, depth: 0, findings };
     parser.blanks();

@@ -1,7 +1,7 @@
 //! The layout file: read with positions, checked as far as that needs no program, and written back.
 
 mod joints;
-mod json;
+pub mod json;
 mod places;
 mod read;
 mod write;
