@@ -19,10 +19,11 @@ const TABLE: &[(&str, &[&str])] = &[
     ("synth", &["export", "solve", "formalize"]),
     ("catalogue", &["assets"]),
     ("eval", &["synth"]),
+    ("sample", &["synth"]),
     ("analysis", &["engine"]),
     ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp", "eval", "catalogue"]),
+    ("cli", &["lsp", "eval", "sample", "catalogue"]),
     ("grammars", &["lang"]),
 ];
 
