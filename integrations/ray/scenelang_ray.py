@@ -26,6 +26,16 @@ def is_store(output):
     return "://" in output
 
 
+def opened(output):
+    """The store, and where in it."""
+    import fsspec
+
+    store, root = fsspec.core.url_to_fs(output)
+    if "file" in (store.protocol if isinstance(store.protocol, tuple) else (store.protocol,)):
+        store.makedirs(root, exist_ok=True)
+    return store, root
+
+
 def summary_of(index, of):
     """As scenelang calls the summary of a shard."""
     return f"summary-{index:05}-of-{of:05}.json"
@@ -47,9 +57,7 @@ def shard(binary, manifest, output, index, of, more):
 
     if not is_store(output):
         return work(output)
-    import fsspec
-
-    store, root = fsspec.core.url_to_fs(output)
+    store, root = opened(output)
     with tempfile.TemporaryDirectory() as folder:
         # What an earlier try has stored is done.
         if store.exists(root):
@@ -69,9 +77,7 @@ def merge(binary, output):
     """One list of all results."""
     if not is_store(output):
         return batch(binary, ["merge", output])
-    import fsspec
-
-    store, root = fsspec.core.url_to_fs(output)
+    store, root = opened(output)
     with tempfile.TemporaryDirectory() as folder:
         for path in store.ls(root, detail=False):
             name = path.rsplit("/", 1)[-1]

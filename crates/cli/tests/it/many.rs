@@ -42,24 +42,32 @@ fn sample(folder: &Path, args: &[&str]) -> Ended {
     ended
 }
 
+/// What one run writes, and that two threads and so many parts write the same.
+fn same_bytes(text: &str, parts: &[usize]) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.scene"), text).unwrap();
+    sample(folder.path(), &["-n", "20", "--jobs", "1", "-o", "one"]);
+    let one = joined(&folder.path().join("one"), ".jsonl");
+    assert_eq!(one.lines().count(), 20);
+    sample(folder.path(), &["-n", "20", "--jobs", "2", "-o", "two"]);
+    assert_eq!(joined(&folder.path().join("two"), ".jsonl"), one);
+    for of in parts {
+        let split = format!("split{of}");
+        for index in 0..*of {
+            sample(folder.path(), &["-n", "20", "--shard", &format!("{index}/{of}"), "-o", &split]);
+        }
+        assert_eq!(joined(&folder.path().join(&split), ".jsonl"), one, "{of}");
+    }
+}
+
 #[test]
 fn samples_are_the_same_however_they_are_split() {
-    for text in [ROOM, &fixed()] {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("room.scene"), text).unwrap();
-        sample(folder.path(), &["-n", "20", "--jobs", "1", "-o", "one"]);
-        let one = joined(&folder.path().join("one"), ".jsonl");
-        assert_eq!(one.lines().count(), 20);
-        sample(folder.path(), &["-n", "20", "--jobs", "2", "-o", "two"]);
-        assert_eq!(joined(&folder.path().join("two"), ".jsonl"), one);
-        for of in [3, 16] {
-            let split = format!("split{of}");
-            for index in 0..of {
-                sample(folder.path(), &["-n", "20", "--shard", &format!("{index}/{of}"), "-o", &split]);
-            }
-            assert_eq!(joined(&folder.path().join(&split), ".jsonl"), one, "{of}");
-        }
-    }
+    same_bytes(ROOM, &[3, 16]);
+}
+
+#[test]
+fn so_are_samples_that_all_have_the_same_sizes() {
+    same_bytes(&fixed(), &[3]);
 }
 
 #[test]
@@ -72,7 +80,7 @@ fn a_sample_is_a_layout_that_holds() {
     for (i, line) in joined(&folder.path().join("out"), ".jsonl").lines().enumerate() {
         let file = folder.path().join(format!("out/s{i}.layout.json"));
         fs::write(&file, line).unwrap();
-        let ended = scenelang(folder.path(), ["check", file.to_str().unwrap()]);
+        let ended = scenelang(folder.path(), ["check", file.to_str().unwrap(), "room.scene"]);
         assert_eq!(ended.code, 0, "{ended:?}");
         assert!(folder.path().join(format!("out/sample-{i:09}/sample-{i:09}.glb")).is_file());
     }
@@ -138,7 +146,7 @@ fn bad_lines_stop_nothing_and_shards_make_what_one_run_makes() {
     assert_eq!(kinds, ["", "input", "", "contradiction", "line", "line", "", "", "line", ""], "{summary:#}");
     assert!(summary["results"][5]["error"]["message"].as_str().unwrap().contains("10.0 MiB"), "{summary:#}");
     for name in ["room-0", "file"] {
-        let checked = scenelang(folder, ["check", &format!("one/{name}.layout.json")]);
+        let checked = scenelang(folder, ["check", &format!("one/{name}.layout.json"), "room.scene"]);
         assert_eq!(checked.code, 0, "{checked:?}");
     }
     // The same command has nothing more to do, and says the same.
