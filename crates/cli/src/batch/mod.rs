@@ -15,6 +15,7 @@ use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, out, parallel, repla
 use manifest::{Job, Line, lines};
 use record::{Kind, Record, Trouble, layout_of, scene_of};
 use scenelang_base::door::Door;
+use scenelang_base::owned::{Standing, standing};
 use serde::{Deserialize, Serialize};
 use std::io::{Read, Write};
 use std::path::Path;
@@ -173,9 +174,9 @@ fn one(args: &BatchRun, program: &Path, line: &Line) -> Option<(Outcome, bool)> 
         }
     }
     if let Some(record) = Record::of(&args.output, line).filter(|record| record.ok || !args.retry) {
-        // A scene that somebody took away is made again.
-        let door = Door::within(&args.output);
-        let is_there = |name: &Option<String>| name.as_ref().is_none_or(|name| door.is_file(&args.output.join(name)));
+        // A scene that somebody took away is made again, and so is one that was edited, where that is to be lost.
+        let is_ours = |path: &Path| standing(path).is_ok_and(|is| is == Standing::Ours);
+        let is_there = |name: &Option<String>| name.as_ref().is_none_or(|name| is_ours(&args.output.join(name)));
         if is_there(&record.scene) && is_there(&record.layout) {
             return Some((of(record), true));
         }

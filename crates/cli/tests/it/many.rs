@@ -172,8 +172,8 @@ fn bad_lines_stop_nothing_and_shards_make_what_one_run_makes() {
 #[test]
 fn a_line_has_its_time_and_a_failed_one_is_tried_again_on_demand() {
     let folder = tempfile::tempdir().unwrap();
-    let hopeless = fixed()
-        + &"object more[60]; more.dimensions <- vec3(0.5, 0.5, 0.5); assert forall m in more: onFloor(m, room);";
+    let hopeless =
+        fixed() + "object more[60]; more.dimensions <- vec3(0.5, 0.5, 0.5); assert forall m in more: onFloor(m, room);";
     let line =
         format!("{{\"name\": \"long\", \"effort\": 1000, \"source\": {}}}", serde_json::to_string(&hopeless).unwrap());
     fs::write(folder.path().join("jobs.jsonl"), line + "\n{\"name\": \"short\", \"source\": \"object a;\"}").unwrap();

@@ -163,7 +163,7 @@ fn text_of(which: usize) -> String {
 
 /// Whether samples of a program and layouts drawn plainly can be told apart: the chance that two samples of one distribution
 /// are as far from each other.
-fn likeness(text: &str, whole: bool, count: usize) -> f64 {
+fn likeness(text: &str, whole: bool, count: usize, partitions: usize) -> f64 {
     let compiled = compiled(text);
     let program = compiled.program.as_ref().expect("it compiles");
     let ours: Vec<Vec<f64>> = samples(program, whole, count as u64)
@@ -171,16 +171,17 @@ fn likeness(text: &str, whole: bool, count: usize) -> f64 {
         .map(|drawn| features(program, &drawn.result.as_ref().expect("each sample is good").layout))
         .collect();
     let theirs: Vec<Vec<f64>> = plain(program, count, 99).iter().map(|layout| features(program, layout)).collect();
-    distance_test(&ours, &theirs, 300)
+    distance_test(&ours, &theirs, partitions)
 }
 
-/// Both ways to draw, on a program of the list: so many samples drawn as a whole, so many by chains.
-fn alike(which: usize, counts: [usize; 2]) {
+/// Both ways to draw, on a program of the list: so many samples drawn as a whole, so many by chains. `level`: how seldom the
+/// test fails where there is nothing to find.
+fn alike(which: usize, counts: [usize; 2], level: f64) {
     let text = text_of(which);
     for (whole, count) in std::iter::zip([true, false], counts) {
-        let chance = likeness(&text, whole, count);
+        let chance = likeness(&text, whole, count, (3.0 / level) as usize);
         eprintln!("{}, {}: {chance:.4}", PROGRAMS[which].0, if whole { "as a whole" } else { "by chains" });
-        assert!(chance >= 0.01, "drawn as a whole: {whole}; the chance is {chance:.4}\n{text}");
+        assert!(chance >= level, "drawn as a whole: {whole}; the chance is {chance:.4}\n{text}");
     }
 }
 
@@ -189,7 +190,8 @@ macro_rules! alike {
     ($($name:ident: $which:expr, $counts:expr;)*) => {
         $(#[test]
         fn $name() {
-            alike($which, $counts);
+            // There are many of these tests, and each speaks of few samples.
+            alike($which, $counts, 0.001);
         })*
     };
 }
@@ -207,8 +209,9 @@ alike! {
 #[test]
 #[ignore = "minutes: 2,000 samples of each program, both ways"]
 fn many_are_spread_as_plainly_drawn_ones() {
-    let failed: Vec<usize> =
-        (0..PROGRAMS.len()).filter(|which| std::panic::catch_unwind(|| alike(*which, [2000, 2000])).is_err()).collect();
+    let failed: Vec<usize> = (0..PROGRAMS.len())
+        .filter(|which| std::panic::catch_unwind(|| alike(*which, [2000, 2000], 0.01)).is_err())
+        .collect();
     assert!(failed.len() <= 1, "{failed:?}");
 }
 
