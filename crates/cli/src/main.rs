@@ -5,6 +5,7 @@ mod out;
 
 mod args;
 mod assets;
+mod batch;
 mod bench;
 mod check;
 mod consent;
@@ -31,6 +32,7 @@ mod query;
 mod repair;
 mod replace;
 mod room;
+mod sample;
 mod settings;
 mod solution;
 mod solve;
@@ -43,7 +45,7 @@ mod view;
 mod watch;
 mod words;
 
-use args::{Args, Assets, Bench, Command, Eval};
+use args::{Args, Assets, Batch, BatchCommand, Bench, Command, Eval};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -65,6 +67,12 @@ fn main() -> ExitCode {
         Command::Repair(repair) => repair::run(&repair),
         Command::Formalize(args) => formalize::run(&args),
         Command::Synth(synth) => synth::run(&synth),
+        Command::Sample(args) => sample::run(&args),
+        Command::Batch(Batch { command: Some(BatchCommand::Merge(args)), .. }) => batch::merge(&args),
+        Command::Batch(Batch { run: Some(args), .. }) => batch::run(&args),
+        // It asks for one of the two before it comes to this.
+        Command::Batch(_) => FAILED,
+        Command::BatchLine => batch::worker(),
         Command::View(view) => view::run(&view),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),

@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 /// What the summary as JSON calls itself.
 const SYNTHESIS: &str = "scenelang.synthesis/1";
 /// The part of the work for preferences that is done where the furniture has its places already.
-const PLANNED: u8 = 20;
+pub const PLANNED: u8 = 20;
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {

@@ -256,6 +256,40 @@ impl<'a> Candidate<'a> {
     /// Makes changes as a trial. `Some`: by how much everything now costs more (or less, if negative); the trial must
     /// then be kept or taken back. `None`: more than `limit`; all is as it was.
     pub fn attempt(&mut self, changes: &[Change], limit: f64) -> Option<f64> {
+        let touched = self.make(changes);
+        let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>();
+        let mut after = 0.0;
+        for check in touched {
+            after += self.weight[check] * self.measure_again(check).0;
+            if after - before > limit {
+                self.undo();
+                return None;
+            }
+        }
+        if after - before > limit {
+            self.undo();
+            return None;
+        }
+        Some(after - before)
+    }
+
+    /// Makes changes as a trial that has to leave all in force that must hold; what is preferred, and ways over the floor,
+    /// are not looked at. `Ok`: the trial must then be kept or taken back. `Err`: a check that it breaks; all is as it was.
+    ///
+    /// # Errors
+    /// See above.
+    pub fn attempt_holding(&mut self, changes: &[Change]) -> Result<(), usize> {
+        for check in self.make(changes) {
+            if self.is_hard(check) && !self.measure_again(check).1 {
+                self.undo();
+                return Err(check);
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes changes, and follows the rules; the checks that this may alter.
+    fn make(&mut self, changes: &[Change]) -> Vec<usize> {
         debug_assert!(!self.journal.open, "a trial within a trial");
         self.journal.open = true;
         let mut objects: Vec<ObjectId> = Vec::with_capacity(changes.len());
@@ -279,24 +313,15 @@ impl<'a> Candidate<'a> {
             }
         }
         self.obey_rules(&mut objects, &mut swept, &regions, &variables);
-        let touched = self.touched(&objects, &regions, &variables, &swept);
-        let before: f64 = touched.iter().map(|&c| self.weight[c] * self.cost[c]).sum::<f64>();
-        let mut after = 0.0;
-        for check in touched {
-            let (cost, holds) = self.measure(check);
-            self.journal.costs.push((check, self.cost[check], self.holds[check]));
-            (self.cost[check], self.holds[check]) = (cost, holds);
-            after += self.weight[check] * cost;
-            if after - before > limit {
-                self.undo();
-                return None;
-            }
-        }
-        if after - before > limit {
-            self.undo();
-            return None;
-        }
-        Some(after - before)
+        self.touched(&objects, &regions, &variables, &swept)
+    }
+
+    /// Measures a check in a trial.
+    fn measure_again(&mut self, check: usize) -> (f64, bool) {
+        let measured = self.measure(check);
+        self.journal.costs.push((check, self.cost[check], self.holds[check]));
+        (self.cost[check], self.holds[check]) = measured;
+        measured
     }
 
     /// Keeps the trial.

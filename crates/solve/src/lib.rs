@@ -8,6 +8,7 @@
 //!   EnforceBounds ([`pipeline::bounds`]), before the local search goes on from there.
 //! - [`repair`]: the fewest and shortest moves after which what failed holds.
 //! - [`diagnose`], [`freedom`]: what is in the way, and how far things may move.
+//! - [`Ground`]: a layout for those who change it otherwise than a search does.
 //! - [`external`]: steps in place of the solver's own; a language model may be one of the proposers.
 //!
 //! What holds, and by how much, is asked of the one evaluator (`verify`); no predicate is known here by name.
@@ -18,6 +19,7 @@ mod alternatives;
 mod diagnose;
 mod external;
 mod freedom;
+mod ground;
 mod pipeline;
 mod problem;
 pub mod repair;
@@ -28,6 +30,7 @@ pub use external::model::{Asking, Finisher, Hybrid, ModelProposer, Tally, hybrid
 pub use external::steps::{Bounds, Placer, Proposer, Relaxer, Selector, Steps};
 pub use external::view::{Concern, Move, Proposal, View};
 pub use freedom::{FAR, Free, Freedom, freedom};
+pub use ground::Ground;
 pub use pipeline::{solve, solve_with};
 pub use problem::draws::draws;
 pub use problem::pose::Pose;

@@ -1,9 +1,11 @@
 //! Options of the command line.
 
 mod assets;
+mod many;
 mod measure;
 
 pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsList, AssetsSearch};
+pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
 pub use measure::{Bench, BenchSolve, Eval, EvalRequests, EvalSceneEval};
 
 use crate::settings;
@@ -32,6 +34,13 @@ pub enum Command {
     Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
     Synth(Synth),
+    /// Draw many verified layouts of a program, uniformly, and say how far they are spread
+    Sample(Sample),
+    /// Make a scene for each line of a manifest; what is done already is kept
+    Batch(Batch),
+    /// Work on one line of a manifest: `batch` starts it
+    #[command(hide = true)]
+    BatchLine,
     /// Show a layout in the browser, follow every change, and let objects be dragged
     View(View),
     /// Write a layout as it is in other formats: Unity project, glTF, pictures, a page to look at

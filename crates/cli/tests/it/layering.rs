@@ -20,10 +20,11 @@ const TABLE: &[(&str, &[&str])] = &[
     ("catalogue", &["assets"]),
     ("foreign", &["lang", "layout"]),
     ("eval", &["synth"]),
+    ("sample", &["synth"]),
     ("analysis", &["engine"]),
     ("ide", &["analysis"]),
     ("lsp", &["ide", "synth"]),
-    ("cli", &["lsp", "eval", "catalogue", "foreign"]),
+    ("cli", &["lsp", "eval", "sample", "catalogue", "foreign"]),
     ("grammars", &["lang"]),
 ];
 

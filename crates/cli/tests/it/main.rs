@@ -32,6 +32,7 @@ mod interrupts;
 mod kills;
 mod layering;
 mod licences;
+mod many;
 mod model;
 mod permissions;
 mod pipes;

@@ -12,7 +12,7 @@ use std::process::Stdio;
 const CLOSED: i32 = 141;
 
 /// Commands in a folder with `bedroom.scene` and a layout of it, each with more to print than nothing.
-const COMMANDS: [&[&str]; 30] = [
+const COMMANDS: [&[&str]; 32] = [
     &["check", "bedroom.scene"],
     &["formalize", "a bedroom with a bed and two lamps"],
     &["formalize", "a bedroom with a bed and two lamps", "--format", "json"],
@@ -33,6 +33,8 @@ const COMMANDS: [&[&str]; 30] = [
     &["repair", "bedroom.layout.json", "--dry-run", "--format", "json"],
     &["export", "bedroom.layout.json", "-o", "out"],
     &["import", "out/bedroom.glb", "-o", "back"],
+    &["sample", "box.scene", "-n", "1", "-o", "samples"],
+    &["batch", "jobs.jsonl", "-o", "many"],
     &["fmt", "-"],
     &["explain", "V0101"],
     &["schema", "report"],
@@ -63,6 +65,8 @@ fn room() -> tempfile::TempDir {
     let (folder, scene) = folder_with("bedroom");
     let (code, said) = run(folder.path(), &["solve", "bedroom.scene"], Stdio::null());
     assert_eq!(code, Some(0), "{said} {}", scene.display());
+    std::fs::write(folder.path().join("box.scene"), "object a;").unwrap();
+    std::fs::write(folder.path().join("jobs.jsonl"), "{\"source\": \"object a;\"}").unwrap();
     folder
 }
 

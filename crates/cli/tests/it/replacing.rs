@@ -14,7 +14,7 @@ const BROKEN: &str = r#"{ "format": "scenelang.layout/1", "scene": "broken.scene
 const MINE: &str = "this is mine\n";
 
 /// Every command that writes: its arguments, and a file that it writes.
-const COMMANDS: [(&[&str], &str); 11] = [
+const COMMANDS: [(&[&str], &str); 13] = [
     (&["solve", "room.scene"], "room.layout.json"),
     (&["solve", "room.scene", "-o", "other.json"], "other.json"),
     (&["solve", "room.scene", "--alternatives", "2", "-o", "some.layout.json"], "some.2.layout.json"),
@@ -24,6 +24,8 @@ const COMMANDS: [(&[&str], &str); 11] = [
     (&["synth", "room.scene", "-o", "out"], "out/room.layout.json"),
     (&["export", "room.layout.json", "--only", "plan,glb", "-o", "out"], "out/plan.svg"),
     (&["import", "room.glb", "-o", "back"], "back/room.scene"),
+    (&["sample", "room.scene", "-n", "2", "-o", "samples"], "samples/samples-000000000.jsonl"),
+    (&["batch", "jobs.jsonl", "-o", "many"], "many/box.layout.json"),
     (&["eval", "requests", "requests", "--untried", "-o", "programs"], "programs/one.scene"),
     (&["bench", "solve", "room.scene", "-o", "record.json", "--layouts", "layouts"], "record.json"),
 ];
@@ -33,6 +35,7 @@ fn prepared() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
     fs::write(at("room.scene"), ROOM).unwrap();
+    fs::write(at("jobs.jsonl"), "{\"name\": \"box\", \"source\": \"object a;\"}").unwrap();
     fs::create_dir(at("requests")).unwrap();
     fs::write(at("requests/one.txt"), "A room with a bed.").unwrap();
     fs::write(at("requests/one.expect.json"), TRUTH).unwrap();

@@ -222,6 +222,12 @@ fn new() {
     survives(&[], &["new", "new.scene"]);
 }
 
+/// What ends `batch` has processes of its own to end, which is tried in `many`.
+#[test]
+fn sample() {
+    survives(&[], &["sample", "room.scene", "-n", "20", "-o", "samples"]);
+}
+
 #[test]
 fn eval() {
     survives(&[], &["eval", "requests", "requests", "-o", "programs"]);

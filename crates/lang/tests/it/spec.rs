@@ -165,6 +165,7 @@ fn every_block_is_executed() {
                     page.path == Path::new("command-line.md")
                         && after(|b| b.info.starts_with("json layout") || b.info.starts_with("text query"))
                 }
+                ["json", "jobs"] => page.path == Path::new("many-scenes.md"),
                 ["toml", "own"] | ["text", "asking"] => page.path == Path::new("models.md"),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["ebnf"] => page.path.starts_with("reference"),

@@ -30,7 +30,7 @@ pub(crate) fn layout(
     if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
 }
 
-fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
+pub(crate) fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
     let mut layout = setup.layout.clone();
     let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
     for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {

@@ -62,6 +62,10 @@ impl Repository {
             ("repo/room.layout.json", LAYOUT),
             // A file of the repository that is none of ours: whatever names it, it stays as it is.
             ("repo/tool.js", TOOL),
+            (
+                "repo/jobs.jsonl",
+                "{\"name\": \"one\", \"program\": \"room.scene\"}\n{\"program\": \"../home/.ssh/key\"}\n",
+            ),
             ("repo/good.scene", "object good;;\nassert good.pos.x > 1;\n"),
         ] {
             let path = made.around.path().join(file);
@@ -189,6 +193,8 @@ const COMMANDS: &[&[&str]] = &[
     &["fmt", "room.scene"],
     &["solve", "room.scene"],
     &["synth", "room.scene"],
+    &["sample", "room.scene", "-n", "1", "-o", "samples"],
+    &["batch", "jobs.jsonl", "-o", "many"],
     &["solve", "room.scene", "-o", "out/room.layout.json"],
 ];
 

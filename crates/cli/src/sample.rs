@@ -1,0 +1,299 @@
+//! `scenelang sample`: many verified layouts of one program, and how far they are spread.
+
+use crate::args::{Sample, SummaryFormat};
+use crate::check::color;
+use crate::progress::Progress;
+use crate::replace::May;
+use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, out, parallel, replace, settings, solution, solve};
+use scenelang_base::door::Door;
+use scenelang_engine::{check_layout_of, check_program};
+use scenelang_export::{Exporter, OutFile, Scene, SceneInput, all_exporters};
+use scenelang_lang::{Compiled, Program, compile_file};
+use scenelang_sample::{Coverage, Drawn, Sampler, Settings};
+use scenelang_synth::{Failure, Hold, Observer, Request, Stage, too_large};
+use scenelang_verify::prove::{ProveOptions, WORK, prove};
+use scenelang_verify::report::{self, Human, statement_id};
+use scenelang_verify::{Checked, exit_code};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What the report calls itself.
+const FORMAT: &str = "scenelang.samples/1";
+/// So many samples are in one file: it is written as a whole, and a run of any length needs no more memory than that.
+const PIECE: u64 = 1_000;
+/// The part of the usual work that goes into proofs before anything is drawn; where no layout is found, more is tried.
+const CHEAP: u64 = 6;
+/// The file of the report.
+const REPORT: &str = "report.json";
+
+/// Draws and writes; 0 if all samples for whose draws there is a layout are stored, 1 if there is none.
+pub fn run(args: &Sample) -> u8 {
+    interrupt::gently();
+    let name = args.scene.display().to_string();
+    let judging = match settings::all(&args.judging, &Door::of(&args.scene)) {
+        Ok((judging, _)) => judging,
+        Err(refused) => return solve::explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
+    let compiled = compile_file(&name, &args.scene, scenelang_lang::Options::default());
+    let Some(program) = &compiled.program else {
+        return solve::explain(&Failure::Input(compiled.sources, compiled.diagnostics));
+    };
+    if let Some(finding) = too_large(program) {
+        return solve::explain(&Failure::Input(compiled.sources, vec![finding]));
+    }
+    let work = WORK / CHEAP;
+    let options =
+        ProveOptions { judging: judging.options, redundant: false, usual: true, work, ..ProveOptions::default() };
+    let findings = prove(program, &options);
+    if !findings.contradictions.is_empty() {
+        return contradiction(args, &name, &check_program(&name, compiled, &findings, &judging.options));
+    }
+    let run = Run { args, name: &name, judge: judging.options, compiled: &compiled, program };
+    match run.all() {
+        Ok(code) => code,
+        Err(message) => {
+            eprintln!("error: {message}");
+            FAILED
+        }
+    }
+}
+
+/// Says which statements cannot hold together.
+fn contradiction(args: &Sample, name: &str, checked: &Checked) -> u8 {
+    match args.format {
+        SummaryFormat::Json => println!("{}", solution::refuted(name, checked)),
+        SummaryFormat::Human => {
+            out::show(&report::human(checked, Human { color: color(), all: false }));
+            out::show("no sample was written: there is no layout in which all of it holds\n");
+        }
+    }
+    exit_code(&checked.report)
+}
+
+struct Run<'a> {
+    args: &'a Sample,
+    name: &'a str,
+    judge: scenelang_verify::Options,
+    compiled: &'a Compiled,
+    program: &'a Program,
+}
+
+impl Run<'_> {
+    fn all(&self) -> Result<u8, String> {
+        let args = self.args;
+        let folder = args.shard.folder(&args.output);
+        let range = args.shard.range(args.number);
+        let pieces = pieces(range.clone());
+        let inputs = [args.scene.as_path()];
+        for name in pieces.iter().map(file_of).chain([REPORT.to_owned()]) {
+            replace::permit(&folder.join(name), &inputs, args.force)?;
+        }
+        let progress = Progress::new("looking for layouts to begin at");
+        let settings = Settings {
+            seed: args.seed,
+            judge: self.judge,
+            effort: args.effort,
+            budget: 0,
+            // As seen from the folder of all parts, so that it is the same in each.
+            scene: solve::relative(&args.scene, &args.output.join(REPORT)),
+            whole: true,
+            stop: interrupt::stop(),
+        };
+        let Some(sampler) = Sampler::new(self.program, settings) else {
+            drop(progress);
+            return Ok(self.none());
+        };
+        let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
+        let mut coverage = Coverage::new(self.program);
+        let mut files = Vec::new();
+        for piece in &pieces {
+            let mut text = String::new();
+            let mut failure = None;
+            let numbers: Vec<u64> = piece.clone().collect();
+            let draw = |number: &u64| self.draw(&sampler, *number, &folder);
+            parallel::in_order(&numbers, jobs, draw, |(drawn, exported)| {
+                coverage.add(&drawn);
+                if let Ok(sample) = &drawn.result {
+                    text += &sample.line;
+                    text.push('\n');
+                }
+                failure = failure.take().or(exported.err());
+                progress.say(format!("{} of {} samples", coverage.asked, range.end - range.start));
+            });
+            if interrupt::asked() {
+                drop(progress);
+                eprintln!("interrupted; {} files of whole pieces are written", files.len());
+                return Ok(INTERRUPTED);
+            }
+            if let Some(message) = failure {
+                return Err(message);
+            }
+            files.push(file_of(piece));
+            let file = OutFile::new(file_of(piece), text);
+            replace::folder(&folder, &[file], &inputs, May { force: args.force, these: &[] })?;
+        }
+        drop(progress);
+        if coverage.stored == 0 && range.start < range.end {
+            return Ok(self.none());
+        }
+        let report = self.report(&coverage, &files);
+        let file = OutFile::new(REPORT, format!("{report:#}\n"));
+        replace::folder(&folder, &[file], &inputs, May { force: args.force, these: &[] })?;
+        match args.format {
+            SummaryFormat::Json => println!("{report}"),
+            SummaryFormat::Human => {
+                out::show(&coverage.text(self.program, &|index| self.statement(index)));
+                out::show(&format!("{} written\n", folder.display()));
+            }
+        }
+        Ok(if coverage.unverified > 0 { FINDINGS } else { GOOD })
+    }
+
+    /// One sample, and its files in the formats asked for.
+    fn draw(&self, sampler: &Sampler<'_>, number: u64, folder: &Path) -> (Drawn, Result<(), String>) {
+        let drawn = sampler.sample(number);
+        let exported = match &drawn.result {
+            Ok(sample) if !self.args.export.is_empty() => self.export(&sample.line, number, folder),
+            _ => Ok(()),
+        };
+        (drawn, exported)
+    }
+
+    fn export(&self, line: &str, number: u64, folder: &Path) -> Result<(), String> {
+        let stem = format!("sample-{number:09}");
+        let called = format!("{stem}.layout.json");
+        let program = (self.name, self.args.scene.as_path());
+        let reading = scenelang_lang::Options::default();
+        let door = Door::of(&self.args.scene);
+        let checked = check_layout_of(&called, line.to_owned(), program, &self.judge, reading, &door);
+        let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else {
+            return Err(format!("{stem} cannot be read again"));
+        };
+        let report = serde_json::to_value(&checked.report).map_err(|e| e.to_string())?;
+        let files: Vec<_> = self
+            .compiled
+            .sources
+            .iter()
+            .filter_map(|(_, own)| checked.sources.iter().find(|(_, file)| file.path() == own.path()).map(|(id, _)| id))
+            .collect();
+        let input = SceneInput {
+            name: &stem,
+            program,
+            sources: &checked.sources,
+            files: &files,
+            layout,
+            layout_text: line,
+            report: &report,
+        };
+        let scene = Scene::build(&input).map_err(|e| format!("{stem}: {e}"))?;
+        let chosen = all_exporters().into_iter().filter(|e| self.args.export.iter().any(|name| name == e.name()));
+        let mut files = Vec::new();
+        for exporter in chosen {
+            files.extend(Exporter::files(&*exporter, &scene).map_err(|e| format!("{stem}: {e}"))?);
+        }
+        replace::folder(&folder.join(&stem), &files, &[&self.args.scene], May { force: self.args.force, these: &[] })?;
+        Ok(())
+    }
+
+    fn statement(&self, index: usize) -> String {
+        statement_id(self.name, &self.compiled.sources, self.program.constraints[index].span)
+    }
+
+    fn report(&self, coverage: &Coverage, files: &[String]) -> Value {
+        let args = self.args;
+        let mut report = json!({
+            "format": FORMAT,
+            "program": self.name,
+            "seed": args.seed,
+            "shard": { "index": args.shard.index, "of": args.shard.of },
+            "files": files,
+        });
+        if let (Some(own), Value::Object(more)) =
+            (report.as_object_mut(), coverage.json(self.program, &|i| self.statement(i)))
+        {
+            own.extend(more);
+        }
+        report
+    }
+
+    /// Says why there is no sample: what is proved, or what comes closest to a layout.
+    fn none(&self) -> u8 {
+        let stop = interrupt::stop();
+        if stop.is_set() {
+            eprintln!("interrupted; nothing was written");
+            return INTERRUPTED;
+        }
+        let request = Request {
+            name: self.name,
+            path: &self.args.scene,
+            start: None,
+            layout_name: "closest.layout.json",
+            scene_member: "",
+            hold: Hold::Nothing,
+            time: None,
+            alternatives: None,
+            free: 0,
+            threads: 0,
+            effort: self.args.effort,
+            quality: 0,
+            stop: &stop,
+            seed: self.args.seed,
+            judge: self.judge,
+        };
+        match scenelang_synth::solve(&request, &mut Silent) {
+            Err(Failure::Contradiction(checked)) => contradiction(self.args, self.name, &checked),
+            Err(failure) => solve::explain(&failure),
+            Ok(solved) => {
+                match self.args.format {
+                    SummaryFormat::Json => println!("{}", report::json(&solved.first.checked.report)),
+                    SummaryFormat::Human => {
+                        out::show(&report::human(&solved.first.checked, Human { color: color(), all: false }));
+                        out::show(
+                            "no sample was written: no layout was found in which all holds that must; what comes closest is above\n",
+                        );
+                    }
+                }
+                FINDINGS
+            }
+        }
+    }
+}
+
+/// Nobody wants to know how far it is.
+struct Silent;
+
+impl Observer for Silent {
+    fn enter(&mut self, _stage: Stage) {}
+    fn leave(&mut self, _stage: Stage) {}
+    fn solving(&mut self, _progress: &scenelang_solve::Progress) {}
+}
+
+/// The samples of each file: cut at the same numbers however the work is split, and at the ends of the part.
+fn pieces(range: std::ops::Range<u64>) -> Vec<std::ops::Range<u64>> {
+    let mut pieces = Vec::new();
+    let mut from = range.start;
+    while from < range.end {
+        let to = ((from / PIECE + 1) * PIECE).min(range.end);
+        pieces.push(from..to);
+        from = to;
+    }
+    pieces
+}
+
+/// By the number of its first sample, so that files in the order of their names are samples in order.
+fn file_of(piece: &std::ops::Range<u64>) -> String {
+    format!("samples-{:09}.jsonl", piece.start)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_are_cut_at_whole_thousands() {
+        assert_eq!(pieces(0..2500), [0..1000, 1000..2000, 2000..2500]);
+        assert_eq!(pieces(999..1001), [999..1000, 1000..1001]);
+        assert!(pieces(5..5).is_empty());
+        assert_eq!(file_of(&(1000..2000)), "samples-000001000.jsonl");
+    }
+}
