@@ -22,6 +22,7 @@ mod faults;
 mod fixing;
 mod formats;
 mod groups;
+mod guides;
 mod hostile;
 mod hostile_models;
 #[cfg(unix)]
@@ -31,6 +32,8 @@ mod interrupts;
 mod kills;
 mod layering;
 mod licences;
+mod manual;
+mod mcp;
 mod model;
 mod permissions;
 mod pipes;
