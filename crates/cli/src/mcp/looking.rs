@@ -70,8 +70,7 @@ pub fn vocabulary(_: &Call<'_>, Vocabulary { word }: Vocabulary) -> Answered {
         .map(|(name, size)| json!({ "name": name, "usual_size": size, "role": roles::role_of(name).to_string() }))
         .collect();
     if names.is_empty() && categories.is_empty() {
-        let near =
-            words::nearest(&word).map(str::to_owned).or_else(|| library::nearest_category(&word).map(Into::into));
+        let near = words::nearest(&word).map(str::to_owned).or_else(|| library::nearest_category(&word));
         let advice = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
         return Err(format!("no name and no category has `{word}` in it{advice}"));
     }

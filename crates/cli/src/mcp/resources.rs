@@ -94,7 +94,8 @@ fn guide() -> String {
         for line in chapter.lines() {
             let starts = line.starts_with("```json layout");
             in_layout |= starts;
-            if !in_layout && !line.starts_with("![") && !(line.is_empty() && out.ends_with("\n\n")) {
+            let is_left_out = line.starts_with("![") || line.is_empty() && out.ends_with("\n\n");
+            if !in_layout && !is_left_out {
                 out.push_str(line);
                 out.push('\n');
             }
