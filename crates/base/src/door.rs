@@ -51,6 +51,8 @@ pub struct Door {
     path: PathBuf,
     /// The root, where it is not to be looked for.
     fixed: Option<PathBuf>,
+    /// The folder that is never left, whatever is around it.
+    inside: Option<PathBuf>,
     /// What else the user has named.
     named: Arc<Named>,
     /// Looked for when the first file is asked for.
@@ -61,7 +63,7 @@ impl Door {
     /// The door of a file or folder that the user names, or that was found in one.
     pub fn of(path: &Path) -> Self {
         let path = whole(path);
-        Self { path, fixed: None, named: Arc::default(), place: OnceLock::new() }
+        Self { path, fixed: None, inside: None, named: Arc::default(), place: OnceLock::new() }
     }
 
     /// A door whose root is this folder, which the user has named, and which need not be there. If it is a link out of the
@@ -79,6 +81,15 @@ impl Door {
         Self { named: Arc::clone(named), place: OnceLock::new(), ..self }
     }
 
+    /// Keeps to this folder, which the user has opened, even if it is part of a larger workspace; only the settings of that
+    /// one still count.
+    #[must_use]
+    pub fn inside(self, folder: &Path) -> Self {
+        let folder = whole(folder);
+        let named = Named { folders: vec![folder.clone()], files: BTreeSet::new() };
+        Self { inside: Some(folder), named: Arc::new(named), place: OnceLock::new(), ..self }
+    }
+
     /// The folder that files may not lead out of.
     pub fn root(&self) -> &Path {
         &self.place().root
@@ -92,7 +103,13 @@ impl Door {
     fn place(&self) -> &Place {
         self.place.get_or_init(|| match &self.fixed {
             Some(folder) => Place { root: folder.clone(), settings: Vec::new() },
-            None => Place::of(&self.path, &self.named.folders),
+            None => {
+                let mut place = Place::of(&self.path, &self.named.folders);
+                if let Some(folder) = self.inside.as_ref().filter(|folder| !place.root.starts_with(folder)) {
+                    place.root.clone_from(folder);
+                }
+                place
+            }
         })
     }
 
@@ -153,7 +170,11 @@ impl Door {
         let root = nearest(self.root());
         // A file at the very top does not make a workspace of the whole disk.
         let below = real.starts_with(&root) && (root.parent().is_some() || real == self.path);
-        below || self.named.files.contains(real) || real.ends_with(MARK) && self.settings().iter().any(settings)
+        // A folder inside may be a link out of it, and have settings.
+        let inside = self.inside.as_ref().is_none_or(|folder| real.starts_with(nearest(folder)));
+        below && inside
+            || self.named.files.contains(real)
+            || real.ends_with(MARK) && self.settings().iter().any(settings)
     }
 }
 

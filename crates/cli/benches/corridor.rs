@@ -2,6 +2,7 @@
 //! solve. `./x bench`, or `./x bench check` for some of them.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use scenelang_base::door::Door;
 use scenelang_lang::{Options, Program, compile_text};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
 use scenelang_solve::{Progress, QUALITY, Stop};
@@ -106,6 +107,7 @@ fn solve(c: &mut Criterion) {
         let request = Request {
             name: &file,
             path: scene,
+            files: &Door::of(scene),
             start: None,
             layout_name: &layout_name,
             scene_member: &file,

@@ -68,8 +68,8 @@ pub fn run(args: &Formalize) -> u8 {
         print!("{}", json::write(&brief));
         return if brief.words.iter().any(|word| word.used) { GOOD } else { FINDINGS };
     }
-    let understood =
-        understand(asked, args.literal, !args.untried, time.map(|time| time.mul_f64(TRIAL)), model.as_mut());
+    let trial = time.map(|time| time.mul_f64(TRIAL));
+    let understood = understand(asked, args.literal, !args.untried, trial, &interrupt::stop(), model.as_mut());
     let Understood { reading, program, diagnostics, .. } = match understood {
         Ok(understood) => understood,
         Err(message) => return fail(&message),
@@ -153,12 +153,13 @@ pub struct Understood {
 /// # Errors
 /// The model failed, and the reader understood nothing.
 ///
-/// With a time, the trial ends when it is over.
+/// With a time, the trial ends when it is over; `stop` ends it, too.
 pub fn understand(
     request: Request,
     literal: bool,
     tried: bool,
     time: Option<Duration>,
+    stop: &Stop,
     model: Option<&mut Asked>,
 ) -> Result<Understood, String> {
     let begun = Instant::now();
@@ -171,7 +172,7 @@ pub fn understand(
             (formalized.reading(), formalized.diagnostics)
         }
     };
-    let stop = interrupt::stop().below();
+    let stop = stop.below();
     if let Some(time) = time {
         let (stop, left) = (stop.clone(), time.saturating_sub(begun.elapsed()));
         let wait = move || {
@@ -357,7 +358,8 @@ fn quoted(reading: &Reading, at: &std::ops::Range<usize>) -> String {
     }
 }
 
-fn summary(reading: &Reading, program: &str) -> serde_json::Value {
+/// The outcome as JSON.
+pub fn summary(reading: &Reading, program: &str) -> serde_json::Value {
     let clauses = reading.read.iter().map(|(at, understood)| {
         json!({ "bytes": [at.start, at.end], "text": quoted(reading, at), "understood": understood, "became": became(reading, at) })
     });

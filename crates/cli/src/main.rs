@@ -24,6 +24,8 @@ mod inspect;
 mod interrupt;
 mod look;
 mod lsp;
+mod manual;
+mod mcp;
 mod model;
 mod parallel;
 mod permissions;
@@ -90,6 +92,9 @@ fn main() -> ExitCode {
         Command::Trace(args) => trace::run(&args),
         Command::Query(args) => query::run(&args),
         Command::Lsp(lsp) => lsp::run(&lsp),
+        Command::Mcp(args) => mcp::run(&args),
+        Command::Completions(args) => manual::completions(&args),
+        Command::Man(args) => manual::man(&args),
         Command::Schema(schema) => look::schema(&schema),
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
         Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),

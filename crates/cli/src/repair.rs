@@ -1,27 +1,25 @@
 //! `scenelang repair`: the smallest changes that repair a layout, and one of them made.
 
+pub mod told;
+
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, out, replace, settings};
+use scenelang_base::FileId;
 use scenelang_base::door::{Door, Named};
 use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
-use scenelang_base::{Edit, FileId};
 use scenelang_engine::{check_file_with, program_of};
-use scenelang_lang::Program;
-use scenelang_lang::program::ObjectId;
 use scenelang_layout::file as layout_file;
 use scenelang_solve::repair::{
-    Alternative, Damaged, How, Moved, RepairOptions, Text, Unjudged, Which, edited, repair as look,
+    Alternative, Damaged, How, RepairOptions, Text, Unjudged, Which, edited, repair as look,
 };
-use scenelang_verify::check::Subject;
-use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
-use scenelang_verify::report::{self, model::Place};
+use scenelang_verify::report;
 use scenelang_verify::{Checked, Explain};
-use serde_json::{Value, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use told::{Told, rows};
 
 /// The part of the time that the search may take.
 const SEARCH: f64 = 0.6;
@@ -110,29 +108,6 @@ fn repair(args: &Repair) -> Result<u8, String> {
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
 }
 
-/// The rows that `--constraint` means.
-fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, String> {
-    let line: Option<u32> = asked.parse().ok();
-    let judged = checked.verdict.rows.iter().zip(&checked.report.constraints);
-    let meant = judged.filter(|(row, listed)| match line {
-        None => listed.id == asked,
-        Some(line) => {
-            let (start, end) = checked.sources.lines(row.place);
-            matches!(row.subject, Subject::Statement(_))
-                && checked.sources.get(row.place.file).name() == main
-                && (start.line..=end.line).contains(&line)
-        }
-    });
-    let meant: Vec<RowRef> = meant.map(|(row, _)| RowRef { kind: row.kind, subject: row.subject }).collect();
-    match (meant.is_empty(), line) {
-        (false, _) => Ok(meant),
-        // Of physical rules only those are listed that fail.
-        (true, None) if asked.starts_with("P-") => Ok(meant),
-        (true, Some(line)) => Err(format!("there is no constraint in line {line} of {main}")),
-        (true, None) => Err(format!("there is no constraint `{asked}`")),
-    }
-}
-
 /// The alternative to be made: what was asked for, else the first, if it moves things and no more.
 fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, String> {
     match args.apply.map(usize::from) {
@@ -142,20 +117,38 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
     }
 }
 
-/// Writes what an alternative changes, all of it or nothing. Which files.
-fn apply(args: &Repair, door: &Door, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
-    let mut names = Vec::new();
-    let mut files = Vec::new();
+/// The programs that an alternative changes, as they will be: name, file and text.
+///
+/// # Errors
+/// Its edits overlap, or a file may not be written.
+pub fn programs(
+    door: &Door,
+    checked: &Checked,
+    chosen: &Alternative,
+) -> Result<Vec<(String, PathBuf, String)>, String> {
     let texts = edited(&checked.sources, &chosen.edits).ok_or("the edits overlap")?;
-    for (id, text) in texts {
+    let changed = texts.into_iter().map(|(id, text)| {
         let source = checked.sources.get(id);
         door.permits(source.path()).map_err(|e| e.to_string())?;
-        names.push(source.name().to_owned());
-        files.push((source.path().to_path_buf(), text));
+        Ok((source.name().to_owned(), source.path().to_path_buf(), text))
+    });
+    changed.collect()
+}
+
+/// Whether an alternative changes the layout.
+pub fn changes_layout(chosen: &Alternative) -> bool {
+    !chosen.moves.is_empty() || !chosen.also.is_empty()
+}
+
+/// Writes what an alternative changes, all of it or nothing. Which files.
+fn apply(args: &Repair, door: &Door, checked: &Checked, chosen: &Alternative) -> Result<Vec<String>, String> {
+    let (mut names, mut files) = (Vec::new(), Vec::new());
+    for (name, path, text) in programs(door, checked, chosen)? {
+        names.push(name);
+        files.push((path, text));
     }
     let output = args.output.as_ref().unwrap_or(&args.layout);
-    let moved = !chosen.moves.is_empty() || !chosen.also.is_empty();
-    if moved || args.output.is_some() {
+    if changes_layout(chosen) || args.output.is_some() {
         let same = |path: &Path| path == args.layout;
         let old = checked.sources.iter().find(|(_, source)| same(source.path())).map(|(_, source)| source.text());
         let text = old.unwrap_or_default();
@@ -178,147 +171,4 @@ fn apply(args: &Repair, door: &Door, checked: &Checked, chosen: &Alternative) ->
     let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
     write_set(&set).map_err(|e| e.to_string())?;
     Ok(names)
-}
-
-/// What is said of alternatives.
-struct Told<'a> {
-    checked: &'a Checked,
-    program: &'a Program,
-    name: &'a str,
-}
-
-impl Told<'_> {
-    fn object(&self, id: ObjectId) -> &str {
-        &self.program.objects[id.0 as usize].name
-    }
-
-    fn statement(&self, index: usize) -> String {
-        report::statement_id(self.name, &self.checked.sources, self.program.constraints[index].span)
-    }
-
-    fn failing(&self, rows: &[RowRef]) -> Vec<(String, &'static str, String)> {
-        let judged = self.checked.verdict.rows.iter().zip(&self.checked.report.constraints);
-        let asked =
-            |row: &scenelang_verify::check::Judged| rows.contains(&RowRef { kind: row.kind, subject: row.subject });
-        judged
-            .filter(|(row, _)| asked(row))
-            .map(|(row, l)| (l.id.clone(), row.kind.as_str(), row.text.clone()))
-            .collect()
-    }
-
-    fn json(&self, failing: &[RowRef], all: &[Alternative], applied: Option<usize>, written: &[String]) -> Value {
-        let failing = self.failing(failing).into_iter();
-        let mut out = json!({
-            "format": "scenelang.repair/1",
-            "file": self.name,
-            "failing": failing.map(|(id, kind, text)| json!({ "id": id, "kind": kind, "text": text })).collect::<Vec<_>>(),
-            "alternatives": all.iter().map(|a| self.alternative(a)).collect::<Vec<_>>(),
-            "applied": applied,
-            "written": written,
-        });
-        if let Some(with) = &self.checked.report.judged_with {
-            out["judged_with"] = json!(with);
-        }
-        out
-    }
-
-    fn alternative(&self, a: &Alternative) -> Value {
-        let moves = a.moves.iter().map(|m| {
-            let step = m.step();
-            let [pos, rot] = [m.to.pos, m.to.rot].map(<[f64; 3]>::from);
-            json!({ "object": self.object(m.object), "by": step.by, "turn": step.turn, "pos": pos, "rot": rot })
-        });
-        let edits = a.edits.iter().enumerate().map(|(i, edit)| {
-            let mut out = json!({
-                "span": report::place(&self.checked.sources, edit.place),
-                "old": self.checked.sources.text(edit.place),
-                "text": edit.text,
-            });
-            if let Some(least) = a.least.get(i) {
-                out["least"] = short(*least).into();
-            }
-            out
-        });
-        json!({
-            "how": match a.how {
-                How::Moves => "move",
-                How::Numbers => "number",
-                How::Drop => "drop",
-                How::Prefer => "prefer",
-            },
-            "cost": rounded(a.cost),
-            "text": self.words(a),
-            "moves": moves.collect::<Vec<_>>(),
-            "also": a.also,
-            "edits": edits.collect::<Vec<_>>(),
-            "drops": a.drops.iter().map(|i| self.statement(*i)).collect::<Vec<_>>(),
-        })
-    }
-
-    fn text(
-        &self,
-        failing: &[RowRef],
-        all: &[Alternative],
-        choice: Option<usize>,
-        args: &Repair,
-        written: &[String],
-    ) -> String {
-        let with = self.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
-        if failing.is_empty() {
-            return format!("{}: nothing to repair\n{with}", self.name);
-        }
-        let mut out = String::new();
-        for (id, _, text) in self.failing(failing) {
-            out += &format!("{id} fails: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
-        }
-        for (i, a) in all.iter().enumerate() {
-            out += &format!("{:3}  {}\n", i + 1, self.words(a));
-        }
-        out + &match (choice, all.is_empty()) {
-            (_, true) => "no repair was found, which does not prove that there is none\n".to_owned(),
-            (None, false) => "nothing is written; --apply N makes one of these changes\n".to_owned(),
-            (Some(i), _) if args.dry_run => format!("{} would be made; nothing is written\n", i + 1),
-            (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
-        } + &with
-    }
-
-    /// An alternative in the imperative.
-    fn words(&self, a: &Alternative) -> String {
-        let mut parts = Vec::new();
-        let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
-        if !steps.is_empty() {
-            parts.push(move_in_words(self.program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
-        }
-        if !a.also.is_empty() {
-            parts.push(format!("change `{}`", a.also.join("`, `")));
-        }
-        parts.extend(a.edits.iter().enumerate().map(|(i, edit)| self.edit(a, i, edit)));
-        parts.extend(
-            a.drops.iter().map(|i| {
-                format!("give up the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)
-            }),
-        );
-        parts.join("; ")
-    }
-
-    fn edit(&self, a: &Alternative, i: usize, edit: &Edit) -> String {
-        let Place { file, start: [line, column], .. } = report::place(&self.checked.sources, edit.place);
-        let old = self.checked.sources.text(edit.place);
-        let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
-        match (a.how, a.least.get(i)) {
-            (How::Prefer, _) => format!("make it a preference: {change}"),
-            (_, Some(least)) => format!("change a number: {change} (by {} at least)", short(*least)),
-            _ => change,
-        }
-    }
-}
-
-/// To four digits after the point: tolerances are of that size.
-fn short(x: f64) -> f64 {
-    (x * 1e4).round() / 1e4 + 0.0
-}
-
-/// To six digits after the point: the rest is noise.
-fn rounded(x: f64) -> f64 {
-    (x * 1e6).round() / 1e6 + 0.0
 }

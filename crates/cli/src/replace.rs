@@ -67,6 +67,21 @@ pub fn layouts(files: &[(&Path, &str)], edited: impl Fn(&Path) -> bool) -> Resul
     write_set(&set).map_err(|e| e.to_string())
 }
 
+/// Writes programs and layouts, all or none of them: `ours` with the sum by which they are known again, `edited` without.
+///
+/// # Errors
+/// What the file system says.
+pub fn mixed(ours: &[(&Path, &str)], edited: &[(&Path, &str)]) -> Result<(), String> {
+    let is_json = |path: &Path| path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
+    let sealed = ours
+        .iter()
+        .map(|(path, text)| (path.to_path_buf(), if is_json(path) { sealed_json(text) } else { sealed_program(text) }));
+    let plain = edited.iter().map(|(path, text)| (path.to_path_buf(), (*text).to_owned()));
+    let files: Vec<(PathBuf, String)> = sealed.chain(plain).collect();
+    let set: Vec<_> = files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write_set(&set).map_err(|e| e.to_string())
+}
+
 /// Whether a file that was read as `text` is as we wrote it.
 pub fn is_ours(path: &Path, text: &str) -> bool {
     owned::said(text.as_bytes()) == Standing::Ours || owned::standing(path).is_ok_and(|is| is == Standing::Ours)

@@ -52,7 +52,11 @@ impl Room {
         Self::judge(self.path.clone(), &door, &Instead { path: &self.path, text, door: &door })
     }
 
-    fn judge(path: PathBuf, door: &Door, loader: &dyn Loader) -> Result<Self, String> {
+    /// Judges a layout whose files come from `loader`.
+    ///
+    /// # Errors
+    /// As for [`Room::read`].
+    pub fn judge(path: PathBuf, door: &Door, loader: &dyn Loader) -> Result<Self, String> {
         let name = path.display().to_string();
         let found = settings::find(door, loader);
         let (given, detail, compile) = (Settings::default(), Detail::default(), scenelang_lang::Options::default());

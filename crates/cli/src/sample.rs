@@ -226,6 +226,7 @@ impl Run<'_> {
         let request = Request {
             name: self.name,
             path: &self.args.scene,
+            files: &Door::of(&self.args.scene),
             start: None,
             layout_name: "closest.layout.json",
             scene_member: "",

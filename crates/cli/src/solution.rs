@@ -90,7 +90,7 @@ fn in_the_way(found: &Found) -> String {
 }
 
 /// The statements in the way: how reports call them, and what they say.
-fn named(found: &Found) -> impl Iterator<Item = (String, &str)> {
+pub fn named(found: &Found) -> impl Iterator<Item = (String, &str)> {
     let Checked { sources, program, report, .. } = &found.checked;
     let constraints = program.iter().flat_map(|program| &program.constraints);
     let list = constraints.enumerate().filter(|(index, _)| found.outcome.in_the_way.contains(index));

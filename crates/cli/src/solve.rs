@@ -55,6 +55,7 @@ pub fn run(args: &Solve) -> u8 {
     let request = Request {
         name: &args.scene.display().to_string(),
         path: &args.scene,
+        files: &Door::of(&args.scene),
         start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
         layout_name: &output.display().to_string(),
         scene_member: &member,

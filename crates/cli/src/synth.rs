@@ -64,6 +64,7 @@ pub fn run(args: &Synth) -> u8 {
     let request = Request {
         name: &path.display().to_string(),
         path: &path,
+        files: &Door::of(&path),
         start,
         // As seen from the output folder, so that what is written does not depend on where that is.
         layout_name: &layout_name,
@@ -160,6 +161,7 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
         args.literal,
         true,
         args.time.map(|time| Duration::from_secs_f64(time / 3.0)),
+        &interrupt::stop(),
         model,
     )?;
     eprint!("{}", formalize::notes(&understood.reading));

@@ -4,11 +4,11 @@ use crate::again::{FEW, Repaired, moved, repaired};
 use crate::doubt::{Ended, doubted};
 use crate::furnish::{Furnished, furnish, gathered};
 use crate::hold::Hold;
-use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use scenelang_engine::{check_layout_of, check_program};
 use scenelang_lang::program::ObjectId;
-use scenelang_lang::{Compiled, Program, compile_file};
+use scenelang_lang::sources::Loader;
+use scenelang_lang::{Compiled, Program, compile_with};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_llm::Model;
 use scenelang_solve::{
@@ -21,12 +21,14 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// What to lay out.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Request<'a> {
     /// How the program is called in messages.
     pub name: &'a str,
     /// The program's file.
     pub path: &'a Path,
+    /// Where it and what it imports come from.
+    pub files: &'a dyn Loader,
     /// A layout to start from: its name and its text.
     pub start: Option<(&'a str, &'a str)>,
     /// How the layout is called in messages and in the report.
@@ -181,7 +183,8 @@ pub fn solve_with(
 ) -> Result<Solved, Failure> {
     let begun = Instant::now();
     observer.enter(Stage::Program);
-    let compiled = compile_file(request.name, request.path, scenelang_lang::Options::default());
+    let as_usual = scenelang_lang::Options::default();
+    let compiled = compile_with(request.name, request.path, as_usual, request.files, SourceMap::new());
     let Some(program) = &compiled.program else {
         return Err(Failure::Input(compiled.sources, compiled.diagnostics));
     };
@@ -399,7 +402,7 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option
     let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let program = (request.name, request.path);
     let checked =
-        check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), &Door::of(program.1));
+        check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), request.files);
     Found { outcome, text, checked, free: Free::default() }
 }
 

@@ -66,6 +66,28 @@ fn settings_and_repositories_make_the_root() {
     assert_eq!(door.root(), folder.path().join("a"));
 }
 
+#[test]
+fn a_folder_that_was_opened_is_not_left_for_its_repository() {
+    let folder =
+        made(&["secret", ".git/HEAD", "scenelang.toml", "in/deep/room.scene", "in/deep/scenelang.toml", "in/a.scene"]);
+    let at = |path: &str| folder.path().join(path);
+    for (file, root) in [("in/a.scene", "in"), ("in/deep/room.scene", "in/deep")] {
+        let door = Door::of(&at(file)).inside(&at("in"));
+        assert_eq!(door.root(), at(root));
+        assert!(door.read(&at(file)).is_ok() && is_outside(door.read(&at("secret"))), "{file}");
+        assert!(door.settings().contains(&at("scenelang.toml")) && door.read(&at("scenelang.toml")).is_ok());
+    }
+    #[cfg(unix)]
+    {
+        fs::create_dir(at("out")).unwrap();
+        fs::write(at("out/room.scene"), "").unwrap();
+        fs::write(at("out/scenelang.toml"), "").unwrap();
+        std::os::unix::fs::symlink("../out", at("in/link")).unwrap();
+        let door = Door::of(&at("in/link/room.scene")).inside(&at("in"));
+        assert!(is_outside(door.read(&at("in/link/room.scene"))));
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn settings_of_somebody_else_do_not_count() {

@@ -1,11 +1,15 @@
 //! Options of the command line.
 
 mod assets;
+mod manual;
 mod many;
+mod mcp;
 mod measure;
 
 pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsList, AssetsSearch};
+pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
+pub use mcp::Mcp;
 pub use measure::{Bench, BenchSolve, Eval, EvalRequests, EvalSceneEval};
 
 use crate::settings;
@@ -73,6 +77,12 @@ pub enum Command {
     Query(Query),
     /// Serve an editor over standard input and output, by the Language Server Protocol
     Lsp(Lsp),
+    /// Serve an assistant over standard input and output, by the Model Context Protocol
+    Mcp(Mcp),
+    /// Print what a shell needs to complete commands and options
+    Completions(Completions),
+    /// Print the manual page of a command, or write those of all
+    Man(Man),
     /// Print the JSON Schema of a format
     Schema(Schema),
     /// Measure how much of a set of problems is solved, and how fast

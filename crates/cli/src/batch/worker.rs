@@ -92,7 +92,7 @@ fn make(task: &Task) -> Result<usize, Trouble> {
     let mut quality = job.quality;
     if let Some(request) = &job.request {
         let request = formalize::Request::Words(request.clone());
-        let understood = formalize::understand(request, job.literal, true, None, None).map_err(input)?;
+        let understood = formalize::understand(request, job.literal, true, None, &interrupt::stop(), None).map_err(input)?;
         if understood.reading.nothing {
             return Err(Trouble::new(
                 Kind::Input,
@@ -138,6 +138,7 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
     let request = Request {
         name: &called,
         path: program,
+        files: &Door::of(program),
         start: start.map(|text| (layout_name.as_str(), text)),
         layout_name: &layout_name,
         scene_member: &crate::solve::relative(program, &layout),

@@ -162,6 +162,7 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
     let request = Request {
         name: &scene.display().to_string(),
         path: scene,
+        files: &Door::of(scene),
         start: start.as_deref().map(|text| (name.as_str(), text)),
         layout_name: &name,
         scene_member: &format!("{}.scene", asked.id),

@@ -23,6 +23,7 @@ mod fixing;
 mod foreign;
 mod formats;
 mod groups;
+mod guides;
 mod hostile;
 mod hostile_models;
 #[cfg(unix)]
@@ -33,6 +34,8 @@ mod kills;
 mod layering;
 mod licences;
 mod many;
+mod manual;
+mod mcp;
 mod model;
 mod permissions;
 mod pipes;

@@ -168,6 +168,7 @@ fn every_block_is_executed() {
                 ["json", "jobs"] => page.path == Path::new("many-scenes.md"),
                 ["toml", "own"] | ["text", "asking"] => page.path == Path::new("models.md"),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
+                ["sh"] | ["json", "client"] | ["js", "three"] => page.path.starts_with("for"),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
             };

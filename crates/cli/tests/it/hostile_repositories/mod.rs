@@ -220,6 +220,13 @@ fn hold(name: &str) {
     assert!(made.outside() == before, "{name}: the server wrote outside");
     assert_eq!(made.leaked(), None, "{name}: the server");
     assert_eq!(fs::read_to_string(made.at("tool.js")).unwrap(), TOOL, "{name}: the server changed a script");
+    let made = Repository::new(row);
+    let before = made.outside();
+    let told = server::assist(&made);
+    assert!(!told.contains(SECRET), "{name}: an assistant was told a secret: {told}");
+    assert!(made.outside() == before, "{name}: an assistant wrote outside");
+    assert_eq!(made.leaked(), None, "{name}: an assistant");
+    assert_eq!(fs::read_to_string(made.at("tool.js")).unwrap(), TOOL, "{name}: an assistant changed a script");
 }
 
 /// Nothing secret is said, and nothing that acts.

@@ -1,6 +1,7 @@
 //! A server on a hostile repository: it answers about a good document, whatever the bad one does, and tells no secret.
 
 use super::{Repository, Row};
+use crate::mcp::client::Client as Assistant;
 use crate::speaking::Client;
 use serde_json::{Value, json};
 use std::fs;
@@ -51,4 +52,26 @@ pub fn serve(repo: &Repository, row: &Row) -> String {
     assert!(good["error"].is_null(), "{}: {good}", row.name);
     let said = client.end();
     said.iter().map(Value::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// Has an assistant, who may write, do with it all that tools do; all that it was told.
+pub fn assist(repo: &Repository) -> String {
+    let mut client = Assistant::start(repo.command(&["mcp", "--write"]));
+    for (file, tools) in [
+        ("room.scene", &["check", "why_not", "render", "solve", "repair"][..]),
+        ("room.layout.json", &["check", "render"][..]),
+    ] {
+        for tool in tools {
+            client.call(tool, &json!({ "file": file }));
+        }
+        client.ask("resources/read", &json!({ "uri": format!("scenelang://report/{file}") }));
+    }
+    client.call("repair", &json!({ "file": "room.scene", "apply": 1 }));
+    client.call("formalize", &json!({ "request": "a room with a bed", "file": "room.scene", "literal": true }));
+    client.ask("resources/list", &json!({}));
+    let good = client.call("check", &json!({ "file": "good.scene" }));
+    assert!(good["structuredContent"]["file"].is_string(), "{good}");
+    let told = std::mem::take(&mut client.transcript);
+    client.end();
+    told
 }

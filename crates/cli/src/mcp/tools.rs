@@ -1,0 +1,270 @@
+//! The table of tools: what each takes, what it is for, and what does it.
+
+use super::workspace::Workspace;
+use super::{judging, looking, making};
+use rmcp::model::{CallToolResult, ContentBlock, JsonObject, Tool, ToolAnnotations};
+use scenelang_base::plain;
+use scenelang_solve::Stop;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// A call of a tool.
+pub struct Call<'a> {
+    /// Where it works.
+    pub workspace: &'a Workspace,
+    /// Set when the call is cancelled, or its time is over.
+    pub stop: &'a Stop,
+    /// How long it may take.
+    pub time: Duration,
+}
+
+impl Call<'_> {
+    /// What is said when it was ended before there was anything to show.
+    pub fn late(&self) -> String {
+        format!(
+            "it was ended after {} s before there was a result; `scenelang mcp --time SECONDS` lets a call take longer",
+            self.time.as_secs_f64()
+        )
+    }
+}
+
+/// What a tool says: a JSON object, and perhaps a picture.
+pub struct Answer {
+    /// In names and sentences.
+    pub said: Value,
+    /// PNG, as base64.
+    pub picture: Option<String>,
+}
+
+impl Answer {
+    /// Without a picture.
+    pub fn of(said: Value) -> Self {
+        Self { said, picture: None }
+    }
+
+    /// As the protocol has it.
+    pub fn into_result(self) -> CallToolResult {
+        let mut result = CallToolResult::structured(self.said);
+        result.content.extend(self.picture.map(|data| ContentBlock::image(data, "image/png")));
+        result
+    }
+}
+
+/// What a tool says, or why it could not do its work and what to do about it.
+pub type Answered = Result<Answer, String>;
+
+/// A tool.
+pub struct Spec {
+    /// As it is called.
+    pub name: &'static str,
+    says: &'static str,
+    takes: &'static [Param],
+    /// Whether it makes files.
+    makes: bool,
+    run: fn(&Call<'_>, JsonObject) -> Answered,
+}
+
+struct Param {
+    name: &'static str,
+    kind: Kind,
+    needed: bool,
+    says: &'static str,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Text,
+    OneOf(&'static [&'static str]),
+    Whole,
+    Flag,
+    Texts,
+    Edits,
+}
+
+const fn needed(name: &'static str, kind: Kind, says: &'static str) -> Param {
+    Param { name, kind, needed: true, says }
+}
+
+const fn may(name: &'static str, kind: Kind, says: &'static str) -> Param {
+    Param { name, kind, needed: false, says }
+}
+
+const FILE: Param =
+    needed("file", Kind::Text, "a program, room.scene, or a layout, room.layout.json; from the workspace folder");
+const PROGRAM: Param = needed("file", Kind::Text, "a program, room.scene; from the workspace folder");
+
+/// All of them.
+pub const TOOLS: &[Spec] = &[
+    Spec {
+        name: "check",
+        says: "Say what holds of a program and the layout beside it, what fails and why, and what is wrong with the text.",
+        takes: &[FILE],
+        makes: false,
+        run: |call, args| judging::check(call, read(args)?),
+    },
+    Spec {
+        name: "explain",
+        says: "Say what a code (E0201, V0102) or a word of the language (near, gap, surface) means, with examples.",
+        takes: &[needed("word", Kind::Text, "the code or the word")],
+        makes: false,
+        run: |call, args| looking::explain(call, read(args)?),
+    },
+    Spec {
+        name: "formalize",
+        says: "Write a program from a request in plain English, and say which of its words became no part of it.",
+        takes: &[
+            needed("request", Kind::Text, "what is wanted: a study with a desk by the window and a lamp on it"),
+            may("file", Kind::Text, "the program to make, room.scene; without it, it is only shown"),
+            may("literal", Kind::Flag, "add nothing that the request does not say"),
+        ],
+        makes: true,
+        run: |call, args| making::formalize(call, read(args)?),
+    },
+    Spec {
+        name: "solve",
+        says: "Place the objects of a program so that it holds; makes the layout beside it, room.layout.json.",
+        takes: &[
+            PROGRAM,
+            may("seed", Kind::Whole, "another seed gives another layout, the same seed the same"),
+            may(
+                "lock",
+                Kind::Texts,
+                "objects, or whole arrays, that stay where the layout beside the program has them",
+            ),
+        ],
+        makes: true,
+        run: |call, args| making::solve(call, read(args)?),
+    },
+    Spec {
+        name: "repair",
+        says: "Say by which smallest changes a layout or its program would hold, each verified; with `apply`, make one.",
+        takes: &[
+            FILE,
+            may("constraint", Kind::Text, "repair only this: a line of the program, or an id that check gives"),
+            may("apply", Kind::Whole, "make the change of this number"),
+        ],
+        makes: true,
+        run: |call, args| making::repair(call, read(args)?),
+    },
+    Spec {
+        name: "why_not",
+        says: "Say which statements of a program contradict each other, as the smallest sets for which that is proved.",
+        takes: &[
+            PROGRAM,
+            may(
+                "statement",
+                Kind::Text,
+                "a statement to add first, so as to ask why it cannot hold: assert near(desk, window);",
+            ),
+            may("proof", Kind::Flag, "say step by step why"),
+        ],
+        makes: false,
+        run: |call, args| judging::why_not(call, read(args)?),
+    },
+    Spec {
+        name: "render",
+        says: "Show a layout as a picture: from above with names, or in perspective.",
+        takes: &[
+            FILE,
+            may("view", Kind::OneOf(&["plan", "picture"]), "from above (plan, the default) or in perspective"),
+        ],
+        makes: false,
+        run: |call, args| judging::render(call, read(args)?),
+    },
+    Spec {
+        name: "speculate",
+        says: "Say what an edit of a program or a layout would do to the verdict, without making it.",
+        takes: &[
+            FILE,
+            may("text", Kind::Text, "the whole new text of the file"),
+            may(
+                "edits",
+                Kind::Edits,
+                "in place of `text`: pieces of the file, each of which is in it once, and what replaces them",
+            ),
+        ],
+        makes: false,
+        run: |call, args| judging::speculate(call, read(args)?),
+    },
+    Spec {
+        name: "vocabulary",
+        says: "List the predicates, functions and properties there are; with a word, say what those with it in their name mean, and which categories of things there are, with their usual sizes.",
+        takes: &[may("word", Kind::Text, "a part of the names: near, chair")],
+        makes: false,
+        run: |call, args| looking::vocabulary(call, read(args)?),
+    },
+];
+
+/// How it begins to be said that arguments are wrong.
+const UNFIT: &str = "the arguments do not fit";
+
+/// The tool of a name.
+pub fn find(name: &str) -> Option<&'static Spec> {
+    TOOLS.iter().find(|tool| tool.name == name)
+}
+
+impl Spec {
+    /// Does it.
+    ///
+    /// # Errors
+    /// For the assistant: what was wrong, and what to do about it.
+    pub fn call(&self, call: &Call<'_>, args: JsonObject) -> Answered {
+        let fit = |why: String| match why.starts_with(UNFIT) {
+            true => format!("{why}; {} takes {}", self.name, self.taken()),
+            false => why,
+        };
+        (self.run)(call, args).map_err(|why| plain::line(&fit(why)).into_owned())
+    }
+
+    /// What it takes, in a line.
+    fn taken(&self) -> String {
+        let name = |param: &Param| match param.needed {
+            true => format!("`{}`", param.name),
+            false => format!("perhaps `{}`", param.name),
+        };
+        self.takes.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// As clients are told of it.
+    pub fn described(&self) -> Tool {
+        let properties: JsonObject = self.takes.iter().map(|param| (param.name.to_owned(), param.schema())).collect();
+        let needed: Vec<&str> = self.takes.iter().filter(|param| param.needed).map(|param| param.name).collect();
+        let schema = json!({
+            "type": "object",
+            "properties": properties,
+            "required": needed,
+            "additionalProperties": false,
+        });
+        let Value::Object(schema) = schema else { unreachable!("it was written as an object") };
+        let about = ToolAnnotations::new().read_only(!self.makes).destructive(false).open_world(false);
+        Tool::new(self.name, self.says, schema).with_annotations(about)
+    }
+}
+
+impl Param {
+    fn schema(&self) -> Value {
+        let mut schema = match self.kind {
+            Kind::Text => json!({ "type": "string" }),
+            Kind::OneOf(names) => json!({ "type": "string", "enum": names }),
+            Kind::Whole => json!({ "type": "integer", "minimum": 0 }),
+            Kind::Flag => json!({ "type": "boolean" }),
+            Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
+            Kind::Edits => json!({
+                "type": "array",
+                "items": {
+                    "type": "object",
+                    "properties": { "old": { "type": "string" }, "new": { "type": "string" } },
+                    "required": ["old", "new"],
+                    "additionalProperties": false,
+                },
+            }),
+        };
+        schema["description"] = self.says.into();
+        schema
+    }
+}
+
+fn read<T: DeserializeOwned>(args: JsonObject) -> Result<T, String> {
+    serde_json::from_value(Value::Object(args)).map_err(|e| format!("{UNFIT}: {e}"))
+}
