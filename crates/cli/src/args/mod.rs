@@ -3,7 +3,7 @@
 mod assets;
 mod measure;
 
-pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsList, AssetsSearch};
+pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsSearch, Furniture};
 pub use measure::{Bench, BenchSolve, Eval, EvalRequests, EvalSceneEval};
 
 use crate::settings;
@@ -234,6 +234,9 @@ pub struct Solve {
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,
+    /// Where furniture comes from
+    #[command(flatten)]
+    pub furniture: Furniture,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -400,6 +403,9 @@ pub struct Synth {
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,
+    /// Where furniture comes from
+    #[command(flatten)]
+    pub furniture: Furniture,
 }
 
 /// `scenelang view`

@@ -21,6 +21,7 @@ mod exporting;
 mod faults;
 mod fixing;
 mod formats;
+mod furniture;
 mod groups;
 mod hostile;
 mod hostile_models;
