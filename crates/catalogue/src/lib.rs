@@ -12,6 +12,7 @@
 
 mod card;
 mod check;
+mod cut;
 mod faults;
 mod folder;
 mod glb;

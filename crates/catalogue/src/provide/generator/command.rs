@@ -11,11 +11,14 @@ use serde_json::json;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command as Process, Stdio};
 use std::sync::mpsc::channel;
+use std::time::{Duration, Instant};
 
 /// What the order calls itself.
 const FORMAT: &str = "scenelang.order/1";
 /// A line of its standard error is not longer (bytes).
 const LINE: u64 = 4096;
+/// How long is waited for its last words.
+const LAST: Duration = Duration::from_millis(200);
 
 /// A program with its arguments. It is the user's word that it may run: who makes one of these asks first.
 #[derive(Clone, Debug)]
@@ -113,14 +116,11 @@ fn run(mut process: Ended, input: String, watch: &Watch) -> Result<Vec<u8>, Stri
         }
     });
     let mut last = String::new();
-    let mut listen = || {
+    let status = loop {
         for said in telling.try_iter().filter(|said| !said.is_empty()) {
             watch.say(&said);
             last = said;
         }
-    };
-    let status = loop {
-        listen();
         match child.try_wait() {
             Ok(Some(status)) => break status,
             Ok(None) => watch.wait(LOOK)?,
@@ -138,7 +138,13 @@ fn run(mut process: Ended, input: String, watch: &Watch) -> Result<Vec<u8>, Stri
             }
         }
     };
-    listen();
+    // What it said last may still be on its way, unless something that it started holds the pipe.
+    let patience = Instant::now() + LAST;
+    while let Ok(said) = telling.recv_timeout(patience.saturating_duration_since(Instant::now())) {
+        if !said.is_empty() {
+            last = said;
+        }
+    }
     // Who writes without an end is not listened to any more, and may end by that.
     if !status.success() && bytes.len() <= limits::BYTES {
         let why = if last.is_empty() { String::new() } else { format!(": {}", short(&last)) };
