@@ -25,6 +25,8 @@ const NEAR: f64 = 1e-6;
 const APART: f64 = 1e-3;
 
 type Face = Vec<Vec3>;
+/// Faces of one side of a plane, and what closes it.
+type Side = (Vec<Face>, Vec<Face>);
 
 /// What is on one side of all cuts so far.
 #[derive(Clone, Debug, Default)]
@@ -76,7 +78,7 @@ impl Region {
     }
 
     /// Its two sides of a plane: faces and caps.
-    fn split(&self, axis: usize, at: f64, near: f64) -> [(Vec<Face>, Vec<Face>); 2] {
+    fn split(&self, axis: usize, at: f64, near: f64) -> [Side; 2] {
         let corner = self.cloud.iter().fold(Vec3::repeat(f64::MAX), |lo, p| lo.inf(p));
         let mut middle = corner;
         middle[axis] = at;
@@ -111,7 +113,7 @@ fn cost(room: f64, around: f64, enough: f64) -> f64 {
 }
 
 /// The same of a side by its box, which is found quickly; `None` where there is nothing.
-fn roughly((faces, caps): &(Vec<Face>, Vec<Face>), enough: f64) -> Option<f64> {
+fn roughly((faces, caps): &Side, enough: f64) -> Option<f64> {
     let first = *faces.first()?.first()?;
     let (lo, hi) = faces.iter().flatten().fold((first, first), |(lo, hi), p| (lo.inf(p), hi.sup(p)));
     let around = (hi - lo).product();
@@ -121,7 +123,7 @@ fn roughly((faces, caps): &(Vec<Face>, Vec<Face>), enough: f64) -> Option<f64> {
 
 /// The best cut, if there is one that helps.
 fn best(region: &Region, enough: f64) -> Option<[Region; 2]> {
-    let mut found: Option<(f64, [(Vec<Face>, Vec<Face>); 2])> = None;
+    let mut found: Option<(f64, [Side; 2])> = None;
     for axis in [1, 0, 2] {
         let mut places: Vec<f64> = region.faces.iter().flatten().map(|p| p[axis]).collect();
         places.sort_by(f64::total_cmp);

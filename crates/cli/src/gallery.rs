@@ -82,7 +82,7 @@ fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
         let opens = !asset.joints.is_empty();
         for open in [false, true].into_iter().filter(|open| !open || opens) {
             let png = drawn(&noun, &asset, open).map_err(|e| e.to_string())?;
-            let Vec3 { x, y, z, .. } = asset.size;
+            let [x, y, z]: [f64; 3] = asset.size.into();
             let state = match (opens, open) {
                 (false, _) => "",
                 (true, false) => ", closed",

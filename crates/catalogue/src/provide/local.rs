@@ -21,7 +21,7 @@ const READ: usize = 8;
 const LOOKED_AT: usize = 10_000;
 
 /// A model with the sum of its file, or why it cannot be used.
-type Read = Result<(Arc<Model>, String), Diagnostic>;
+type Read = Result<(Arc<Model>, String), Box<Diagnostic>>;
 
 /// A folder of models.
 #[derive(Debug)]
@@ -55,9 +55,9 @@ impl Local {
         read.entry(entry)
             .or_insert_with(|| {
                 let entry = &self.catalogue.entries[entry];
-                let bytes = self.catalogue.bytes(entry).map_err(|finding| *finding)?;
+                let bytes = self.catalogue.bytes(entry)?;
                 let content = sum(&[&bytes]);
-                let model = self.catalogue.model_of(entry, bytes).map_err(|finding| *finding)?;
+                let model = self.catalogue.model_of(entry, bytes)?;
                 Ok((Arc::new(model), content))
             })
             .clone()
