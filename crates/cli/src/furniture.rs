@@ -22,6 +22,9 @@ const MODELS: u64 = 20;
 /// Nobody makes models.
 const NONE: &str = "none";
 
+/// Who makes models, and within which bounds.
+type Bounded = (Box<dyn Maker>, Bounds);
+
 /// A folder of models, and what it is called.
 struct Folder {
     path: PathBuf,
@@ -68,12 +71,7 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
 }
 
 /// Who makes models, and within which bounds; `None`: nobody does.
-fn generator(
-    given: &Furniture,
-    workspace: &Assets,
-    own: &Assets,
-    offline: bool,
-) -> Result<Option<(Box<dyn Maker>, Bounds)>, String> {
+fn generator(given: &Furniture, workspace: &Assets, own: &Assets, offline: bool) -> Result<Option<Bounded>, String> {
     let Some(named) = given.generator.as_deref().or(own.generator.as_deref()).filter(|name| *name != NONE) else {
         return Ok(None);
     };

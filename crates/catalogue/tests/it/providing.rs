@@ -91,7 +91,7 @@ fn the_order_of_queries_and_of_calls_changes_nothing() {
         Query { color: "red".to_owned(), ..query.clone() }.key("a", b""),
     ];
     assert!(keys.iter().enumerate().all(|(i, key)| !keys[..i].contains(key)), "{keys:?}");
-    assert_eq!(Query { name: "other".to_owned(), ..query.clone() }.key("a", b""), keys[0]);
+    assert_eq!(Query { name: "other".to_owned(), ..query }.key("a", b""), keys[0]);
 }
 
 #[test]

@@ -74,8 +74,11 @@ fn chair() -> Vec<u8> {
     block(1.0, 2.0, 1.0).glb()
 }
 
+/// The size of what was made, or why nothing was.
+type Outcome = Result<[f64; 3], (Why, String)>;
+
 /// What came of an order of a chair: the size, or why not; and what was asked for that.
-fn ordered(kind: Kind, script: Script) -> (Result<[f64; 3], (Why, String)>, Vec<String>) {
+fn ordered(kind: Kind, script: Script) -> (Outcome, Vec<String>) {
     let (url, asked) = server(script);
     let kept = tempdir().unwrap();
     let service = Service::on(kind, &url, "test-key", Duration::from_secs(10), || false).unwrap();
