@@ -165,7 +165,8 @@ fn every_block_is_executed() {
                     page.path == Path::new("command-line.md")
                         && after(|b| b.info.starts_with("json layout") || b.info.starts_with("text query"))
                 }
-                ["toml", "own"] | ["text", "asking"] => page.path == Path::new("models.md"),
+                ["toml", "own"] => ["models.md", "furniture.md"].iter().any(|name| page.path == Path::new(name)),
+                ["text", "asking"] => page.path == Path::new("models.md"),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
