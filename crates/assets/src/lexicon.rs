@@ -1,7 +1,7 @@
 //! Which family a noun belongs to: an alias table and the rule of the head noun ("wooden book shelf" is a shelf for
 //! books, "shelf with lamp" still a shelf).
 
-use crate::families::maker;
+use crate::families::{FAMILIES, maker};
 use crate::words::words;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -26,6 +26,13 @@ fn aliases() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// All nouns that a family draws, in the order of the table.
 pub fn categories() -> impl Iterator<Item = &'static str> {
     aliases().map(|(_, alias)| alias)
+}
+
+/// The families, in the order of the alphabet.
+pub fn families() -> impl Iterator<Item = &'static str> {
+    let mut names: Vec<&str> = FAMILIES.iter().map(|(name, _)| *name).collect();
+    names.sort_unstable();
+    names.into_iter()
 }
 
 /// Words that end the head of a phrase: what follows describes.
@@ -86,7 +93,6 @@ fn ends_with_alias(words: &[String], limit: usize) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::families::FAMILIES;
 
     #[test]
     fn every_family_has_aliases_and_no_alias_has_two_families() {

@@ -16,7 +16,7 @@ mod model;
 mod shapes;
 mod words;
 
-pub use lexicon::{categories, family_of};
+pub use lexicon::{categories, families, family_of};
 pub use looks::{color_names, color_of, covering, material_names};
 pub use mesh::{Group, Mesh, Surface};
 pub use words::words;

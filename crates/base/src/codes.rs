@@ -150,6 +150,7 @@ codes! {
     W0505 "a file of others that leaves something open"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
+    W0603 "furniture that was passed over"
     W0701 "a mesh that is not closed"
     W0702 "a size that such a thing does not have"
     W0703 "a front that is not known"

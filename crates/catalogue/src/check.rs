@@ -17,8 +17,8 @@ const SMALLEST: f64 = 0.005;
 const LARGEST: f64 = 20.0;
 /// The size on the card may differ by so much from the proportions of the triangles.
 const DISTORTION: f64 = 1.1;
-/// A single piece that fills less than this share of its one convex part, and leaves more room in it than this (m³), is
-/// not what the part says. Cups and baskets leave less: nothing is pushed under them.
+/// A single piece that fills less than this share of its hull, and leaves more room in it than this (m³), is not what the
+/// hull says, and where to cut it is a guess. Cups and baskets leave less: nothing is pushed under them.
 const HOLLOW: f64 = 0.5;
 const ROOM: f64 = 0.1;
 /// Air has about one kilogram per cubic metre, a block of steel about eight thousand.
@@ -133,10 +133,14 @@ fn parts(model: &Model) -> Option<Diagnostic> {
     let origin = model.origin;
     let volume = origin.volume?;
     let (filled, room) = (volume / origin.filled, origin.filled - volume);
-    let say = format!("it is one piece that fills {:.0} % of its convex part", 100.0 * filled);
-    (origin.pieces == 1 && model.parts.len() == 1 && filled < HOLLOW && room > ROOM).then(|| {
+    let say = format!("it is one piece that fills {:.0} % of its convex hull", 100.0 * filled);
+    let note = match model.parts.len() {
+        1 => "nothing can stand in or under it".to_owned(),
+        parts => format!("it is cut into {parts} parts where that looks right"),
+    };
+    (origin.pieces == 1 && filled < HOLLOW && room > ROOM).then(|| {
         Diagnostic::without_place(codes::W0705, say)
-            .note("nothing can stand in or under it; make it of several convex pieces that do not share edges")
+            .note(format!("{note}; make it of several convex pieces that do not share edges"))
     })
 }
 

@@ -123,11 +123,21 @@ impl Catalogue {
     /// # Errors
     /// The file cannot be read, is not what its format says, or goes beyond the limits.
     pub fn model(&self, entry: &Entry) -> Result<Model, Box<Diagnostic>> {
-        let path = self.folder.join(&entry.file);
-        let bytes = self.door.read(&path).map_err(|e| unreadable(&e))?;
+        self.model_of(entry, self.bytes(entry)?)
+    }
+
+    /// The file of a model.
+    pub(crate) fn bytes(&self, entry: &Entry) -> Result<Vec<u8>, Fault> {
+        let bytes = self.door.read(&self.folder.join(&entry.file)).map_err(|e| unreadable(&e))?;
         if bytes.len() > limits::BYTES {
             return Err(beyond(format!("it has {} MB; the most is {} MB", bytes.len() >> 20, limits::BYTES >> 20)));
         }
+        Ok(bytes)
+    }
+
+    /// The model in a file.
+    pub(crate) fn model_of(&self, entry: &Entry, bytes: Vec<u8>) -> Result<Model, Fault> {
+        let path = self.folder.join(&entry.file);
         let raw = match entry.kind {
             Kind::Objathor => return objathor::model(&entry.file, entry.card.clone(), bytes),
             Kind::Glb => glb::read(&bytes)?,

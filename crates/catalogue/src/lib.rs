@@ -6,23 +6,31 @@
 //! of the layout (left-handed, y up; origin in the middle of the bottom face; front to +z), like the furniture of
 //! `scenelang_assets`, and made of convex parts.
 //!
-//! Absent here: textures (a material is its plain colour), which model an object of a program gets, and usual sizes.
+//! Which of them an object gets is decided by a [`Chain`] of providers: folders, generators, the furniture library, a box.
+//!
+//! Absent here: textures (a material is its plain colour), programs, and usual sizes.
 
 mod card;
 mod check;
+mod cut;
 mod faults;
 mod folder;
 mod glb;
+mod import;
 pub mod limits;
 mod model;
 mod obj;
 mod objathor;
 mod pieces;
+mod provide;
 mod raw;
 mod search;
 
 pub use card::Card;
 pub use check::{Checked, check};
 pub use folder::{Catalogue, Entry, Refused};
+pub use import::{Imported, Kept, import};
 pub use model::{Model, Origin};
+pub use provide::generator;
+pub use provide::{AssetProvider, Boxed, Chain, Choice, Given, Library, Local, Piece, Query, Remark, Reply, Why};
 pub use search::{B, Hit, Index, K1, size_factor};

@@ -41,7 +41,7 @@ pub struct Origin {
     pub pieces: usize,
     /// The volume of the mesh where it is closed (m³).
     pub volume: Option<f64>,
-    /// The volume of the convex parts (m³).
+    /// The volume of the hulls of its pieces (m³).
     pub filled: f64,
 }
 

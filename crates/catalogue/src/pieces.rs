@@ -1,5 +1,6 @@
 //! What a mesh is made of: its connected pieces, whether they are closed, and a convex part for each.
 
+use crate::cut::cut;
 use nalgebra::Vector3;
 use rustc_hash::FxHashMap;
 use scenelang_layout::convex::MAX_HULL_POINTS;
@@ -14,6 +15,10 @@ pub(crate) const THINNEST: f64 = 0.001;
 /// Of a piece with too many points, those that are farthest in so many directions.
 const DIRECTIONS: usize = 128;
 
+/// A closed piece is cut where it fills less than this share of its hull, and leaves more room in it than this (m³).
+const CONVEX: f64 = 0.7;
+const SPARE: f64 = 0.03;
+
 /// Three corners, by index.
 type Corners = [u32; 3];
 
@@ -22,7 +27,7 @@ type Corners = [u32; 3];
 pub(crate) struct Body {
     /// Convex, and together as large as the mesh.
     pub parts: Vec<Part>,
-    /// The volume of the parts, those that overlap counted twice (m³).
+    /// The volume of the hulls of the pieces, those that overlap counted twice (m³).
     pub filled: f64,
     /// How many edges do not have a triangle on either side.
     pub open_edges: usize,
@@ -39,15 +44,37 @@ pub(crate) fn take_apart(triangles: &[[Vec3; 3]]) -> Body {
     let clouds: Vec<Vec<Vec3>> = pieces.iter().map(|piece| cloud(piece, &corners, &points)).collect();
     let whole = clouds.iter().flatten().copied();
     let whole = Aabb::of(whole);
-    let parts: Vec<Part> = joined(clouds).iter().map(|cloud| part(cloud, &whole)).collect();
     let signed: f64 = triangles.iter().map(|[a, b, c]| a.dot(&b.cross(c))).sum::<f64>() / 6.0;
+    let parts_of = |clouds| -> Vec<Part> { joined(clouds).iter().map(|cloud| part(cloud, &whole)).collect() };
+    let hulls = parts_of(clouds.clone());
+    let filled = hulls.iter().filter_map(Convex::from_part).map(|c| volume(&c)).sum();
+    let mut cuts = false;
+    let mut cut_up = |(piece, cloud): (&Vec<u32>, Vec<Vec3>)| {
+        let parts = if open_edges == 0 { hollow(piece, &corners, &points, &cloud, signed < 0.0) } else { None };
+        cuts |= parts.is_some();
+        parts.unwrap_or_else(|| vec![cloud])
+    };
+    let clouds: Vec<Vec<Vec3>> = pieces.iter().zip(clouds).flat_map(&mut cut_up).collect();
     Body {
-        filled: parts.iter().filter_map(Convex::from_part).map(|c| volume(&c)).sum(),
-        parts,
+        filled,
+        parts: if cuts { parts_of(clouds) } else { hulls },
         open_edges,
         pieces: pieces.len(),
         volume: (open_edges == 0).then_some(signed.abs()),
     }
+}
+
+/// A piece with much room in its hull, cut into parts; `inward`: whether its triangles face inward.
+fn hollow(piece: &[u32], corners: &[Corners], points: &[Vec3], cloud: &[Vec3], inward: bool) -> Option<Vec<Vec<Vec3>>> {
+    let at = |&t: &u32| {
+        let [a, b, c] = corners[t as usize].map(|i| points[i as usize]);
+        if inward { [a, c, b] } else { [a, b, c] }
+    };
+    let triangles: Vec<[Vec3; 3]> = piece.iter().map(at).collect();
+    let solid = triangles.iter().map(|[a, b, c]| a.dot(&b.cross(c))).sum::<f64>() / 6.0;
+    let hull = volume(&Convex::from_hull(cloud)?);
+    // A cavity in another piece is a piece of its own, and inside out.
+    (solid > 0.0 && solid < CONVEX * hull && hull - solid > SPARE).then(|| cut(&triangles))?
 }
 
 /// Corners that are at the same place become one; triangles without an area go.
@@ -128,7 +155,7 @@ fn cloud(piece: &[u32], corners: &[Corners], points: &[Vec3]) -> Vec<Vec3> {
 }
 
 /// Not more points than a hull may have: along the axes, so that the box stays exact, and in directions spread evenly.
-fn outermost(points: Vec<Vec3>) -> Vec<Vec3> {
+pub(crate) fn outermost(points: Vec<Vec3>) -> Vec<Vec3> {
     if points.len() <= MAX_HULL_POINTS {
         return points;
     }

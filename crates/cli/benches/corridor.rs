@@ -121,6 +121,7 @@ fn solve(c: &mut Criterion) {
             stop: &Stop::default(),
             seed: 0,
             judge: scenelang_verify::Options::default(),
+            furniture: None,
         };
         group.bench_function(file.trim_end_matches(".scene"), |b| {
             b.iter(|| scenelang_synth::solve(black_box(&request), &mut Silent).ok());

@@ -1,17 +1,21 @@
 //! `scenelang assets`: what things will look like, from the furniture library and from a folder of the user's own models.
 
-use crate::args::{AssetsCheck, AssetsFormat, AssetsList, AssetsSearch, Plain};
+use crate::args::{AssetsCheck, AssetsFormat, AssetsImport, AssetsList, AssetsSearch, Plain};
+use crate::replace::{self, May};
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD, out};
 use scenelang_assets::family_of;
 use scenelang_base::{Diagnostic, Severity, SourceMap, plain};
-use scenelang_catalogue::{Catalogue, Checked as Found, Entry, Hit, Index, check as look_at};
+use scenelang_catalogue::{
+    Catalogue, Checked as Found, Entry, Hit, Imported, Index, check as look_at, import as read_all,
+};
+use scenelang_export::OutFile;
 use scenelang_lang::library::usual_size;
 use scenelang_layout::Vec3;
 use scenelang_verify::report::{self, diagnostics};
 use scenelang_verify::{Checked, Options};
 use serde_json::{Value, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What would be drawn for some words, and which models of a folder fit them.
 pub fn search(args: &AssetsSearch) -> u8 {
@@ -131,6 +135,59 @@ pub fn check(args: &AssetsCheck) -> u8 {
         _ => judged.iter().for_each(|checked| println!("{}", report::json(&checked.report))),
     }
     worst
+}
+
+/// Writes the models of a folder as a catalogue.
+pub fn import(args: &AssetsImport) -> u8 {
+    let folder = args.folder.display().to_string();
+    if let Err(message) = replace::unedited(&args.output, args.force) {
+        eprintln!("error: {message}");
+        return FAILED;
+    }
+    let imported = match read_all(&args.folder) {
+        Ok(imported) => imported,
+        Err(finding) => return fail(&folder, &finding),
+    };
+    let mut files = Vec::new();
+    for kept in imported.iter().filter_map(|i| i.outcome.as_ref().ok()) {
+        let card = format!("{:#}\n", kept.card);
+        files.push(OutFile::new(Path::new(&kept.name), kept.glb.clone()));
+        files.push(OutFile::new(Path::new(&kept.name).with_extension("json"), card));
+    }
+    let inputs: Vec<PathBuf> = imported.iter().map(|i| args.folder.join(&i.file)).collect();
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    let good = files.len() / 2;
+    if good > 0
+        && let Err(message) = replace::folder(&args.output, &files, &inputs, May { force: args.force, these: &[] })
+    {
+        eprintln!("error: {message}");
+        return FAILED;
+    }
+    match args.format {
+        Plain::Json => {
+            let row = |i: &Imported| match &i.outcome {
+                Ok(kept) => json!({ "file": i.file, "model": kept.name, "parts": kept.parts, "card": kept.card }),
+                Err(d) => json!({ "file": i.file, "model": null, "code": d.code.as_str(), "message": d.message }),
+            };
+            let rows: Vec<Value> = imported.iter().map(row).collect();
+            out::show(&format!("{}\n", json!({ "format": "scenelang.assets/1", "imported": rows })));
+        }
+        Plain::Text => {
+            let mut table = Table::new(&["file", "model", "size", "parts"]);
+            for (file, kept) in imported.iter().filter_map(|i| Some((&i.file, i.outcome.as_ref().ok()?))) {
+                let size: Option<[f64; 3]> = serde_json::from_value(kept.card["size"].clone()).ok();
+                let [file, name] = [file, &kept.name].map(|t| plain::line(t).into_owned());
+                table.row([file, name, sized(size.map(Vec3::from)), kept.parts.to_string()]);
+            }
+            out::show(&table.render());
+            for (file, finding) in imported.iter().filter_map(|i| Some((&i.file, i.outcome.as_ref().err()?))) {
+                eprint!("{}", in_words(file, finding));
+            }
+            let into = args.output.display();
+            out::show(&format!("{good} of {} models are in {into}\n", imported.len()));
+        }
+    }
+    if good == imported.len() { GOOD } else { FAILED }
 }
 
 /// A finding for people: a line that says what it is, and one for each thing to do.

@@ -8,7 +8,7 @@ use scenelang_base::{FileId, SourceFile, SourceMap};
 use scenelang_lang::sources::plain as why;
 use scenelang_layout::file::decode;
 use scenelang_llm::{Budget, Error, plain};
-use scenelang_verify::settings::{Llm, read_own};
+use scenelang_verify::settings::{Assets, Llm, Settings, read_user};
 use std::env;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -138,24 +138,36 @@ fn least<T: PartialOrd>(a: Option<T>, b: Option<T>) -> Option<T> {
     }
 }
 
-/// What the user's own file says; nothing, where there is none.
+/// What the user's own file says of language models; nothing, where there is none.
 fn own() -> Result<Llm, Error> {
-    let Some(path) = own_file() else { return Ok(Llm::default()) };
+    own_settings().map(|settings| settings.llm)
+}
+
+/// What the user's own file says of furniture; nothing, where there is none.
+///
+/// # Errors
+/// It cannot be used.
+pub fn own_assets() -> Result<Assets, Error> {
+    own_settings().map(|settings| settings.assets)
+}
+
+fn own_settings() -> Result<Settings, Error> {
+    let Some(path) = own_file() else { return Ok(Settings::default()) };
     // Many keep such files elsewhere, and a link here: it is theirs wherever it is.
     let real = path.canonicalize().unwrap_or_else(|_| path.clone());
     match Door::of(&real).read(&real) {
         Ok(bytes) => read(&path, bytes),
-        Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => Ok(Llm::default()),
+        Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => Ok(Settings::default()),
         Err(e) => Err(Error::Setup(format!("cannot read {}: {}", path.display(), why(&e)))),
     }
 }
 
-fn read(path: &Path, bytes: Vec<u8>) -> Result<Llm, Error> {
+fn read(path: &Path, bytes: Vec<u8>) -> Result<Settings, Error> {
     let name = path.display().to_string();
     let text = decode(bytes).map_err(|d| Error::Setup(format!("{name}: {}", d.message)))?;
     let mut sources = SourceMap::new();
     let id: FileId = sources.add(SourceFile::new(name.as_str(), path, text));
-    read_own(sources.get(id).text(), id).map_err(|found| {
+    read_user(sources.get(id).text(), id).map_err(|found| {
         let said = found.iter().map(|d| match &d.primary {
             Some(label) => {
                 let (at, _) = sources.lines(label.place);
@@ -182,6 +194,7 @@ fn own_file() -> Option<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use scenelang_verify::settings::read_own;
 
     fn llm(text: &str) -> Llm {
         read_own(&format!("[llm]\n{text}"), FileId(0)).unwrap()

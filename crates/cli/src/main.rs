@@ -18,6 +18,8 @@ mod fmt;
 mod foreign;
 mod formalize;
 mod formats;
+mod furniture;
+mod gallery;
 mod import;
 mod input;
 mod inspect;
@@ -85,6 +87,8 @@ fn main() -> ExitCode {
         Command::Assets(Assets::Search(args)) => assets::search(&args),
         Command::Assets(Assets::List(args)) => assets::list(&args),
         Command::Assets(Assets::Check(args)) => assets::check(&args),
+        Command::Assets(Assets::Import(args)) => assets::import(&args),
+        Command::Assets(Assets::Gallery(args)) => gallery::run(&args),
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),
         Command::Constraints(args) => inspect::constraints(&args),

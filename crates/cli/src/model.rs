@@ -139,16 +139,16 @@ fn limits(chosen: &Chosen, settings: &Llm, name: &str) -> Limits {
         per_minute: settings.per_minute,
         budget: Budget { calls: settings.max_calls, tokens: settings.max_tokens, money: settings.max_money },
         price: price.map(|(_, [input, output])| Price { input: *input, output: *output }),
-        cache: if settings.cache.unwrap_or(true) { cache_folder() } else { None },
+        cache: if settings.cache.unwrap_or(true) { cache_folder("llm") } else { None },
         record: chosen.record.clone(),
     }
 }
 
-/// Where answers are kept: where the user says, else where the system keeps what can be made again.
-fn cache_folder() -> Option<PathBuf> {
+/// Where answers of a kind are kept: where the user says, else where the system keeps what can be made again.
+pub fn cache_folder(kind: &str) -> Option<PathBuf> {
     let set = |name: &str| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
     if let Some(folder) = set(CACHE) {
-        return Some(folder.join("llm"));
+        return Some(folder.join(kind));
     }
     let usual = if cfg!(windows) {
         set("LOCALAPPDATA")
@@ -157,7 +157,7 @@ fn cache_folder() -> Option<PathBuf> {
     } else {
         set("XDG_CACHE_HOME").or_else(|| set("HOME").map(|home| home.join(".cache")))
     };
-    usual.map(|folder| folder.join("scenelang").join("llm"))
+    usual.map(|folder| folder.join("scenelang").join(kind))
 }
 
 /// Prints what was asked and spent, if a model was there to ask.

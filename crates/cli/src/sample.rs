@@ -239,6 +239,7 @@ impl Run<'_> {
             quality: 0,
             stop: &stop,
             seed: self.args.seed,
+            furniture: None,
             judge: self.judge,
         };
         match scenelang_synth::solve(&request, &mut Silent) {

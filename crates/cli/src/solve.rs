@@ -4,7 +4,7 @@ use crate::args::{Plain, Solve};
 use crate::check::color;
 use crate::model::{Asked, summary};
 use crate::progress::Progress;
-use crate::{FAILED, INTERRUPTED, interrupt, replace, settings, solution};
+use crate::{FAILED, INTERRUPTED, furniture, interrupt, replace, settings, solution};
 use scenelang_base::door::Door;
 use scenelang_base::fs::{is_same, is_stream};
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered};
@@ -43,6 +43,11 @@ pub fn run(args: &Solve) -> u8 {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
+    let furniture =
+        match furniture::chain(&args.furniture, &settings.assets, &Door::of(&args.scene), args.model.offline) {
+            Ok(furniture) => furniture,
+            Err(message) => return fail(&message),
+        };
     let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
         // Several layouts are looked for without one.
         Ok(model) => model.filter(|_| args.alternatives.is_none()),
@@ -73,6 +78,7 @@ pub fn run(args: &Solve) -> u8 {
         stop: &stop,
         seed: args.seed,
         judge: judging.options,
+        furniture: furniture.as_ref(),
     };
     let mut watch = Watch { progress: Progress::new("reading") };
     let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
@@ -172,6 +178,10 @@ impl Observer for Watch {
         self.progress.say(stage.name());
     }
     fn leave(&mut self, _stage: Stage) {}
+    fn furnishing(&mut self, said: &str) {
+        interrupt::gently();
+        self.progress.say(said);
+    }
     fn solving(&mut self, p: &scenelang_solve::Progress) {
         interrupt::gently();
         self.progress.say(crate::progress::solving(p));

@@ -8,7 +8,7 @@ use crate::progress::{Progress, solving};
 use crate::replace::May;
 use crate::solve::{color_err, explain, patience};
 use crate::table::Table;
-use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, formats, interrupt, out, replace, settings};
+use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, formats, furniture, interrupt, out, replace, settings};
 use scenelang_base::FileId;
 use scenelang_base::door::Door;
 use scenelang_export::{Exporter, Loss, OutFile, embedded, losses, unity};
@@ -42,6 +42,10 @@ pub fn run(args: &Synth) -> u8 {
     let (judging, settings) = match settings::all(&Judging::default(), &Door::of(&path)) {
         Ok(both) => both,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
+    };
+    let furniture = match furniture::chain(&args.furniture, &settings.assets, &Door::of(&path), args.model.offline) {
+        Ok(furniture) => furniture,
+        Err(message) => return fail(&message),
     };
     let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
         Ok(model) => model,
@@ -79,6 +83,7 @@ pub fn run(args: &Synth) -> u8 {
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,
+        furniture: furniture.as_ref(),
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
@@ -258,6 +263,9 @@ fn tell(
             if let Some(taken) = taken {
                 summary["taken"] = json!({ "from": taken.name, "changes": taken.changes, "moved": moved });
             }
+            if !solved.furniture.is_empty() {
+                summary["furniture"] = scenelang_synth::manifest(&solved.furniture)["objects"].take();
+            }
             if let Some(said) = model::json(model, solved.advice.as_ref()) {
                 summary["model"] = said;
             }
@@ -296,6 +304,9 @@ fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], fo
     let layout = solved.first.layout();
     println!("{} in {}\n", count(layout.objects.len(), "object"), count(layout.regions.len(), "region"));
     println!("{}\n{}", held.render(), times.render());
+    if !solved.furniture.is_empty() {
+        println!("furniture: {}\n", scenelang_synth::told(&solved.furniture));
+    }
     for path in shown(written, folder) {
         out::show(&format!("  {}\n", path.display()));
     }
@@ -349,6 +360,10 @@ impl Observer for Stages {
         let time = self.begun.elapsed();
         self.progress.done(format!("  {:<8} {:>6.2} s", stage.name(), time.as_secs_f64()));
         self.seconds.push((stage, time));
+    }
+    fn furnishing(&mut self, said: &str) {
+        interrupt::gently();
+        self.progress.say(said.to_owned());
     }
     fn solving(&mut self, p: &scenelang_solve::Progress) {
         interrupt::gently();

@@ -2,9 +2,10 @@
 
 use crate::again::{FEW, Repaired, moved, repaired};
 use crate::doubt::{Ended, doubted};
-use crate::furnish::{Furnished, furnish, gathered};
+use crate::furnish::{Chosen, Furnished, furnish_from, gathered};
 use crate::hold::Hold;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
+use scenelang_catalogue::Chain;
 use scenelang_engine::{check_layout_of, check_program};
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
@@ -55,6 +56,8 @@ pub struct Request<'a> {
     pub seed: u64,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
     pub judge: scenelang_verify::Options,
+    /// Where furniture comes from; `None`: from the library.
+    pub furniture: Option<&'a Chain>,
 }
 
 /// A language model that proposes moves, and how it is asked.
@@ -105,6 +108,8 @@ pub trait Observer {
     fn enter(&mut self, stage: Stage);
     /// A stage ends.
     fn leave(&mut self, stage: Stage);
+    /// What is made or looked for in stage II.
+    fn furnishing(&mut self, _said: &str) {}
     /// How far the solver is.
     fn solving(&mut self, progress: &Progress);
 }
@@ -143,6 +148,8 @@ pub struct Solved {
     pub advice: Option<Advice>,
     /// What had no asset or no usual size.
     pub warnings: Vec<Diagnostic>,
+    /// Who gave each object what; nothing, where only the library was asked.
+    pub furniture: Vec<Chosen>,
 }
 
 impl Solved {
@@ -206,8 +213,9 @@ pub fn solve_with(
         seed: request.seed,
         judge: request.judge,
         stop: request.stop.clone(),
+        furniture: request.furniture,
     };
-    let Ready { mut problem, mut options, mut warnings } = ready(program, how, observer);
+    let Ready { mut problem, mut options, mut warnings, furniture } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
     let warnings = gathered(&warnings);
 
@@ -281,7 +289,7 @@ pub fn solve_with(
     let first = all.next().ok_or(Failure::Interrupted)?;
     let others = all.collect();
     observer.leave(Stage::Layout);
-    Ok(Solved { first, others, advice, warnings, compiled })
+    Ok(Solved { first, others, advice, warnings, furniture, compiled })
 }
 
 /// Says so where a program has more objects than are laid out: each pair of them may collide.
@@ -313,6 +321,8 @@ pub struct Arranging<'a> {
     pub judge: scenelang_verify::Options,
     /// Set from elsewhere, it ends the work.
     pub stop: Stop,
+    /// Where furniture comes from; `None`: from the library.
+    pub furniture: Option<&'a Chain>,
 }
 
 /// A layout that is not judged yet.
@@ -344,13 +354,16 @@ struct Ready<'a> {
     problem: Problem<'a>,
     options: scenelang_solve::Options,
     warnings: Vec<Diagnostic>,
+    furniture: Vec<Chosen>,
 }
 
 /// Stage II.
 fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observer) -> Ready<'a> {
     observer.enter(Stage::Assets);
     let draws = scenelang_solve::draws(program, how.seed);
-    let Furnished { layout, warnings } = furnish(program, draws, how.previous, &how.judge);
+    let mut say = |said: &str| observer.furnishing(said);
+    let Furnished { layout, warnings, chosen } =
+        furnish_from(program, draws, how.previous, &how.judge, how.furniture, &mut say);
     observer.leave(Stage::Assets);
     let problem = Problem { program, placed: placed(program, how.previous), start: layout };
     let options = scenelang_solve::Options {
@@ -364,7 +377,7 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         stop: how.stop,
         ..Default::default()
     };
-    Ready { problem, options, warnings }
+    Ready { problem, options, warnings, furniture: chosen }
 }
 
 /// Stage III: by the solver, with a model if there is one.

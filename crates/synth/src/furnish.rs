@@ -3,8 +3,9 @@
 //! The size is what the program assigns (`scale`, else `dimensions`), else the usual size of the category or, without
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
-use scenelang_assets::{Asset, Request, furnish as asset};
+use scenelang_assets::{Asset, Request, family_of, furnish as asset};
 use scenelang_base::{Code, Diagnostic, Label, codes};
+use scenelang_catalogue::{Chain, Choice, Query, Why};
 use scenelang_lang::Program;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::program::{Formula, Object, ObjectId, Owner, Pinned};
@@ -26,7 +27,28 @@ pub struct Furnished {
     pub layout: Layout,
     /// What had no asset or no size of its own: one for each kind of thing. [`gathered`] makes fewer of them.
     pub warnings: Vec<Diagnostic>,
+    /// Who gave each object what, in the order of the program; nothing, where only the library was asked.
+    pub chosen: Vec<Chosen>,
 }
+
+/// What an object was given, and by whom.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The object.
+    pub object: String,
+    /// What it was given.
+    pub choice: Choice,
+}
+
+impl Chosen {
+    /// Whether what is seen of it is not what the library draws.
+    pub fn is_own(&self) -> bool {
+        !matches!(self.choice.provider.as_str(), "library" | "box")
+    }
+}
+
+/// Opens into a wall, and is cut out of it: such things are always from the library.
+const BUILT_IN: [&str; 3] = ["door", "garage_door", "window"];
 
 /// The asset for an object at a size.
 pub fn asset_of(object: &Object, size: Option<Vec3>) -> Asset {
@@ -48,6 +70,18 @@ pub fn furnish(
     previous: Option<&Layout>,
     options: &Options,
 ) -> Furnished {
+    furnish_from(program, draws, previous, options, None, &mut |_| {})
+}
+
+/// The same, with all but doors and windows from a chain of providers, if there is one. `say` is told how far it is.
+pub fn furnish_from(
+    program: &Program,
+    draws: Vec<(String, f64)>,
+    previous: Option<&Layout>,
+    options: &Options,
+    chain: Option<&Chain>,
+    say: &mut dyn FnMut(&str),
+) -> Furnished {
     let mut layout = previous.cloned().unwrap_or_default();
     layout.draws = draws;
     let known: Vec<_> = std::mem::take(&mut layout.objects);
@@ -55,9 +89,39 @@ pub fn furnish(
     let sizes = assigned_sizes(program, &layout, options);
     // One warning for a kind of thing, not for each of its instances.
     let mut unknown: BTreeMap<String, (usize, Diagnostic)> = BTreeMap::new();
+    let before = |object: &Object| known.iter().find(|(name, _)| *name == object.name).map(|(_, p)| p);
+    let mut chosen = chain.map_or_else(BTreeMap::new, |chain| {
+        let wanted = |(i, object): (usize, &Object)| {
+            let built_in = family_of(&object.category, &object.name).is_some_and(|family| BUILT_IN.contains(&family));
+            (!built_in).then(|| (i, query(object, sizes[i], before(object).map(|p| p.scale))))
+        };
+        let (ids, queries): (Vec<usize>, Vec<Query>) = program.objects.iter().enumerate().filter_map(wanted).unzip();
+        ids.into_iter().zip(chain.choose(&queries, say)).collect()
+    });
+    let mut kept = Vec::new();
     for (i, object) in program.objects.iter().enumerate() {
-        let before = known.iter().find(|(name, _)| *name == object.name).map(|(_, p)| p);
-        let what = if object.category.is_empty() { base_name(object) } else { object.category.as_str() };
+        let before = before(object);
+        let what = what_of(object);
+        let (pos, rot) = before.map_or((Vec3::zeros(), Vec3::zeros()), |p| (p.pos, p.rot));
+        let chosen = chosen.remove(&i).map(|choice| Chosen { object: object.name.to_string(), choice });
+        if let Some(chosen) = chosen.filter(|chosen| {
+            let own = chosen.is_own();
+            passed_over(&chosen.choice, &mut warnings);
+            kept.push(chosen.clone());
+            own
+        }) {
+            let piece = chosen.choice.given.piece;
+            let placement = Placement {
+                pos,
+                rot,
+                scale: piece.size,
+                parts: piece.parts,
+                surface: piece.surface,
+                joints: piece.joints,
+            };
+            layout.objects.push((object.name.clone(), placement));
+            continue;
+        }
         let size = sizes[i].or(before.map(|p| p.scale)).or_else(|| usual_size(what).map(Vec3::from));
         if size.is_none() {
             let d = Diagnostic::new(codes::W0602, object.span, message(codes::W0602, &[what]))
@@ -77,7 +141,6 @@ pub fn furnish(
                 .note(format!("give it a category the library knows: `{}.category <- \"chair\";`", base_name(object)));
             unknown.entry(format!("asset {what}")).or_insert((i, d));
         }
-        let (pos, rot) = before.map_or((Vec3::zeros(), Vec3::zeros()), |p| (p.pos, p.rot));
         let placement =
             Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
         layout.objects.push((object.name.clone(), placement));
@@ -85,7 +148,37 @@ pub fn furnish(
     let mut found: Vec<(usize, Diagnostic)> = unknown.into_values().collect();
     found.sort_by_key(|(i, d)| (*i, d.code));
     warnings.extend(found.into_iter().map(|(_, d)| d));
-    Furnished { layout, warnings }
+    Furnished { layout, warnings, chosen: kept }
+}
+
+/// What a provider is asked for an object.
+fn query(object: &Object, size: Option<Vec3>, before: Option<Vec3>) -> Query {
+    let what = what_of(object);
+    Query {
+        name: object.name.to_string(),
+        what: what.to_owned(),
+        category: object.category.clone(),
+        color: object.color.clone(),
+        material: object.material.clone(),
+        features: object.features.clone(),
+        size,
+        usual: before.or_else(|| usual_size(what).map(Vec3::from)),
+    }
+}
+
+/// Tells of models that cannot be used and of providers that do not work, each once.
+fn passed_over(choice: &Choice, warnings: &mut Vec<Diagnostic>) {
+    for (provider, remark) in &choice.passed {
+        let note = match remark.why {
+            Why::Broken => "`scenelang assets check` says more of it",
+            Why::Failed => "the next provider was asked",
+            _ => continue,
+        };
+        let say = format!("{provider}: {}", remark.say);
+        if !warnings.iter().any(|d| d.message == say) {
+            warnings.push(Diagnostic::without_place(codes::W0603, say).note(note));
+        }
+    }
 }
 
 /// What is said of kinds of things, the first ones by name.
@@ -132,7 +225,14 @@ pub(crate) fn gathered(warnings: &[Diagnostic]) -> Vec<Diagnostic> {
         }
         Some(first)
     };
-    codes.into_iter().filter_map(gather).collect()
+    let each = |code: &Code| *code == codes::W0603;
+    let all = warnings.iter().filter(|d| each(&d.code)).cloned();
+    codes.into_iter().filter(|code| !each(code)).filter_map(gather).chain(all).collect()
+}
+
+/// The noun of an object, or what its name says.
+fn what_of(object: &Object) -> &str {
+    if object.category.is_empty() { base_name(object) } else { &object.category }
 }
 
 /// The name to speak of an object's kind by: that of its array, or its own.

@@ -7,6 +7,7 @@ mod corridor;
 mod doubt;
 mod furnish;
 mod hold;
+mod manifest;
 mod output;
 mod rehearse;
 
@@ -14,7 +15,8 @@ pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
     solve_with, too_large,
 };
-pub use furnish::{Furnished, asset_of, furnish};
+pub use furnish::{Chosen, Furnished, asset_of, furnish, furnish_from};
 pub use hold::Hold;
+pub use manifest::{manifest, told};
 pub use output::{own_files, scene};
 pub use rehearse::{Tried, rehearse, rehearsed};

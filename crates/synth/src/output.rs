@@ -1,6 +1,7 @@
 //! Stage IV: what is to be written. Who writes it decides where, and what it may replace.
 
 use crate::corridor::Solved;
+use crate::manifest::manifest;
 use scenelang_export::{ExportError, OutFile, Scene, SceneInput};
 use scenelang_lang::program::Program;
 use std::path::{Component, Path};
@@ -20,7 +21,11 @@ fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, Export
     let failed = |e: &dyn std::fmt::Display| ExportError::Format("scene", e.to_string());
     let report = serde_json::to_value(&solved.first.checked.report).map_err(|e| failed(&e))?;
     let files: Vec<_> = solved.compiled.sources.iter().map(|(id, _)| id).collect();
-    Scene::build(&SceneInput {
+    let own = |name: &str| {
+        let chosen = solved.furniture.iter().find(|chosen| chosen.object == name && chosen.is_own());
+        chosen.map(|chosen| &chosen.choice.given.piece.mesh)
+    };
+    let input = SceneInput {
         name: stem,
         program,
         sources: &solved.compiled.sources,
@@ -28,8 +33,8 @@ fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, Export
         layout: solved.first.layout(),
         layout_text: &solved.first.text,
         report: &report,
-    })
-    .map_err(|e| failed(&e))
+    };
+    Scene::dressed(&input, &own).map_err(|e| failed(&e))
 }
 
 /// What is there without the exporters: the program, its imports, the layout and the report.
@@ -51,5 +56,9 @@ pub fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
     let mut report = serde_json::to_string_pretty(&solved.first.checked.report).unwrap_or_default();
     report.push('\n');
     out.push(OutFile::new("report.json", report));
+    if !solved.furniture.is_empty() {
+        let text = serde_json::to_string_pretty(&manifest(&solved.furniture)).unwrap_or_default();
+        out.push(OutFile::new("furniture.json", text + "\n"));
+    }
     out
 }

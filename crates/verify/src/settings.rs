@@ -1,7 +1,9 @@
 //! The settings of a workspace, as `scenelang.toml` has them. Finding the file is left to the caller.
 
+mod assets;
 mod llm;
 
+pub use assets::{Assets, Source};
 pub use llm::Llm;
 
 use crate::tolerances::{Opens, Options, Tolerances};
@@ -33,6 +35,8 @@ pub struct Settings {
     pub allow: Vec<Code>,
     /// Which language model is asked, and how.
     pub llm: Llm,
+    /// Where furniture comes from.
+    pub assets: Assets,
 }
 
 impl Settings {
@@ -90,7 +94,15 @@ pub fn read(text: &str, file: FileId) -> Result<Settings, Vec<Diagnostic>> {
 /// # Errors
 /// All that is wrong with it, in the order of the text.
 pub fn read_own(text: &str, file: FileId) -> Result<Llm, Vec<Diagnostic>> {
-    read_as(text, file, true).map(|settings| settings.llm)
+    read_user(text, file).map(|settings| settings.llm)
+}
+
+/// Reads all of the user's own file: what it says of language models and of furniture.
+///
+/// # Errors
+/// All that is wrong with it, in the order of the text.
+pub fn read_user(text: &str, file: FileId) -> Result<Settings, Vec<Diagnostic>> {
+    read_as(text, file, true)
 }
 
 fn read_as(text: &str, file: FileId, own: bool) -> Result<Settings, Vec<Diagnostic>> {
@@ -154,7 +166,10 @@ impl Reader {
         for (key, item) in table {
             match key {
                 "llm" => self.llm(item),
-                _ if self.own => self.error(place_of(table, key), unknown("setting of a user", key, &["llm"])),
+                "assets" => self.assets(item),
+                _ if self.own => {
+                    self.error(place_of(table, key), unknown("setting of a user", key, &["llm", "assets"]));
+                }
                 "physics" => match item.as_bool() {
                     Some(physics) => self.settings.physics = Some(physics),
                     None => self.wrong(key, item, "true or false"),
@@ -181,7 +196,7 @@ impl Reader {
                 "tolerances" => self.tolerances(item),
                 "lints" => self.lints(item),
                 _ => {
-                    let known = ["physics", "opens", "geometry", "eta", "tolerances", "lints", "llm"];
+                    let known = ["physics", "opens", "geometry", "eta", "tolerances", "lints", "llm", "assets"];
                     self.error(place_of(table, key), unknown("setting", key, &known));
                 }
             }
@@ -332,7 +347,7 @@ mod tests {
         };
         assert_eq!(own(text), Ok(wanted));
         for (text, wanted) in [
-            ("eta = 0.1", "there is no setting of a user `eta`; there are llm"),
+            ("eta = 0.1", "there is no setting of a user `eta`; there are llm, assets"),
             ("[llm]\nbase_url = 3", "`base_url` takes a URL, not a number"),
             ("[llm]\nkey = \"sk\"", "`key` is no setting: keys come from the environment, never from a file"),
         ] {
@@ -346,7 +361,7 @@ mod tests {
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
             (
                 "sofa = 1",
-                "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm",
+                "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm, assets",
             ),
             ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
             ("opens = \"door\"", "1:9-15 `opens` takes \"all\", \"doors\" or \"none\", not \"door\""),

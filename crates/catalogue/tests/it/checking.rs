@@ -139,7 +139,7 @@ fn findings_say_how_much_and_what_to_do() {
             "d.glb W0702 it is 900 m large; its numbers may be millimetres",
             "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is put on the floor; if it is to hang higher, place it so in the program",
             "e.glb W0706 its mass is 7000 kg, heavier than its box of steel, 9333 kg/m³; write kilograms on its card: `\"mass\": 7.5`",
-            "f.glb W0705 it is one piece that fills 14 % of its convex part; nothing can stand in or under it; make it of several convex pieces that do not share edges",
+            "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts where that looks right; make it of several convex pieces that do not share edges",
             "f.glb W0706 its mass is -1 kg, which nothing is; write kilograms on its card: `\"mass\": 7.5`",
         ]
     );

@@ -2,7 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod checking;
+mod generating;
 mod hostile;
+mod importing;
 mod made;
+mod providing;
 mod reading;
 mod searching;
+mod serving;

@@ -6,7 +6,7 @@ mod many;
 mod mcp;
 mod measure;
 
-pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsList, AssetsSearch};
+pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsSearch, Furniture};
 pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
 pub use mcp::Mcp;
@@ -268,6 +268,9 @@ pub struct Solve {
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,
+    /// Where furniture comes from
+    #[command(flatten)]
+    pub furniture: Furniture,
     /// How to judge
     #[command(flatten)]
     pub judging: Judging,
@@ -434,6 +437,9 @@ pub struct Synth {
     /// Which model proposes
     #[command(flatten)]
     pub model: Model,
+    /// Where furniture comes from
+    #[command(flatten)]
+    pub furniture: Furniture,
 }
 
 /// `scenelang view`

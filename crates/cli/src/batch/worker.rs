@@ -92,7 +92,8 @@ fn make(task: &Task) -> Result<usize, Trouble> {
     let mut quality = job.quality;
     if let Some(request) = &job.request {
         let request = formalize::Request::Words(request.clone());
-        let understood = formalize::understand(request, job.literal, true, None, &interrupt::stop(), None).map_err(input)?;
+        let understood =
+            formalize::understand(request, job.literal, true, None, &interrupt::stop(), None).map_err(input)?;
         if understood.reading.nothing {
             return Err(Trouble::new(
                 Kind::Input,
@@ -152,6 +153,7 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
         quality,
         stop: &interrupt::stop(),
         seed: task.job.seed,
+        furniture: None,
         judge,
     };
     match scenelang_synth::solve(&request, &mut Unseen) {

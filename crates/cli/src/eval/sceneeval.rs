@@ -177,6 +177,7 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
         stop: &stop,
         seed: 0,
         judge: scenelang_verify::Options::default(),
+        furniture: None,
     };
     match solve(&request, &mut Unseen) {
         Ok(solved) if !solved.first.layout().incomplete => {

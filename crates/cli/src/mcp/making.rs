@@ -124,6 +124,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
         quality: scenelang_solve::QUALITY,
         stop: call.stop,
         seed,
+        furniture: None,
         judge: judging.options,
     };
     let solved = match scenelang_synth::solve(&request, &mut Quiet) {

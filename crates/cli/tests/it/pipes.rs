@@ -12,7 +12,7 @@ use std::process::Stdio;
 const CLOSED: i32 = 141;
 
 /// Commands in a folder with `bedroom.scene` and a layout of it, each with more to print than nothing.
-const COMMANDS: [&[&str]; 32] = [
+const COMMANDS: [&[&str]; 34] = [
     &["check", "bedroom.scene"],
     &["formalize", "a bedroom with a bed and two lamps"],
     &["formalize", "a bedroom with a bed and two lamps", "--format", "json"],

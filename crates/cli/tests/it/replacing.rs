@@ -14,7 +14,7 @@ const BROKEN: &str = r#"{ "format": "scenelang.layout/1", "scene": "broken.scene
 const MINE: &str = "this is mine\n";
 
 /// Every command that writes: its arguments, and a file that it writes.
-const COMMANDS: [(&[&str], &str); 13] = [
+const COMMANDS: [(&[&str], &str); 14] = [
     (&["solve", "room.scene"], "room.layout.json"),
     (&["solve", "room.scene", "-o", "other.json"], "other.json"),
     (&["solve", "room.scene", "--alternatives", "2", "-o", "some.layout.json"], "some.2.layout.json"),
@@ -27,6 +27,7 @@ const COMMANDS: [(&[&str], &str); 13] = [
     (&["sample", "room.scene", "-n", "2", "-o", "samples"], "samples/samples-000000000.jsonl"),
     (&["batch", "jobs.jsonl", "-o", "many"], "many/box.layout.json"),
     (&["eval", "requests", "requests", "--untried", "-o", "programs"], "programs/one.scene"),
+    (&["assets", "import", "models", "-o", "shop"], "shop/one.json"),
     (&["bench", "solve", "room.scene", "-o", "record.json", "--layouts", "layouts"], "record.json"),
 ];
 
@@ -36,6 +37,9 @@ fn prepared() -> tempfile::TempDir {
     let at = |name: &str| folder.path().join(name);
     fs::write(at("room.scene"), ROOM).unwrap();
     fs::write(at("jobs.jsonl"), "{\"name\": \"box\", \"source\": \"object a;\"}").unwrap();
+    fs::create_dir(at("models")).unwrap();
+    fs::write(at("models/one.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        .unwrap();
     fs::create_dir(at("requests")).unwrap();
     fs::write(at("requests/one.txt"), "A room with a bed.").unwrap();
     fs::write(at("requests/one.expect.json"), TRUTH).unwrap();

@@ -4,6 +4,7 @@ use super::dress::{Dresser, Wardrobe};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
 use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, weight};
 use crate::names::Stems;
+use scenelang_assets::Mesh;
 use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::program::{self, Program};
 use scenelang_layout::{Aabb, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
@@ -56,14 +57,17 @@ impl std::error::Error for BuildError {}
 /// Things that are no farther from each other than this might touch, metres.
 const TOUCHING: f64 = 0.01;
 
-pub(super) fn build(input: &SceneInput<'_>) -> Result<Scene, BuildError> {
+/// What an object looks like that the furniture library does not draw, by its name.
+pub type Looks<'a> = &'a dyn Fn(&str) -> Option<&'a Mesh>;
+
+pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, BuildError> {
     let mut wardrobe = Wardrobe::default();
     let (rows, mentions) = rows(input);
     let regions = regions(input)?;
     let mut stems = Stems::default();
     let mut objects = Vec::with_capacity(input.program.objects.len());
     for (id, declared) in input.program.objects.iter().enumerate() {
-        objects.push(object(input, id, declared, &regions, &mut wardrobe, &mut stems)?);
+        objects.push(object((input, own), id, declared, &regions, &mut wardrobe, &mut stems)?);
     }
     for object in &mut objects {
         object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
@@ -169,7 +173,7 @@ fn within(regions: &[Region], i: usize, j: usize) -> bool {
 }
 
 fn object(
-    input: &SceneInput<'_>,
+    (input, own): (&SceneInput<'_>, Looks<'_>),
     id: usize,
     declared: &program::Object,
     regions: &[Region],
@@ -179,7 +183,7 @@ fn object(
     let name = declared.name.to_string();
     let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
     let solid = convex::local_solid(place, Geometry::Parts);
-    let dressed = wardrobe.furnish(declared, place, &solid);
+    let dressed = wardrobe.furnish(declared, place, &solid, own(&name));
     let looks = weight::looks(&solid, &dressed.mesh);
     let weights: Vec<f64> =
         solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();

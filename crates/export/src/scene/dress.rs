@@ -2,7 +2,7 @@
 
 use super::RegionKind;
 use crate::geometry::mesh::Group;
-use scenelang_assets::{Asset, Request, Surface, covering, furnish};
+use scenelang_assets::{Asset, Mesh, Request, Surface, covering, furnish};
 use scenelang_lang::program;
 use scenelang_layout::{Convex, Placement};
 use std::collections::BTreeMap;
@@ -43,7 +43,14 @@ impl Wardrobe {
     }
 
     /// The object as the library draws it at its size; `solid` is what the verifier judged.
-    pub fn furnish(&mut self, declared: &program::Object, place: &Placement, solid: &[Convex]) -> Dressed {
+    /// What was made elsewhere is drawn as it was made.
+    pub fn furnish(
+        &mut self,
+        declared: &program::Object,
+        place: &Placement,
+        solid: &[Convex],
+        own: Option<&Mesh>,
+    ) -> Dressed {
         let asset = furnish(&Request {
             name: &declared.name,
             category: &declared.category,
@@ -52,6 +59,10 @@ impl Wardrobe {
             features: &declared.features,
             size: Some(place.scale),
         });
+        if let Some(own) = own {
+            let mesh = own.groups.iter().map(|g| self.group(g.clone())).collect();
+            return Dressed { family: asset.family.to_owned(), mesh };
+        }
         let drawn = !asset.mesh.groups.is_empty() && (place.parts.is_empty() || same_solid(&asset, solid));
         let mesh = if drawn {
             asset.mesh.groups.into_iter().map(|g| self.group(g)).collect()

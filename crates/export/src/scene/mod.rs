@@ -9,7 +9,7 @@ pub mod shell;
 pub mod view;
 mod weight;
 
-pub use build::{BuildError, SceneInput};
+pub use build::{BuildError, Looks, SceneInput};
 pub use shell::{Role, Shell};
 pub use view::View;
 
@@ -167,7 +167,15 @@ impl Scene {
     /// # Errors
     /// Something is not placed, or a floor is no polygon.
     pub fn build(input: &SceneInput<'_>) -> Result<Self, BuildError> {
-        build::build(input)
+        build::build(input, &|_| None)
+    }
+
+    /// The same, with what some objects look like that the furniture library does not draw.
+    ///
+    /// # Errors
+    /// As for [`Self::build`].
+    pub fn dressed(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Self, BuildError> {
+        build::build(input, own)
     }
 
     /// The program's main file.

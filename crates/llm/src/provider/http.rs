@@ -1,4 +1,4 @@
-//! One POST over HTTP: bounded in time and size, given up when somebody asks for it, and what its status means.
+//! One request over HTTP: bounded in time and size, given up when somebody asks for it, and what its status means.
 
 use super::wait;
 use super::{Call, Key};
@@ -56,7 +56,7 @@ impl Http {
         Ok(Self { agent: config.build().new_agent(), timeout, largest, stop })
     }
 
-    /// Sends `call` to `base`.
+    /// Sends `call` to `base`; without a body it asks for something that is there.
     ///
     /// # Errors
     /// No answer, one that is too large, or somebody ended it. A status that is no success is none of these.
@@ -93,11 +93,14 @@ fn exchange(agent: &ureq::Agent, url: &str, call: &Call, largest: u64, timeout: 
         ureq::Error::Timeout(_) => Error::TimedOut(timeout),
         other => broken(&other),
     };
-    let mut request = agent.post(url).header("content-type", "application/json");
-    for (name, value) in &call.headers {
-        request = request.header(*name, value);
-    }
-    let mut answer = request.send(call.body.to_string().as_bytes()).map_err(failed)?;
+    let sent = if call.body.is_null() {
+        call.headers.iter().fold(agent.get(url), |request, (name, value)| request.header(*name, value)).call()
+    } else {
+        let request = agent.post(url).header("content-type", "application/json");
+        let request = call.headers.iter().fold(request, |request, (name, value)| request.header(*name, value));
+        request.send(call.body.to_string().as_bytes())
+    };
+    let mut answer = sent.map_err(failed)?;
     let header = |name: &str| answer.headers().get(name).and_then(|v| v.to_str().ok());
     let (status, wait) = (answer.status().as_u16(), wait::asked(header));
     let mut body = Vec::new();
@@ -156,7 +159,7 @@ pub(super) fn is_private(base: &str) -> bool {
     base.starts_with("https:") || is_here(base)
 }
 
-fn is_here(base: &str) -> bool {
+pub(super) fn is_here(base: &str) -> bool {
     let uri = base.parse::<Uri>().ok();
     matches!(uri.as_ref().and_then(Uri::host), Some("localhost" | "127.0.0.1" | "[::1]"))
 }

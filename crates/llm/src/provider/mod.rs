@@ -8,6 +8,7 @@ mod key;
 mod ollama;
 mod openai;
 mod wait;
+mod web;
 
 use crate::clock::SystemClock;
 use crate::error::{Error, plain};
@@ -21,6 +22,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::Path;
 use std::time::Duration;
+pub use web::Web;
 
 /// How requests and answers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

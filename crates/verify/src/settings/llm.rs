@@ -139,7 +139,7 @@ impl Reader {
     }
 
     /// A number of a range.
-    fn between(&mut self, key: &str, item: &Item, range: RangeInclusive<f64>) -> Option<f64> {
+    pub(super) fn between(&mut self, key: &str, item: &Item, range: RangeInclusive<f64>) -> Option<f64> {
         let number = item.as_float().or(item.as_integer().map(|n| n as f64));
         match number {
             Some(number) if range.contains(&number) => return Some(number),
@@ -153,7 +153,7 @@ impl Reader {
     }
 
     /// A whole number of a range.
-    fn count(&mut self, key: &str, item: &Item, range: RangeInclusive<f64>) -> Option<u64> {
+    pub(super) fn count(&mut self, key: &str, item: &Item, range: RangeInclusive<f64>) -> Option<u64> {
         if item.as_integer().is_none() {
             self.wrong(key, item, "a whole number");
             return None;

@@ -1,0 +1,134 @@
+//! A folder of models as a provider.
+//!
+//! A model is considered if it is the same kind of thing: the family of the furniture library that would draw it is that of
+//! what is wanted, or, where no family knows the noun, the noun is the same. Of those, the ones with the best words are
+//! read, and the best of them by words and size that can be brought to the size is given.
+
+use super::fit::fit;
+use super::{AssetProvider, Given, Query, Remark, Reply, Why, sum};
+use crate::folder::{Catalogue, Entry};
+use crate::model::Model;
+use crate::search::{Index, size_factor};
+use scenelang_assets::{family_of, words};
+use scenelang_base::Diagnostic;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// So many models are read for an object at most.
+const READ: usize = 8;
+/// So many are looked at by their cards.
+const LOOKED_AT: usize = 10_000;
+
+/// A model with the sum of its file, or why it cannot be used.
+type Read = Result<(Arc<Model>, String), Box<Diagnostic>>;
+
+/// A folder of models.
+#[derive(Debug)]
+pub struct Local {
+    name: String,
+    catalogue: Catalogue,
+    index: Index,
+    least: f64,
+    /// What was read, so that six equal chairs are read once.
+    read: Mutex<BTreeMap<usize, Read>>,
+}
+
+impl Local {
+    /// The models of `folder`, called `name` in reports; what scores less than `least` is not used.
+    ///
+    /// # Errors
+    /// There is no such folder, or nothing to read in it.
+    pub fn open(folder: &Path, name: &str, least: f64) -> Result<Self, Box<Diagnostic>> {
+        let catalogue = Catalogue::list(folder)?;
+        let index = Index::of(&catalogue.entries);
+        Ok(Self { name: name.to_owned(), catalogue, index, least, read: Mutex::default() })
+    }
+
+    /// What of the folder cannot be used, as far as is known without reading the models.
+    pub fn refused(&self) -> &[crate::Refused] {
+        &self.catalogue.refused
+    }
+
+    fn model(&self, entry: usize) -> Read {
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.entry(entry)
+            .or_insert_with(|| {
+                let entry = &self.catalogue.entries[entry];
+                let bytes = self.catalogue.bytes(entry)?;
+                let content = sum(&[&bytes]);
+                let model = self.catalogue.model_of(entry, bytes)?;
+                Ok((Arc::new(model), content))
+            })
+            .clone()
+    }
+
+    fn one(&self, query: &Query) -> Reply {
+        let wanted = query.wanted();
+        let entries = &self.catalogue.entries;
+        let mut hits = self.index.search(&query.text(), wanted, LOOKED_AT);
+        hits.retain(|hit| same_kind(query, &entries[hit.entry]));
+        if hits.is_empty() {
+            return Reply::passes(Why::Nothing, format!("it has no \"{}\"", query.what));
+        }
+        hits.truncate(READ);
+        let mut remarks = Vec::new();
+        let mut found = Vec::new();
+        for hit in hits {
+            match self.model(hit.entry) {
+                Ok((model, content)) => {
+                    // The card need not say how large it is; now that is known.
+                    let score = wanted.map_or(hit.score, |wanted| {
+                        hit.score / size_factor(entries[hit.entry].size, &wanted)
+                            * size_factor(Some(model.size), &wanted)
+                    });
+                    found.push((score, hit.entry, model, content));
+                }
+                Err(finding) => remarks.push(Remark::broken(&entries[hit.entry].file, &finding)),
+            }
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        for (score, entry, model, content) in found {
+            if score < self.least {
+                let say = format!("{}: it scores {score:.3}, less than {}", model.file, self.least);
+                remarks.push(Remark::new(Why::Score, say));
+                break;
+            }
+            match fit(&model, query, true) {
+                Ok(piece) => {
+                    let given = Given {
+                        piece,
+                        source: model.file.clone(),
+                        score: Some(score),
+                        content: Some(content),
+                        licence: entries[entry].card.licence.clone(),
+                    };
+                    return Reply { given: Some(given), remarks };
+                }
+                Err(remark) => remarks.push(remark),
+            }
+        }
+        Reply { given: None, remarks }
+    }
+}
+
+impl AssetProvider for Local {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn provide(&self, queries: &[&Query], _: &mut dyn FnMut(&str)) -> Vec<Reply> {
+        queries.iter().map(|query| self.one(query)).collect()
+    }
+}
+
+/// Whether a model is the kind of thing that is wanted.
+fn same_kind(query: &Query, entry: &Entry) -> bool {
+    let wanted = family_of(&query.category, &query.name);
+    let has = family_of(&entry.card.category, "");
+    if wanted.is_some() || has.is_some() {
+        return wanted == has;
+    }
+    let (wanted, has) = (words(&query.what), words(&entry.card.category));
+    wanted.last().is_some() && wanted.last() == has.last()
+}

@@ -1,0 +1,180 @@
+//! Services that make models, against a scripted server on loopback. It speaks for them: no test needs a network or a key
+//! that is worth anything.
+#![cfg(feature = "services")]
+
+use crate::generating::{ask, bounds, query};
+use crate::made::block;
+use scenelang_catalogue::Why;
+use scenelang_catalogue::generator::{Generator, Kind, Service};
+use serde_json::{Value, json};
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+use tempfile::tempdir;
+
+/// Status and body by method and path; `{url}` is where the server is.
+type Script = fn(&str) -> (u16, Vec<u8>);
+
+/// What was asked: "POST /path body".
+type Asked = Arc<Mutex<Vec<String>>>;
+
+fn server(script: Script) -> (String, Asked) {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let url = format!("http://{}", listener.local_addr().unwrap());
+    let asked: Asked = Arc::default();
+    let (memory, base) = (Arc::clone(&asked), url.clone());
+    std::thread::spawn(move || {
+        for stream in listener.incoming() {
+            let Ok(mut stream) = stream else { return };
+            let Some((line, body)) = read(&mut stream) else { continue };
+            let (status, answer) = script(&line);
+            memory.lock().unwrap().push(format!("{line} {body}"));
+            let answer = match String::from_utf8(answer) {
+                Ok(text) => text.replace("{url}", &base).into_bytes(),
+                Err(bytes) => bytes.into_bytes(),
+            };
+            let head = format!("HTTP/1.1 {status} X\r\ncontent-length: {}\r\nconnection: close\r\n\r\n", answer.len());
+            let _ = stream.write_all(&[head.as_bytes(), &answer].concat());
+        }
+    });
+    (url, asked)
+}
+
+/// The method with the path, and the body.
+fn read(stream: &mut TcpStream) -> Option<(String, String)> {
+    stream.set_read_timeout(Some(Duration::from_secs(10))).ok()?;
+    let (mut bytes, mut buffer) = (Vec::new(), [0; 4096]);
+    let head = loop {
+        if let Some(end) = bytes.windows(4).position(|w| w == b"\r\n\r\n") {
+            break end + 4;
+        }
+        match stream.read(&mut buffer).ok()? {
+            0 => return None,
+            n => bytes.extend_from_slice(&buffer[..n]),
+        }
+    };
+    let text = String::from_utf8_lossy(&bytes[..head]).to_lowercase();
+    let length = text.lines().find_map(|l| l.strip_prefix("content-length: ")?.trim().parse::<usize>().ok());
+    while bytes.len() < head + length.unwrap_or(0) {
+        match stream.read(&mut buffer).ok()? {
+            0 => return None,
+            n => bytes.extend_from_slice(&buffer[..n]),
+        }
+    }
+    let line = String::from_utf8_lossy(&bytes[..head]).lines().next()?.rsplit_once(' ')?.0.to_owned();
+    Some((line, String::from_utf8_lossy(&bytes[head..]).into_owned()))
+}
+
+fn json(status: u16, body: &Value) -> (u16, Vec<u8>) {
+    (status, body.to_string().into_bytes())
+}
+
+fn chair() -> Vec<u8> {
+    block(1.0, 2.0, 1.0).glb()
+}
+
+/// The size of what was made, or why nothing was.
+type Outcome = Result<[f64; 3], (Why, String)>;
+
+/// What came of an order of a chair: the size, or why not; and what was asked for that.
+fn ordered(kind: Kind, script: Script) -> (Outcome, Vec<String>) {
+    let (url, asked) = server(script);
+    let kept = tempdir().unwrap();
+    let service = Service::on(kind, &url, "test-key", Duration::from_secs(10), || false).unwrap();
+    let generator = Generator::new(Box::new(service), bounds(kept.path(), 9));
+    let mut reply = ask(&generator, &[query("chair", [0.5, 0.9, 0.5])]).remove(0);
+    let got = match reply.given {
+        Some(given) => Ok(given.piece.size.into()),
+        None => Err((reply.remarks[0].why, reply.remarks.remove(0).say)),
+    };
+    let asked = asked.lock().unwrap().clone();
+    (got, asked)
+}
+
+#[test]
+fn a_server_answers_with_the_file() {
+    let (got, asked) = ordered(Kind::Hunyuan, |line| match line {
+        "POST /generate" => (200, chair()),
+        _ => (404, Vec::new()),
+    });
+    assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+    assert!(asked.len() == 1 && asked[0].contains("\"text\":\"red chair\""), "{asked:?}");
+}
+
+#[test]
+fn a_task_is_looked_at_until_it_is_done() {
+    let (got, asked) = ordered(Kind::Meshy, |line| match line {
+        "POST /openapi/v2/text-to-3d" => json(202, &json!({ "result": "task-1" })),
+        "GET /openapi/v2/text-to-3d/task-1" => {
+            json(200, &json!({ "status": "SUCCEEDED", "progress": 100, "model_urls": { "glb": "{url}/files/a.glb" } }))
+        }
+        "GET /files/a.glb" => (200, chair()),
+        _ => (404, Vec::new()),
+    });
+    assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+    assert_eq!(asked.len(), 3, "{asked:?}");
+    let (got, asked) = ordered(Kind::Tripo, |line| match line {
+        "POST /v2/openapi/task" => json(200, &json!({ "code": 0, "data": { "task_id": "t" } })),
+        "GET /v2/openapi/task/t" => {
+            json(200, &json!({ "data": { "status": "success", "output": { "model": "{url}/m.glb" } } }))
+        }
+        "GET /m.glb" => (200, chair()),
+        _ => (404, Vec::new()),
+    });
+    assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+}
+
+#[test]
+fn each_way_in_which_a_service_fails_is_told() {
+    let rows: [(Kind, Script, Why, &str); 8] = [
+        (Kind::Hunyuan, |_| json(500, &json!({ "error": "no memory" })), Why::Failed, "has a problem (500): no memory"),
+        (Kind::Hunyuan, |_| (200, b"<html>".to_vec()), Why::Broken, "it is not a GLB file"),
+        (Kind::Meshy, |_| json(401, &json!({ "message": "who?" })), Why::Failed, "does not accept the key: who?"),
+        (Kind::Meshy, |_| (302, Vec::new()), Why::Failed, "it sends us elsewhere"),
+        (Kind::Meshy, |_| json(200, &json!({ "result": "../../etc" })), Why::Failed, "did not name a task"),
+        (
+            Kind::Meshy,
+            |line| match line {
+                "POST /openapi/v2/text-to-3d" => json(200, &json!({ "result": "a" })),
+                _ => json(200, &json!({ "status": "FAILED", "task_error": { "message": "too\u{1b}[31m rude" } })),
+            },
+            Why::Failed,
+            "could not make it: too [31m rude",
+        ),
+        (
+            Kind::Tripo,
+            |line| match line {
+                "POST /v2/openapi/task" => json(200, &json!({ "data": { "task_id": "t" } })),
+                _ => json(200, &json!({ "data": { "status": "success", "output": { "model": "http://10.0.0.1/x" } } })),
+            },
+            Why::Failed,
+            "at an address that is not https",
+        ),
+        (
+            Kind::Tripo,
+            |line| match line {
+                "POST /v2/openapi/task" => json(200, &json!({ "data": { "task_id": "t" } })),
+                _ => {
+                    json(200, &json!({ "data": { "status": "success", "output": { "model": "https://localhost/x" } } }))
+                }
+            },
+            Why::Failed,
+            "it names a file on this machine",
+        ),
+    ];
+    for (kind, script, why, say) in rows {
+        let (got, asked) = ordered(kind, script);
+        let got = got.unwrap_err();
+        assert!(got.0 == why && got.1.contains(say), "{say}: {got:?} {asked:?}");
+    }
+}
+
+#[test]
+fn a_key_is_needed_and_stays_private() {
+    let at = |url: &str| Service::on(Kind::Meshy, url, "k", Duration::from_secs(1), || false).map(drop);
+    assert!(at("http://a.example").unwrap_err().contains("must begin with https"));
+    assert!(at("ftp://a.example").unwrap_err().contains("must begin with https:// or http://"));
+    let none = Service::on(Kind::Meshy, "https://a.example", "", Duration::from_secs(1), || false);
+    assert_eq!(none.map(drop), Err("meshy needs a key: set MESHY_API_KEY".to_owned()));
+}
