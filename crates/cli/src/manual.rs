@@ -76,9 +76,13 @@ fn find<'c>(whole: &'c Command, words: &[String]) -> Result<&'c Command, String>
     })
 }
 
-/// The command, and all below.
+/// The command, and all below that people call.
 fn all(command: &Command) -> Vec<&Command> {
-    std::iter::once(command).chain(command.get_subcommands().flat_map(all)).collect()
+    std::iter::once(command).chain(below(command).flat_map(all)).collect()
+}
+
+fn below(command: &Command) -> impl Iterator<Item = &Command> {
+    command.get_subcommands().filter(|command| !command.is_hide_set())
 }
 
 fn page(command: &Command, format: Page) -> Result<String, String> {
@@ -101,7 +105,7 @@ fn markdown(command: &Command) -> String {
     let _ = writeln!(out, "{}.\n", escaped(about.trim_end_matches('.')));
     let usage = command.clone().render_usage().to_string();
     let _ = writeln!(out, "`{}`", usage.trim_start_matches("Usage: ").trim());
-    let below: Vec<&Command> = command.get_subcommands().collect();
+    let below: Vec<&Command> = below(command).collect();
     if !below.is_empty() {
         out += "\n## Commands\n\n";
         for command in below {

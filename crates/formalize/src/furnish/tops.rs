@@ -121,8 +121,8 @@ fn rank(plan: &Plan, of: usize, noun: &str) -> Option<usize> {
     if part_of(&name, plan.kind.dress, noun).is_some() {
         return Some(0);
     }
-    let known = |end: &&str| name == **end || name.ends_with(&format!(" {end}"));
-    carriers(noun).iter().position(|end| known(&end)).map(|at| at + 1)
+    let known = |end: &str| name == end || name.ends_with(&format!(" {end}"));
+    carriers(noun).iter().position(|end| known(end)).map(|at| at + 1)
 }
 
 /// The part of what goes with a carrier that such a thing is.

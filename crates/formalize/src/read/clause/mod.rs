@@ -303,10 +303,12 @@ impl<'a> Reader<'a> {
         let ruled_out = self.neither(from, end);
         let revised = self.revised(from, end);
         let mut unsaid = match (&ruled_out, &revised) {
-            _ if self.joking(end) => vec![from..end],
             (None, None) => self.unsaid(from, end),
             _ => Vec::new(),
         };
+        if self.joking(end) {
+            unsaid.push(from..end);
+        }
         for range in &unsaid {
             let at = self.bytes(range.clone());
             let reason = "a word here changes what is asked for, and no statement says it so".to_owned();
