@@ -158,6 +158,6 @@ fn a_folder_is_imported_and_a_gallery_is_drawn() {
     assert_eq!((page.matches("<img").count(), page.matches("open:").count()), (9, 3));
     assert!(page.len() < 400_000 && !page.contains("http"), "{}", page.len());
     assert_eq!(scenelang(folder.path(), &args).code, 2, "what is there stays");
-    let ended = scenelang(folder.path(), &["assets", "gallery", "fridg"]);
+    let ended = scenelang(folder.path(), &["assets", "gallery", "fridg", "-o", "other.html"]);
     assert!(ended.code == 2 && ended.stderr.contains("did you mean `fridge`?"), "{ended:?}");
 }

@@ -241,7 +241,9 @@ fn the_driver_for_ray_makes_what_one_run_makes() {
     let python = std::env::var("SCENELANG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let has = Command::new(&python).args(["-c", "import ray"]).output();
     if !has.is_ok_and(|ended| ended.status.success()) {
-        return skip("the package ray for Python");
+        // It is too large for a package that only this test needs, so it may lack in CI, too.
+        println!("skipped: the package ray for Python is not there");
+        return;
     }
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
