@@ -1,7 +1,7 @@
 //! `scenelang sample` and `scenelang batch`: the same bytes however the work is split, what becomes of what is bad, and going
 //! on after an end at any moment.
 
-use crate::support::{Ended, binary, root, scenelang, skip};
+use crate::support::{Ended, binary, root, scenelang};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;

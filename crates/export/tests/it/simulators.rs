@@ -84,7 +84,7 @@ fn equal_things_share_a_prim_and_a_package_holds_the_same_layer() {
     let files = files(&usd::Usd, &scene());
     let layer = &files["room.usda"];
     assert_eq!(layer.matches("prepend references = </Shapes/chair>").count(), 2);
-    let second = layer.split("def Xform \"chair_1\" (").nth(1).and_then(|rest| rest.split("\n        )").next());
+    let second = layer.split("def Xform \"chair_1\" (").nth(1).and_then(|rest| rest.split("\n            )").next());
     assert!(second.is_some_and(|told| told.contains("displayName = \"chair[1]\"")), "{layer}");
     let package = usd::Usdz.files(&scene()).unwrap().remove(0).bytes;
     let at = package.windows(layer.len()).position(|w| w == layer.as_bytes()).unwrap();
