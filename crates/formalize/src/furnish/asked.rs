@@ -8,7 +8,7 @@ use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::room::{gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
-use super::{groups, slots, stand};
+use super::{facing, groups, slots, stand};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
 use std::cell::RefCell;
@@ -97,14 +97,18 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
-    let own_place = line.filter(|line| it.count == 1 && special(&line.place) && !plan.is_placed(thing));
+    // A car stands in line with the gate.
+    let gated = it.category.ends_with("car") && gate(plan).is_some();
+    let has_place = |line: &&Line| special(&line.place) || gated;
+    let own_place = line.filter(|line| it.count == 1 && has_place(line) && !plan.is_placed(thing));
     let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
     let has_back = stand::has_back(&it.category) && !apart;
     let is_on_floor = stand::on_floor(plan.draft, &it);
-    let wall = if is_on_floor && it.count <= 4 && has_back { at_a_wall(plan, thing) } else { AtWall::No };
+    let pair = plan.ground.is_some() && facing::is_pair(plan, thing);
+    let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
     let aside = own.map_or_else(|| stand::is_aside(&it.category), |place| *place == Place::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
-    if !at_wall_like && !aside && own_place.is_none() {
+    if !at_wall_like && !aside && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
     let like =
@@ -196,6 +200,11 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
             })
         }
     };
+    if facing::is_pair(plan, thing)
+        && facing::stand_up(plan, thing, &|floor, shape, before| choice.wall(floor, shape, before))
+    {
+        return true;
+    }
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
     plan.lacking += usize::from(!placed);

@@ -144,6 +144,11 @@ impl Building {
             && self.frames.get(&thing).is_some_and(|frames| frames.len() > 1)
     }
 
+    /// Whether the two elements of a thing look at each other.
+    pub fn is_pair(&self, thing: usize) -> bool {
+        self.is_run(thing) && self.frames.get(&thing).is_some_and(|frames| frames[1].yaw == 180.0)
+    }
+
     /// The part that is left out next: the last that stands somewhere.
     fn least(&self, root: usize) -> Option<&'static str> {
         let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;
@@ -306,13 +311,18 @@ impl Plan<'_> {
             let (name, count) = (self.draft.things[*thing].name.clone(), self.draft.things[*thing].count);
             for (i, pose) in poses.iter().enumerate() {
                 for (k, frame) in frames.iter().enumerate() {
-                    let place = in_scene(self.draft, self.room, &pose.then(frame));
                     let element = if count > 1 { format!("{name}[{}]", i * frames.len() + k) } else { name.clone() };
-                    let place = [place.x, place.y, place.z, place.yaw].map(|v| (v * 1e4).round() / 1e4);
-                    self.draft.places.push((element, place));
+                    self.note_place(&element, &pose.then(frame));
                 }
             }
         }
+    }
+
+    /// Notes where an element of a thing is in the room.
+    pub(super) fn note_place(&mut self, element: &str, pose: &Pose) {
+        let place = in_scene(self.draft, self.room, pose);
+        let place = [place.x, place.y, place.z, place.yaw].map(|v| (v * 1e4).round() / 1e4);
+        self.draft.places.push((element.to_owned(), place));
     }
 
     /// Where an element of a thing has its place in the room.

@@ -12,6 +12,7 @@ mod daylight;
 mod drop;
 mod even;
 mod extent;
+mod facing;
 mod floor;
 mod gates;
 mod groups;
@@ -81,16 +82,17 @@ pub fn refine(brief: &mut Brief) {
     }
     for at in 0..brief.things.len() {
         let thing = &brief.things[at];
-        if thing.part.is_some() || thing.opening() || thing.size.iter().any(Option::is_some) || thing.words.len() != 1 {
+        if thing.part.is_some() || thing.opening() || thing.size.iter().any(Option::is_some) {
             continue;
         }
+        let plain = thing.words.join(" ");
         let known = |words: &str| scenelang_lang::nouns::noun(words).is_some();
         let said = thing.look.features.iter();
-        let said = said.map(|feature| format!("{} {}", feature.replace('-', " "), thing.words[0]));
-        let said = said.enumerate().find(|(_, name)| known(name));
+        let said = said.map(|feature| format!("{} {plain}", feature.replace('-', " ")));
+        let said = said.enumerate().find(|(_, name)| thing.words.len() == 1 && known(name));
         let meant = || {
             let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
-            let (_, noun) = kind.means.iter().find(|(plain, _)| *plain == thing.words[0])?;
+            let (_, noun) = kind.means.iter().find(|(said, _)| *said == plain)?;
             known(noun).then(|| (*noun).to_owned())
         };
         let thing = match said {

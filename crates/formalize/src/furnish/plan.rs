@@ -270,6 +270,11 @@ impl<'a> Plan<'a> {
         let category = self.draft.things[thing].category.clone();
         let height = self.draft.rooms[self.room].size[1];
         let round = stand::round(&category, &self.draft.things[thing].look.features);
+        // Two that look at each other share what is between them.
+        let on_top = matches!(part.at, Where::Top(..));
+        if !on_top && self.building.as_ref().is_some_and(|group| group.is_pair(thing)) {
+            return;
+        }
         if self.claim(thing, part, wall, deep, taken) {
             return;
         }
