@@ -18,6 +18,9 @@ const BETWEEN: &str = "facing table";
 const TABLE: &str = "coffee table";
 const WHY: &str = "who sits face to face has a low table between";
 
+/// Finds a place for a group, given those of the groups before it.
+type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
+
 /// Whether a thing is such a pair.
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
@@ -31,7 +34,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
 }
 
 /// Gives the pair a place, its first one where `seek` finds one. Whether there is one.
-pub fn stand_up(plan: &mut Plan, thing: usize, seek: &dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>) -> bool {
+pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let it = plan.draft.things[thing].clone();
     let Some([w, _, d]) = it.size else { return false };
     let frames = vec![Pose::default(), Pose { z: d + ACROSS, yaw: 180.0, ..Pose::default() }];
@@ -47,7 +50,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &dyn Fn(&Floor, &Shape, &[P
     };
     let with_table = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         let mut whole = shape.clone();
-        whole.pieces.push(stands.clone());
+        whole.pieces.push(stands);
         seek(floor, &whole, before)
     };
     let root = Root { n: 1, frames, wall: AtWall::No, free, whole: false, seek: &with_table };

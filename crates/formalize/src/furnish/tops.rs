@@ -16,6 +16,8 @@ const HIGHEST: f64 = 1.35;
 /// From the edge of a top, and from one place that is tried to the next (metres).
 const EDGE: f64 = 0.02;
 const STEP: f64 = 0.05;
+/// Their tops are sloped.
+const SLOPED: [&str; 3] = ["mixing desk", "drafting table", "pinball machine"];
 /// So many of the carriers in a list are the most usual ones.
 const USUAL: usize = 5;
 /// The part of a round top, and of a seat or a bed, that things stand on.
@@ -115,7 +117,8 @@ fn rank(plan: &Plan, of: usize, noun: &str) -> Option<usize> {
     let carrier = &plan.draft.things[of];
     let [w, h, d] = carrier.size?;
     let name = carrier.category.replace('_', " ");
-    if carrier.room != Some(plan.room) || h > HIGHEST || w.min(d) < 0.2 || !stands(plan, carrier) {
+    let sloped = SLOPED.iter().any(|sloped| name.ends_with(sloped));
+    if sloped || carrier.room != Some(plan.room) || h > HIGHEST || w.min(d) < 0.2 || !stands(plan, carrier) {
         return None;
     }
     if part_of(&name, plan.kind.dress, noun).is_some() {
