@@ -353,3 +353,21 @@ fn small_things_stand_on_what_carries_such_things() {
     let draft = read("A study with a laptop on the floor.", &Options::default()).draft;
     assert!(!draft.statements.iter().any(|s| s.text.contains("laptop.pos = desk")), "{:?}", draft.statements);
 }
+
+#[test]
+fn sofas_that_face_each_other_stand_across_one_table() {
+    for request in [
+        "A living room with two sofas facing each other and a coffee table.",
+        "A lounge with two couches facing each other.",
+    ] {
+        let draft = draft(request);
+        assert_eq!(count(&draft, "coffee table"), 1, "{request}");
+        let seats = if request.contains("sofas") { "sofa" } else { "couch" };
+        let place = |i: usize| draft.place_of(&format!("{seats}[{i}]")).unwrap_or_else(|| panic!("{request}: {i}"));
+        let ([x, _, z, yaw], [u, _, w, turned]) = (place(0), place(1));
+        let (sin, cos) = yaw.to_radians().sin_cos();
+        let (ahead, aside) = ((u - x) * sin + (w - z) * cos, (u - x) * cos - (w - z) * sin);
+        assert!((1.8..3.2).contains(&ahead) && aside.abs() < 1e-3, "{request}: {ahead} {aside}");
+        assert!(((turned - yaw).rem_euclid(360.0) - 180.0).abs() < 1e-6, "{request}: {yaw} {turned}");
+    }
+}
