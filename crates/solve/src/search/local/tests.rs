@@ -71,53 +71,59 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
         let mut chance = ChaCha8Rng::seed_from_u64(index as u64);
         local.search(&mut chance, 2_000, &Limit::default(), &[]);
         // Preferences, too.
-        local.preferring = true;
-        local.judge_all();
-        local.judge_paths();
-        local.plan_missing(&|| false);
+        local.trial.preferring = true;
+        local.trial.judge_all();
+        local.trial.judge_paths();
+        local.trial.plan_missing(&|| false);
         let (mut poses, mut compared) = (Vec::new(), 0);
         for round in 0..2_000 {
-            let i = local.movable[chance.below(local.movable.len())];
+            let i = local.trial.movable[chance.below(local.trial.movable.len())];
             local.poses(i, &mut chance, &mut poses);
             let pose = poses[chance.below(poses.len())];
-            local.go(i, pose);
+            local.trial.go(i, pose);
             if chance.below(4) == 0 {
                 let angles = [chance.between(-90.0, 90.0), 90.0 * chance.below(3) as f64];
-                local.tip(i, angles);
+                if local.trial.may_lean(i) {
+                    local.trial.go_lean(i, angles);
+                }
             }
-            if local.judge(f64::INFINITY).is_some() && chance.below(3) > 0 {
-                local.keep();
+            if local.trial.judge(f64::INFINITY).is_some() && chance.below(3) > 0 {
+                local.trial.keep();
             } else {
-                local.undo();
+                local.trial.undo();
             }
             if round % 20 == 0 {
                 let believed: Vec<(f64, bool)> =
-                    (0..local.cost.len()).map(|c| (local.cost[c], local.holds[c])).collect();
-                local.judge_all();
-                local.judge_paths();
+                    (0..local.trial.cost.len()).map(|c| (local.trial.cost[c], local.trial.holds[c])).collect();
+                local.trial.judge_all();
+                local.trial.judge_paths();
                 for (check, (cost, holds)) in believed.into_iter().enumerate() {
                     let what = numbering.check(check);
-                    assert!((cost - local.cost[check]).abs() < 1e-9, "{index} {what:?}: {cost} {}", local.cost[check]);
-                    assert_eq!(holds, local.holds[check], "{index} {what:?}");
+                    assert!(
+                        (cost - local.trial.cost[check]).abs() < 1e-9,
+                        "{index} {what:?}: {cost} {}",
+                        local.trial.cost[check]
+                    );
+                    assert_eq!(holds, local.trial.holds[check], "{index} {what:?}");
                     compared += 1;
                 }
             }
         }
         assert!(compared >= 400, "{compared}");
         // The evaluator's word on the last layout.
-        if state.attempt(&local.changes(), f64::INFINITY).is_some() {
+        if state.attempt(&local.trial.changes(), f64::INFINITY).is_some() {
             state.keep();
         }
         for check in 0..numbering.len() {
             let elsewhere = match numbering.check(check) {
                 // A plan of a corridor is only a plan; that some walls hold a thing is said by a term, too.
                 Check::Term(t) => setup.frame.terms[t].walks,
-                Check::Bounds(id) => !local.bounded[id.0 as usize],
+                Check::Bounds(id) => !local.trial.bounded[id.0 as usize],
                 Check::Collide(..) | Check::Support(_) => false,
             };
             // What hardly fails or holds may be seen differently in the last digits.
-            if !elsewhere && (local.cost[check] == 0.0 || local.cost[check] > 0.12) {
-                assert_eq!(local.holds[check], state.does_hold(check), "{index} {:?}", numbering.check(check));
+            if !elsewhere && (local.trial.cost[check] == 0.0 || local.trial.cost[check] > 0.12) {
+                assert_eq!(local.trial.holds[check], state.does_hold(check), "{index} {:?}", numbering.check(check));
             }
         }
     }

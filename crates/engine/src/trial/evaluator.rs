@@ -4,13 +4,11 @@
 //! A path over the floor takes thousands of times as long as anything else. A term that asks for one beside other things
 //! counts it as there until all else holds, and only then has it looked for.
 
-use super::clear::Clear;
-use super::judge::Moved;
 use super::lean::Lean;
-use super::{Judge, LocalSearch, Span};
-use crate::problem::pose::Pose;
-use scenelang_engine::Mirror;
-use scenelang_engine::penalty::{Penalty, Truths};
+use super::{Clear, Judge, Moved, Span, Trial};
+use crate::Mirror;
+use crate::penalty::{Penalty, Truths};
+use crate::pose::Pose;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit, VariableId};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
@@ -27,7 +25,6 @@ const SWING: u64 = 100;
 const CLEARANCE: f64 = 0.01;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
-
 /// How a truth without code is judged.
 #[derive(Clone, Debug)]
 pub(super) enum Leaf {
@@ -52,7 +49,7 @@ pub(super) enum Look {
 
 /// A term of which some truths have no code.
 #[derive(Clone, Debug)]
-pub(super) struct Mixed {
+pub struct Mixed {
     code: Coded,
     leaves: Vec<(NodeId, Leaf)>,
     /// `None`: everything.
@@ -62,7 +59,7 @@ pub(super) struct Mixed {
 }
 
 impl Mixed {
-    pub fn new(
+    pub(super) fn new(
         formula: &Formula,
         code: Coded,
         missing: &[NodeId],
@@ -168,7 +165,7 @@ impl Truths<f64> for Found<'_> {
     }
 }
 
-impl LocalSearch<'_> {
+impl Trial<'_> {
     /// Brings the instance up to date.
     pub(super) fn follow(&mut self) {
         let Self { instance, slots, away, scale, leans, .. } = self;
@@ -281,7 +278,7 @@ impl LocalSearch<'_> {
     }
 
     /// Takes all paths for granted.
-    pub(super) fn trust_paths(&mut self) {
+    pub fn trust_paths(&mut self) {
         for at in 0..self.path_terms.len() {
             if let Judge::Mixed(mixed) = &mut self.judges[self.path_terms[at]] {
                 for (_, leaf) in &mut mixed.leaves {
@@ -294,7 +291,7 @@ impl LocalSearch<'_> {
     }
 
     /// Looks for the paths that terms ask for beside other things. Whether all of these terms hold that must.
-    pub(super) fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
+    pub fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
         let mut all = true;
         for at in 0..self.path_terms.len() {
             if late() {
@@ -308,7 +305,7 @@ impl LocalSearch<'_> {
     }
 
     /// The same of one term. Where it holds without them they are not looked for.
-    pub(super) fn find_paths_of(&mut self, t: usize) -> bool {
+    pub fn find_paths_of(&mut self, t: usize) -> bool {
         self.assume(t, |_| false);
         let mut found = self.mixed(t);
         if !found.1 {
@@ -335,7 +332,7 @@ impl LocalSearch<'_> {
     }
 
     /// Calls something while the paths that preferences ask for are those that there are.
-    pub(super) fn with_paths<T>(&mut self, ask: impl FnOnce(&Self) -> T) -> T {
+    pub fn with_paths<T>(&mut self, ask: impl FnOnce(&Self) -> T) -> T {
         let before = self.work;
         for at in 0..self.path_preferences.len() {
             self.find_paths_of(self.path_preferences[at]);
