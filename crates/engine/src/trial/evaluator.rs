@@ -5,6 +5,7 @@
 //! counts it as there until all else holds, and only then has it looked for.
 
 use super::lean::Lean;
+use super::swing;
 use super::{Clear, Judge, Moved, Span, Trial};
 use crate::Mirror;
 use crate::penalty::{Penalty, Truths};
@@ -19,10 +20,10 @@ use std::marker::PhantomData;
 const PATH: u64 = 150_000;
 /// Of several paths over one floor each takes such a part of that.
 const SHARED: u64 = 20;
-/// What trying the movable parts of a thing takes.
-const SWING: u64 = 100;
+/// What a sweep of the movable parts of a thing takes.
+const SWING: u64 = 10_000;
 /// More room than this before what opens is as good as this (metres).
-const CLEARANCE: f64 = 0.01;
+pub(super) const CLEARANCE: f64 = 0.01;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
 /// How a truth without code is judged.
@@ -30,6 +31,8 @@ const LIMBO: f64 = -1e5;
 pub(super) enum Leaf {
     /// By the evaluator; these nodes are needed.
     Evaluated(Vec<NodeId>),
+    /// As what opens of an object, on boxes.
+    Swing(usize),
     /// As free space beside a thing, on boxes.
     Space(Clear),
     /// By the evaluator, but only once all else holds; until then this is taken for granted.
@@ -64,6 +67,7 @@ impl Mixed {
         code: Coded,
         missing: &[NodeId],
         clear: impl Fn(&Node, &Formula) -> Option<Clear>,
+        has_panels: impl Fn(usize) -> bool,
         objects: usize,
     ) -> Self {
         let mut looks = Some(Vec::new());
@@ -80,6 +84,7 @@ impl Mixed {
                 return (node, Leaf::Path(nodes, true));
             }
             price += 10 + nodes.len() as u64;
+            let mut swings = 0;
             for seen in around {
                 match seen {
                     Surroundings::Nothing | Surroundings::Path { .. } => {}
@@ -88,7 +93,7 @@ impl Mixed {
                         looks.iter_mut().for_each(|l| l.push(Look::Sight(from.0 as usize, to.0 as usize)));
                     }
                     Surroundings::Swing { owner } => {
-                        price += SWING + objects as u64;
+                        swings += 1;
                         looks.iter_mut().for_each(|l| l.push(Look::Swing(owner.0 as usize)));
                     }
                     Surroundings::Space { .. } => {
@@ -97,7 +102,13 @@ impl Mixed {
                     }
                 }
             }
-            (node, Leaf::Evaluated(nodes))
+            match swing::opens(formula, node).filter(|owner| has_panels(*owner)) {
+                Some(owner) => (node, Leaf::Swing(owner)),
+                None => {
+                    price += SWING * swings;
+                    (node, Leaf::Evaluated(nodes))
+                }
+            }
         };
         let leaves = missing.iter().map(leaf).collect();
         Self { code, leaves, looks, price }
@@ -105,7 +116,7 @@ impl Mixed {
 
     /// One of which nothing is code.
     pub fn whole(formula: &Formula, objects: usize) -> Self {
-        Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, objects)
+        Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, |_| false, objects)
     }
 
     /// Whether it asks for paths.
@@ -212,31 +223,44 @@ impl Trial<'_> {
 
     /// Judges such a term, and asks something of what came of it.
     pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Penalty<'_, f64, Found<'_>>)) {
-        self.follow();
-        let Judge::Mixed(mixed) = &self.judges[t] else { return };
-        let formula = &self.frame.terms[t].formula;
-        self.work += mixed.price;
-        let mut truths = std::mem::take(&mut self.instance.truths);
-        truths.clear();
-        for (node, leaf) in &mixed.leaves {
-            let truth = match leaf {
-                Leaf::Path(_, holds) => Some(Truth::discrete(*holds)),
-                Leaf::Space(clear) => {
-                    let (cost, holds) = self.lack_of_space(clear);
-                    let margin = if holds { self.tolerances.contact } else { -cost };
-                    Some(Truth { margin, holds, unit: Unit::Metre })
-                }
-                Leaf::Evaluated(nodes) => {
-                    let found = self.instance.scratch.evaluate_cone(formula, nodes, self.instance.mirror.world());
-                    if let Ok(Value::Truth(truth)) = found { Some(truth) } else { None }
-                }
-            };
-            truths.extend(truth.map(|truth| (*node, truth)));
+        let judge = std::mem::replace(&mut self.judges[t], Judge::Absent);
+        if let Judge::Mixed(mixed) = &judge {
+            let formula = &self.frame.terms[t].formula;
+            self.work += mixed.price;
+            let mut truths = std::mem::take(&mut self.instance.truths);
+            truths.clear();
+            for (node, leaf) in &mixed.leaves {
+                truths.extend(self.truth_of(formula, leaf).map(|truth| (*node, truth)));
+            }
+            mixed.code.run(&mut self.slots);
+            let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
+            ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
+            self.instance.truths = truths;
         }
-        mixed.code.run(&mut self.slots);
-        let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
-        ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
-        self.instance.truths = truths;
+        self.judges[t] = judge;
+    }
+
+    /// A truth that has no code; `None`: nothing can be measured.
+    fn truth_of(&mut self, formula: &Formula, leaf: &Leaf) -> Option<Truth<f64>> {
+        match leaf {
+            Leaf::Path(_, holds) => Some(Truth::discrete(*holds)),
+            Leaf::Space(clear) => {
+                let (cost, holds) = self.lack_of_space(clear);
+                let margin = if holds { self.tolerances.contact } else { -cost };
+                Some(Truth { margin, holds, unit: Unit::Metre })
+            }
+            Leaf::Swing(owner) => Some(self.panels_open(*owner)),
+            Leaf::Evaluated(nodes) => self.evaluated(formula, nodes),
+        }
+    }
+
+    fn evaluated(&mut self, formula: &Formula, nodes: &[NodeId]) -> Option<Truth<f64>> {
+        self.follow();
+        let instance = &mut self.instance;
+        match instance.scratch.evaluate_cone(formula, nodes, instance.mirror.world()) {
+            Ok(Value::Truth(truth)) => Some(truth),
+            _ => None,
+        }
     }
 
     /// Whether something that moved may change what a term sees.
@@ -255,12 +279,7 @@ impl Trial<'_> {
     fn span_of(&self, look: &Look) -> Option<Span> {
         match look {
             Look::Space(clear) => self.space_span(clear),
-            Look::Swing(i) => {
-                let reach = self.instance.world().object(ObjectId(*i as u32)).map_or(0.0, |thing| thing.body.reach());
-                let [x, y, z, ..] = self.inputs(*i);
-                let at = [x, y, z];
-                Some(Span { min: at.map(|c| c - reach), max: at.map(|c| c + reach) })
-            }
+            Look::Swing(i) => self.swing_span(*i),
             Look::Sight(a, b) => {
                 // A little more than the segment between the centres: what comes nearer than the tolerance counts.
                 let ends = [*a, *b].map(|i| {
@@ -310,6 +329,7 @@ impl Trial<'_> {
         let mut found = self.mixed(t);
         if !found.1 {
             self.work += PATH;
+            self.follow();
             let formula = &self.frame.terms[t].formula;
             let instance = &mut self.instance;
             let mut holds = Vec::new();

@@ -15,6 +15,7 @@ mod paths;
 mod physical;
 mod rooms;
 mod setup;
+mod swing;
 mod variables;
 
 use crate::candidate::Change;
@@ -37,6 +38,7 @@ use scenelang_verify::{Tolerances, World, rules};
 use setup::Known;
 pub use setup::inside_of;
 use std::sync::Arc;
+use swing::Reach;
 use variables::Variables;
 
 /// One pose of an object: see [`Slots`].
@@ -169,6 +171,8 @@ pub struct Trial<'a> {
     pub path_terms: Vec<usize>,
     /// The same of preferences.
     path_preferences: Vec<usize>,
+    /// By object: what opens of it.
+    reaches: Vec<Option<Reach>>,
     /// The instance that terms without code are judged on; whether there are such.
     instance: Instance,
     follows: bool,
@@ -229,7 +233,9 @@ impl<'a> Trial<'a> {
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
         let mut coder = Coder::new(frame.program, world, &still, &stands);
         let plans = floor.is_some() && !rooms.is_empty();
-        let known = Known { world, rooms: &rooms, doors: &doors, stands: &stands, plans };
+        let reaches = Reach::of_all(world, n);
+        let has_panels = |i: usize| !leans[i] && reaches[i].as_ref().is_some_and(Reach::has_panels);
+        let known = Known { world, rooms: &rooms, doors: &doors, stands: &stands, has_panels: &has_panels, plans };
         let (judges, groups) = setup::judges(frame, &known, &mut coder);
         let coded = |rule: &crate::frame::rules::Rule| CodedRule {
             owner: rule.owner.0 as usize,
@@ -305,6 +311,7 @@ impl<'a> Trial<'a> {
             onlookers,
             path_terms,
             path_preferences,
+            reaches,
             instance: Instance::new(world.clone()),
             follows,
             walks: judges.iter().enumerate().filter_map(walks).collect(),

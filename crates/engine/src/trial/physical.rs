@@ -95,7 +95,7 @@ impl Trial<'_> {
         self.asked[i] || self.is_oblique(i)
     }
 
-    fn is_over(&self, j: usize, x: f64, z: f64) -> bool {
+    pub(super) fn is_over(&self, j: usize, x: f64, z: f64) -> bool {
         let flat = self.flat(j);
         let [u, v] = flat.local([x, z]);
         u.abs() <= flat.half[0] && v.abs() <= flat.half[1]

@@ -148,6 +148,8 @@ pub(super) struct Known<'k> {
     pub doors: &'k [usize],
     /// Whether an object stands upright.
     pub stands: &'k dyn Fn(ObjectId) -> bool,
+    /// Whether what opens of an object is judged on boxes.
+    pub has_panels: &'k dyn Fn(usize) -> bool,
     /// Whether corridors can be planned: all rooms share a floor.
     pub plans: bool,
 }
@@ -198,6 +200,6 @@ fn judge(frame: &Frame<'_>, term: &Term, known: &Known<'_>, coder: &mut Coder<'_
     } else if term.is_hard() && turned(formula).is_some_and(known.stands) {
         Judge::Turn
     } else {
-        Judge::Mixed(Mixed::new(formula, code, &missing, clear, frame.program.objects.len()))
+        Judge::Mixed(Mixed::new(formula, code, &missing, clear, known.has_panels, frame.program.objects.len()))
     }
 }

@@ -125,9 +125,15 @@ impl Trial<'_> {
         Plans { groups: self.groups.clone(), found }
     }
 
-    /// Plans all paths anew.
-    pub fn plan_all(&mut self) {
-        (0..self.groups.len()).for_each(|group| self.plan_again(group));
+    /// Plans those paths anew that are barred where everything is now.
+    pub fn plan_barred(&mut self) {
+        self.judge_paths();
+        for at in 0..self.walks.len() {
+            let (t, group) = self.walks[at];
+            if self.cost[t] > 0.0 && self.looks_at(group) {
+                self.plan_again(group);
+            }
+        }
     }
 
     /// Plans are as they were, when everything was where it is again.

@@ -95,7 +95,7 @@ impl LocalSearch<'_> {
         let before = trial.plans();
         let poses: Vec<(usize, Inputs)> = trial.moved.iter().map(|(k, pose, _)| (*k, *pose)).collect();
         trial.keep();
-        trial.plan_all();
+        trial.plan_barred();
         let (old, new) = (before.cost(), trial.plans().cost());
         rearranged[0] += f64::from(u8::from(new < LESS * old));
         rearranged[1] += 1.0;

@@ -2,6 +2,7 @@
 //! back; and of plain boxes it is what the evaluator says.
 
 use super::LocalSearch;
+use super::moves::turned;
 use crate::problem::setup::setup;
 use crate::problem::{Options, Placed, Problem};
 use crate::search::chance::Chance;
@@ -10,8 +11,11 @@ use rand_chacha::rand_core::SeedableRng;
 use scenelang_engine::candidate::Candidate;
 use scenelang_engine::frame::checks::Check;
 use scenelang_engine::limit::Limit;
+use scenelang_engine::penalty;
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Options as Reading, compile_text};
-use scenelang_layout::Layout;
+use scenelang_layout::{Joint, Layout, Motion, Part, Placement, Vec3};
+use scenelang_verify::Opens;
 use std::path::Path;
 
 const SCENES: [&str; 6] = [
@@ -127,4 +131,73 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
             }
         }
     }
+}
+
+/// A cupboard whose door turns about the vertical, with a drawer under it and a flap above.
+fn cupboard() -> Placement {
+    let part = |y: f64, h: f64, z: f64, d: f64| Part::Box {
+        pos: Vec3::new(0.0, y, z),
+        size: Vec3::new(0.8, h, d),
+        rot: Vec3::zeros(),
+    };
+    let joint = |name: &str, motion, axis, anchor, most: f64, moved: usize| Joint {
+        name: name.into(),
+        motion,
+        axis,
+        anchor,
+        limits: [0.0, most],
+        useful: Some(0.9 * most),
+        handle: None,
+        parts: vec![moved],
+    };
+    let joints = vec![
+        joint("door", Motion::Hinge, -Vec3::y(), Vec3::new(-0.4, 0.0, 0.25), 100.0, 1),
+        joint("drawer", Motion::Slide, Vec3::z(), Vec3::zeros(), 0.4, 2),
+        joint("flap", Motion::Hinge, -Vec3::x(), Vec3::new(0.0, 1.6, 0.25), 90.0, 3),
+    ];
+    let parts = vec![
+        part(0.8, 1.6, -0.01, 0.48),
+        part(0.8, 0.7, 0.24, 0.02),
+        part(0.2, 0.3, 0.24, 0.02),
+        part(1.4, 0.4, 0.24, 0.02),
+    ];
+    let scale = Vec3::new(0.8, 1.6, 0.5);
+    Placement { pos: Vec3::zeros(), rot: Vec3::zeros(), scale, parts, surface: None, joints }
+}
+
+/// Boxes at some poses are not the sweep: what they say may be this far off (metres).
+const SWEPT: f64 = 0.03;
+
+#[test]
+fn what_opens_is_seen_as_the_evaluator_sees_it_but_for_a_little() {
+    let text = "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(3, 2.5, 3);
+        object cupboard; object box; box.dimensions <- vec3(0.3, 0.5, 0.3); object chair; chair.category <- \"chair\";";
+    let compiled = compile_text("s.scene", Path::new("s.scene"), text, Reading::default());
+    let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+    let start = Layout { objects: vec![("cupboard".into(), cupboard())], ..Layout::default() };
+    let problem = Problem { program, start, placed: Placed::None };
+    let mut options = Options::default();
+    options.judge.opens = Opens::All;
+    let setup = setup(&problem, &options);
+    let mut state = Candidate::new(&setup.frame, setup.world.clone());
+    let mut local = LocalSearch::new(&setup.frame, &setup.world, state.numbering, false);
+    assert!(setup.world.object(ObjectId(0)).is_ok_and(|thing| thing.body.has_parts()), "the parts fill the box");
+    let opens = setup.frame.terms.iter().position(|term| term.opens.is_some()).expect("the cupboard opens");
+    let mut chance = ChaCha8Rng::seed_from_u64(1);
+    let mut seen = [0; 2];
+    for _ in 0..400 {
+        for i in 0..3 {
+            let pose = local.anywhere(i, &mut chance);
+            local.trial.settle(i, turned(pose, chance.between(0.0, 360.0)));
+        }
+        if state.attempt(&local.trial.changes(), f64::INFINITY).is_some() {
+            state.keep();
+        }
+        let (boxes, exact) = (local.trial.cost[opens], state.cost(opens));
+        let tells = |cost: f64| cost > penalty::BASE + SWEPT;
+        assert!(!tells(boxes) || exact > 0.0, "{boxes} {exact}");
+        assert!(!tells(exact) || boxes > 0.0, "{boxes} {exact}");
+        seen[usize::from(exact > 0.0)] += 1;
+    }
+    assert!(seen[0] > 40 && seen[1] > 40, "{seen:?}");
 }
