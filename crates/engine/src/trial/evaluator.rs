@@ -119,6 +119,11 @@ impl Mixed {
         Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, |_| false, objects)
     }
 
+    /// Whether some of it is judged on boxes.
+    pub fn is_rough(&self) -> bool {
+        self.leaves.iter().any(|(_, leaf)| matches!(leaf, Leaf::Swing(_) | Leaf::Space(_)))
+    }
+
     /// Whether it asks for paths.
     pub fn walks(&self) -> bool {
         self.leaves.iter().any(|(_, leaf)| matches!(leaf, Leaf::Path(..)))

@@ -93,6 +93,7 @@ impl Trial<'_> {
                     group.branches = None;
                 }
                 Some(Judge::Code(_) | Judge::Inside(..) | Judge::Clear(_) | Judge::Turn) => self.ask_evaluator(check),
+                Some(Judge::Mixed(mixed)) if mixed.is_rough() => self.ask_evaluator(check),
                 Some(_) => return false,
                 None => {
                     let objects = match self.numbering.check(check) {
