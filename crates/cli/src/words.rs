@@ -50,11 +50,11 @@ pub fn nearest(word: &str) -> Option<&'static str> {
     suggest::nearest(word, library::names().chain(built_in).chain(properties))
 }
 
-/// The same among settings and commands.
-pub fn nearest_tool(word: &str) -> Option<String> {
-    let settings = settings().into_iter().map(|setting| setting.name);
-    let all: Vec<String> = settings.chain(manual::commands()).collect();
-    suggest::nearest(word, all.iter().map(String::as_str)).map(str::to_owned)
+/// The same among words of the language, settings and commands together.
+pub fn nearest_of_all(word: &str) -> Option<String> {
+    let others: Vec<String> = settings().into_iter().map(|setting| setting.name).chain(manual::commands()).collect();
+    let all = nearest(word).into_iter().chain(others.iter().map(String::as_str));
+    suggest::nearest(word, all).map(str::to_owned)
 }
 
 /// A key of `scenelang.toml`.
@@ -200,6 +200,6 @@ mod tests {
         for command in manual::commands() {
             assert!(manual::command(&command).is_some_and(|text| text.contains("scenelang")), "{command}");
         }
-        assert_eq!(nearest_tool("sovle").as_deref(), Some("solve"));
+        assert_eq!(nearest_of_all("sovle").as_deref(), Some("solve"));
     }
 }
