@@ -319,7 +319,7 @@ mod tests {
         };
         all(
             [
-                ("W0601 the library has nothing for \"gizmo\"; it becomes a labelled box", "", asset),
+                ("W0601 the library has no model for \"gizmo\"; it becomes a labelled box", "", asset),
                 ("W0602 no usual size is known for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
             ],
             &["gizmo", "chair", "gizmo"],
@@ -328,7 +328,7 @@ mod tests {
         all(
             [
                 (
-                    "W0601 the library has nothing for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
+                    "W0601 the library has no model for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
                     "g1 g2 g3 g4",
                     rest,
                 ),

@@ -283,7 +283,7 @@ fn what_is_not_written_over_is_in_nobodys_way() {
     let settings = room.at("out/unity/ProjectSettings/ProjectVersion.txt");
     fs::write(&settings, "m_EditorVersion: 6000.0.0f1\n").unwrap();
     let ended = room.run(&SYNTH, &[], 2);
-    assert!(ended.stderr.contains("`ProjectSettings/ProjectVersion.txt` was edited, too"), "{ended:?}");
+    assert!(ended.stderr.contains("`ProjectSettings/ProjectVersion.txt` was edited as well"), "{ended:?}");
     // A file that is no part of a scene is the user's, as ever.
     let room = Room::made_by(&SYNTH);
     let report = room.at("out/report.json");

@@ -48,7 +48,7 @@ fn what_is_in_the_way_is_named_in_words() {
     assert_eq!(ended.code, 1, "{}", ended.stderr);
     let said = "without this statement the rest can hold, as this layout shows; a smaller set may exist:\n  \
                 room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
-    assert!(ended.stdout.contains("when the budget was spent (--effort raises it)\n"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("when the budget was used up (--effort increases it)\n"), "{}", ended.stdout);
     assert!(ended.stdout.contains(said), "{}", ended.stdout);
     // The layout is the witness, as `check` sees it.
     let report = scenelang(folder.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
