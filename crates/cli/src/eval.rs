@@ -65,7 +65,7 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
 fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
     let path = folder.join(format!("{}.scene", request.name));
     let bytes = Door::within(folder).read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let program = String::from_utf8(bytes).map_err(|_| format!("{} is no text in UTF-8", path.display()))?;
+    let program = String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))?;
     Ok(Reading { program, ..Reading::default() })
 }
 

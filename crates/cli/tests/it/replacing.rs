@@ -70,7 +70,7 @@ fn a_file_of_the_user_stays() {
         // The layout that is repaired or exported is not the one that is in the way.
         let ended = scenelang(folder.path(), args);
         refuses(&ended, file);
-        assert!(ended.stderr.contains("scenelang did not write it") && ended.stderr.contains("--force"), "{ended:?}");
+        assert!(ended.stderr.contains("was not written by scenelang") && ended.stderr.contains("--force"), "{ended:?}");
         assert_eq!(fs::read_to_string(&path).unwrap(), MINE, "{args:?}");
         let ended = scenelang(folder.path(), forced(args));
         assert!(ended.code <= 1 && fs::read_to_string(&path).is_ok_and(|text| text != MINE), "{args:?} {ended:?}");

@@ -28,7 +28,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// What is said where the time limit has ended something.
-const TIME_IS_OVER: &str = "the time is over; what was found by then depends on the machine";
+const TIME_IS_OVER: &str = "the time limit was reached; the result depends on the speed of the machine";
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.4;
 /// The part of the time that the search has, if there is to be a diagnosis.
@@ -112,7 +112,7 @@ pub fn solve_with(
     let mut warnings = setup.warnings.clone();
     match end {
         End::Budget => warnings.push(format!(
-            "the budget of {} units of work is spent; a larger budget or effort (`--effort` on the command line) allows more",
+            "the budget of {} units of work is used up; a larger budget or effort (`--effort` on the command line) allows more",
             options.budget
         )),
         End::Time => warnings.push(TIME_IS_OVER.to_owned()),
