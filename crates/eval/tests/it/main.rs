@@ -8,3 +8,4 @@ mod requests;
 mod resemblance;
 mod sceneeval;
 mod scores;
+mod suite;
