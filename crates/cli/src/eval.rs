@@ -1,9 +1,13 @@
 //! `scenelang eval requests`: reads requests without a model and scores the programs by their ground truth, or scores
 //! programs that others have made of them.
 
+mod dataset;
 mod sceneeval;
+mod suite;
 
+pub use dataset::run as dataset;
 pub use sceneeval::run as sceneeval;
+pub use suite::{report, run};
 
 use crate::args::{EvalRequests, SummaryFormat};
 use crate::formalize::try_out;

@@ -1,6 +1,6 @@
 //! Options of the commands that measure: `scenelang bench` and `scenelang eval`.
 
-use super::{Plain, SummaryFormat, seconds};
+use super::{Model, Plain, SummaryFormat, seconds};
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
 
@@ -47,6 +47,81 @@ pub enum Eval {
     Requests(EvalRequests),
     /// Make programs and layouts for the requests of SceneEval-500, or take existing ones, and score them by its annotations
     Sceneeval(EvalSceneEval),
+    /// Make requests with ground truth by a grammar: a program, a layout, a long request and one sentence for each scene
+    Dataset(EvalDataset),
+    /// Measure a suite: how much is read of its requests, and how much of its programs holds after each iteration
+    Run(EvalRun),
+    /// Make a page of the results of a suite, with plots, beside the published figures
+    Report(EvalReport),
+}
+
+/// `scenelang eval dataset`
+#[derive(ClapArgs, Debug)]
+pub struct EvalDataset {
+    /// How many scenes
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub scenes: u64,
+    /// The same seed gives the same dataset
+    #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u64).range(..1 << 53))]
+    pub seed: u64,
+    /// The folder to write to: dataset.jsonl, statistics.json, and of each scene its request, ground truth, program and layout
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// How many scenes are worked on at once; the result does not depend on it [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// How the statistics are printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+}
+
+/// `scenelang eval run`
+#[derive(ClapArgs, Debug)]
+pub struct EvalRun {
+    /// What is measured: a file of JSON with a name, how many scenes of the dataset, and its seed
+    #[arg(long, value_name = "FILE")]
+    pub suite: PathBuf,
+    /// The folder to write to: a file for each scene, and figures.json; what is there already is not measured again
+    #[arg(short, long, value_name = "FOLDER", default_value = "results")]
+    pub output: PathBuf,
+    /// Judge likeness by the vectors of a model instead of letters: lines of JSON, {"text": …, "vector": […]}
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub embeddings: Option<PathBuf>,
+    /// Only write the texts that `--embeddings` needs vectors for, as lines of JSON
+    #[arg(long, value_name = "FILE.jsonl", conflicts_with = "embeddings")]
+    pub texts: Option<PathBuf>,
+    /// How many scenes are measured at once; the figures do not depend on it [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// How the figures are printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// Which model is asked directly for layouts
+    #[command(flatten)]
+    pub model: Model,
+}
+
+/// `scenelang eval report`
+#[derive(ClapArgs, Debug)]
+pub struct EvalReport {
+    /// The folder that `scenelang eval run` wrote to
+    #[arg(value_name = "FOLDER", default_value = "results")]
+    pub results: PathBuf,
+    /// Write Markdown there, and the plots into images/ beside it; without this and --html the text is printed
+    #[arg(short, long, value_name = "FILE.md")]
+    pub output: Option<PathBuf>,
+    /// Write one page of HTML there, with the plots in it
+    #[arg(long, value_name = "FILE.html")]
+    pub html: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `scenelang eval requests`

@@ -10,7 +10,7 @@ pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport,
 pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
 pub use mcp::Mcp;
-pub use measure::{Bench, BenchSolve, Eval, EvalRequests, EvalSceneEval};
+pub use measure::{Bench, BenchSolve, Eval, EvalDataset, EvalReport, EvalRequests, EvalRun, EvalSceneEval};
 
 use crate::settings;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
