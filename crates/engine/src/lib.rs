@@ -8,11 +8,13 @@
 //! - [`candidate`]: a whole layout with what each demand costs in it, and trials that are judged by what they touch;
 //!   [`penalty`] says what a formula costs.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
+//! - [`Batch`]: margins in many layouts that differ in where their objects are.
 //! - [`check`], [`smallest_move`]: the verdict with the moves that repair what fails.
 //! - [`check_file`] and its like: the same of files.
 //!
 //! Absent here: what holds in one layout (`verify`), and any search for a whole layout (`solve`).
 
+mod batch;
 pub mod candidate;
 mod explain;
 mod file;
@@ -28,6 +30,7 @@ pub mod pose;
 mod rows;
 mod state;
 
+pub use batch::Batch;
 pub use explain::{check, smallest_move};
 pub use file::{
     check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
