@@ -6,6 +6,8 @@
 //!
 //! Absent here: anything that decides something about scenes.
 
+#![allow(clippy::needless_pass_by_value, reason = "what Python hands over is read from it, and ours")]
+
 mod errors;
 mod evaluator;
 mod make;
