@@ -102,13 +102,13 @@ fn repair(args: &Repair) -> Result<u8, String> {
             let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
             println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
         }
-        Plain::Text => out::show(&text(&told, &found.failing, &found.alternatives, choice, args, &written)),
+        Plain::Text => out::show(&for_people(&told, &found.failing, &found.alternatives, choice, args, &written)),
     }
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
 }
 
 /// The answer for people.
-fn text(
+fn for_people(
     told: &Told<'_>,
     failing: &[RowRef],
     all: &[Alternative],
