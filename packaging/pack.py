@@ -1,7 +1,8 @@
 """Packs binaries that were built for others to install: archives, wheels, npm packages, a Homebrew formula, checksums.
 
     pack.py archive --binary FILE --target TARGET -o FOLDER   NAME-TARGET.tar.gz (.zip for Windows)
-    pack.py wheel --binary FILE --target TARGET -o FOLDER     a wheel for pip
+    pack.py wheel --binary FILE --target TARGET -o FOLDER     a wheel for pip with the command line
+    pack.py wheel --binary FILE --module FILE …               the same with the Python module, for Python 3.11 and later
     pack.py npm --binary FILE --target TARGET -o FOLDER       the npm package of one platform
     pack.py npm -o FOLDER                                     the npm package that picks it
     pack.py formula --sums SHA256SUMS -o FILE                 a Homebrew formula
@@ -48,7 +49,7 @@ def target_of(name):
     if found is None:
         sys.exit(f"error: nothing is packed for {system} on {machine}")
     # Not static: it is for this machine alone, and pip is told so.
-    local = {"target": f"{machine}-unknown-linux-gnu", "wheel": f"linux_{machine}"}
+    local = {"target": f"{machine}-unknown-linux-gnu", "wheel": f"linux_{machine}", "module": f"linux_{machine}"}
     return {**found, **local} if os == "linux" else found
 
 
@@ -93,9 +94,20 @@ def archive(target, binary):
     return f"{folder}.tar.gz", tarred(files)
 
 
-def wheel(target, binary):
+def package(target, module):
+    """The Python package, with what is compiled of it."""
+    source = ROOT / "crates/python/scenelang"
+    files = [(f"scenelang/{path.name}", path.read_bytes(), 0o644) for path in sorted(source.iterdir()) if path.is_file()]
+    name = "_native.pyd" if target["os"] == "win32" else "_native.abi3.so"
+    return [*files, (f"scenelang/{name}", module, 0o755)]
+
+
+def wheel(target, binary, module=None):
     stem = f"scenelang-{VERSION}"
-    tag = f"py3-none-{target['wheel']}"
+    # pip takes the one with the module where it can. The other is for older Pythons and other C libraries.
+    platforms = target.get("module", target["wheel"]) if module else target["wheel"]
+    python, interface, least = ("cp311", "abi3", "3.11") if module else ("py3", "none", "3.9")
+    tag = f"{python}-{interface}-{platforms}"
     metadata = f"""\
 Metadata-Version: 2.4
 Name: scenelang
@@ -103,14 +115,16 @@ Version: {VERSION}
 Summary: {ABOUT}
 License-Expression: {PACKAGE["license"]}
 Project-URL: Source, {REPOSITORY}
-Requires-Python: >=3.9
+Requires-Python: >={least}
 Description-Content-Type: text/markdown
 
-The command line of [scenelang]({REPOSITORY}), as a package for pip: `pip install scenelang`, then `scenelang --help`.
+The command line of [scenelang]({REPOSITORY}) and its Python module: `pip install scenelang`, then `scenelang --help` and
+[`import scenelang`]({REPOSITORY}/blob/main/docs/python.md). NumPy is used where it is installed.
 """
     about = "Wheel-Version: 1.0\nGenerator: scenelang packaging\nRoot-Is-Purelib: false\n"
-    about += "".join(f"Tag: py3-none-{part}\n" for part in target["wheel"].split("."))
-    files = [(f"{stem}.data/scripts/{executable(target)}", binary, 0o755)]
+    about += "".join(f"Tag: {python}-{interface}-{part}\n" for part in platforms.split("."))
+    files = package(target, module) if module else []
+    files.append((f"{stem}.data/scripts/{executable(target)}", binary, 0o755))
     files += [(f"{stem}.dist-info/licenses/{name}", data, 0o644) for name, data in licences()]
     files += [(f"{stem}.dist-info/METADATA", metadata.encode(), 0o644), (f"{stem}.dist-info/WHEEL", about.encode(), 0o644)]
     record = ""
@@ -209,6 +223,7 @@ def main():
     parser.add_argument("what", choices=["archive", "wheel", "npm", "formula", "sums"])
     parser.add_argument("folder", nargs="?", type=Path)
     parser.add_argument("--binary", type=Path)
+    parser.add_argument("--module", type=Path)
     parser.add_argument("--target", default="local")
     parser.add_argument("--sums", type=Path)
     parser.add_argument("-o", "--output", type=Path)
@@ -225,7 +240,10 @@ def main():
         name, data = npm_main()
     else:
         target, binary = target_of(args.target), args.binary.read_bytes()
-        name, data = {"archive": archive, "wheel": wheel, "npm": npm_platform}[args.what](target, binary)
+        if args.what == "wheel":
+            name, data = wheel(target, binary, args.module and args.module.read_bytes())
+        else:
+            name, data = {"archive": archive, "npm": npm_platform}[args.what](target, binary)
     args.output.mkdir(parents=True, exist_ok=True)
     (args.output / name).write_bytes(data)
     print(args.output / name)

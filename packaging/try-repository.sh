@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
 
 python3 -m venv "$scratch/venv"
-"$scratch/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-index --no-deps "$folder"/scenelang-*.whl
+"$scratch/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-index --find-links "$folder" --no-deps scenelang
 scenelang=$scratch/venv/bin/scenelang
 
 mkdir "$scratch/repo" && cd "$scratch/repo" && git init --quiet

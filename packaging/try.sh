@@ -17,8 +17,18 @@ python=$(command -v python3 || command -v python)
 "$python" -m venv "$empty/venv"
 bin=$empty/venv/bin
 [ -d "$bin" ] || bin=$empty/venv/Scripts
-"$bin/python" -m pip install --quiet --disable-pip-version-check --no-index --no-deps "$folder"/scenelang-*.whl
+"$bin/python" -m pip install --quiet --disable-pip-version-check --no-index --find-links "$folder" --no-deps scenelang
 furnish "$bin/scenelang"
+(cd "$empty" && "$bin/python" - <<'PY'
+import scenelang
+program = scenelang.formalize("a study with a desk").program
+layout = scenelang.solve(program).layout
+evaluator = scenelang.Evaluator(program, layout)
+assert all(evaluator.holds(evaluator.poses()).tolist()[i] for i, c in enumerate(evaluator.columns) if c["kind"] != "prefer")
+assert all(row["margin"] is None or row["satisfied"] is not None for row in scenelang.check(program, layout).rows())
+print(f"import scenelang furnishes a room: {len(layout.objects)} objects")
+PY
+)
 
 "$python" "$root/packaging/pack.py" npm -o "$empty/npm" >/dev/null
 (cd "$empty" && npm install --prefix "$empty/prefix" --offline --no-audit --no-fund --silent --omit=optional "$empty"/npm/*.tgz)

@@ -4,6 +4,7 @@
 //! Absent here: how a verdict is shown, and when it is asked for.
 
 mod judge;
+pub mod permissions;
 mod settings;
 
 pub use judge::{Question, judge, proofs, silence};

@@ -6,6 +6,7 @@ use crate::targets::Target;
 use crate::watch::{Seen, Watched};
 use crate::{FAILED, GOOD, fix, foreign, interrupt, out, parallel, permissions, settings, targets, watch};
 use scenelang_analysis::Question;
+use scenelang_analysis::permissions::measured;
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Applicability, Diagnostic, SourceMap, codes};
 use scenelang_engine::check_layout_text;
@@ -68,7 +69,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
         }
         worst = worst.max(exit_code(&checked.report));
         if matches!(args.format, Format::Human | Format::Json) {
-            checked.report.permissions = permissions::measured(&checked);
+            checked.report.permissions = measured(&checked);
         }
         let text = match args.format {
             Format::Human if args.verbosity == Verbosity::Compact => report::compact(&checked.report, look),

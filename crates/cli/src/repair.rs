@@ -1,7 +1,5 @@
 //! `scenelang repair`: the smallest changes that repair a layout, and one of them made.
 
-pub mod told;
-
 use crate::args::{Plain, Repair};
 use crate::progress::Progress;
 use crate::solve::color_err;
@@ -12,14 +10,15 @@ use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
 use scenelang_engine::{check_file_with, program_of};
 use scenelang_layout::file as layout_file;
+use scenelang_solve::repair::told::{Told, rows};
 use scenelang_solve::repair::{
     Alternative, Damaged, How, RepairOptions, Text, Unjudged, Which, edited, repair as look,
 };
+use scenelang_verify::explain::RowRef;
 use scenelang_verify::report;
 use scenelang_verify::{Checked, Explain};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use told::{Told, rows};
 
 /// The part of the time that the search may take.
 const SEARCH: f64 = 0.6;
@@ -103,9 +102,37 @@ fn repair(args: &Repair) -> Result<u8, String> {
             let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
             println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
         }
-        Plain::Text => out::show(&told.text(&found.failing, &found.alternatives, choice, args, &written)),
+        Plain::Text => out::show(&for_people(&told, &found.failing, &found.alternatives, choice, args, &written)),
     }
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
+}
+
+/// The answer for people.
+fn for_people(
+    told: &Told<'_>,
+    failing: &[RowRef],
+    all: &[Alternative],
+    choice: Option<usize>,
+    args: &Repair,
+    written: &[String],
+) -> String {
+    let with = told.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
+    if failing.is_empty() {
+        return format!("{}: nothing to repair\n{with}", told.name);
+    }
+    let mut out = String::new();
+    for (id, _, text) in told.failing(failing) {
+        out += &format!("{id} fails: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+    }
+    for (i, a) in all.iter().enumerate() {
+        out += &format!("{:3}  {}\n", i + 1, told.words(a));
+    }
+    out + &match (choice, all.is_empty()) {
+        (_, true) => "no repair was found, which is not a proof that none exists\n".to_owned(),
+        (None, false) => "nothing was written; use --apply N to apply one of these repairs\n".to_owned(),
+        (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),
+        (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
+    } + &with
 }
 
 /// The alternative to be made: what was asked for, else the first, if it moves things and no more.

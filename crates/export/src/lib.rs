@@ -29,6 +29,7 @@ mod xml;
 
 pub use embedded::Embedded;
 pub use exporter::{ExportError, Exporter, OutFile, all_exporters, exporters, write_all};
+pub use geometry::frame::Frame;
 pub use geometry::mesh::Group;
 pub use loss::{Loss, Lost, losses};
 pub use scene::{BuildError, Scene, SceneInput};

@@ -4,7 +4,6 @@
 use super::tools::{Answered, Call, ToolAnswer};
 use super::verdict::{self, folded};
 use super::workspace::{Made, called, is_program};
-use crate::repair::told::{Told, how, rounded, rows};
 use crate::repair::{changes_layout, programs};
 use crate::room::layout_of;
 use crate::solve::relative;
@@ -12,6 +11,7 @@ use crate::{formalize as reader, replace, solution};
 use scenelang_base::Diagnostic;
 use scenelang_base::FileId;
 use scenelang_layout::file as layout_file;
+use scenelang_solve::repair::told::{Told, how, rounded, rows};
 use scenelang_solve::repair::{Damaged, RepairOptions, Text, Unjudged, Which, repair as look};
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage};
 use scenelang_verify::Checked;

@@ -26,6 +26,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("lsp", &["ide", "synth"]),
     ("cli", &["lsp", "eval", "sample", "catalogue", "foreign"]),
     ("grammars", &["lang"]),
+    ("python", &["analysis", "sample"]),
 ];
 
 /// Whatever is reachable in the table.

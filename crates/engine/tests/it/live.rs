@@ -2,8 +2,9 @@
 //! taken back.
 
 use crate::given::{judged, layout};
-use scenelang_engine::Live;
+use scenelang_engine::{Batch, Live};
 use scenelang_lang::compile_text;
+use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Joint, Layout, Motion, Part, Placement, Vec3};
 use scenelang_verify::{Detail, Explain, Opens, Options, Verdict, check};
 use std::path::Path;
@@ -55,6 +56,24 @@ fn said(verdict: &Verdict) -> String {
     format!("{:#?}", (&verdict.rows, &verdict.summary, &verdict.diagnostics))
 }
 
+/// The margins and verdicts of the statements of a layout, of which `batch` has judged others before.
+fn same_margins(program: &Program, batch: &mut Batch<'_>, layout: &Layout, options: &Options) {
+    for (index, object) in program.objects.iter().enumerate() {
+        if let Some(placed) = layout.object(&object.name) {
+            batch.put(ObjectId(index as u32), placed.pos, placed.rot);
+        }
+    }
+    let rows = check(program, layout, options).rows;
+    let mut stated = rows.iter().filter(|row| row.kind.rule().is_none());
+    for (index, truth) in batch.judge().enumerate() {
+        let row = stated.next().expect("a row for each statement");
+        let margin = truth.filter(|truth| truth.margin.is_finite()).map(|truth| truth.margin.to_bits());
+        assert_eq!(margin, row.margin.map(|(margin, _)| margin.to_bits()), "statement {index}: {}", row.text);
+        assert_eq!(truth.map(|truth| truth.holds), row.satisfied, "statement {index}: {}", row.text);
+    }
+    assert!(stated.next().is_none());
+}
+
 /// Makes a thing of a body and a leaf before it, which opens to its front.
 fn hinge(thing: &mut Placement) {
     let [w, h, d] = thing.scale.into();
@@ -82,6 +101,7 @@ fn follow(scene: &str, mut layout: Layout, moves: usize, dice: &mut Dice) {
     let detail = Detail { explain: Explain::First(0), ..Detail::default() };
     let options = Options { detail, opens: Opens::All, ..Options::default() };
     let mut live = Live::new(&program, &layout, &options);
+    let mut batch = Batch::new(&program, &layout, &options);
     let mut home = said(&live.verdict());
     assert_eq!(home, said(&check(&program, &layout, &options)));
     let mut kept = layout.clone();
@@ -98,8 +118,9 @@ fn follow(scene: &str, mut layout: Layout, moves: usize, dice: &mut Dice) {
         }
         let (pos, rot) = (place.pos, place.rot);
         let id = program.objects.iter().position(|o| o.name == *name).unwrap();
-        assert!(live.place(scenelang_lang::program::ObjectId(id as u32), pos, rot) > 0);
+        assert!(live.place(ObjectId(id as u32), pos, rot) > 0);
         let now = said(&live.verdict());
+        same_margins(&program, &mut batch, &layout, &options);
         assert_eq!(now, said(&check(&program, &layout, &options)), "after {name} went to {pos:?}");
         match (dice.unit() * 5.0) as u32 {
             0 => {
@@ -153,5 +174,5 @@ fn what_is_not_there_cannot_be_moved() {
     let compiled = compile_text("room.scene", Path::new("room.scene"), scene, scenelang_lang::Options::default());
     let program = compiled.program.unwrap();
     let mut live = Live::new(&program, &placed(scene, "object a 1 0 0"), &Options::default());
-    assert_eq!(live.place(scenelang_lang::program::ObjectId(1), Vec3::zeros(), Vec3::zeros()), 0);
+    assert_eq!(live.place(ObjectId(1), Vec3::zeros(), Vec3::zeros()), 0);
 }

@@ -11,7 +11,6 @@ mod stage;
 
 use crate::scene::View;
 use crate::{ExportError, Exporter, OutFile, Scene};
-use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
 /// `picture.png`.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +36,21 @@ pub fn png(scene: &Scene, size: [usize; 2]) -> Result<Vec<u8>, ExportError> {
     let view = View::of(scene, size[0] as f64 / size[1] as f64);
     let stage = stage::Stage::new(scene, &view);
     let pixels = light::render(&stage, &view, size, bands::cores());
-    let mut png = Vec::new();
-    PngEncoder::new(&mut png)
-        .write_image(&pixels, size[0] as u32, size[1] as u32, ExtendedColorType::Rgb8)
-        .map_err(|e| ExportError::Format("picture", e.to_string()))?;
-    Ok(png)
+    encoded(&pixels, size).map_err(|e| ExportError::Format("picture", e.to_string()))
+}
+
+/// Red, green and blue of each pixel as PNG.
+fn encoded(pixels: &[u8], size: [usize; 2]) -> Result<Vec<u8>, png::EncodingError> {
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, size[0] as u32, size[1] as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(out)
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ mod relax;
 mod room;
 #[cfg(test)]
 mod tests;
+pub mod told;
 mod whole;
 
 use crate::problem::pose::{Pose, half_turn};

@@ -1,17 +1,20 @@
-//! What is said of repairs, and which rows they are to repair; the command and the server for assistants say the same.
+//! What is said of repairs, and which rows they are to repair: the command, the server for assistants and the Python module
+//! say the same.
 
-use crate::args::Repair;
+use super::{Alternative, How, Moved};
 use scenelang_base::Edit;
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
-use scenelang_solve::repair::{Alternative, How, Moved};
 use scenelang_verify::Checked;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
 use scenelang_verify::report::{self, model::Place};
 use serde_json::{Value, json};
 
-/// The rows that `--constraint` means.
+/// The rows that are meant by an id, or by a line of the program `main`.
+///
+/// # Errors
+/// There is none.
 pub fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, String> {
     let line: Option<u32> = asked.parse().ok();
     let judged = checked.verdict.rows.iter().zip(&checked.report.constraints);
@@ -35,9 +38,13 @@ pub fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, S
 }
 
 /// What is said of alternatives.
+#[derive(Clone, Copy, Debug)]
 pub struct Told<'a> {
+    /// The layout, judged.
     pub checked: &'a Checked,
+    /// Its program.
     pub program: &'a Program,
+    /// What its file is called.
     pub name: &'a str,
 }
 
@@ -78,7 +85,8 @@ impl Told<'_> {
         out
     }
 
-    fn alternative(&self, a: &Alternative) -> Value {
+    /// One of them as JSON.
+    pub fn alternative(&self, a: &Alternative) -> Value {
         let moves = a.moves.iter().map(|m| {
             let step = m.step();
             let [pos, rot] = [m.to.pos, m.to.rot].map(<[f64; 3]>::from);
@@ -104,34 +112,6 @@ impl Told<'_> {
             "edits": edits.collect::<Vec<_>>(),
             "drops": a.drops.iter().map(|i| self.statement(*i)).collect::<Vec<_>>(),
         })
-    }
-
-    /// The answer for people.
-    pub fn text(
-        &self,
-        failing: &[RowRef],
-        all: &[Alternative],
-        choice: Option<usize>,
-        args: &Repair,
-        written: &[String],
-    ) -> String {
-        let with = self.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
-        if failing.is_empty() {
-            return format!("{}: nothing to repair\n{with}", self.name);
-        }
-        let mut out = String::new();
-        for (id, _, text) in self.failing(failing) {
-            out += &format!("{id} fails: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
-        }
-        for (i, a) in all.iter().enumerate() {
-            out += &format!("{:3}  {}\n", i + 1, self.words(a));
-        }
-        out + &match (choice, all.is_empty()) {
-            (_, true) => "no repair was found, which is not a proof that none exists\n".to_owned(),
-            (None, false) => "nothing was written; use --apply N to apply one of these repairs\n".to_owned(),
-            (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),
-            (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
-        } + &with
     }
 
     /// An alternative in the imperative.
