@@ -12,10 +12,10 @@ export function refusal(name: string, taken: (file: string) => boolean): string 
   return taken(named(name)) ? `${named(name)} is there already.` : null;
 }
 
-/** The first comment of a program, as one line. */
+/** The first sentence of the first comment of a program. */
 export function firstComment(text: string): string {
   const lines = text.split("\n");
   const end = lines.findIndex((line) => !line.startsWith("//"));
   const words = lines.slice(0, end < 0 ? lines.length : end).map((line) => line.replace(/^\/+ ?/, "").trim());
-  return words.join(" ").replace(/^[-=─═ ]+|[-=─═ ]+$/g, "").replace(/(?<=[.:]) .*$/, "");
+  return words.join(" ").replace(/^[-=─═ ]+|[-=─═ ]+$/g, "").replace(/(?<=\.) .*$/, "");
 }

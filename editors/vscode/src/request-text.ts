@@ -34,6 +34,9 @@ export interface Marked {
   readonly marks: readonly Mark[];
 }
 
+/** A longer sentence is shown in parts. */
+const LONG = 60;
+
 /** The request, a sentence a line, and below it what was added that it does not say. */
 export function marked(request: string, outcome: Outcome): Marked {
   const bytes = Buffer.from(request, "utf8");
@@ -45,7 +48,8 @@ export function marked(request: string, outcome: Outcome): Marked {
     ...outcome.notes.map((note) => mark(note, "noted", note.reason)),
   ];
   // A blank becomes the end of a line, so that places stay what they are.
-  const lines = request.replace(/(?<=[.!?;]) (?=\S)/g, "\n");
+  const sentences = request.replace(/(?<=[.!?;]) (?=\S)/g, "\n").split("\n");
+  const lines = sentences.map((sentence) => (sentence.length > LONG ? sentence.replace(/(?<=,) (?=\S)/g, "\n") : sentence)).join("\n");
   const added = outcome.inferred.length === 0 ? "" : `\n\nAdded, though not said:\n${outcome.inferred.map((line) => `  ${line}\n`).join("")}`;
   return { text: `${lines}${added}`, marks };
 }

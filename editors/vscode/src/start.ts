@@ -58,7 +58,7 @@ export class Start {
     const folder = join(this.context.extensionPath, "dist", "examples");
     const names = readdirSync(folder).filter((name) => name.endsWith(".scene")).sort();
     const items = names.map((name) => ({ label: name.replace(/\.scene$/, ""), description: firstComment(readFileSync(join(folder, name), "utf8")), name }));
-    const chosen = await vscode.window.showQuickPick(items, { placeHolder: "Which example?", matchOnDescription: true });
+    const chosen = await vscode.window.showQuickPick(items, { placeHolder: "Which example?" });
     if (chosen === undefined) return;
     const own = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath ?? join(this.context.globalStorageUri.fsPath, "examples");
     const file = vscode.Uri.file(free(own, chosen.label));

@@ -125,7 +125,7 @@ check("a new program has a name of one's own", async () => {
 
 check("an example is a copy of one's own, with its room", async () => {
   await begin("scenelang.openExample");
-  await until("the examples", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^bedroom A bedroom/.test(row)));
+  await until("the examples", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^bedroom/.test(row)));
   await shoot("examples");
   await e.page.keyboard.type("bedroom");
   await until("one of them", async () => (await texts(".quick-input-list .monaco-list-row")).length === 1);

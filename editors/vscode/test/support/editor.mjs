@@ -175,7 +175,7 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
         request.on("error", failed);
         request.end(JSON.stringify({ body, args: { ...args, ws } }));
       });
-    await until("the probe", () => api("return true"));
+    await until("the probe", () => api("return true"), LONG);
     return { page, api, ws, socket, outside, errors, close, path: (name) => join(ws, name) };
   } catch (error) {
     await close();
