@@ -1,4 +1,4 @@
-// Bundles the extension into dist/: its own script, the viewer's, and the schema of layouts.
+// Bundles the extension into dist/: its own script, the viewer's, the schema of layouts, and the examples.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -38,4 +38,6 @@ for (const [from, to] of copies) {
   if (!existsSync(here(from))) throw new Error(`${from} is missing; the viewer is built by: cd viewer && npm ci && npm run build`);
   copyFileSync(here(from), here(to));
 }
+mkdirSync(here("dist/examples"));
+for (const name of readdirSync(here("../../examples")).filter((name) => name.endsWith(".scene"))) copyFileSync(here(`../../examples/${name}`), here(`dist/examples/${name}`));
 console.log(`dist/extension.js ${(statSync(here("dist/extension.js")).size / 1024).toFixed(0)} KiB`);

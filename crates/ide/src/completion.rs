@@ -6,7 +6,7 @@ use crate::hover;
 use crate::names::declared_kind;
 use scenelang_base::TextRange;
 use scenelang_lang::ast::StmtKind;
-use scenelang_lang::chunk::cut;
+use scenelang_lang::chunk::{Chunk, cut};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::Meanings;
 use scenelang_lang::items::ItemKind;
@@ -106,7 +106,15 @@ pub fn complete(
     let context = context_at(&parse(part), here);
     let mut at = At { snapshot, meanings: snapshot.meanings()?, part, here, list: Vec::new() };
     let mut replaces = context.word.shifted(start);
-    match context.expects {
+    let expects = match at.attribute() {
+        // Half of `@req` is a word of its own.
+        Some(written) => {
+            replaces = written.shifted(start);
+            Expects::Statement
+        }
+        None => context.expects,
+    };
+    match expects {
         Expects::Statement => at.statements(),
         Expects::Property { of } => at.properties(&part[of.bytes()]),
         Expects::OwnProperty => {
@@ -176,11 +184,16 @@ pub fn describe(about: &str) -> Option<String> {
     }
 }
 
-/// The statements around an offset: from the one before it to the one behind it.
+/// The statements around an offset: from the one before it to the one behind it; without the one before if that is over.
 fn surroundings(text: &str, offset: u32) -> (u32, &str) {
-    let chunks = cut(text).chunks;
+    let cut = cut(text);
+    let chunks = &cut.chunks;
     let at = chunks.partition_point(|c| c.range.end < offset);
-    let start = at.checked_sub(1).and_then(|before| chunks.get(before)).map_or(0, |c| c.range.end.min(offset));
+    let kind = |chunk: &Chunk| cut.tokens.get(chunk.tokens.end.checked_sub(1)?).map(|last| last.kind);
+    // Blanks behind what has no `;` yet belong to it, but for a string that ended with its line.
+    let is_over = |chunk: &Chunk| matches!(kind(chunk), Some(Kind::Semi | Kind::OpenStr) | None);
+    let before = (0..at).rev().find_map(|before| chunks.get(before).filter(|c| before + 1 < at || is_over(c)));
+    let start = before.map_or(0, |c| c.range.end.min(offset));
     let end = chunks.get(at).map_or(text.len() as u32, |c| c.range.end.max(offset));
     (start, text.get(start as usize..end as usize).unwrap_or_default())
 }
@@ -265,6 +278,19 @@ impl At<'_> {
     fn is_domain(&self, tokens: &[Token], name: &Token) -> bool {
         let next = tokens.iter().find(|t| t.range.start >= name.range.end);
         next.is_some_and(|t| self.slice(t) == "in")
+    }
+
+    /// The `@…` that the offset is at the end of or in, where a statement could begin with it.
+    fn attribute(&self) -> Option<TextRange> {
+        let tokens = lex(self.part);
+        let is = |t: &Token| {
+            matches!(t.kind, Kind::Req | Kind::BadAttribute) && t.range.start < self.here && self.here <= t.range.end
+        };
+        let index = tokens.iter().position(is)?;
+        let before = tokens[..index].iter().rev().find(|t| !t.kind.is_trivia());
+        // Behind another requirement, too: that ends in a bracket.
+        let begins = before.is_none_or(|t| matches!(t.kind, Kind::Semi | Kind::RParen));
+        begins.then(|| tokens[index].range)
     }
 
     fn statements(&mut self) {

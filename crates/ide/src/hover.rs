@@ -4,15 +4,18 @@
 use crate::diagnostics::margin;
 use crate::names::{self, Occurrence, Symbol};
 use crate::navigate::word_of;
-use crate::{Snapshot, facts};
+use crate::{Snapshot, conjuncts, facts, keywords};
 use scenelang_base::TextRange;
 use scenelang_lang::ast::{Stmt, StmtKind};
+use scenelang_lang::chunk::cut;
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::LocalKind;
 use scenelang_lang::items::{ItemKind, Place};
 use scenelang_lang::library;
 use scenelang_lang::natives::{self, Signature};
 use scenelang_lang::program::{ObjectId, Program, RegionId};
+use scenelang_lang::roles;
+use scenelang_lang::token::{Kind, Token, lex};
 use scenelang_lang::types::Ty;
 use scenelang_verify::check::{Judged as Row, Subject};
 use scenelang_verify::explain::move_in_words;
@@ -23,12 +26,24 @@ use std::fmt::Write;
 /// # Errors
 /// [`Cancelled`]: the text has changed.
 pub fn hover(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+    if let Some(found) = of_requirement(snapshot, offset)? {
+        return Ok(Some(found));
+    }
     let name = names::name_at(snapshot, snapshot.main(), offset)?;
     let constraint = constraint_at(snapshot, offset)?;
     let about = match &name {
         Some(name) => of_name(snapshot, name)?,
         None => None,
     };
+    if about.is_none()
+        && let Some((range, text)) = of_word(snapshot.text(), offset)
+    {
+        return Ok(Some(match constraint {
+            // What became of it comes first; a word is the same everywhere.
+            Some((whole, verdict)) => (whole, format!("{verdict}\n\n---\n{text}")),
+            None => (range, text),
+        }));
+    }
     Ok(match (name, about, constraint) {
         (Some(name), Some(text), None) => Some((name.range, text)),
         (Some(name), Some(text), Some((_, verdict))) => {
@@ -216,8 +231,103 @@ fn value_of(snapshot: &Snapshot, name: &Occurrence, property: &str) -> Option<St
     facts::of_region(snapshot, program, layout, RegionId(id as u32), property)
 }
 
+/// The word of the language, or the category, at an offset.
+fn of_word(text: &str, offset: u32) -> Option<(TextRange, String)> {
+    let chunk = cut(text).chunks.into_iter().find(|c| c.range.start <= offset && offset <= c.range.end)?;
+    let tokens = lex(text.get(chunk.range.bytes())?);
+    let at = offset - chunk.range.start;
+    let own = |t: &&Token| t.range.start <= at && at < t.range.end && !t.kind.is_trivia();
+    let token = tokens.iter().find(own)?;
+    let range = token.range.shifted(chunk.range.start);
+    let written = text.get(range.bytes())?;
+    if token.kind == Kind::Str {
+        let before = tokens.iter().filter(|t| t.range.end <= token.range.start && t.kind == Kind::Ident);
+        let word = |t: &Token| text.get(t.range.shifted(chunk.range.start).bytes());
+        let category = before.last().and_then(word) == Some("category");
+        return category.then(|| (range, of_category(written.trim_matches('"'))));
+    }
+    keywords::says(written).map(|text| (range, text))
+}
+
+/// How large a thing of a category usually is, and what it is for.
+fn of_category(category: &str) -> String {
+    let role = roles::role_of(category);
+    let role = if role.is_empty() { String::new() } else { format!("\n\nits role: `{role}`") };
+    match library::usual_size(category) {
+        Some([x, y, z]) => {
+            format!("**{category}**\n\nusual size: {x:.2} × {y:.2} × {z:.2} m (width × height × depth){role}")
+        }
+        None => {
+            let near = library::nearest_category(category).map(|near| format!("; did you mean `{near}`?"));
+            format!("**{category}**\n\nno usual size is known{}{role}", near.unwrap_or_default())
+        }
+    }
+}
+
+/// The requirement whose `@req(…)` holds an offset: what became of all statements that answer it.
+fn of_requirement(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+    let meanings = snapshot.meanings()?;
+    let text = snapshot.text();
+    // From the `@` on, which stands before the bracket that the sentence is in.
+    let whole = |sentence: TextRange| {
+        let start = text[..sentence.start as usize].rfind('@').map_or(sentence.start, |at| at as u32);
+        TextRange { start, end: sentence.end }
+    };
+    let marked = meanings.statements.iter().find_map(|(place, _)| {
+        let holds = |(_, range): &&(String, TextRange)| {
+            let own = whole(range.shifted(place.offset));
+            own.start <= offset && offset <= own.end
+        };
+        let (sentence, range) = place.stmt.requirements.iter().find(holds)?;
+        Some((sentence.clone(), whole(range.shifted(place.offset))))
+    });
+    let Some((sentence, range)) = marked else { return Ok(None) };
+    let judged = snapshot.judged()?;
+    let mut lines = Vec::new();
+    let (mut holds, mut all) = (0, 0);
+    for (place, _) in &meanings.statements {
+        if !place.stmt.requirements.iter().any(|(other, _)| *other == sentence) {
+            continue;
+        }
+        let span = place.stmt.range.shifted(place.offset);
+        let written = text.get(span.bytes()).unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ");
+        let rows = judged.iter().flat_map(|judged| &judged.verdict.rows);
+        let own = |row: &&Row| {
+            matches!(row.subject, Subject::Statement(_))
+                && row.place.file == snapshot.main()
+                && span.start <= row.place.range.start
+                && row.place.range.end <= span.end
+        };
+        let mut said = Vec::new();
+        for row in rows.filter(own) {
+            all += 1;
+            holds += usize::from(row.satisfied == Some(true));
+            said.push(state_in_words(row));
+        }
+        let line = text[..span.start as usize].matches('\n').count() + 1;
+        let said = if said.is_empty() { String::new() } else { format!(": {}", said.join(", ")) };
+        lines.push(format!("- line {line}: `{written}`{said}"));
+    }
+    let sum = match (holds, all) {
+        (_, 0) => String::new(),
+        (holds, all) if holds == all => "\n\nis met".to_owned(),
+        (holds, all) => format!("\n\nis **not met**: {holds} of {all} hold"),
+    };
+    Ok(Some((range, format!("“{sentence}”{sum}\n\n{}", lines.join("\n")))))
+}
+
+/// Whether a row holds, and by how much.
+fn state_in_words(row: &Row) -> String {
+    let by = margin(row).map_or(String::new(), |m| format!(", margin **{m}**"));
+    match row.satisfied {
+        Some(true) => format!("holds{by}"),
+        Some(false) => format!("**fails**{by}"),
+        None => "cannot be judged in this layout".to_owned(),
+    }
+}
+
 /// The constraint whose statement holds an offset, and what is to be said of it.
-fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+pub(crate) fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
     let Some(judged) = snapshot.judged()? else { return Ok(None) };
     let here = |row: &Row| {
         let place = row.place;
@@ -231,16 +341,22 @@ fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, 
     // The sentences and the moves are worked out only for who asks.
     let verdict = if row.satisfied == Some(false) { snapshot.explained()? } else { None };
     let full = verdict.as_ref().and_then(|v| v.rows.iter().find(|r| r.subject == row.subject && r.kind == row.kind));
-    Ok(Some((row.place.range, verdict_in_words(&judged.compiled.program, full.unwrap_or(row)))))
+    let program = &judged.compiled.program;
+    let mut text = verdict_in_words(program, full.unwrap_or(row));
+    if let Subject::Statement(index) = row.subject
+        && let Some(constraint) = program.constraints.get(index)
+    {
+        for part in conjuncts::parts(snapshot, constraint)? {
+            let state = if part.holds { "holds" } else { "**fails**" };
+            let by = part.margin.map_or(String::new(), |m| format!(", margin {m}"));
+            let _ = write!(text, "\n- `{}` {state}{by}", part.text);
+        }
+    }
+    Ok(Some((row.place.range, text)))
 }
 
 fn verdict_in_words(program: &Program, row: &Row) -> String {
-    let by = margin(row).map_or(String::new(), |m| format!(", margin **{m}**"));
-    let mut out = match row.satisfied {
-        Some(true) => format!("holds{by}"),
-        Some(false) => format!("**fails**{by}"),
-        None => "cannot be judged in this layout".to_owned(),
-    };
+    let mut out = state_in_words(row);
     if !row.measured.is_empty() {
         let _ = write!(out, "\n\n{}", row.measured);
     }

@@ -20,7 +20,7 @@ pub fn of(client: &Client) -> Value {
         "documentSymbolProvider": true,
         "workspaceSymbolProvider": true,
         "callHierarchyProvider": true,
-        "completionProvider": { "triggerCharacters": [".", "\"", "(", ","], "resolveProvider": true },
+        "completionProvider": { "triggerCharacters": [".", "\"", "(", ",", "@"], "resolveProvider": true },
         "signatureHelpProvider": { "triggerCharacters": ["(", ","], "retriggerCharacters": [")"] },
         "documentFormattingProvider": true,
         "documentRangeFormattingProvider": true,
@@ -35,7 +35,7 @@ pub fn of(client: &Client) -> Value {
         "selectionRangeProvider": true,
         "documentLinkProvider": { "resolveProvider": false },
         "colorProvider": true,
-        "inlayHintProvider": true,
+        "inlayHintProvider": { "resolveProvider": true },
         "codeLensProvider": { "resolveProvider": false },
         "codeActionProvider": {
             "codeActionKinds": [
@@ -46,6 +46,12 @@ pub fn of(client: &Client) -> Value {
         "executeCommandProvider": { "commands": commands::ALL, "workDoneProgress": true },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });
+    if client.asks_of_renames {
+        let file = |glob: &str| json!({ "scheme": "file", "pattern": { "glob": glob, "matches": "file" } });
+        let folders = json!({ "scheme": "file", "pattern": { "glob": "**", "matches": "folder" } });
+        let filters = json!([file("**/*.scene"), file("**/*.layout.json"), folders]);
+        capabilities["workspace"]["fileOperations"] = json!({ "willRename": { "filters": filters } });
+    }
     if client.pulls {
         capabilities["diagnosticProvider"] =
             json!({ "identifier": "scenelang", "interFileDependencies": true, "workspaceDiagnostics": true });

@@ -15,6 +15,23 @@ pub enum Models {
     Configured,
 }
 
+/// The model that `configured` means, as the user of the editor has set it: what `--model` and `--base-url` say on the
+/// command line. Empty: what the settings of the workspace name.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Named {
+    /// `PROVIDER:NAME`.
+    pub name: Option<String>,
+    /// Where it is.
+    pub base_url: Option<String>,
+}
+
+impl Named {
+    fn read(value: &Value) -> Self {
+        let text = |key: &str| value[key].as_str().map(str::trim).filter(|text| !text.is_empty()).map(str::to_owned);
+        Self { name: text("name"), base_url: text("baseUrl") }
+    }
+}
+
 /// Capabilities that we ask about.
 #[derive(Clone, Debug)]
 pub struct Client {
@@ -24,10 +41,14 @@ pub struct Client {
     pub pulls: bool,
     /// Diagnostics may speak of further places.
     pub related: bool,
-    /// Versions of documents stand in edits, and files may be created.
+    /// Versions of documents stand in edits.
     pub document_changes: bool,
-    /// Files can be created by an edit.
-    pub creates: bool,
+    /// Files can be renamed by an edit.
+    pub renames: bool,
+    /// Asks before files are renamed.
+    pub asks_of_renames: bool,
+    /// Hints may be completed when somebody points at them.
+    pub resolves_hints: bool,
     /// Edits may be applied at our request.
     pub applies: bool,
     /// Shows how far long work is.
@@ -50,6 +71,8 @@ pub struct Client {
     pub refreshes: Vec<&'static str>,
     /// Which language model the user of the editor wants asked.
     pub model: Models,
+    /// Which one is configured, where the editor says so.
+    pub named: Named,
     /// Edits may come with words about them.
     pub annotates: bool,
 }
@@ -71,6 +94,7 @@ impl Client {
         ];
         let refreshes: Vec<&'static str> = refresh.iter().filter(|(path, _)| on(path)).map(|(_, name)| *name).collect();
         let operations = at("/workspace/workspaceEdit/resourceOperations");
+        let tips = at("/textDocument/inlayHint/resolveSupport/properties");
         let resolves = at("/textDocument/codeAction/resolveSupport/properties");
         let has =
             |list: &Value, word: &str| list.as_array().is_some_and(|l| l.iter().any(|w| w.as_str() == Some(word)));
@@ -79,7 +103,9 @@ impl Client {
             pulls: at("/textDocument/diagnostic").is_object() && refreshes.contains(&"workspace/diagnostic/refresh"),
             related: on("/textDocument/publishDiagnostics/relatedInformation"),
             document_changes: on("/workspace/workspaceEdit/documentChanges"),
-            creates: has(&operations, "create"),
+            renames: has(&operations, "rename"),
+            asks_of_renames: on("/workspace/fileOperations/willRename"),
+            resolves_hints: has(&tips, "tooltip"),
             applies: on("/workspace/applyEdit"),
             progress: on("/window/workDoneProgress"),
             configuration: on("/workspace/configuration"),
@@ -96,6 +122,7 @@ impl Client {
                 // Nobody is asked whom the user did not want asked, in so many words.
                 _ => Models::None,
             },
+            named: Named::read(&params["initializationOptions"]["model"]),
             annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
         }
     }

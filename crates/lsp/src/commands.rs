@@ -4,6 +4,8 @@ use crate::dispatch::{Fault, params};
 use crate::jobs::{Job, Outcome};
 use crate::repair::{self, Wanted};
 use crate::state::State;
+use scenelang_lang::program::{Object, ObjectId};
+use scenelang_layout::Layout;
 use scenelang_solve::Phase;
 use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
 use scenelang_verify::Verdict;
@@ -13,7 +15,14 @@ use tower_lsp::jsonrpc::Id;
 use tower_lsp::ls_types::Uri;
 
 /// All commands of the server.
-pub const ALL: [&str; 4] = ["scenelang.check", "scenelang.solve", "scenelang.repairAll", "scenelang.repair"];
+pub const ALL: [&str; 6] = [
+    "scenelang.check",
+    "scenelang.solve",
+    "scenelang.solveAnew",
+    "scenelang.place",
+    "scenelang.repairAll",
+    "scenelang.repair",
+];
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -27,9 +36,9 @@ struct Execute {
 #[derive(Deserialize)]
 struct Argument {
     uri: Uri,
-    #[serde(default)]
-    seed: u64,
+    seed: Option<u64>,
     line: Option<u32>,
+    object: Option<String>,
 }
 
 impl State {
@@ -43,7 +52,7 @@ impl State {
         if !ALL.contains(&command.as_str()) {
             return Err(Fault::Invalid(format!("there is no command `{command}`")));
         }
-        let Argument { uri, seed, line } = params(first)?;
+        let Argument { uri, seed, line, object } = params(first)?;
         let uri = uri.as_str();
         let apply = Box::new(|state: &mut State, id: &Id, outcome| state.apply(id, outcome));
         match command.as_str() {
@@ -51,7 +60,16 @@ impl State {
                 self.prove_now(uri);
                 self.begin(id, uri, "Checking", token, check, apply)
             }
-            "scenelang.solve" => self.begin(id, uri, "Solving", token, move |job| solve(job, seed), apply),
+            "scenelang.solve" => {
+                self.begin(id, uri, "Solving", token, move |job| solve(job, seed, Start::Layout), apply)
+            }
+            "scenelang.solveAnew" => {
+                self.begin(id, uri, "Solving anew", token, move |job| solve(job, seed, Start::Nothing), apply)
+            }
+            "scenelang.place" => {
+                let object = object.ok_or_else(|| Fault::Invalid("which object is not said".to_owned()))?;
+                self.begin(id, uri, "Placing", token, move |job| place(job, &object), apply)
+            }
             "scenelang.repairAll" => {
                 let all = |job: &Job| repair::repair(job, &Wanted::All);
                 self.begin(id, uri, "Repairing", token, all, apply)
@@ -79,22 +97,99 @@ fn check(job: &Job) -> Result<Outcome, Fault> {
     Ok(Outcome { layout: None, edit: None, message: format!("{holds} of {total} hold"), count })
 }
 
-/// Looks for a layout from the start.
-fn solve(job: &Job, seed: u64) -> Result<Outcome, Fault> {
-    let how = Arranging { seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
-    let mut model = job.advisers.model(&job.llm, &job.progress).map_err(|e| Fault::Failed(e.to_string()))?;
-    let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
+/// Where solving begins.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Start {
+    /// From the layout that is there: what holds stays, as far as that can be.
+    Layout,
+    /// Whatever is there.
+    Nothing,
+}
+
+/// The layout that a job is about, if it can be used.
+fn layout_of(job: &Job) -> Option<&Layout> {
+    job.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.layout)
+}
+
+/// Looks for a layout. Without a seed, that of the layout that is there counts; whoever wants another room gets that of the
+/// next seed.
+fn solve(job: &Job, seed: Option<u64>, start: Start) -> Result<Outcome, Fault> {
     if let Some(finding) = too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
+    let there = layout_of(job);
+    let last = there.and_then(|layout| layout.seed).unwrap_or(0);
+    let again = if there.is_some() { last.wrapping_add(1) } else { 0 };
+    let seed = seed.unwrap_or(if start == Start::Layout { last } else { again });
+    // As with a repair: who has no key gets what can be had without.
+    let (mut model, without) = match job.advisers.model(&job.llm, &job.progress) {
+        Ok(model) => (model, String::new()),
+        Err(error) => {
+            let without = format!("the language model cannot be asked: {error}");
+            job.progress.log(&without);
+            (None, format!("; {without}"))
+        }
+    };
+    let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
+    let previous = there.filter(|_| start == Start::Layout);
+    let how = Arranging { previous, seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
     let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
     let mut layout = arranged.outcome.layout;
     layout.seed = Some(seed);
     let count @ [holds, total] = count(&job.verdict(&layout, 0));
     let edit = job.layout_edit(&layout)?;
-    let message = format!("solved: {holds} of {total} hold");
     let change = job.change(Some(&edit), &[], "");
-    Ok(Outcome { layout: Some(edit), edit: Some(change), message, count })
+    let same = if change.is_none() && edit.old.is_some() { ", with everything where it was" } else { "" };
+    let message = format!("solved: {holds} of {total} hold{same}{without}");
+    Ok(Outcome { layout: Some(edit), edit: change, message, count })
+}
+
+/// Finds a place for an object, or for the elements of an array, that the layout does not have yet; all others stay where
+/// they are.
+fn place(job: &Job, object: &str) -> Result<Outcome, Fault> {
+    let program = &job.compiled.program;
+    if let Some(finding) = too_large(program) {
+        return Err(Fault::Failed(finding.message));
+    }
+    let layout = layout_of(job);
+    let layout = layout.ok_or_else(|| Fault::Failed("there is no layout to place it in; solve first".to_owned()))?;
+    let own = |o: &Object| o.name == object || o.array.as_ref().is_some_and(|(array, _)| array == object);
+    let (mut known, mut placed) = (false, layout.clone());
+    for object in program.objects.iter().filter(|o| own(o)) {
+        known = true;
+        placed.objects.retain(|(name, _)| *name != object.name);
+    }
+    if !known {
+        return Err(Fault::Failed(format!("the program has no `{object}`")));
+    }
+    let objects = (0..).map(ObjectId).zip(&program.objects);
+    let locked = objects.filter(|(_, o)| placed.object(&o.name).is_some()).map(|(id, _)| id).collect();
+    let seed = layout.seed.unwrap_or(0);
+    let how = Arranging {
+        previous: Some(&placed),
+        locked,
+        seed,
+        judge: job.judging.options,
+        stop: job.stop.clone(),
+        ..Arranging::default()
+    };
+    let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
+    let mut after = layout.clone();
+    let found = arranged.outcome.layout;
+    for (name, found) in found.objects {
+        if program.objects.iter().any(|o| own(o) && o.name == name) {
+            after.objects.retain(|(there, _)| *there != name);
+            after.objects.push((name, found));
+        }
+    }
+    after.draws.extend(found.draws.into_iter().filter(|(key, _)| layout.draws.iter().all(|(known, _)| known != key)));
+    let known = |name: &str| layout.variables.iter().any(|(known, _)| known == name);
+    after.variables.extend(found.variables.into_iter().filter(|(name, _)| !known(name)));
+    let count @ [holds, total] = count(&job.verdict(&after, 0));
+    let edit = job.layout_edit(&after)?;
+    let message = format!("placed `{object}`: {holds} of {total} hold");
+    let change = job.change(Some(&edit), &[], &message);
+    Ok(Outcome { layout: Some(edit), edit: change, message, count })
 }
 
 /// Tells how far the solver is, and ends it when nobody wants the result.

@@ -163,6 +163,7 @@ impl State {
             "textDocument/documentColor" => self.document(id, given, looks::colours),
             "textDocument/colorPresentation" => self.document(id, given, looks::presentations),
             "textDocument/inlayHint" => self.document(id, given, looks::inlay_hints),
+            "inlayHint/resolve" => self.resolve_hint(id, given),
             "textDocument/codeLens" => self.document(id, given, looks::lenses),
             "textDocument/codeAction" => self.document(id, given, actions::actions),
             "codeAction/resolve" => self.resolve_action(id, given),
@@ -176,6 +177,19 @@ impl State {
             }
             "workspace/diagnostic" => {
                 self.workspace_diagnostic(id, given);
+                Ok(())
+            }
+            "workspace/willRenameFiles" => {
+                let asked: moving::Renames = params(given)?;
+                let workspace = moving::Workspace {
+                    roots: Arc::clone(&self.roots),
+                    files: self.documents.files(),
+                    client: Arc::clone(&self.client),
+                    config: Arc::clone(&self.config),
+                    open: self.documents.iter().map(|d| (d.path.clone(), d.uri.clone())).collect(),
+                    versions: self.documents.iter().map(|d| (d.uri.as_str().to_owned(), d.version)).collect(),
+                };
+                self.ask_pool(id, move || Ok(workspace.edits(&asked)));
                 Ok(())
             }
             "workspace/symbol" => {
@@ -197,6 +211,18 @@ impl State {
         };
         let (encoding, files) = (self.client.encoding, self.documents.files());
         self.ask_pool(id, move || Ok(features::looks::layout_links(&path, &text, encoding, &files)));
+        Ok(())
+    }
+
+    /// `inlayHint/resolve`: what there is to say of it, for who points at it.
+    fn resolve_hint(&mut self, id: &Id, hint: Value) -> Result<(), Fault> {
+        let about: features::looks::About = params(hint["data"].clone())?;
+        let uri = about.uri.as_str().to_owned();
+        self.ask_reader(
+            id,
+            &uri,
+            Arc::new(move |context| features::looks::resolved_hint(context, hint.clone(), &about)),
+        );
         Ok(())
     }
 

@@ -3,16 +3,16 @@
 use crate::config::Config;
 use crate::disk::{Files, Folders, Stamp, is_file, path_of, settings_for};
 use crate::dispatch::Tokens;
+use crate::proved::{Proofs, meaning};
 use crate::reading::Reading;
 use crate::shelf::{Shelf, Shelved};
 use crate::state::{Event, State, guarded};
-use crate::text::Text;
+use crate::text::{Encoding, Text};
 use scenelang_analysis::Found;
 use scenelang_base::door::Door;
 use scenelang_ide::Host;
 use scenelang_lang::sources::{Loader, normal};
 use scenelang_verify::settings::Settings;
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -56,8 +56,10 @@ pub struct Scene {
     pub judging: bool,
     /// Something else than the document has changed since the last verdict: the editor must be told to ask again.
     pub outside: bool,
-    /// What is proved of the program, until its text changes: marks.
-    pub proofs: Vec<Value>,
+    /// What is proved of the program, until it says something else.
+    pub proofs: Proofs,
+    /// A number for what the program says: what was proved of it is true as long as this is the same.
+    pub meaning: u64,
     /// Whether the editor was told of proofs.
     pub told_proofs: bool,
     /// Proofs are to be looked for.
@@ -92,9 +94,16 @@ pub struct Documents {
     openings: u64,
     /// Who reads for the thread that owns all of this.
     reading: Option<Arc<Reading>>,
+    /// How positions in marks count.
+    encoding: Encoding,
 }
 
 impl Documents {
+    /// From now on positions count so.
+    pub fn count_in(&mut self, encoding: Encoding) {
+        self.encoding = encoding;
+    }
+
     /// Opens a document, or takes it over anew.
     pub fn open(&mut self, uri: Uri, language: &str, version: i32, text: String, config: &Config) {
         let path = path_of(&uri);
@@ -119,7 +128,8 @@ impl Documents {
                 published: 0,
                 judging: false,
                 outside: false,
-                proofs: Vec::new(),
+                proofs: Proofs::default(),
+                meaning: 0,
                 told_proofs: false,
                 unproved: true,
                 shelf: None,
@@ -261,10 +271,20 @@ impl Documents {
         let (stale_text, stale_layout) = (scene.stale_text, scene.stale_layout);
         if std::mem::take(&mut scene.stale_text) {
             scene.host.set_text(text.as_str(), &files);
-            scene.proofs.clear();
+            let before = std::mem::replace(&mut scene.meaning, meaning(&scene.host.snapshot()));
+            if scene.meaning == before {
+                scene.proofs.follow(uri, text, self.encoding);
+            } else {
+                scene.proofs = Proofs::default();
+            }
         }
         if std::mem::take(&mut scene.stale_layout) {
+            let before = scene.host.snapshot().judging().clone();
             scene.settings = judge_by(&mut scene.host, scene.layout.as_deref(), &shelf.door, &files);
+            if *scene.host.snapshot().judging() != before {
+                scene.proofs = Proofs::default();
+                scene.unproved = true;
+            }
         }
         if files.is_missing() {
             (scene.stale_text, scene.stale_layout) = (stale_text, stale_layout);

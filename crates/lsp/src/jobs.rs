@@ -73,7 +73,7 @@ impl Job {
         check_read(&self.compiled.program, &read, &options)
     }
 
-    /// The edit that makes the layout another one; its file is created where there is none.
+    /// The edit that makes the layout another one.
     ///
     /// # Errors
     /// The document has no place for a layout.
@@ -103,8 +103,9 @@ impl Job {
     }
 
     /// Edits of the layout and of the program as a change of the workspace; `note` says what it does, for editors that
-    /// show that before.
-    pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Value {
+    /// show that before. `None`: nothing would change, which editors take for a failure of theirs. A layout that is not
+    /// there yet is no part of it: that file is written.
+    pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Option<Value> {
         let encoding = self.client.encoding;
         let mut by_file: BTreeMap<String, Vec<Value>> = BTreeMap::new();
         let places = self.places();
@@ -113,36 +114,24 @@ impl Job {
             let change = json!({ "range": places.range(edit.place), "newText": edit.text });
             by_file.entry(uri.as_str().to_owned()).or_default().push(change);
         }
-        let mut creates = Vec::new();
-        if let Some(edit) = layout {
-            let uri = edit.uri.as_str().to_owned();
-            let change = match &edit.old {
-                Some(old) => match scenelang_ide::format::difference(old.as_str(), &edit.text) {
-                    Some((place, text)) => json!({ "range": old.range(place, encoding), "newText": text }),
-                    None => Value::Null,
-                },
-                None => {
-                    creates.push(json!({ "kind": "create", "uri": uri, "options": { "ignoreIfExists": true } }));
-                    let start = json!({ "line": 0, "character": 0 });
-                    json!({ "range": { "start": start, "end": start }, "newText": edit.text })
-                }
-            };
-            if change.is_object() {
-                by_file.entry(uri).or_default().push(change);
-            }
+        if let Some(LayoutEdit { uri, text, old: Some(old), .. }) = layout
+            && let Some((place, text)) = scenelang_ide::format::difference(old.as_str(), text)
+        {
+            let change = json!({ "range": old.range(place, encoding), "newText": text });
+            by_file.entry(uri.as_str().to_owned()).or_default().push(change);
         }
         if self.client.annotates && !note.is_empty() {
             by_file.values_mut().flatten().for_each(|edit| edit["annotationId"] = "change".into());
         }
-        let mut out = workspace_edit(by_file, self.client.document_changes.then_some(&self.versions));
-        if let (Some(changes), false) = (out["documentChanges"].as_array_mut(), creates.is_empty()) {
-            changes.splice(0..0, creates);
+        if by_file.is_empty() {
+            return None;
         }
+        let mut out = workspace_edit(by_file, self.client.document_changes.then_some(&self.versions));
         if self.client.annotates && !note.is_empty() {
             let (label, rest) = note.split_once('\n').unwrap_or((note, ""));
             out["changeAnnotations"] = json!({ "change": { "label": label, "description": rest } });
         }
-        out
+        Some(out)
     }
 }
 
@@ -278,9 +267,12 @@ impl State {
     /// The same with another answer.
     pub fn apply_with(&mut self, id: &Id, outcome: Outcome, answer: Value) {
         let Outcome { layout, edit, message, .. } = outcome;
+        // An editor that makes a file makes it empty, and has what is in it in a buffer that nobody has saved.
+        if layout.as_ref().is_some_and(|l| l.old.is_none()) {
+            return self.write(id, layout, answer);
+        }
         let Some(edit) = edit else { return self.reply(id, Ok(answer)) };
-        let creates = layout.as_ref().is_some_and(|l| l.old.is_none());
-        if !self.client.applies || creates && !self.client.creates {
+        if !self.client.applies {
             return self.write(id, layout, answer);
         }
         let params = json!({ "label": message, "edit": edit });
@@ -295,7 +287,7 @@ impl State {
         });
     }
 
-    /// Writes a layout where the client cannot.
+    /// Writes a layout that is not there yet, or where the client cannot.
     fn write(&mut self, id: &Id, layout: Option<LayoutEdit>, answer: Value) {
         let Some(layout) = layout else {
             return self.reply(id, Err(Fault::Failed("the editor cannot make changes".to_owned())));
@@ -303,7 +295,13 @@ impl State {
         let door = self.documents.files().of(&layout.path);
         let (id, events) = (id.clone(), self.events());
         self.in_background(move || {
-            let written = door.door().write(&layout.path, layout.text.as_bytes());
+            let appeared = layout.old.is_none() && door.door().is_file(&layout.path);
+            let written = if appeared {
+                let say = format!("{} was made meanwhile, and is left alone", layout.path.display());
+                Err(std::io::Error::new(std::io::ErrorKind::AlreadyExists, say))
+            } else {
+                door.door().write(&layout.path, layout.text.as_bytes())
+            };
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
                 state.documents.touched(&layout.path, "");
                 state.reply(&id, written.map(|()| answer).map_err(|e| Fault::Failed(e.to_string())));

@@ -2,20 +2,22 @@
 //! workspace name; or none, unless the user of the editor has said which. Keys are the business of whoever connects: none
 //! pass through here, and nobody connects unasked.
 
-use crate::client::Models;
+use crate::client::{Client, Models, Named};
 use crate::jobs::Progress;
 use crate::state::{Event, State, Stop};
 use scenelang_llm::{Account, Budget, Error, Limits, Model, Reply, Request, Retry, Session, SystemClock, Usage};
 use scenelang_solve::Asking;
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
+use std::sync::Arc;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 /// A model, and how it is asked.
 pub type Asked = (Session, Asking);
-/// Reaches the model that the settings of a workspace name, for a user who wants that; `None`: they name none.
-pub type Connect = fn(&Llm) -> Result<Option<Asked>, Error>;
+/// Reaches the model that the user has named, else the one that the settings of a workspace name, for a user who wants that;
+/// `None`: nobody names any.
+pub type Connect = fn(&Llm, &Named) -> Result<Option<Asked>, Error>;
 
 /// The longest wait for an answer of the editor's model.
 const LONGEST: Duration = Duration::from_secs(180);
@@ -25,7 +27,7 @@ const LARGEST: usize = 4 << 20;
 /// Where a model may come from.
 #[derive(Clone)]
 pub struct Advisers {
-    wanted: Models,
+    client: Arc<Client>,
     events: Sender<Event>,
     connect: Option<Connect>,
     account: Account,
@@ -38,10 +40,10 @@ impl Advisers {
     /// # Errors
     /// It cannot even be tried.
     pub fn model(&self, settings: &Llm, progress: &Progress) -> Result<Option<Asked>, Error> {
-        let asked = match (self.wanted, self.connect) {
+        let asked = match (self.client.model, self.connect) {
             (Models::None, _) | (Models::Configured, None) => None,
             (Models::Client, _) => Some((self.editor()?, Asking::default())),
-            (Models::Configured, Some(connect)) => connect(settings)?,
+            (Models::Configured, Some(connect)) => connect(settings, &self.client.named)?,
         };
         let progress = progress.clone();
         Ok(asked.map(|(session, asking)| {
@@ -64,7 +66,7 @@ impl State {
     /// Where a model may come from, for work that can be stopped.
     pub fn advisers(&self, stop: Stop) -> Advisers {
         let account = self.account.clone();
-        Advisers { wanted: self.client.model, events: self.events(), connect: self.connect, account, stop }
+        Advisers { client: Arc::clone(&self.client), events: self.events(), connect: self.connect, account, stop }
     }
 }
 

@@ -4,6 +4,7 @@
 use crate::convert::Places;
 use crate::disk::uri_of;
 use crate::dispatch::{Context, Fault};
+use crate::pages;
 use crate::text::Text;
 use scenelang_analysis::Found;
 use scenelang_base::{Diagnostic, FileId, Severity, TextRange, codes};
@@ -12,9 +13,6 @@ use scenelang_ide::diagnostics::{Finding, diagnostics};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-
-/// Where the page of a code is.
-const PAGES: &str = "https://github.com/scenelang/scenelang/blob/main/spec/src/codes/";
 
 /// What a program and its layout come to.
 #[derive(Clone, Debug, Default)]
@@ -109,7 +107,7 @@ pub fn mark(diagnostic: &Diagnostic, file: FileId, places: &Places<'_>, related:
         "range": places.range(span),
         "severity": match diagnostic.severity { Severity::Error => 1, Severity::Warning => 2 },
         "code": diagnostic.code.as_str(),
-        "codeDescription": { "href": format!("{PAGES}{}.md", diagnostic.code) },
+        "codeDescription": { "href": pages::of_code(diagnostic.code) },
         "source": "scenelang",
         "message": message,
     });

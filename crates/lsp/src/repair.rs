@@ -175,7 +175,7 @@ fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative) -> 
     let margins = margins(&job.compiled.program, before, &after);
     let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
-    Ok(Outcome { layout: edit, edit: Some(change), message: note, count: count(&after) })
+    Ok(Outcome { layout: edit, edit: change, message: note, count: count(&after) })
 }
 
 /// What holds after a change of layout and program.

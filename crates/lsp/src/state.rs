@@ -9,6 +9,7 @@ use crate::drag::Drag;
 use crate::model::Connect;
 use crate::parked::Parked;
 use crate::pool::Pool;
+use crate::proved::Proofs;
 use crate::publish::{Board, Findings, proofs, verdict};
 use crate::reading::Reading;
 use crate::record::Recorder;
@@ -125,6 +126,8 @@ pub struct State {
     pub parked: Vec<(String, Parked)>,
     /// Questions about the workspace that wait for a change.
     pub waiting: Vec<(Id, Value)>,
+    /// How often they were looked at again.
+    pub wakes: u64,
 }
 
 impl State {
@@ -153,6 +156,7 @@ impl State {
             connect: setup.connect,
             account: Account::default(),
             waiting: Vec::new(),
+            wakes: 0,
         }
     }
 
@@ -432,6 +436,7 @@ impl State {
         self.phase = Phase::Running;
         self.trace = Trace::read(&params["trace"]);
         self.client = Arc::new(Client::new(params));
+        self.documents.count_in(self.client.encoding);
         let folder = |value: &Value| Uri::deserialize(value).ok().map(|uri| disk::path_of(&uri));
         let folders = params["workspaceFolders"].as_array();
         self.roots = match folders {
@@ -583,7 +588,7 @@ impl State {
     fn prove(&mut self, key: &str) {
         let Some(scene) = self.documents.get_mut(key).and_then(|d| d.scene.as_mut()) else { return };
         // What is published first is the verdict.
-        if !scene.unproved || self.proving || scene.published == 0 {
+        if !scene.unproved || self.proving || scene.published != scene.generation {
             return;
         }
         if scene.is_stale() {
@@ -591,30 +596,46 @@ impl State {
             return;
         }
         scene.unproved = false;
+        let meaning = scene.meaning;
         let Some(context) = self.context(key) else { return };
         self.proving = true;
         let (key, events) = (key.to_owned(), self.events.clone());
         std::thread::spawn(move || {
-            let generation = context.generation;
+            let text = Arc::clone(&context.text);
             let found = guarded(|| proofs(context));
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
                 state.proving = false;
-                let scene = state.documents.get_mut(&key).and_then(|d| d.scene.as_mut());
-                if let (Some(scene), Ok(found)) = (scene.filter(|s| s.generation == generation), found) {
-                    scene.proofs = found;
-                    let marks = state.board.about(&key);
-                    state.publish(&key, &marks);
-                }
-                let next = state.documents.iter().find(|d| d.scene.as_ref().is_some_and(|s| s.unproved));
-                if let Some(next) = next.map(|d| d.uri.as_str().to_owned()) {
-                    state.prove(&next);
-                }
+                state.proved(&key, meaning, found.map(|marks| Proofs::new(marks, text)));
+                let wanted = state.documents.iter().filter(|d| d.scene.as_ref().is_some_and(|s| s.unproved));
+                let wanted: Vec<String> = wanted.map(|d| d.uri.as_str().to_owned()).collect();
+                // The first of them that can be.
+                wanted.iter().for_each(|key| state.prove(key));
             })));
         });
     }
 
+    /// What was proved of a program that said `meaning`.
+    fn proved(&mut self, key: &str, meaning: u64, found: Result<Proofs, Fault>) {
+        let encoding = self.encoding();
+        let Some(Document { text, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
+        if scene.meaning != meaning || scene.stale_text || matches!(found, Err(Fault::Outdated)) {
+            // It was asked for, and is not known of what the program says by now.
+            scene.unproved = true;
+            return;
+        }
+        let Ok(mut found) = found else { return };
+        found.follow(key, text, encoding);
+        scene.proofs = found;
+        // Where a verdict is still to come, it takes them along: what was said before is not about this text.
+        if scene.published == scene.generation {
+            let marks = self.board.about(key);
+            self.publish(key, &marks);
+        }
+    }
+
     /// Looks again at questions that were waiting for a change.
     fn wake(&mut self) {
+        self.wakes += 1;
         for (id, params) in std::mem::take(&mut self.waiting) {
             if self.pending.contains_key(&id)
                 && let Err(fault) = self.dispatch(&id, "workspace/diagnostic", params)
@@ -635,8 +656,8 @@ impl State {
         }
         let version = document.map(|d| d.version);
         if let Some(scene) = self.documents.get_mut(uri).and_then(|d| d.scene.as_mut()) {
-            all.extend(scene.proofs.iter().cloned());
-            let told = std::mem::replace(&mut scene.told_proofs, !scene.proofs.is_empty());
+            all.extend(scene.proofs.marks().iter().cloned());
+            let told = std::mem::replace(&mut scene.told_proofs, !scene.proofs.marks().is_empty());
             if pulled && !told && !scene.told_proofs {
                 return;
             }

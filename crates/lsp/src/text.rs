@@ -4,11 +4,12 @@ use scenelang_base::TextRange;
 use tower_lsp::ls_types::{Position, Range, TextDocumentContentChangeEvent};
 
 /// What a position counts within a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// Bytes.
     Utf8,
     /// What every client can.
+    #[default]
     Utf16,
     /// Code points.
     Utf32,

@@ -244,15 +244,7 @@ pub fn solve_with(
                 (alternatives(&problem, &options, wanted, &mut watch), None)
             }
             None => {
-                let (mut outcome, advice) = place(&problem, &options, adviser, observer);
-                // What a search moves is not always less than what was found move by move.
-                let less = |repaired: &&Repaired| {
-                    !outcome.converged || moved(&problem.start, &outcome.layout) > repaired.moved
-                };
-                if let Some(repaired) = repaired.as_ref().filter(less) {
-                    let problem = Problem { start: repaired.layout.clone(), ..problem.clone() };
-                    (outcome, _) = place(&problem, &options, None, observer);
-                }
+                let (outcome, advice) = settled(&problem, &options, adviser, repaired.as_ref(), observer);
                 (vec![outcome], advice)
             }
         };
@@ -342,9 +334,13 @@ pub fn arrange(
     observer: &mut dyn Observer,
 ) -> Option<Arranged> {
     let stop = how.stop.clone();
-    let Ready { problem, options, .. } = ready(program, how, observer);
+    let Ready { mut problem, options, .. } = ready(program, how, observer);
     observer.enter(Stage::Layout);
-    let (outcome, advice) = place(&problem, &options, adviser, observer);
+    let mut few = if adviser.is_none() { repaired(program, &problem.start, &problem.placed, &options) } else { None };
+    if let Some(few) = few.take_if(|few| few.moved <= FEW) {
+        problem.start = few.layout;
+    }
+    let (outcome, advice) = settled(&problem, &options, adviser, few.as_ref(), observer);
     observer.leave(Stage::Layout);
     (!stop.is_set()).then_some(Arranged { outcome, advice })
 }
@@ -378,6 +374,21 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         ..Default::default()
     };
     Ready { problem, options, warnings, furniture: chosen }
+}
+
+/// Stage III, beside what was found move by move: what a search moves is not always less than that.
+fn settled(
+    problem: &Problem<'_>,
+    options: &scenelang_solve::Options,
+    adviser: Option<Adviser<'_>>,
+    repaired: Option<&Repaired>,
+    observer: &mut dyn Observer,
+) -> (Outcome, Option<Advice>) {
+    let (outcome, advice) = place(problem, options, adviser, observer);
+    let less = |repaired: &&Repaired| !outcome.converged || moved(&problem.start, &outcome.layout) > repaired.moved;
+    let Some(repaired) = repaired.filter(less) else { return (outcome, advice) };
+    let problem = Problem { start: repaired.layout.clone(), ..problem.clone() };
+    (place(&problem, options, None, observer).0, advice)
 }
 
 /// Stage III: by the solver, with a model if there is one.

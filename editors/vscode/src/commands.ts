@@ -6,7 +6,7 @@ import * as vscode from "vscode";
 import type { Done } from "./protocol.js";
 import { run } from "./run.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
-import type { Server } from "./server.js";
+import { type Server, isCancelled, reason, say } from "./server.js";
 
 export class Commands {
   constructor(
@@ -31,7 +31,7 @@ export class Commands {
       const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString() }] });
       if (done !== null) say(done.holds === done.total, done.message);
     } catch (error) {
-      if (!isCancelled(error)) say(false, error instanceof Error ? error.message : String(error));
+      if (!isCancelled(error)) say(false, reason(error));
     }
   }
 
@@ -41,7 +41,7 @@ export class Commands {
     if (target === null) return;
     const folder = await this.folder(target);
     if (folder === null) return;
-    await this.build(`Building ${basename(target.fsPath)}`, ["synth", target.fsPath, "-o", folder, "--model", this.server.model() === "configured" ? "configured" : "none"], target, folder);
+    await this.build(`Building ${basename(target.fsPath)}`, ["synth", target.fsPath, "-o", folder, ...this.server.modelOptions()], target, folder);
   }
 
   /** Writes the layout as it is into the formats of others. */
@@ -108,16 +108,6 @@ const EXPORTS: readonly vscode.QuickPickItem[] = [
   { label: "picture", description: "a picture, PNG" },
   { label: "preview", description: "a page with the room and every constraint" },
 ];
-
-function say(good: boolean, message: string): void {
-  void (good ? vscode.window.showInformationMessage(message) : vscode.window.showWarningMessage(message));
-}
-
-/** The codes by which the protocol calls off. */
-function isCancelled(error: unknown): boolean {
-  const code = (error as { readonly code?: unknown } | null)?.code;
-  return code === -32800 || code === -32802;
-}
 
 function lastLine(text: string): string {
   return text.trim().split("\n").at(-1) ?? "";

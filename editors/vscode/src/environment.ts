@@ -18,3 +18,11 @@ export function environment(own: NodeJS.ProcessEnv, chosen: Choice, kept: Record
   // Windows does not tell the case of names apart.
   return Object.fromEntries(Object.entries(own).filter(([name]) => !KEYS.some((key) => key === name.toUpperCase())));
 }
+
+/** Why a text is no address of a model; `null`: it is one. A key travels there, so it must not be read on the way. */
+export function refusal(text: string): string | null {
+  const url = URL.canParse(text.trim()) ? new URL(text.trim()) : null;
+  if (url === null) return "An address is needed, such as https://models.example/v1.";
+  const own = ["localhost", "127.0.0.1", "[::1]"].includes(url.hostname);
+  return url.protocol === "https:" || (url.protocol === "http:" && own) ? null : "It must begin with https://, unless the model is on this machine.";
+}

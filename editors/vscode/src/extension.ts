@@ -5,8 +5,10 @@ import { Commands } from "./commands.js";
 import { Forms } from "./forms.js";
 import { Keys } from "./keys.js";
 import { Previews } from "./preview.js";
+import { Requests } from "./request.js";
 import { LANGUAGE, Scenes } from "./scenes.js";
 import { Server } from "./server.js";
+import { Start } from "./start.js";
 import { Status } from "./status.js";
 import { Tasks } from "./tasks.js";
 import { Tree } from "./tree.js";
@@ -21,12 +23,15 @@ export function activate(context: vscode.ExtensionContext): void {
   const previews = new Previews(context.extensionUri, scenes, running);
   const forms = new Forms(running);
   const commands = new Commands(running, scenes);
+  const requests = new Requests();
+  const start = new Start(context, running, commands, previews, requests);
 
   const on = (name: string, act: (...args: never[]) => unknown) => vscode.commands.registerCommand(`scenelang.${name}`, act);
   context.subscriptions.push(
     scenes,
     previews,
     forms,
+    requests,
     new Tree(scenes, context.workspaceState),
     new Status(scenes, running),
     vscode.tasks.registerTaskProvider(LANGUAGE, new Tasks(running)),
@@ -38,6 +43,10 @@ export function activate(context: vscode.ExtensionContext): void {
     on("show", ({ uri, object }: { uri: string; object?: string }) => previews.open(vscode.Uri.parse(uri), object ?? null)),
     on("checkScene", (uri?: vscode.Uri) => commands.serve("scenelang.check", uri)),
     on("solveScene", (uri?: vscode.Uri) => commands.serve("scenelang.solve", uri)),
+    on("solveSceneAnew", (uri?: vscode.Uri) => commands.serve("scenelang.solveAnew", uri)),
+    on("newScene", () => start.create()),
+    on("describeScene", () => start.describe()),
+    on("openExample", () => start.example()),
     on("repairScene", () => commands.serve("scenelang.repairAll")),
     on("synthScene", (uri?: vscode.Uri) => commands.synth(uri)),
     on("exportScene", (uri?: vscode.Uri) => commands.export(uri)),

@@ -51,10 +51,15 @@ export function margin({ margin, unit }: Pick<Constraint, "margin" | "unit">): s
   return size < 0.01 ? `${sign}${(size * 1000).toFixed(1)} mm` : `${sign}${size.toFixed(size < 100 ? 2 : 0)} m`;
 }
 
-/** What a place in the text speaks of, for the preview: the name of an object or an array, or the id of a constraint. */
-export function at(scene: Scene, uri: string, line: number, character: number, word: string): string | null {
-  if (scene.objects.some(({ name }) => word === name || word.startsWith(`${name}[`))) return word;
+/**
+ * What a place in the text speaks of, for the preview: the name of an object or an array, an element, or the id of a constraint.
+ * `main` is the program that the scene is of: its objects are declared there.
+ */
+export function at(scene: Scene, main: string, uri: string, line: number, character: number, word: string): string | null {
   const inside = ({ range: { start, end } }: { range: Constraint["range"] }) =>
     (line > start.line || (line === start.line && character >= start.character)) && (line < end.line || (line === end.line && character <= end.character));
-  return scene.constraints.find((c) => c.uri === uri && inside(c))?.id ?? scene.objects.find(inside)?.name ?? null;
+  const named = scene.objects.find(({ name }) => word === name || word.startsWith(`${name}[`));
+  // `desk[6]` declares six, of which none is called so; elsewhere it is the seventh.
+  if (named !== undefined) return uri === main && inside(named) ? named.name : word;
+  return scene.constraints.find((c) => c.uri === uri && inside(c))?.id ?? (uri === main ? (scene.objects.find(inside)?.name ?? null) : null);
 }

@@ -8,7 +8,7 @@ import { page } from "./page.js";
 import type { Move } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import type { Server } from "./server.js";
-import { reveal } from "./tree.js";
+import { isRevealed, reveal } from "./tree.js";
 
 const TYPE = "scenelang.preview";
 
@@ -30,7 +30,10 @@ export class Previews implements vscode.Disposable {
     this.subscriptions = [
       scenes.onUpdated((uri) => this.panels.get(uri)?.send()),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
-        if (textEditor.document.languageId === LANGUAGE && selections[0] !== undefined) this.follow(textEditor.document, selections[0].active);
+        const selection = selections[0];
+        if (textEditor.document.languageId !== LANGUAGE || selection === undefined) return;
+        // What the page had shown in the text is selected in the page already, and often more closely: one chair of six.
+        if (!isRevealed(textEditor.document.uri, selection)) this.follow(textEditor.document, selection.active);
       }),
       vscode.window.registerWebviewPanelSerializer(TYPE, {
         deserializeWebviewPanel: async (panel, state: { readonly uri?: unknown } | undefined) => {
@@ -70,7 +73,7 @@ export class Previews implements vscode.Disposable {
     for (const [main, preview] of this.panels) {
       const scene = this.scenes.get(main);
       if (scene === null) continue;
-      const meant = at(scene, uri, position.line, position.character, word === undefined ? "" : document.getText(word));
+      const meant = at(scene, main, uri, position.line, position.character, word === undefined ? "" : document.getText(word));
       if (meant !== null) preview.select(meant);
     }
   }

@@ -2,15 +2,21 @@
 
 import { existsSync, statSync } from "node:fs";
 import * as vscode from "vscode";
-import { LanguageClient, type LanguageClientOptions, RevealOutputChannelOn, type ServerOptions } from "vscode-languageclient/node";
+import { type CodeActionMiddleware, LanguageClient, type LanguageClientOptions, type Middleware, RevealOutputChannelOn, type ServerOptions, State } from "vscode-languageclient/node";
 import { type Choice, choice, environment } from "./environment.js";
 import type { Keys } from "./keys.js";
 import { type Located, locate } from "./locate.js";
 import { askEditor } from "./model.js";
-import type { Changed, Question } from "./protocol.js";
+import type { Changed, Done, Question } from "./protocol.js";
 
 /** Which of the settings the server is started with; of the others it is told while it runs. */
-const AT_START = ["scenelang.server.path", "scenelang.languageModel"];
+const AT_START = ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"];
+
+/** Which model is meant by `configured`: as `--model` and `--base-url` of the command line; empty: what scenelang.toml names. */
+export interface Named {
+  readonly name: string;
+  readonly baseUrl: string;
+}
 
 export class Server implements vscode.Disposable {
   readonly output = vscode.window.createOutputChannel("ScenethesisLang", { log: true });
@@ -38,7 +44,8 @@ export class Server implements vscode.Disposable {
   }
 
   get running(): boolean {
-    return this.client !== null;
+    // One that has crashed too often is not started again, and nobody but the client says so.
+    return this.client?.isRunning() ?? false;
   }
 
   /** The program, for commands that run it themselves. */
@@ -58,6 +65,21 @@ export class Server implements vscode.Disposable {
   /** Which language model the user wants asked. The setting is the user's alone: no folder can make it. */
   model(): Choice {
     return choice(vscode.workspace.getConfiguration("scenelang").get("languageModel"), vscode.workspace.isTrusted);
+  }
+
+  /** The model that the user's settings name, if they do. */
+  named(): Named {
+    const settings = vscode.workspace.getConfiguration("scenelang");
+    const text = (name: string) => settings.get<string>(name, "").trim();
+    return { name: text("model.name"), baseUrl: text("model.baseUrl") };
+  }
+
+  /** The options of the command line for the model that may be asked. */
+  modelOptions(): string[] {
+    if (this.model() !== "configured") return ["--model", "none"];
+    const { name, baseUrl } = this.named();
+    // An address is that of the model beside it, and of no other: a key is sent there.
+    return name === "" ? ["--model", "configured"] : ["--model", name, ...(baseUrl === "" ? [] : ["--base-url", baseUrl])];
   }
 
   /** The environment of the server and of the command line. Keys are not even read where nobody may use them. */
@@ -106,21 +128,25 @@ export class Server implements vscode.Disposable {
     const options: LanguageClientOptions = {
       documentSelector: [{ scheme: "file", language: "scenelang" }, { scheme: "untitled", language: "scenelang" }, { scheme: "file", pattern: "**/*.layout.json" }],
       // "Show" of a code lens is a command of this extension.
-      initializationOptions: { languageModel: model === "editor" ? "client" : model, commands: ["scenelang.show"] },
+      initializationOptions: { languageModel: model === "editor" ? "client" : model, model: this.named(), commands: ["scenelang.show"] },
+      middleware: this.middleware(),
       outputChannel: this.output,
       revealOutputChannelOn: RevealOutputChannelOn.Never,
     };
     const client = new LanguageClient("scenelang", "ScenethesisLang", server, options);
     client.onNotification("scenelang/changed", (changed: Changed) => this.changed.fire(changed));
     client.onRequest("scenelang/languageModel", (question: Question, token: vscode.CancellationToken) => askEditor(question, token));
+    client.onDidChangeState(({ newState }) => {
+      // A server that has crashed is started again by the client, up to five times.
+      if (this.client === client && newState !== State.Starting) this.turned.fire(newState === State.Running);
+    });
     try {
       await client.start();
       this.client = client;
       this.turned.fire(true);
     } catch (error) {
       this.turned.fire(false);
-      const why = error instanceof Error ? error.message : String(error);
-      void this.offer(`The server ${located.command} does not start: ${why}`, ["Show Output", () => this.output.show()]);
+      void this.offer(`The server ${located.command} does not start: ${reason(error)}`, ["Show Output", () => this.output.show()]);
     }
   }
 
@@ -129,6 +155,30 @@ export class Server implements vscode.Disposable {
     this.client = null;
     // One that has crashed cannot be stopped.
     await client?.dispose().catch((error: unknown) => this.output.warn(String(error)));
+  }
+
+  /** What the client itself would keep to its log: that something which the user chose could not be done, and what was done. */
+  private middleware(): Middleware & CodeActionMiddleware {
+    return {
+      resolveCodeAction: async (action, token, next) => {
+        try {
+          return await next(action, token);
+        } catch (error) {
+          if (!isCancelled(error)) void vscode.window.showWarningMessage(`${action.title}: ${reason(error)}`);
+          return action;
+        }
+      },
+      executeCommand: async (command, args, next) => {
+        try {
+          const done: Done | null = await next(command, args);
+          if (done !== null) say(done.holds === done.total, done.message);
+          return done;
+        } catch (error) {
+          if (!isCancelled(error)) say(false, reason(error));
+          return null;
+        }
+      },
+    };
   }
 
   private tellMissing(why: string): void {
@@ -144,4 +194,18 @@ export class Server implements vscode.Disposable {
     const pressed = await vscode.window.showErrorMessage(message, ...buttons.map(([title]) => title));
     await buttons.find(([title]) => title === pressed)?.[1]();
   }
+}
+
+export function say(good: boolean, message: string): void {
+  void (good ? vscode.window.showInformationMessage(message) : vscode.window.showWarningMessage(message));
+}
+
+export function reason(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/** The codes by which the protocol calls off. */
+export function isCancelled(error: unknown): boolean {
+  const code = (error as { readonly code?: unknown } | null)?.code;
+  return code === -32800 || code === -32802 || error instanceof vscode.CancellationError;
 }

@@ -7,8 +7,8 @@ import type { Server } from "./server.js";
 export class Status implements vscode.Disposable {
   private readonly item = vscode.window.createStatusBarItem("scenelang.status", vscode.StatusBarAlignment.Left, 10);
   private readonly subscriptions: vscode.Disposable[];
-  /** What the server last said, which comes before the scene does. */
-  private tally: { readonly uri: string; readonly holds: number; readonly total: number } | null = null;
+  /** What the server last said of each program, the one that is worked on or not: it says so once. */
+  private readonly tallies = new Map<string, { readonly holds: number; readonly total: number }>();
 
   constructor(
     private readonly scenes: Scenes,
@@ -17,17 +17,18 @@ export class Status implements vscode.Disposable {
     this.item.name = "ScenethesisLang";
     this.subscriptions = [
       this.item,
-      server.onTurned(() => this.show()),
-      server.onChanged((changed) => {
-        if (changed.uri === this.scenes.current?.toString()) this.tally = changed;
+      server.onTurned((running) => {
+        // Another server says all of it again.
+        if (!running) this.tallies.clear();
         this.show();
       }),
+      server.onChanged((changed) => this.put(changed.uri, changed)),
       scenes.onFocused(() => this.show()),
       scenes.onUpdated((uri) => {
-        const scene = uri === this.scenes.current?.toString() ? this.scenes.get(uri) : null;
-        if (scene !== null) this.tally = { uri, holds: scene.holds, total: scene.total };
-        this.show();
+        const scene = scenes.get(uri);
+        if (scene !== null) this.put(uri, scene);
       }),
+      vscode.workspace.onDidCloseTextDocument(({ uri }) => this.tallies.delete(uri.toString())),
     ];
     this.show();
   }
@@ -42,20 +43,25 @@ export class Status implements vscode.Disposable {
       this.item.hide();
       return;
     }
-    const tally = this.tally?.uri === uri ? this.tally : null;
+    const tally = this.tallies.get(uri) ?? null;
     this.item.backgroundColor = undefined;
     if (!this.server.running) {
-      this.put("$(warning) no server", "ScenethesisLang has no server; press to start it", "scenelang.restartServer");
+      this.say("$(warning) no server", "ScenethesisLang has no server; press to start it", "scenelang.restartServer");
       this.item.backgroundColor = new vscode.ThemeColor("statusBarItem.warningBackground");
-    } else if (tally === null || tally.total === 0) this.put("$(circle-outline) not judged", "There is nothing to judge: no layout, or the program does not compile", "scenelang.constraints.focus");
+    } else if (tally === null || tally.total === 0) this.say("$(circle-outline) not judged", "There is nothing to judge: no layout, or the program does not compile", "scenelang.constraints.focus");
     else {
       const all = tally.holds === tally.total;
-      this.put(`$(${all ? "pass" : "error"}) ${tally.holds}/${tally.total} hold`, "Constraints that hold; press to see all", "scenelang.constraints.focus");
+      this.say(`$(${all ? "pass" : "error"}) ${tally.holds}/${tally.total} hold`, "Constraints that hold; press to see all", "scenelang.constraints.focus");
     }
     this.item.show();
   }
 
-  private put(text: string, tooltip: string, command: string): void {
+  private put(uri: string, { holds, total }: { readonly holds: number; readonly total: number }): void {
+    this.tallies.set(uri, { holds, total });
+    this.show();
+  }
+
+  private say(text: string, tooltip: string, command: string): void {
     Object.assign(this.item, { text, tooltip, command });
   }
 }

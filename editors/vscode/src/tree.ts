@@ -98,11 +98,22 @@ export interface Target {
   readonly range: Range;
 }
 
+/** What was shown last, as long as nobody selects anything else. */
+let revealed: { readonly uri: string; readonly selection: vscode.Selection } | null = null;
+
+/** Whether a selection is the one that was made to show something. */
+export function isRevealed(uri: vscode.Uri, selection: vscode.Selection): boolean {
+  if (revealed?.uri === uri.toString() && revealed.selection.isEqual(selection)) return true;
+  revealed = null;
+  return false;
+}
+
 /** Shows a place, in the editor that has the text already if there is one. */
 export async function reveal({ uri, range: { start, end } }: Target, preserveFocus = false): Promise<void> {
   const document = await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
   const open = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
-  const selection = new vscode.Range(start.line, start.character, end.line, end.character);
+  const selection = new vscode.Selection(start.line, start.character, end.line, end.character);
+  if (preserveFocus) revealed = { uri: document.uri.toString(), selection };
   const column = open?.viewColumn ?? vscode.ViewColumn.One;
   await vscode.window.showTextDocument(document, { viewColumn: column, selection, preserveFocus });
 }

@@ -24,7 +24,9 @@ const { locate } = await load("locate.ts");
 const { at, groups, margin } = await load("groups.ts");
 const { page } = await load("page.ts");
 const { run } = await load("run.ts");
-const { KEYS, choice, environment } = await load("environment.ts");
+const { KEYS, choice, environment, refusal } = await load("environment.ts");
+const names = await load("names.ts");
+const { marked, summary } = await load("request-text.ts");
 const manifest = JSON.parse(readFileSync(here("../package.json"), "utf8"));
 
 const PLACES = { settings: { user: null, workspace: null }, trusted: true, workspace: "/ws", extension: "/ext", path: "/usr/bin:/opt/bin", windows: false };
@@ -71,6 +73,7 @@ test("the variables of keys are those of the command line, and no folder turns a
 
 const range = (line, from = 0, to = 80) => ({ start: { line, character: from }, end: { line, character: to } });
 const row = (id, state, objects, line = 0) => ({ id, text: id, uri: "file:///a.scene", range: range(line), state, margin: 0.1, unit: "m", objects });
+const MAIN = "file:///a.scene";
 const SCENE = {
   layout: null, data: null, holds: 1, total: 4,
   objects: [{ name: "lamp", range: range(1) }, { name: "chair[0]", range: range(2) }, { name: "chair[1]", range: range(2) }, { name: "rug", range: range(3) }],
@@ -88,9 +91,53 @@ test("constraints by object: an array's are those of its elements, what names no
 });
 
 test("a place in the text is an object, a constraint, or nothing", () => {
-  const cases = [[6, 3, "lamp", "lamp"], [6, 3, "assert", "b"], [1, 0, "", "lamp"], [5, 0, "chairs", "a"], [20, 0, "rug[1]", "rug[1]"], [20, 0, "", null]];
-  for (const [line, character, word, meant] of cases) assert.equal(at(SCENE, "file:///a.scene", line, character, word), meant, `${line} ${word}`);
-  assert.equal(at(SCENE, "file:///other.scene", 6, 3, ""), null, "a constraint of another file");
+  const cases = [[6, 3, "lamp", "lamp"], [6, 3, "assert", "b"], [1, 0, "", "lamp"], [5, 0, "chairs", "a"], [20, 0, "chair[1]", "chair[1]"], [20, 0, "", null]];
+  for (const [line, character, word, meant] of cases) assert.equal(at(SCENE, MAIN, MAIN, line, character, word), meant, `${line} ${word}`);
+  assert.equal(at(SCENE, MAIN, "file:///other.scene", 6, 3, ""), null, "a constraint of another file");
+});
+
+test("`object desk[6]` declares all six, and is none of them", () => {
+  const range = { start: { line: 2, character: 7 }, end: { line: 2, character: 11 } };
+  const scene = { ...SCENE, objects: [{ name: "desk", range }] };
+  for (const character of [7, 9, 11]) assert.equal(at(scene, MAIN, MAIN, 2, character, "desk[6]"), "desk");
+  assert.equal(at(scene, MAIN, MAIN, 30, 9, "desk[5]"), "desk[5]", "elsewhere it is one of them");
+  assert.equal(at(scene, MAIN, "file:///other.scene", 2, 9, "desk[5]"), "desk[5]", "another file declares something else there");
+});
+
+test("an address of a model is one that a key may travel to", () => {
+  for (const good of ["https://models.example/v1", " https://x ", "http://localhost:8080/v1", "http://127.0.0.1/", "http://[::1]:1/"]) assert.equal(refusal(good), null, good);
+  for (const [bad, why] of [["", /address/], ["models.example", /address/], ["http://models.example", /https/], ["file:///etc/passwd", /https/], ["javascript:1", /https/]]) assert.match(refusal(bad), why, bad);
+});
+
+test("a new program has a name that nothing has, and no folder in it", () => {
+  const taken = (file) => file === "room.scene";
+  for (const [name, why] of [["study", null], ["my room.scene", null], ["room", /there already/], ["room.scene", /there already/], [" ", /needed/], [".scene", /needed/], ["../x", /has none/], ["a\\b", /has none/]]) {
+    const said = names.refusal(name, taken);
+    if (why === null) assert.equal(said, null, name);
+    else assert.match(said, why, name);
+  }
+  assert.deepEqual(["a", "a.scene", " b "].map(names.named), ["a.scene", "a.scene", "b.scene"]);
+});
+
+test("each example says in a sentence what it is", () => {
+  for (const name of readdirSync(here("../../../examples")).filter((name) => name.endsWith(".scene"))) {
+    const said = names.firstComment(readFileSync(here(`../../../examples/${name}`), "utf8"));
+    assert.ok(said.length >= 8 && said.length < 300 && !said.includes("//"), `${name}: ${said}`);
+  }
+});
+
+test("a request is shown with what became of each phrase, whatever its letters", () => {
+  const request = "A café 🪑 with a desk. Cosy!";
+  const bytes = (words) => ((at) => [at, at + Buffer.byteLength(words)])(Buffer.byteLength(request.slice(0, request.indexOf(words))));
+  const outcome = {
+    understood: 1, clauses: 2, words: { used: 2, all: 3, unused: [{ bytes: bytes("Cosy"), text: "Cosy" }] }, preferences: 1,
+    read: [{ bytes: bytes("with a desk"), text: "", understood: true, became: ["object desk"] }, { bytes: bytes("Cosy!"), text: "", understood: false, became: [] }],
+    notes: [], absent: [], inferred: ["object door: a room has one"],
+  };
+  const { text, marks } = marked(request, outcome);
+  assert.equal(text, "A café 🪑 with a desk.\nCosy!\n\nAdded, though not said:\n  object door: a room has one\n");
+  assert.deepEqual(marks.map(({ start, end, fate, lines }) => [text.slice(start, end), fate, lines.join()]), [["with a desk", "became", "object desk"], ["Cosy!", "lost", ""], ["Cosy", "lost", ""]]);
+  assert.equal(summary(outcome), "understood 1 of 2 clauses; not used: “Cosy”; 1 statement became a preference, since not all can hold together.");
 });
 
 test("margins have a sign and a unit", () => {
@@ -152,7 +199,7 @@ test("what a folder that is not trusted may not set is declared to the editor", 
   const { supported, restrictedConfigurations } = manifest.capabilities.untrustedWorkspaces;
   assert.equal(supported, "limited");
   // All that names a program, or says to whom something is sent.
-  assert.deepEqual(restrictedConfigurations, ["scenelang.server.path", "scenelang.languageModel"]);
+  assert.deepEqual(restrictedConfigurations, ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"]);
   for (const name of restrictedConfigurations) assert.ok(manifest.contributes.configuration.properties[name], name);
 });
 

@@ -2,13 +2,14 @@
 
 use super::Within;
 use crate::commands::repair_command;
-use crate::convert::workspace_edit;
 use crate::dispatch::{Context, Fault, params};
 use crate::publish::mark;
 use crate::repair::{Wanted, repair};
 use crate::state::State;
+use scenelang_base::TextRange;
 use scenelang_ide::actions::{self, Action, Detail, Kind};
 use scenelang_ide::diagnostics::Finding;
+use scenelang_ide::hints::unplaced;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -42,6 +43,13 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
     let mut out = Vec::new();
     for finding in actions::failing(&context.snapshot, range)?.iter().filter(|_| wanted("quickfix")) {
         repairs(context, finding, &mut out);
+    }
+    let touched = |place: &TextRange| place.start <= range.end && range.start <= place.end;
+    for (_, name) in unplaced(&context.snapshot)?.iter().filter(|(place, _)| wanted("quickfix") && touched(place)) {
+        let title = format!("Place `{name}`");
+        let argument = json!({ "uri": context.uri, "object": name.as_str() });
+        let command = json!({ "title": title, "command": "scenelang.place", "arguments": [argument] });
+        out.push(json!({ "title": title, "kind": "quickfix", "command": command }));
     }
     out.extend(
         actions::actions(&context.snapshot, range, detail)?
@@ -151,8 +159,9 @@ impl State {
         };
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
         let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::Outcome| {
-            let nothing = || workspace_edit(std::collections::BTreeMap::new(), None);
-            action["edit"] = outcome.edit.unwrap_or_else(nothing);
+            // An action that does nothing when it is chosen looks like one that failed without a word.
+            let Some(edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
+            action["edit"] = edit;
             state.tell("window/logMessage", json!({ "type": 3, "message": outcome.message }));
             state.reply(id, Ok(action));
         });

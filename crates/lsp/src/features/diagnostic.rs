@@ -68,10 +68,12 @@ impl State {
             open: self.documents.iter().map(|d| (d.path.clone(), d.uri.clone())).collect(),
             before: before.collect(),
         };
-        let (id, events) = (id.clone(), self.events());
+        let (id, events, wakes) = (id.clone(), self.events(), self.wakes);
         self.in_background(move || {
             let found = guarded(|| Ok(workspace.reports()));
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| match found {
+                // What changed while it was looked at may have been looked at before.
+                Ok((_, false)) if state.wakes != wakes => state.workspace_diagnostic(&id, given),
                 Ok((_, false)) => state.waiting.push((id, given)),
                 Ok((items, true)) => state.reply(&id, Ok(json!({ "items": items }))),
                 Err(fault) => state.reply(&id, Err(fault)),

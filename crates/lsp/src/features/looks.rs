@@ -11,11 +11,11 @@ use scenelang_ide::hints::{self, HintKind, Lens};
 use scenelang_ide::shape::{self, Fold, Link};
 use scenelang_ide::{colors, tokens};
 use scenelang_lang::sources::normal;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::PoisonError;
-use tower_lsp::ls_types::{Range, TextDocumentIdentifier};
+use tower_lsp::ls_types::{Position, Range, TextDocumentIdentifier, Uri};
 
 // ── Semantic tokens ──
 
@@ -195,12 +195,31 @@ pub fn inlay_hints(context: &Context, within: &Within) -> Result<Value, Fault> {
     };
     let found = hints::hints(&context.snapshot, context.bytes(within.range))?;
     let found = found.into_iter().filter(|hint| shown(hint.kind)).map(|hint| {
-        json!({
-            "position": context.text.position(hint.at, context.client.encoding),
-            "label": hint.label, "paddingLeft": true, "tooltip": hint.tooltip,
-        })
+        let position = context.text.position(hint.at, context.client.encoding);
+        let mut out =
+            json!({ "position": position, "label": hint.label, "paddingLeft": true, "tooltip": hint.tooltip });
+        if hint.kind == HintKind::Margin && context.client.resolves_hints {
+            out["data"] = json!(About { uri: context.uri.clone(), position });
+        }
+        out
     });
     Ok(found.collect())
+}
+
+/// What a hint is about.
+#[derive(Deserialize, Serialize)]
+pub struct About {
+    /// The document.
+    pub uri: Uri,
+    position: Position,
+}
+
+/// `inlayHint/resolve`
+pub fn resolved_hint(context: &Context, mut hint: Value, about: &About) -> Result<Value, Fault> {
+    if let Some(text) = hints::tooltip(&context.snapshot, context.offset(about.position))? {
+        hint["tooltip"] = json!({ "kind": "markdown", "value": text });
+    }
+    Ok(hint)
 }
 
 /// `textDocument/codeLens`
@@ -222,6 +241,9 @@ pub fn lenses(context: &Context, _: &Whole) -> Result<Value, Fault> {
                 push("Show", "scenelang.show", json!({ "uri": uri }));
             }
             Lens::Failing => push("Repair", "scenelang.repair", json!({ "uri": uri, "line": range.start.line })),
+            Lens::Unplaced(name) => {
+                push(&format!("Place `{name}`"), "scenelang.place", json!({ "uri": uri, "object": name.as_str() }));
+            }
         }
     }
     Ok(out.into())

@@ -4,6 +4,7 @@ pub mod across;
 pub mod actions;
 pub mod diagnostic;
 pub mod looks;
+pub mod moving;
 pub mod navigation;
 pub mod scene;
 pub mod writing;

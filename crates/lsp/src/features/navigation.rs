@@ -3,13 +3,12 @@
 use super::{At, Whole, across};
 use crate::disk;
 use crate::dispatch::{Context, Fault};
+use crate::pages;
 use scenelang_base::TextRange;
-use scenelang_base::door::Door;
 use scenelang_ide::calls::{self, Item, Node};
 use scenelang_ide::names::{Role, name_at};
 use scenelang_ide::navigate::{self, Target};
 use scenelang_ide::{Cancelled, Snapshot, hover as hovering, rename as renaming, symbols};
-use scenelang_lang::library;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -50,7 +49,7 @@ fn go(context: &Context, at: &At, find: Find) -> Result<Value, Fault> {
             (uri, places.range(whole.in_file(span.file)), places.range(span))
         }
         Target::Library(file, name, whole) => {
-            let (path, text) = library_file(file)?;
+            let (path, text) = pages::library_file(file)?;
             let Some(uri) = disk::uri_of(&path) else { return Ok(Value::Null) };
             let text = crate::text::Text::new(text.to_owned());
             let encoding = context.client.encoding;
@@ -70,27 +69,6 @@ fn go(context: &Context, at: &At, find: Find) -> Result<Value, Fault> {
 /// The smallest range that holds both.
 fn cover(a: Range, b: Range) -> Range {
     Range { start: a.start.min(b.start), end: a.end.max(b.end) }
-}
-
-/// Where files are kept that can be made again: the user's own folder, since into the one for temporary files anybody may
-/// have put something else under the same name.
-fn kept() -> PathBuf {
-    let set = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
-    let own = if cfg!(windows) { set("LOCALAPPDATA") } else { set("XDG_CACHE_HOME") };
-    let own = own.or_else(|| std::env::home_dir().map(|home| home.join(".cache")));
-    own.unwrap_or_else(std::env::temp_dir).join("scenelang").join(env!("CARGO_PKG_VERSION"))
-}
-
-/// A file of the standard library where an editor can open it, written once.
-fn library_file(index: usize) -> Result<(PathBuf, &'static str), Fault> {
-    let (name, text) = library::FILES.get(index).ok_or(Fault::Internal)?;
-    let folder = kept();
-    let (path, door) = (folder.join(name), Door::within(&folder));
-    if door.read(&path).ok().as_deref() != Some(text.as_bytes()) {
-        let written = door.write(&path, text.as_bytes());
-        written.map_err(|e| Fault::Failed(format!("the library cannot be shown: {e}")))?;
-    }
-    Ok((path, text))
 }
 
 /// Parameters of `textDocument/references`.

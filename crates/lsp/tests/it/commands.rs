@@ -60,32 +60,97 @@ fn checking_solving_and_repairing() {
     client.stop();
 }
 
-#[test]
-fn a_layout_that_is_not_there_is_created() {
-    let (folder, ..) = room();
-    let text = "region r;\nr.pos <- vec3(0, 0, 0);\nr.scale <- vec3(3, 2.5, 3);\nobject chair;\nchair.category <- \"chair\";\nassert inside(chair, r);\n";
-    let mut client = Client::start(folder.path());
-    let uri = client.open("new.scene", text);
-    client.published(&uri);
-    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
-    let edit = asked(&client);
-    let data = client.uri("new.layout.json");
-    assert_eq!(
-        edit["documentChanges"][0],
-        json!({ "kind": "create", "uri": data, "options": { "ignoreIfExists": true } })
-    );
-    let text_of = edits_of(&edit, &data)[0]["newText"].as_str().unwrap().to_owned();
-    assert!(text_of.contains("\"scene\": \"new.scene\""), "{text_of}");
-    client.stop();
+/// A room in which a chair must stand.
+const STUDY: &str = "region r;\nr.pos <- vec3(0, 0, 0);\nr.scale <- vec3(3, 2.5, 3);\nobject chair;\nchair.category <- \"chair\";\nassert inside(chair, r);\n";
 
-    // A client that cannot do that has it written: whole.
-    let mut can = usual();
-    can["workspace"]["applyEdit"] = false.into();
-    let mut client = Client::start_with(folder.path(), can, Value::Null);
-    let uri = client.open("new.scene", text);
+/// An editor that is asked to make a file makes it empty, and keeps what is in it in a buffer: so the file is written, whole,
+/// whether the editor could make it or not.
+#[test]
+fn a_layout_that_is_not_there_is_written() {
+    for applies in [true, false] {
+        let (folder, ..) = room();
+        let mut can = usual();
+        can["workspace"]["applyEdit"] = applies.into();
+        let mut client = Client::start_with(folder.path(), can, Value::Null);
+        let uri = client.open("new.scene", STUDY);
+        client.published(&uri);
+        let file = folder.path().join("new.layout.json");
+        let solved = run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+        assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains("\"scene\": \"new.scene\"") && text.contains("\"chair\""), "{text}");
+        // And it is what counts from then on.
+        let total = solved["total"].clone();
+        client.until("a verdict on it", |c| {
+            let said = c.told.iter().rev().find(|m| m["method"] == "scenelang/changed")?;
+            (said["params"]["holds"] == total && said["params"]["layout"].is_string()).then_some(())
+        });
+        client.stop();
+    }
+}
+
+/// Solving again begins with the layout that is there. Where nothing has to move nothing is edited, since editors take an
+/// empty edit for a failure; whoever wants another room asks for one.
+#[test]
+fn solving_again_starts_from_what_is_there() {
+    let (folder, ..) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("new.scene", STUDY);
     client.published(&uri);
     run(&mut client, "scenelang.solve", json!({ "uri": uri }));
-    assert_eq!(std::fs::read_to_string(folder.path().join("new.layout.json")).unwrap(), text_of);
+    let layout = std::fs::read_to_string(folder.path().join("new.layout.json")).unwrap();
+    let data = client.open("new.layout.json", &layout);
+    client.published(&data);
+    let again = run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    assert_eq!(again["holds"], again["total"], "{again}");
+    assert!(again["message"].as_str().unwrap().contains("where it was"), "{again}");
+    assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
+
+    let anew = run(&mut client, "scenelang.solveAnew", json!({ "uri": uri }));
+    assert_eq!(anew["holds"], anew["total"]);
+    let other = edited(&layout, edits_of(&asked(&client), &data));
+    let (before, after): (Value, Value) =
+        (serde_json::from_str(&layout).unwrap(), serde_json::from_str(&other).unwrap());
+    assert_ne!(before["objects"]["chair"]["pos"], after["objects"]["chair"]["pos"]);
+    assert_eq!((&before["seed"], &after["seed"]), (&json!(0), &json!(1)));
+    client.stop();
+}
+
+/// An object that was added is placed, and nothing else is moved.
+#[test]
+fn an_object_is_placed_among_the_others() {
+    let (folder, ..) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("new.scene", STUDY);
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    let layout = std::fs::read_to_string(folder.path().join("new.layout.json")).unwrap();
+    let data = client.open("new.layout.json", &layout);
+    client.published(&data);
+    client.set(&uri, &format!("{STUDY}object vase[2];\nvase[0].category <- \"vase\";\nassert inside(vase[1], r);\n"));
+    client.published(&uri);
+    let lenses = client.ask("textDocument/codeLens", json!({ "textDocument": { "uri": uri } }));
+    let lens = lenses.as_array().unwrap().iter().find(|l| l["command"]["title"] == "Place `vase`").expect("a lens");
+    let argument = json!({ "uri": uri, "object": "vase" });
+    assert_eq!(lens["command"]["arguments"], json!([argument]));
+    let start = lens["range"]["start"].clone();
+    let actions = client.ask(
+        "textDocument/codeAction",
+        json!({ "textDocument": { "uri": uri }, "range": { "start": start, "end": start }, "context": { "diagnostics": [] } }),
+    );
+    assert!(actions.as_array().unwrap().iter().any(|a| a["command"]["arguments"] == json!([argument])), "{actions}");
+
+    let placed = run(&mut client, "scenelang.place", argument);
+    assert!(placed["message"].as_str().unwrap().starts_with("placed `vase`: "), "{placed}");
+    assert_eq!(placed["holds"], placed["total"], "{placed}");
+    let after: Value = serde_json::from_str(&edited(&layout, edits_of(&asked(&client), &data))).unwrap();
+    let before: Value = serde_json::from_str(&layout).unwrap();
+    assert_eq!(after["objects"]["chair"], before["objects"]["chair"]);
+    assert!(["vase[0]", "vase[1]"].iter().all(|name| after["objects"][name]["pos"].is_array()), "{after}");
+    for (argument, why) in [(json!({ "uri": uri }), "not said"), (json!({ "uri": uri, "object": "rug" }), "no `rug`")] {
+        let ask = json!({ "command": "scenelang.place", "arguments": [argument] });
+        assert!(client.refused("workspace/executeCommand", ask).1.contains(why), "{why}");
+    }
     client.stop();
 }
 

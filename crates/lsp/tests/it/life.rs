@@ -165,7 +165,7 @@ const ASKED: &[(&str, &str)] = &[
     ("executeCommandProvider", "workspace/executeCommand"),
     ("foldingRangeProvider", "textDocument/foldingRange"),
     ("hoverProvider", "textDocument/hover"),
-    ("inlayHintProvider", "textDocument/inlayHint"),
+    ("inlayHintProvider", "textDocument/inlayHint inlayHint/resolve"),
     ("linkedEditingRangeProvider", "textDocument/linkedEditingRange"),
     ("referencesProvider", "textDocument/references"),
     ("renameProvider", "textDocument/prepareRename textDocument/rename"),
@@ -180,7 +180,7 @@ const ASKED: &[(&str, &str)] = &[
     // These are told, not asked.
     ("positionEncoding", "positionEncodings"),
     ("textDocumentSync", "contentChanges textDocument/didClose"),
-    ("workspace", "workspace/didChangeWorkspaceFolders workspace/didChangeWatchedFiles"),
+    ("workspace", "workspace/didChangeWorkspaceFolders workspace/didChangeWatchedFiles workspace/willRenameFiles"),
 ];
 
 /// The rows of the table of `docs/editors.md`: what the server says that it can, and where that is tested.

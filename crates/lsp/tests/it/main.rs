@@ -12,5 +12,7 @@ mod hanging;
 mod hazards;
 mod life;
 mod model;
+mod moving;
+mod proofs;
 mod sync;
 mod watching;

@@ -3,7 +3,7 @@
 
 use crate::client::{Client, Model, at, edited, edits_of, room, usual};
 use scenelang_llm::Error;
-use scenelang_lsp::{Asked, Setup};
+use scenelang_lsp::{Asked, Named, Setup};
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -171,9 +171,42 @@ fn a_model_that_thinks_can_be_called_off() {
 /// How often the model of the settings was to be reached.
 static REACHED: AtomicUsize = AtomicUsize::new(0);
 
-fn reach(_: &Llm) -> Result<Option<Asked>, Error> {
+fn reach(_: &Llm, _: &Named) -> Result<Option<Asked>, Error> {
     REACHED.fetch_add(1, Ordering::SeqCst);
     Ok(None)
+}
+
+/// Says what it was asked for, and that there is no key.
+fn keyless(_: &Llm, named: &Named) -> Result<Option<Asked>, Error> {
+    let Named { name, base_url } = named;
+    Err(Error::Setup(format!(
+        "no key for {} at {}",
+        name.as_deref().unwrap_or("?"),
+        base_url.as_deref().unwrap_or("?")
+    )))
+}
+
+/// Who has no key gets what can be had without, and is told so; the model is the one that the user has named in the editor.
+#[test]
+fn without_a_key_the_solver_solves() {
+    let (folder, scene, _) = room();
+    let silent = Client::silent(folder.path(), Setup { connect: Some(keyless), ..Setup::default() });
+    let model = json!({ "name": "compatible:qwen", "baseUrl": " http://localhost:8080/v1 " });
+    let options = json!({ "languageModel": "configured", "model": model });
+    let mut client = Client::introduced(silent, usual(), options);
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    for (command, wanted) in
+        [("scenelang.solve", "no key for compatible:qwen at http://localhost:8080/v1"), ("scenelang.repairAll", "")]
+    {
+        let run = json!({ "command": command, "arguments": [{ "uri": uri }] });
+        let done = client.ask("workspace/executeCommand", run);
+        assert!(done["holds"].as_u64() >= Some(10), "{command}: {done}");
+        assert!(done["message"].as_str().unwrap().contains(wanted), "{command}: {done}");
+    }
+    let logged = |m: &Value| m["method"] == "window/logMessage" && m.to_string().contains("no key for compatible:qwen");
+    assert!(client.told.iter().any(logged));
+    client.stop();
 }
 
 /// Whoever has not offered a model is not asked for one, and nobody connects to that of the settings, or reads a key for it.

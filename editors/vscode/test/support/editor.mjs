@@ -30,8 +30,11 @@ export function lacking() {
 
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
+/** A window that is not there by then (ms) will not come; the machine may be busy. */
+const LONG = 180_000;
+
 /** Waits until a question has a true answer. */
-export async function until(what, ask, patience = 30_000) {
+export async function until(what, ask, patience = 60_000) {
   const end = Date.now() + patience;
   let said;
   for (;;) {
@@ -85,7 +88,7 @@ exports.activate = () => (process.env.PROBE_MODEL === "1" && offer(), require("f
 
 /**
  * Opens a copy of a workspace with an extension installed from its file. `settings` are the user's; `env` is the editor's;
- * `trusted: false` opens it as a folder that nobody has trusted.
+ * without `file` none is opened; `trusted: false` opens it as a folder that nobody has trusted.
  */
 export async function open({ vsix, workspace, file, settings = {}, env = {}, trusted = true, theme = "Default Dark Modern", size = [1440, 900] }) {
   const folder = mkdtempSync(join(tmpdir(), "scenelang-editor-"));
@@ -154,9 +157,9 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
     });
     page.on("pageerror", (error) => errors.push(String(error)));
     const remote = (path) => `vscode-remote://${authority}${path}`;
-    const payload = [["openFile", remote(join(ws, file))], ["skipWelcome", "true"], ["skipReleaseNotes", "true"], ["extensionDevelopmentPath", remote(probe)]];
-    await page.goto(`http://${authority}/?folder=${encodeURIComponent(ws)}&payload=${encodeURIComponent(JSON.stringify(payload))}`);
-    await page.waitForSelector(".editor-instance .view-line", { timeout: 60_000 });
+    const payload = [...(file === undefined ? [] : [["openFile", remote(join(ws, file))]]), ["skipWelcome", "true"], ["skipReleaseNotes", "true"], ["extensionDevelopmentPath", remote(probe)]];
+    await page.goto(`http://${authority}/?folder=${encodeURIComponent(ws)}&payload=${encodeURIComponent(JSON.stringify(payload))}`, { timeout: LONG });
+    await page.waitForSelector(file === undefined ? ".monaco-workbench .statusbar" : ".editor-instance .view-line", { timeout: LONG });
     const api = (body, args = {}) =>
       new Promise((done, failed) => {
         // A connection of its own: one that is kept may be closed just when it is used again.
@@ -172,7 +175,7 @@ export async function open({ vsix, workspace, file, settings = {}, env = {}, tru
         request.on("error", failed);
         request.end(JSON.stringify({ body, args: { ...args, ws } }));
       });
-    await until("the probe", () => api("return true"));
+    await until("the probe", () => api("return true"), LONG);
     return { page, api, ws, socket, outside, errors, close, path: (name) => join(ws, name) };
   } catch (error) {
     await close();

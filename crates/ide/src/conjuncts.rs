@@ -1,0 +1,87 @@
+//! The parts of a conjunction, each judged by itself: which of them decides, and how far the others are from failing.
+
+use crate::Snapshot;
+use crate::diagnostics::in_words;
+use scenelang_base::TextRange;
+use scenelang_lang::ast::{BinaryOp, ExprId, ExprKind, Stmt, StmtKind};
+use scenelang_lang::db::Cancelled;
+use scenelang_lang::program::{Constraint, Formula, Node, NodeId, Unit};
+use scenelang_verify::{World, judge};
+
+/// A part of a conjunction, as written, and what came of it.
+pub(crate) struct Part {
+    /// Its text, blanks folded.
+    pub text: String,
+    /// Whether it holds.
+    pub holds: bool,
+    /// By how much, in words; `None`: it has no measure.
+    pub margin: Option<String>,
+}
+
+/// The parts of a constraint of the main file that is `A and B and …`; nothing where it is none, or a part cannot be judged.
+///
+/// # Errors
+/// [`Cancelled`]: the text has changed.
+pub(crate) fn parts(snapshot: &Snapshot, constraint: &Constraint) -> Result<Vec<Part>, Cancelled> {
+    let Some(layout) = snapshot.layout().filter(|l| l.read.usable).map(|l| &l.read.layout) else {
+        return Ok(Vec::new());
+    };
+    let meanings = snapshot.meanings()?;
+    let own = |stmt: &Stmt, offset: u32| stmt.range.shifted(offset).end == constraint.span.range.end;
+    let found = meanings.statements.iter().find(|(place, _)| own(place.stmt, place.offset));
+    let Some((place, _)) = found.filter(|_| constraint.span.file == snapshot.main()) else { return Ok(Vec::new()) };
+    let (StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. }) = &place.stmt.kind else {
+        return Ok(Vec::new());
+    };
+    let mut written = Vec::new();
+    conjuncts(place.stmt, *formula, &mut written);
+    if written.len() < 2 {
+        return Ok(Vec::new());
+    }
+    let compiled = snapshot.compiled()?;
+    let world = World::new(&compiled.program, layout, &snapshot.judging().options);
+    let mut leaves = Vec::new();
+    conditions(&constraint.formula, constraint.formula.root, &mut leaves);
+    let start = constraint.span.range.start;
+    let judged = written.into_iter().map(|range| {
+        let range = range.shifted(place.offset);
+        let inside = |leaf: &&NodeId| {
+            let own = constraint.formula.ranges.get(leaf.0 as usize).map(|own| own.shifted(start));
+            own.is_some_and(|own| range.start <= own.start && own.end <= range.end)
+        };
+        let mut worst: Option<(bool, f64, Unit)> = None;
+        for leaf in leaves.iter().filter(inside) {
+            let truth = judge(&Formula { root: *leaf, ..constraint.formula.clone() }, &world).ok()?;
+            if worst.is_none_or(|(holds, margin, _)| (truth.holds, truth.margin) < (holds, margin)) {
+                worst = Some((truth.holds, truth.margin, truth.unit));
+            }
+        }
+        let (holds, margin, unit) = worst?;
+        let text = snapshot.text().get(range.bytes())?.split_whitespace().collect::<Vec<_>>().join(" ");
+        Some(Part { text, holds, margin: margin.is_finite().then(|| in_words(margin, unit)) })
+    });
+    Ok(judged.collect::<Option<Vec<Part>>>().unwrap_or_default())
+}
+
+/// The operands of a chain of `and`, from the left.
+fn conjuncts(stmt: &Stmt, id: ExprId, out: &mut Vec<TextRange>) {
+    // A chain leans to the left, so the right operands are found first.
+    let (mut id, mut found) = (id, Vec::new());
+    while let ExprKind::Binary(BinaryOp::And, _, left, right) = &stmt.expr(id).kind {
+        found.push(stmt.expr(*right).range);
+        id = *left;
+    }
+    found.push(stmt.expr(id).range);
+    out.extend(found.into_iter().rev());
+}
+
+/// The conditions that a formula is a conjunction of.
+fn conditions(formula: &Formula, id: NodeId, out: &mut Vec<NodeId>) {
+    let mut left = vec![id];
+    while let Some(id) = left.pop() {
+        match formula.node(id) {
+            Node::And(list) => left.extend(list.iter().rev()),
+            _ => out.push(id),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! What the words of the language say, in a sentence each: for who points at one.
+
+/// Words with what they say and how they are written; `@req` is a word, too.
+const WORDS: &[(&str, &str, &str)] = &[
+    ("object", "declares an object, or with a number an array of objects", "object chair[4];"),
+    ("region", "declares a region: a room, or part of one, or a place outdoors", "region kitchen;"),
+    ("assert", "says what must hold in every layout", "assert near(chair, desk, 0.5);"),
+    (
+        "prefer",
+        "says what would be nice: it is kept to as far as all assertions allow",
+        "prefer bed.pos.x > 1 weight 2;",
+    ),
+    (
+        "weight",
+        "says how much a preference counts beside others; 1 where it is not said",
+        "prefer near(a, b, 1) weight 3;",
+    ),
+    ("predicate", "gives a condition a name and parameters", "predicate low(Object a) := a.top < 0.5;"),
+    ("import", "reads another program: its declarations and predicates can be used here", "import \"parts.scene\";"),
+    ("allowCollide", "lifts the rule that two objects, or arrays, may not overlap", "allowCollide(rug, table);"),
+    ("allowOutside", "lifts the rule that an object must be inside a region", "allowOutside(tree);"),
+    ("allowFloat", "lifts the rule that something must carry an object", "allowFloat(balloon);"),
+    ("forall", "holds if the condition behind the colon holds for each", "forall c in chair: near(c, table, 0.5)"),
+    ("exists", "holds if the condition behind the colon holds for at least one", "exists c in chair: near(c, door, 1)"),
+    ("count", "is the number of those for which the condition holds", "count(c in chair: near(c, table, 0.5)) >= 3"),
+    ("in", "names what a quantifier goes through: an array, `objects` or `rooms`", "forall c in chair: c.top < 1"),
+    ("where", "keeps of a set what has such a property", "forall o in objects where .category = \"chair\": o.top < 1"),
+    ("and", "holds if both sides do; its margin is the smaller of the two", "near(a, b, 1) and a.top < b.top"),
+    ("or", "holds if one side does; its margin is the greater of the two", "near(a, b, 1) or near(a, c, 1)"),
+    ("not", "holds if the condition does not; its margin has the other sign", "not near(a, b, 1)"),
+    ("implies", "holds if the left side does not, or the right side does", "near(a, b, 1) implies facing(a, b)"),
+    ("objects", "all objects of the program, elements of arrays included", "forall o in objects: o.top < 2"),
+    (
+        "@req",
+        "names the requirement that the next statement answers, in the words of who asked for it",
+        "@req(\"a desk by the window\")",
+    ),
+    ("Number", "declares a number that the layout chooses, unless one is assigned", "Number space;"),
+    ("Degree", "declares an angle in degrees that the layout chooses, unless one is assigned", "Degree turn;"),
+    ("Bool", "declares a truth that the layout chooses, unless one is assigned", "Bool open;"),
+    ("Vector3", "declares a vector that the layout chooses, unless one is assigned", "Vector3 spot;"),
+    ("Rotation", "declares a rotation that the layout chooses, unless one is assigned", "Rotation turn;"),
+    ("Color", "declares a colour that can be given to several objects", "Color accent;"),
+    ("Material", "declares a material that can be given to several objects", "Material wood;"),
+    ("true", "the truth that always holds", "true"),
+    ("false", "the truth that never holds", "false"),
+];
+
+/// What a word of the language says: how it is written, and a sentence.
+pub(crate) fn says(word: &str) -> Option<String> {
+    let (_, says, example) = WORDS.iter().find(|(known, ..)| *known == word)?;
+    Some(format!("```scene\n{example}\n```\n\n`{word}` {says}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_lang::token::{Kind, lex};
+
+    #[test]
+    fn each_word_is_one_of_the_language() {
+        for (word, _, example) in WORDS {
+            let tokens = lex(word);
+            let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
+            assert!(kinds.len() == 1 && kinds[0] != Kind::BadAttribute, "{word}: {kinds:?}");
+            assert!(example.contains(word), "{word}: {example}");
+        }
+    }
+}

@@ -1,0 +1,144 @@
+// From an empty window to a room, in a real VS Code with the server itself: a sentence, a small program, an example. Skipped where
+// there is no editor or no server built.
+// SHOTS names a folder for pictures; SCENELANG names the server, else it is the newest in target.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { lacking, open, sleep, until } from "./support/editor.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const server = process.env.SCENELANG ?? ["release", "debug"].map((kind) => here(`../../../target/${kind}/scenelang`)).filter((file) => existsSync(file)).sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
+const missing = lacking() ?? (server === undefined ? "no server in target; cargo build -p scenelang-cli makes one" : null);
+const shots = process.env.SHOTS;
+const SENTENCE = "A study with a desk against a wall, a chair at the desk and two bookshelves. It feels snug.";
+
+let folder;
+let e;
+
+before(async () => {
+  if (missing !== null) return;
+  folder = mkdtempSync(join(tmpdir(), "scenelang-start-"));
+  const vsix = join(folder, "bundled.vsix");
+  execFileSync(process.execPath, [here("../package.mjs"), vsix, "--server", server, "--target", "linux-x64"]);
+  const workspace = join(folder, "empty");
+  mkdirSync(workspace);
+  e = await open({ vsix, workspace });
+});
+after(async () => {
+  await e?.close();
+  if (folder !== undefined) rmSync(folder, { recursive: true, force: true });
+});
+
+function check(name, run) {
+  test(name, { skip: missing ?? false }, async () => {
+    if (missing !== null) assert.fail(missing);
+    try {
+      await run();
+    } catch (error) {
+      if (shots !== undefined) await e?.page.screenshot({ path: join(shots, "error.png") });
+      throw error;
+    }
+  });
+}
+
+const shoot = async (name) => {
+  if (shots === undefined) return;
+  await e.page.mouse.move(2, 2);
+  await sleep(1200);
+  await e.page.screenshot({ path: join(shots, `${name}.png`) });
+};
+const command = (name) => e.api("return vscode.commands.executeCommand(args.name)", { name });
+const begin = (name) => e.api("void vscode.commands.executeCommand(args.name)", { name });
+const texts = (selector) => e.page.$$eval(selector, (all) => all.map((element) => element.innerText.replace(/\s+/g, " ").trim()));
+const status = () => e.page.$eval('[id$="scenelang.status"]', (item) => item.innerText.trim()).catch(() => "");
+const counted = async () => /^(\d+)\/(\d+) hold$/.exec(await status())?.slice(1).map(Number);
+const active = () => e.api("return vscode.window.activeTextEditor?.document.uri.path.split('/').at(-1)");
+const notices = async () => {
+  if ((await e.page.$(".notifications-center.visible")) === null) await command("notifications.showList");
+  return texts(".notifications-center .notification-list-item");
+};
+const rooms = async () => {
+  let drawn = 0;
+  for (const frame of e.page.frames()) if (await frame.evaluate(() => window.scenelang?.ready === true && /READY [1-9]/.test(document.title)).catch(() => false)) drawn += 1;
+  return drawn;
+};
+const layout = (name) => JSON.parse(readFileSync(e.path(`${name}.layout.json`), "utf8"));
+
+check("where nothing is open, the view offers what one can begin with", async () => {
+  await command("scenelang.constraints.focus");
+  await until("three buttons", async () => {
+    const buttons = await texts(".pane-body .welcome-view-content .monaco-button");
+    return ["New Scene", "New Scene from a Description", "Open Example"].every((words) => buttons.includes(words));
+  });
+  await shoot("empty");
+});
+
+check("a sentence becomes a program, a layout and a room, and each phrase says what became of it", async () => {
+  const [button] = await e.page.$$("::-p-xpath(//a[contains(@class, 'monaco-button')][contains(., 'from a Description')])");
+  await button.evaluate((element) => element.click());
+  await until("the box", async () => (await texts(".quick-input-widget")).some((words) => words.includes("What is in the room")));
+  await e.page.keyboard.type(SENTENCE);
+  await shoot("sentence");
+  await e.page.keyboard.press("Enter");
+  await until("the program", async () => (await active()) === "room.scene", 120_000);
+  const [holds, total] = await until("that all holds", async () => ((now) => now !== undefined && now[0] === now[1] && now)(await counted()), 120_000);
+  assert.ok(total > 0, `${holds} of ${total}`);
+  assert.ok(Object.keys(layout("room").objects).some((name) => /desk/.test(name)), "the layout is on disk, whole");
+  await until("the room", async () => (await rooms()) === 1, 60_000);
+  const request = () => e.api("const d = vscode.workspace.textDocuments.find((d) => d.uri.scheme === 'scenelang-request'); return d?.getText()");
+  await until("the request", async () => /two bookshelves\.\nIt feels snug\./.test((await request()) ?? ""));
+  await until("what was not used", async () => (await notices()).some((notice) => /understood \d+ of \d+ clauses?; not used: .*snug/.test(notice)));
+  await command("notifications.clearAll");
+  await command("workbench.action.closeSidebar");
+  await shoot("described");
+  assert.equal(await active(), "room.scene", "one goes on in the program");
+  assert.equal(await e.api("return vscode.workspace.textDocuments.some((d) => d.isDirty)"), false, "nothing is left unsaved");
+});
+
+check("solving again leaves a room as it is, and warns of nothing", async () => {
+  const before = layout("room");
+  await begin("scenelang.solveScene");
+  await until("what it said", async () => (await notices()).some((notice) => /solved: (\d+) of \1 hold, with everything where it was/.test(notice)), 120_000);
+  assert.deepEqual(layout("room"), before);
+  assert.ok((await notices()).every((notice) => !/did not make/.test(notice)));
+  await command("notifications.clearAll");
+  await command("workbench.action.closeAllEditors");
+});
+
+check("a new program has a name of one's own", async () => {
+  await begin("scenelang.newScene");
+  await until("the box", async () => (await texts(".quick-input-widget")).some((words) => words.includes("The name of the program")));
+  // What is there already is refused.
+  await e.page.keyboard.type("room");
+  await until("why not", async () => (await texts(".quick-input-widget")).some((words) => words.includes("room.scene is there already")));
+  for (let i = 0; i < 4; i += 1) await e.page.keyboard.press("Backspace");
+  await e.page.keyboard.type("study");
+  await e.page.keyboard.press("Enter");
+  await until("the program", async () => (await active()) === "study.scene", 60_000);
+  await until("that all holds", async () => ((now) => now !== undefined && now[0] === now[1])(await counted()), 120_000);
+  await command("workbench.action.closeAllEditors");
+});
+
+check("an example is a copy of one's own, with its room", async () => {
+  await begin("scenelang.openExample");
+  await until("the examples", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^bedroom/.test(row)));
+  await shoot("examples");
+  await e.page.keyboard.type("bedroom");
+  await until("one of them", async () => (await texts(".quick-input-list .monaco-list-row")).length === 1);
+  await e.page.keyboard.press("Enter");
+  await until("the program", async () => (await active()) === "bedroom.scene", 60_000);
+  await until("a count", counted, 120_000);
+  await until("the room", async () => (await rooms()) === 1, 60_000);
+  assert.ok(existsSync(e.path("bedroom.scene")) && existsSync(e.path("bedroom.layout.json")));
+  await command("notifications.clearAll");
+  await shoot("example");
+});
+
+check("nothing was asked of the network, and no script failed", () => {
+  assert.deepEqual([...e.outside], []);
+  assert.deepEqual(e.errors, []);
+});
