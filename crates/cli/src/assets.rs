@@ -48,7 +48,7 @@ pub fn search(args: &AssetsSearch) -> u8 {
         Plain::Text => {
             out::show(&library(family, usual));
             if args.folder.is_some() && hits.is_empty() {
-                out::show("no model of the folder has any of these words\n");
+                out::show("no model in the folder matches these words\n");
             } else if !hits.is_empty() {
                 let mut table = Table::new(&["score", "model", "category", "size", "description"]);
                 for hit in &hits {
@@ -125,7 +125,7 @@ pub fn check(args: &AssetsCheck) -> u8 {
     if args.format == AssetsFormat::Human {
         let lines = |c: &Found| -> String { c.findings.iter().map(|d| in_words(&name(&c.file), d)).collect() };
         out::show(&checked.iter().map(lines).collect::<String>());
-        out::show(&format!("{folder}: {good} of {total} models are good\n"));
+        out::show(&format!("{folder}: no findings in {good} of {total} models\n"));
         return worst;
     }
     let judged = |c: Found| Checked::refused(&name(&c.file), SourceMap::new(), c.findings, &Options::default());
@@ -184,7 +184,7 @@ pub fn import(args: &AssetsImport) -> u8 {
                 eprint!("{}", in_words(file, finding));
             }
             let into = args.output.display();
-            out::show(&format!("{good} of {} models are in {into}\n", imported.len()));
+            out::show(&format!("{good} of {} models were written to {into}\n", imported.len()));
         }
     }
     if good == imported.len() { GOOD } else { FAILED }
@@ -213,7 +213,7 @@ fn fail(folder: &str, finding: &Diagnostic) -> u8 {
 /// Tells of what is passed over.
 fn warn(catalogue: &Catalogue) {
     for refused in &catalogue.refused {
-        eprintln!("warning: {} is passed over: {}", refused.file, refused.finding.message);
+        eprintln!("warning: {} was skipped: {}", refused.file, refused.finding.message);
     }
 }
 

@@ -7,7 +7,7 @@ use crate::watch::{Seen, Watched};
 use crate::{FAILED, GOOD, fix, foreign, interrupt, out, parallel, permissions, settings, targets, watch};
 use scenelang_analysis::Question;
 use scenelang_base::door::{Door, Named};
-use scenelang_base::{Diagnostic, SourceMap, codes};
+use scenelang_base::{Applicability, Diagnostic, SourceMap, codes};
 use scenelang_engine::check_layout_text;
 use scenelang_export::embedded;
 use scenelang_lang::sources::Loader;
@@ -32,9 +32,10 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
     let mut worst = GOOD;
     let compile = scenelang_lang::Options { core: args.core };
     let people = args.format == Format::Human;
-    let wanted = if args.fix { targets.as_slice() } else { &[] };
+    let up_to = if args.unsafe_fixes { Applicability::Unsafe } else { Applicability::Safe };
+    let wanted = if args.fix || args.unsafe_fixes { targets.as_slice() } else { &[] };
     let fixes: Vec<_> =
-        wanted.iter().map(|t| fix::run(t.path(), compile, &Door::of(t.path()).named(&named), people)).collect();
+        wanted.iter().map(|t| fix::run(t.path(), compile, up_to, &Door::of(t.path()).named(&named), people)).collect();
     let mut fixed = fixes.into_iter();
     let progress = match targets.as_slice() {
         [one] => Progress::new(format!("checking {}", one.path().display())),

@@ -53,7 +53,7 @@ fn target(path: &PathBuf) -> Result<Target, String> {
     };
     match find(std::slice::from_ref(path)).as_slice() {
         [one] if one.path() == path && layout(one) => Ok(one.clone()),
-        _ => Err(format!("{} is no layout; diff compares layouts, GLB files and Unity projects", path.display())),
+        _ => Err(format!("{} is not a layout; diff compares layouts, GLB files and Unity projects", path.display())),
     }
 }
 
@@ -89,7 +89,7 @@ fn human(c: &Comparison) -> String {
         table.row([name, what.as_str().to_owned(), before, after]);
     }
     add(&mut out, &table, c.constraints.is_empty());
-    let verdict = if c.equal { "equal in geometry and verdict" } else { "they differ" };
+    let verdict = if c.equal { "equal in geometry and results" } else { "they differ" };
     out += &format!("{} → {}: {verdict}\n", c.before.file, c.after.file);
     match (&c.before.judged_with, &c.after.judged_with) {
         (Some(with), other) if other.as_ref() == Some(with) => out += &format!("{}\n", with.in_words()),

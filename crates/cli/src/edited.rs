@@ -22,7 +22,7 @@ const LAYOUT: &str = "Assets/Scenelang/layout.json";
 
 /// What may be done.
 #[derive(Default)]
-pub struct Answer {
+pub struct Permission {
     /// The scene to go on from.
     pub taken: Option<Taken>,
     /// Scenes that are written over, edited as they are.
@@ -64,7 +64,7 @@ pub fn ask(
     exporters: &[Box<dyn Exporter>],
     said: Edits,
     force: bool,
-) -> Result<Answer, String> {
+) -> Result<Permission, String> {
     let written = written(folder, stem, exporters);
     let (mut edited, mut rest) = (BTreeMap::<PathBuf, Vec<PathBuf>>::new(), Vec::new());
     for file in owned::edited_below(folder) {
@@ -96,14 +96,14 @@ pub fn ask(
     let replaced = lost.iter().map(|found| found.path.clone()).collect();
     if !said.take {
         lost.iter().for_each(|found| found.tell("writing over"));
-        return Ok(Answer { taken: None, replaced });
+        return Ok(Permission { taken: None, replaced });
     }
     if let Some(found) = lost.iter().find(|found| found.scene.is_err()) {
-        return Err(format!("{}\n--overwrite writes over it", found.words().join("\n  ")));
+        return Err(format!("{}\nuse --overwrite to discard the edits", found.words().join("\n  ")));
     }
     lost.iter().filter(|found| !found.is_changed()).for_each(|found| found.tell("writing over"));
     let taken = chosen(scenes)?;
-    Ok(Answer { taken, replaced })
+    Ok(Permission { taken, replaced })
 }
 
 /// The scene to go on from: the one that was changed, else the first that is there.
@@ -146,12 +146,12 @@ fn scene_of(file: &Path, folder: &Path) -> Option<PathBuf> {
 }
 
 fn refused(lost: &[&Found]) -> String {
-    let mut out = "nothing is written, since an exported scene was edited:\n".to_owned();
+    let mut out = "nothing was written, because an exported scene was edited:\n".to_owned();
     for found in lost {
         out += &format!("  {} was edited since scenelang wrote it:\n", found.name);
         out.extend(found.words().iter().map(|line| format!("    {}\n", plain::line(line))));
     }
-    out + "--take goes on from the scene as it stands there now, --overwrite writes over it; or name another folder with -o"
+    out + "use --take to continue from the edited scene, --overwrite to discard the edits, or name another folder with -o"
 }
 
 impl Found {
@@ -200,7 +200,7 @@ impl Found {
         let mut out: Vec<String> = others.map(|file| relative(file, &self.path)).collect();
         let more = out.len().saturating_sub(NAMED);
         out.truncate(NAMED);
-        out.iter_mut().for_each(|file| *file = format!("`{file}` was edited, too, and is written over in any case"));
+        out.iter_mut().for_each(|file| *file = format!("`{file}` was edited as well and is overwritten in any case"));
         if more > 0 {
             out.push(format!("so were {more} more files"));
         }
@@ -210,7 +210,7 @@ impl Found {
     /// What is known of the edit, for people.
     fn words(&self) -> Vec<String> {
         if let Err(why) = &self.scene {
-            return vec![format!("{why}, so nothing can be taken from it")];
+            return vec![format!("{why}, so its edits cannot be used")];
         }
         let mut out = self.changes();
         let more = out.len().saturating_sub(LISTED);

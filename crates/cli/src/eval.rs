@@ -1,9 +1,13 @@
 //! `scenelang eval requests`: reads requests without a model and scores the programs by their ground truth, or scores
 //! programs that others have made of them.
 
+mod dataset;
 mod sceneeval;
+mod suite;
 
+pub use dataset::run as dataset;
 pub use sceneeval::run as sceneeval;
+pub use suite::{report, run};
 
 use crate::args::{EvalRequests, SummaryFormat};
 use crate::formalize::try_out;
@@ -65,7 +69,7 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
 fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
     let path = folder.join(format!("{}.scene", request.name));
     let bytes = Door::within(folder).read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let program = String::from_utf8(bytes).map_err(|_| format!("{} is no text in UTF-8", path.display()))?;
+    let program = String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))?;
     Ok(Reading { program, ..Reading::default() })
 }
 

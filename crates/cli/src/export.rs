@@ -3,7 +3,7 @@
 use crate::args::{Export, SummaryFormat};
 use crate::edited::{self, Taken};
 use crate::replace::May;
-use crate::room::Room;
+use crate::room::CheckedLayout;
 use crate::trial::{self, Trial};
 use crate::{FAILED, FINDINGS, formats, out, replace};
 use scenelang_base::FileId;
@@ -78,7 +78,7 @@ fn human(exported: &Exported, trial: Option<&Result<Trial, String>>) {
 
 fn export(args: &Export) -> Result<Exported, String> {
     let error = |message: String| format!("error: {message}");
-    let mut room = Room::read(&args.layout, None)?;
+    let mut room = CheckedLayout::read(&args.layout, None)?;
     let mut chosen = chosen(args);
     if args.trial && !chosen.iter().any(|e| e.name() == Mjcf.name()) {
         chosen.push(Box::new(Mjcf));
@@ -122,7 +122,7 @@ fn chosen(args: &Export) -> Vec<Box<dyn Exporter>> {
 }
 
 /// The text of the layout file with what was edited in an exported scene; `None`: it says the same as before.
-fn layout_of(room: &Room, taken: &Taken, force: bool) -> Result<Option<String>, String> {
+fn layout_of(room: &CheckedLayout, taken: &Taken, force: bool) -> Result<Option<String>, String> {
     let (path, name) = (room.path.display(), &taken.name);
     let [old, was, now] =
         [room.text(), &taken.scene.exported, &taken.scene.layout].map(|text| file::read(text, FileId(0)));
@@ -141,7 +141,7 @@ fn layout_of(room: &Room, taken: &Taken, force: bool) -> Result<Option<String>, 
     if !taken.is_rewritten && says(&was.layout) != says(&old.layout) {
         return Err(format!(
             "{path} is not the layout any more that {name} was exported from, so what was edited there cannot be taken into \
-             it; `scenelang import {name} -o FOLDER` writes the layout of the scene, --overwrite writes over it"
+             it; `scenelang import {name} -o FOLDER` writes the layout of the scene, use --overwrite to discard the edits"
         ));
     }
     let is_ours = replace::is_ours(&room.path, room.text());

@@ -32,7 +32,7 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
         .collect();
     if !errors.is_empty() {
         eprint!("{}", report::diagnostics(&errors, &sources, color_err()));
-        return fail(&format!("{name} does not parse and stays as it is"));
+        return fail(&format!("{name} has syntax errors and was not changed"));
     }
     let formatted = format(text, options);
     if check {
@@ -44,7 +44,7 @@ fn one(path: &Path, check: bool, options: &FormatOptions) -> u8 {
             .zip(formatted.lines())
             .position(|(a, b)| a != b)
             .unwrap_or(text.lines().count().min(formatted.lines().count()));
-        eprintln!("{name}:{}: not in the standard form; `scenelang fmt {name}` writes it", line + 1);
+        eprintln!("{name}:{}: not formatted; run `scenelang fmt {name}`", line + 1);
         return FINDINGS;
     }
     if is_stdin(path) {

@@ -59,9 +59,7 @@ pub fn run(args: &Formalize) -> u8 {
         Err(error) => return fail(&error.to_string()),
     };
     if model.is_some() && (args.brief || args.from_brief.is_some()) {
-        return fail(
-            "a brief is what the English reader makes of a request, and a model is asked for none: leave out --model, or --brief and --from-brief",
-        );
+        return fail("briefs are made by the built-in reader only: leave out --model, or --brief and --from-brief");
     }
     if let (Request::Words(request), true) = (&asked, args.brief) {
         let brief = read_brief(request);
@@ -129,9 +127,8 @@ fn relaxed(reading: &Reading) -> usize {
 
 /// The brief in a file.
 fn brief(path: &Path) -> Result<Brief, String> {
-    json::read(&text(path)?).map_err(|why| {
-        format!("{} is no brief: {why}; `scenelang schema brief` says what one looks like", path.display())
-    })
+    json::read(&text(path)?)
+        .map_err(|why| format!("{} is not a brief: {why}; `scenelang schema brief` prints its schema", path.display()))
 }
 
 /// What a request says, and the program of it.
@@ -198,10 +195,10 @@ pub fn understand(
     } else if let Some(why) = overfull.as_ref() {
         diagnostics.push(format!("{why}; no layout was looked for"));
     } else if !holds && time.is_some() && stop.is_set() {
-        diagnostics.push("the time was over before a layout was found in which all of it holds".to_owned());
+        diagnostics.push("the time limit was reached before a layout was found that satisfies everything".to_owned());
     } else if !holds {
         diagnostics.push(
-            "no layout was found in which all of it holds; `scenelang solve` looks longer, and says what is in the way"
+            "no layout was found that satisfies everything; `scenelang solve` searches longer and says what is in the way"
                 .to_owned(),
         );
     }
@@ -244,9 +241,9 @@ pub fn text(path: &Path) -> Result<String, String> {
     };
     read.map_err(|e| format!("cannot read {name}: {e}"))?;
     if bytes.len() as u64 > MOST {
-        return Err(format!("{name} is longer than 4 MB: that is no request"));
+        return Err(format!("{name} is longer than 4 MB, which is too long for a request"));
     }
-    String::from_utf8(bytes).map_err(|_| format!("{name} is no text in UTF-8"))
+    String::from_utf8(bytes).map_err(|_| format!("{name} is not valid UTF-8"))
 }
 
 /// How much was understood, and what was not.

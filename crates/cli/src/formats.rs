@@ -22,7 +22,7 @@ pub fn name(text: &str) -> Result<String, String> {
     let all = all_exporters();
     let names: Vec<_> = all.iter().map(|e| e.name()).collect();
     if text == Urdf::NAME {
-        return Err("urdf is one object; name it with --object, and leave urdf out of --only".to_owned());
+        return Err("urdf contains a single object; name it with --object, or leave urdf out of --only".to_owned());
     }
     if names.contains(&text) { Ok(text.to_owned()) } else { Err(format!("there are {}", names.join(", "))) }
 }

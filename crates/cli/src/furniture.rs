@@ -52,7 +52,7 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
                 for Folder { path, name } in &folders {
                     let local = Local::open(path, name, least).map_err(|d| format!("{name}: {}", d.message))?;
                     for refused in local.refused() {
-                        eprintln!("warning: {name}/{} is passed over: {}", refused.file, refused.finding.message);
+                        eprintln!("warning: {name}/{} was skipped: {}", refused.file, refused.finding.message);
                     }
                     providers.push(Box::new(local));
                 }
@@ -60,7 +60,7 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
             Source::Generator => {
                 if let Some((maker, bounds)) = generator.take() {
                     let most = bounds.most;
-                    eprintln!("asking the generator {} for what no folder has: at most {most} models", maker.name());
+                    eprintln!("asking the generator {} for missing models: at most {most}", maker.name());
                     providers.push(Box::new(Generator::new(maker, bounds)));
                 }
             }
@@ -122,7 +122,7 @@ fn folders(given: &Furniture, workspace: &Assets, own: &Assets, door: &Door) -> 
                 && outside(&e).is_some()
             {
                 return Err(format!(
-                    "scenelang.toml names a folder of models outside of its workspace, which only you may: --assets {name}"
+                    "scenelang.toml names a folder of models outside its workspace; if you want to use it, pass --assets {name}"
                 ));
             }
             out.push(Folder { path, name: name.clone() });
@@ -131,7 +131,7 @@ fn folders(given: &Furniture, workspace: &Assets, own: &Assets, door: &Door) -> 
     for name in &own.folders {
         let path = PathBuf::from(name);
         if !path.is_absolute() {
-            return Err(format!("`folders` in your own config.toml takes paths from the top of the disk, not {name}"));
+            return Err(format!("`folders` in your own config.toml takes absolute paths, not {name}"));
         }
         out.push(Folder { path, name: name.clone() });
     }

@@ -62,7 +62,7 @@ fn from_others(args: &Import, path: &Path) -> Result<Vec<PathBuf>, String> {
     let scene = foreign::open(&name, path, &args.beside, &door).map_err(|refused| {
         // The report says it with its place; the sentence alone goes to the end.
         eprint!("{}", said(&refused.0, std::slice::from_ref(&refused.1)));
-        format!("{name} cannot be imported; nothing is written")
+        format!("{name} cannot be imported; nothing was written")
     })?;
     eprint!("{}", said(&SourceMap::new(), &scene.notes));
     let beside = |path: &Path| path.file_name().map(PathBuf::from).unwrap_or_default();
@@ -84,7 +84,7 @@ fn files(scene: &Embedded) -> Result<Vec<OutFile>, String> {
         let name = path.display().to_string();
         let shown = plain::line(&name);
         return Err(format!(
-            "nothing is written: the scene has a file `{shown}`, which is no program, since it does not end in .scene"
+            "nothing was written: the scene has a file `{shown}`, which is not a program, because it does not end in .scene"
         ));
     }
     let above = |path: &Path| path.components().take_while(|part| *part == Component::ParentDir).count();

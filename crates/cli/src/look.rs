@@ -1,7 +1,7 @@
 //! Commands to look things up and to start: `explain`, `schema`, `new`.
 
 use crate::args::{Explain, New, Schema};
-use crate::{FAILED, GOOD, words};
+use crate::{FAILED, GOOD, manual, out, words};
 use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
@@ -9,19 +9,23 @@ use scenelang_verify::schemas;
 
 /// Shows the page of a code, or what a word of the language means.
 pub fn explain(args: &Explain) -> u8 {
-    if let Some(code) = Code::find(&args.word) {
-        print!("{}", code.page());
+    let word = args.words.join(" ");
+    if let Some(code) = Code::find(&word) {
+        out::show(code.page());
         return GOOD;
     }
-    if let Some(text) = words::meaning(&args.word) {
-        print!("{text}");
+    let found = [words::meaning(&word), words::setting(&word), manual::command(&word)];
+    let found: Vec<String> = found.into_iter().flatten().collect();
+    if !found.is_empty() {
+        out::show(&found.join("\n"));
         return GOOD;
     }
-    eprintln!("error: there is no code and no word of the language `{}`", args.word);
+    eprintln!("error: `{word}` is not a code, a word of the language, a setting or a command");
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
-    match suggest::nearest(&args.word.to_uppercase(), all).or_else(|| words::nearest(&args.word)) {
+    let near = suggest::nearest(&word.to_uppercase(), all).map(str::to_owned);
+    match near.or_else(|| words::nearest_of_all(&word)) {
         Some(near) => eprintln!("  did you mean `{near}`?"),
-        None => eprintln!("  codes look like E0201, W0302, V0101; words are predicates, functions and properties"),
+        None => eprintln!("  codes look like E0201, W0302 or V0101; words are predicates, functions and properties"),
     }
     FAILED
 }
@@ -36,7 +40,7 @@ pub fn schema(args: &Schema) -> u8 {
 /// Writes a small program to start from; a file that is there already is left alone.
 pub fn new(args: &New) -> u8 {
     if args.file.exists() && !is_stream(&args.file) {
-        eprintln!("error: {} is there already and is left alone; name another file", args.file.display());
+        eprintln!("error: {} exists already and is not overwritten; name another file", args.file.display());
         return FAILED;
     }
     match Door::of(&args.file).write(&args.file, TEMPLATE.as_bytes()) {

@@ -103,6 +103,9 @@ fn main() -> ExitCode {
         Command::Bench(Bench::Solve(solve)) => bench::solve(&solve),
         Command::Eval(Eval::Requests(requests)) => eval::requests(&requests),
         Command::Eval(Eval::Sceneeval(args)) => eval::sceneeval(&args),
+        Command::Eval(Eval::Dataset(args)) => eval::dataset(&args),
+        Command::Eval(Eval::Run(args)) => eval::run(&args),
+        Command::Eval(Eval::Report(args)) => eval::report(&args),
     };
     ExitCode::from(out::end(code))
 }

@@ -19,6 +19,23 @@ pub fn completions(args: &Completions) -> u8 {
     GOOD
 }
 
+/// The page of a command that is called by these words, such as `assets import`.
+pub fn command(words: &str) -> Option<String> {
+    let mut whole = Args::command().disable_help_subcommand(true);
+    whole.build();
+    let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
+    let command = find(&whole, &words).ok()?;
+    (!words.is_empty() && !command.is_hide_set()).then(|| markdown(command))
+}
+
+/// The names of the commands, those below others with the names of these before them.
+pub fn commands() -> Vec<String> {
+    let mut whole = Args::command().disable_help_subcommand(true);
+    whole.build();
+    let names = all(&whole).into_iter().skip(1).map(called);
+    names.map(|name| name.strip_prefix("scenelang ").unwrap_or(name).to_owned()).collect()
+}
+
 /// Prints a page, or writes all of them.
 pub fn man(args: &Man) -> u8 {
     match written(args) {
@@ -186,7 +203,7 @@ mod tests {
         }
         let check = find(&whole, &["check".to_owned()]).map(markdown).unwrap_or_default();
         assert!(check.starts_with("# scenelang check\n\nCheck programs and layouts"), "{check}");
-        assert!(check.contains("- `--format FORMAT`: How the report is written"), "{check}");
+        assert!(check.contains("- `--format FORMAT`: The output format"), "{check}");
         assert!(find(&whole, &["chekc".to_owned()]).is_err_and(|why| why.contains("check")));
     }
 }

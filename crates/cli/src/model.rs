@@ -48,7 +48,7 @@ impl Asked {
             }
             Consent::Unasked(Some(model)) => {
                 eprintln!(
-                    "note: scenelang.toml names the language model {}, which is not asked; `--model configured` asks it",
+                    "note: the language model {} in scenelang.toml is not used; enable it with `--model configured`",
                     plain(&model, 100)
                 );
                 Ok(None)
@@ -125,7 +125,7 @@ fn recordable(path: &Path) -> Result<(), Error> {
     if read.is_ok() && String::from_utf8_lossy(&start).contains(CONVERSATION) {
         return Ok(());
     }
-    let say = format!("{} is there already and is no recorded conversation; name another file", path.display());
+    let say = format!("{} exists already and is not a recorded conversation; name another file", path.display());
     Err(Error::File(say))
 }
 
@@ -167,10 +167,10 @@ pub fn summary(asked: Option<&Asked>, advice: Option<&Advice>) {
     let rounds = if tally.rounds == 1 { "round" } else { "rounds" };
     println!("  {} of its {} moves were made, in {} {rounds}", tally.taken, tally.proposed, tally.rounds);
     if *without {
-        println!("  the numeric search did better without it: the layout is that one");
+        println!("  the numeric search found a better layout without it, which was used");
     }
     if let Some(error) = &tally.failed {
-        println!("  it did not help to the end: {error}");
+        println!("  it stopped early: {error}");
     }
 }
 

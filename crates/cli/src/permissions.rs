@@ -61,14 +61,14 @@ pub fn listed(permissions: &[Permission]) -> String {
     for Permission { text, hides, complete } in permissions.iter().take(MOST) {
         let says = match hides {
             None if *complete => "hides nothing".to_owned(),
-            None => "too much is in one place to say what it hides".to_owned(),
+            None => "there are too many objects in one place to determine what it hides".to_owned(),
             Some(Overlap { objects: [a, b], depth, others }) => {
                 let more = match others {
                     0 => String::new(),
                     1 => ", and 1 pair that is not as deep".to_owned(),
                     n => format!(", and {n} pairs that are not as deep"),
                 };
-                format!("hides that {a} and {b} are {depth:.3} m inside each other{more}")
+                format!("hides an overlap of {a} and {b} by {depth:.3} m{more}")
             }
         };
         let _ = writeln!(out, "  {text}: {says}");

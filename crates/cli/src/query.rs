@@ -71,7 +71,7 @@ fn human(found: &Query, in_full: bool) -> String {
         table(found)
     };
     if !found.judged {
-        out += &format!("{} has no layout beside it: nothing was judged\n", found.file);
+        out += &format!("{} has no layout beside it, so nothing was checked\n", found.file);
     }
     if let Some(with) = &found.judged_with {
         out += &format!("{}\n", with.in_words());
@@ -122,7 +122,7 @@ fn block(object: &Object, judged: bool) -> String {
             size.map(metres).join(" × ")
         );
     } else if judged {
-        out += "  has no place in the layout\n";
+        out += "  is not in the layout\n";
     }
     let Some(details) = &object.details else { return out };
     if let Some(rests_on) = &details.rests_on {

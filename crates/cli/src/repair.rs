@@ -40,7 +40,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let begun = Instant::now();
     let name = args.layout.display().to_string();
     if !args.layout.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-        return Err(format!("{name} is no layout; `repair` takes a layout"));
+        return Err(format!("{name} is not a layout; `repair` takes a layout"));
     }
     let named = Named::new(std::iter::once(args.layout.as_path()));
     let door = &Door::of(&args.layout).named(&named);
@@ -90,7 +90,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let time = args.time.map(|time| Duration::from_secs_f64(SEARCH * time).saturating_sub(begun.elapsed()));
     let found = look(&damaged, &which, &RepairOptions { judge: options, time, ..RepairOptions::default() });
     drop(progress);
-    let found = found.map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
+    let found = found.map_err(|Unjudged| format!("{name} cannot be checked completely; `scenelang check` says why"))?;
     let choice = choose(args, &found.alternatives)?;
     let mut written = Vec::new();
     if let Some(chosen) = choice.filter(|_| !args.dry_run) {
@@ -113,7 +113,7 @@ fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, 
     match args.apply.map(usize::from) {
         None => Ok(alternatives.first().filter(|a| a.how == How::Moves).map(|_| 0)),
         Some(n) if n <= alternatives.len() => Ok(Some(n - 1)),
-        Some(n) => Err(format!("there is no alternative {n}, of {}", alternatives.len())),
+        Some(n) => Err(format!("there is no repair number {n}; there are {}", alternatives.len())),
     }
 }
 

@@ -17,7 +17,7 @@ const NAMED: usize = 5;
 pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> {
     if let Some(input) = inputs.iter().find(|input| is_same(input, path)) {
         return Err(format!(
-            "{} is the same file as the input {}, which would be lost; name another file with -o",
+            "{} is the input file {} itself, which must not be overwritten; name another file with -o",
             path.display(),
             input.display()
         ));
@@ -26,13 +26,18 @@ pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> 
         return Ok(());
     }
     // A link that leads elsewhere may be somebody else's.
-    Door::of(path).permits(path).map_err(|e| format!("cannot write {}: {e}; --force does", path.display()))?;
+    Door::of(path)
+        .permits(path)
+        .map_err(|e| format!("cannot write {}: {e}; use --force to write it anyway", path.display()))?;
     let why = match owned::standing(path).map_err(|e| e.to_string())? {
         Standing::Free | Standing::Ours => return Ok(()),
         Standing::Edited => "was edited since scenelang wrote it",
-        Standing::Foreign => "is there already, and scenelang did not write it",
+        Standing::Foreign => "exists already and was not written by scenelang",
     };
-    Err(format!("{} {why}, so it stays as it is; --force replaces it, or name another file", path.display()))
+    Err(format!(
+        "{} {why}, so it is not overwritten; use --force to overwrite it, or name another file",
+        path.display()
+    ))
 }
 
 /// Writes a program, with a sum by which it is known again.
@@ -147,7 +152,7 @@ pub fn permit_folder(folder: &Path, files: &[OutFile], inputs: &[&Path], may: Ma
             |input: &&&Path| is_same(input, &path) && Door::of(input).read(input).ok().as_deref() != Some(*bytes);
         if let Some(input) = inputs.iter().find(lost) {
             let input = input.display();
-            return Err(format!("{} would replace the input {input}; name another folder with -o", path.display()));
+            return Err(format!("{} would overwrite the input {input}; name another folder with -o", path.display()));
         }
     }
     if may.force {
@@ -161,17 +166,17 @@ pub fn permit_folder(folder: &Path, files: &[OutFile], inputs: &[&Path], may: Ma
 }
 
 fn refused(files: &[(PathBuf, Why)]) -> String {
-    let mut out = "nothing is written, since these files are not scenelang's to replace:\n".to_owned();
+    let mut out = "nothing was written, because these files must not be overwritten:\n".to_owned();
     for (path, why) in files.iter().take(NAMED) {
         let why = match why {
             Why::Edited => "was edited since scenelang wrote it",
-            Why::Foreign => "is there already, and scenelang did not write it",
-            Why::Outside => "is reached by a link out of the folder",
+            Why::Foreign => "exists already and was not written by scenelang",
+            Why::Outside => "is behind a link that leads out of the folder",
         };
         out += &format!("  {} {why}\n", path.display());
     }
     if files.len() > NAMED {
         out += &format!("  and {} more\n", files.len() - NAMED);
     }
-    out + "--force replaces them, or name another folder with -o"
+    out + "use --force to overwrite them, or name another folder with -o"
 }

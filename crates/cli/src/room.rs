@@ -15,8 +15,8 @@ use scenelang_verify::{Checked, Detail, Options};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A layout that can be drawn.
-pub struct Room {
+/// A layout with its program, checked.
+pub struct CheckedLayout {
     /// The layout file.
     pub path: PathBuf,
     /// All files read, and what holds.
@@ -29,7 +29,7 @@ pub struct Room {
     pub layout: Layout,
 }
 
-impl Room {
+impl CheckedLayout {
     /// Reads and judges a layout, or the layout beside a program.
     ///
     /// # Errors
@@ -46,7 +46,7 @@ impl Room {
     /// The same room with another text in place of its layout file's.
     ///
     /// # Errors
-    /// As for [`Room::read`].
+    /// As for [`CheckedLayout::read`].
     pub fn with_layout(&self, text: &str) -> Result<Self, String> {
         let door = Door::of(&self.path);
         Self::judge(self.path.clone(), &door, &Instead { path: &self.path, text, door: &door })
@@ -55,7 +55,7 @@ impl Room {
     /// Judges a layout whose files come from `loader`.
     ///
     /// # Errors
-    /// As for [`Room::read`].
+    /// As for [`CheckedLayout::read`].
     pub fn judge(path: PathBuf, door: &Door, loader: &dyn Loader) -> Result<Self, String> {
         let name = path.display().to_string();
         let found = settings::find(door, loader);

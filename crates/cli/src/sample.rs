@@ -64,7 +64,7 @@ fn contradiction(args: &Sample, name: &str, checked: &Checked) -> u8 {
         SummaryFormat::Json => println!("{}", solution::refuted(name, checked)),
         SummaryFormat::Human => {
             out::show(&report::human(checked, Human { color: color(), all: false }));
-            out::show("no sample was written: there is no layout in which all of it holds\n");
+            out::show("no sample was written, because no layout satisfies the program\n");
         }
     }
     exit_code(&checked.report)
@@ -122,7 +122,7 @@ impl Run<'_> {
             });
             if interrupt::asked() {
                 drop(progress);
-                eprintln!("interrupted; {} files of whole pieces are written", files.len());
+                eprintln!("interrupted; {} complete files were written", files.len());
                 return Ok(INTERRUPTED);
             }
             if let Some(message) = failure {
@@ -251,7 +251,7 @@ impl Run<'_> {
                     SummaryFormat::Human => {
                         out::show(&report::human(&solved.first.checked, Human { color: color(), all: false }));
                         out::show(
-                            "no sample was written: no layout was found in which all holds that must; what comes closest is above\n",
+                            "no sample was written, because no layout was found that satisfies all hard constraints; the best one is shown above\n",
                         );
                     }
                 }

@@ -20,9 +20,9 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
     for (found, file) in solved.all().zip(files) {
         out += &report::human(&found.checked, Human { color: color(), all: false });
         let end = match found.outcome.end {
-            _ if found.layout().incomplete => ", as far as it was when interrupted, and marked as incomplete",
-            End::Time => ", when the time was over",
-            End::Budget => ", when the budget was spent (--effort raises it)",
+            _ if found.layout().incomplete => ", incomplete because of the interruption",
+            End::Time => ", when the time limit was reached",
+            End::Budget => ", when the budget was used up (--effort increases it)",
             _ => "",
         };
         out += &preferred(found);
@@ -39,7 +39,7 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
     out += &still_free(&solved.first);
     if let Some(wanted) = wanted.filter(|wanted| *wanted > files.len()) {
         let found = if solved.first.outcome.converged { files.len() } else { 0 };
-        out += &format!("of {wanted} layouts that differ in kind {found} were found\n");
+        out += &format!("{found} of {wanted} substantially different layouts were found\n");
     }
     out
 }
@@ -57,7 +57,7 @@ fn preferred(found: &Found) -> String {
     if met >= all {
         return String::new();
     }
-    format!("preferences that hold weigh {met} of {all}; a higher --quality looks longer for more\n")
+    format!("preferences met: weight {met} of {all}; a higher --quality optimises longer\n")
 }
 
 /// What is free, in words.
@@ -66,7 +66,7 @@ fn still_free(found: &Found) -> String {
     let named: Vec<String> = free.objects.iter().take(NAMED).map(ToString::to_string).collect();
     let more = match free.objects.len().saturating_sub(NAMED) {
         _ if named.is_empty() => return String::new(),
-        _ if !free.complete => "; and perhaps others".to_owned(),
+        _ if !free.complete => "; perhaps also others".to_owned(),
         0 => String::new(),
         more => format!("; and {more} more"),
     };
@@ -81,7 +81,7 @@ fn in_the_way(found: &Found) -> String {
         1 => "this statement".to_owned(),
         n => format!("these {n} statements"),
     };
-    let mut out = format!("without {which} the rest can hold, as in this layout (found by search, not proved):\n");
+    let mut out = format!("without {which} the rest can hold, as this layout shows; a smaller set may exist:\n");
     for (id, text) in list {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         out += &format!("  {}: {}\n", plain::line(&id), plain::line(&text));

@@ -103,7 +103,7 @@ pub fn run(args: &Solve) -> u8 {
     }
     if let Some(file) = files.iter().find(|file| !is_stream(file) && Door::of(file).permits(&args.scene).is_err()) {
         let (file, scene) = (file.display(), args.scene.display());
-        eprintln!("note: {file} is outside the folder of its program; `scenelang check {file} {scene}` judges it");
+        eprintln!("note: {file} is outside the folder of its program; check it with `scenelang check {file} {scene}`");
     }
     match args.format {
         Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
@@ -124,7 +124,7 @@ pub fn patience(time: Duration) -> Duration {
 /// What is proved of a program that cannot hold, as `check` says it.
 fn contradiction(checked: &Checked) -> u8 {
     print!("{}", report::human(checked, Human { color: color(), all: false }));
-    println!("no layout was written: there is none in which all of it holds");
+    println!("no layout was written, because none satisfies the program");
     exit_code(&checked.report)
 }
 

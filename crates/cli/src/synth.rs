@@ -2,7 +2,7 @@
 
 use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
 use crate::check::color;
-use crate::edited::{self, Answer, Taken};
+use crate::edited::{self, Permission, Taken};
 use crate::model::{self, Asked};
 use crate::progress::{Progress, solving};
 use crate::replace::May;
@@ -35,7 +35,7 @@ pub fn run(args: &Synth) -> u8 {
     };
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
     let exporters = chosen(args);
-    let Answer { taken, replaced } = match permitted(args, &path, request.is_some(), &stem, &exporters) {
+    let Permission { taken, replaced } = match permitted(args, &path, request.is_some(), &stem, &exporters) {
         Ok(answer) => answer,
         Err(message) => return fail(&message),
     };
@@ -121,7 +121,7 @@ pub fn run(args: &Synth) -> u8 {
     tell(args, &solved, &written, &lost, &seconds, model.as_ref(), taken.as_ref());
     if interrupted {
         let so_far = if solved.first.layout().incomplete {
-            "; the layout is the best so far, and marked as incomplete"
+            "; the best layout found was written and marked as incomplete"
         } else {
             ""
         };
@@ -155,7 +155,7 @@ fn too_full(format: SummaryFormat, why: &str) -> u8 {
     if format == SummaryFormat::Json {
         println!("{}", json!({ "format": SYNTHESIS, "ok": false, "reason": why, "files": [] }));
     }
-    eprintln!("no layout was written: give the room a size that holds what stands in it, or ask for less");
+    eprintln!("no layout was written: make the room larger, or ask for fewer objects");
     FINDINGS
 }
 
@@ -172,7 +172,7 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
     eprint!("{}", formalize::notes(&understood.reading));
     formalize::tell(&understood.diagnostics, None);
     if understood.reading.nothing {
-        return Err("nothing of the request was understood, so nothing is built; say what stands in which room".into());
+        return Err("nothing in the request was understood; say which objects are in which room".into());
     }
     replace::program(path, &understood.program)?;
     if let Some(why) = understood.overfull {
@@ -190,7 +190,7 @@ fn permitted(
     asked: bool,
     stem: &str,
     exporters: &[Box<dyn Exporter>],
-) -> Result<Answer, String> {
+) -> Result<Permission, String> {
     // First of all, so that nobody who says --force of another file loses an edit that was never spoken of.
     let answer = edited::ask(&args.output, stem, exporters, args.edits, args.force)?;
     let named = PathBuf::from(&args.request);
@@ -311,7 +311,7 @@ fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], fo
         out::show(&format!("  {}\n", path.display()));
     }
     if let Some(page) = written.iter().find(|p| p.ends_with("preview.html")) {
-        println!("\nopen {} to look around", page.display());
+        println!("\nopen {} to view the room", page.display());
     }
 }
 

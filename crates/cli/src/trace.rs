@@ -65,7 +65,7 @@ fn judged(args: &Args, name: &str, compiled: &Compiled) -> Result<Option<(String
     let layout = path.display().to_string();
     let door = Door::of(&path);
     let bytes = door.read(&path).map_err(|e| format!("cannot read {layout}: {}", plain(&e)));
-    let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(|_| format!("{layout} is not UTF-8")));
+    let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(|_| format!("{layout} is not valid UTF-8")));
     let text = text.map_err(|message| {
         eprintln!("error: {message}");
         FAILED

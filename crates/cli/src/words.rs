@@ -1,14 +1,16 @@
-//! What words of the language mean (`explain near`), and what kinds of things it knows (`categories`).
+//! What words of the language and settings mean (`explain near`), and which categories are known (`categories`).
 
 use crate::args::{Categories, Plain};
-use crate::{FAILED, GOOD};
+use crate::{FAILED, GOOD, manual};
+use scenelang_assets::family_of;
 use scenelang_base::suggest;
 use scenelang_ide::hover;
 use scenelang_lang::library;
 use scenelang_lang::natives;
 use scenelang_lang::nouns;
 use scenelang_lang::roles::role_of;
-use serde_json::json;
+use scenelang_verify::schemas;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Chapters of the book with a section for each predicate and built-in.
@@ -41,11 +43,71 @@ pub fn meaning(word: &str) -> Option<String> {
     (!out.is_empty()).then_some(out)
 }
 
-/// The word that can be explained and is most like one that cannot.
+/// The word of the language that is most like one that is none.
 pub fn nearest(word: &str) -> Option<&'static str> {
     let properties = [natives::OBJECT_PROPERTIES, natives::REGION_PROPERTIES].into_iter().flatten().map(|p| p.name);
     let built_in = natives::BUILT_INS.iter().map(|s| s.name);
     suggest::nearest(word, library::names().chain(built_in).chain(properties))
+}
+
+/// The same among words of the language, settings and commands together.
+pub fn nearest_of_all(word: &str) -> Option<String> {
+    let others: Vec<String> = settings().into_iter().map(|setting| setting.name).chain(manual::commands()).collect();
+    let all = nearest(word).into_iter().chain(others.iter().map(String::as_str));
+    suggest::nearest(word, all).map(str::to_owned)
+}
+
+/// A key of `scenelang.toml`.
+struct Setting {
+    table: Option<String>,
+    name: String,
+    schema: Value,
+}
+
+/// All settings, from the schema that they are checked with.
+fn settings() -> Vec<Setting> {
+    let schema: Value = schemas::find("config").and_then(|text| serde_json::from_str(text).ok()).unwrap_or_default();
+    let properties = |schema: &Value| schema["properties"].as_object().cloned().unwrap_or_default();
+    let mut found = Vec::new();
+    for (name, value) in properties(&schema) {
+        for (key, inner) in properties(&value) {
+            found.push(Setting { table: Some(name.clone()), name: key, schema: inner });
+        }
+        found.push(Setting { table: None, name, schema: value });
+    }
+    found
+}
+
+/// What a setting means: by its key, with or without the table that it stands in.
+pub fn setting(word: &str) -> Option<String> {
+    let mut out = String::new();
+    for Setting { table, name, schema } in settings() {
+        let whole = table.as_ref().map_or_else(|| name.clone(), |table| format!("{table}.{name}"));
+        let Some(description) = schema["description"].as_str().filter(|_| word == name || word == whole) else {
+            continue;
+        };
+        let is_table = schema["properties"].is_object();
+        let _ = writeln!(
+            out,
+            "`{whole}`, a {} of `scenelang.toml`\n\n{description}",
+            if is_table { "table" } else { "setting" }
+        );
+        let names = |list: &Value| list.as_array().into_iter().flatten().map(Value::to_string).collect::<Vec<_>>();
+        let one_of = names(&schema["enum"]);
+        if !one_of.is_empty() {
+            let _ = writeln!(out, "It is one of {}.", one_of.join(", "));
+        }
+        if let Some(keys) = schema["properties"].as_object() {
+            let _ = writeln!(out, "Its settings are {}.", keys.keys().cloned().collect::<Vec<_>>().join(", "));
+        }
+        if let Some(default) = schema.get("default") {
+            let table = table.map_or_else(String::new, |table| format!("[{table}]\n"));
+            let _ = writeln!(out, "\nThe default:\n\n```toml\n{table}{name} = {default}\n```");
+        }
+        out.push('\n');
+    }
+    let out = out.trim_end();
+    (!out.is_empty()).then(|| format!("{out}\n"))
 }
 
 /// The section of a chapter about a word, without layouts and drawings.
@@ -77,7 +139,7 @@ pub fn categories(args: &Categories) -> u8 {
     let found: Vec<&(String, [f64; 3])> =
         library::categories().iter().filter(|(name, _)| name.contains(&word)).collect();
     if found.is_empty() {
-        eprintln!("error: no category has `{word}` in its name");
+        eprintln!("error: no category contains `{word}`");
         if let Some(near) = library::nearest_category(&word) {
             eprintln!("  did you mean `{near}`?");
         }
@@ -85,15 +147,19 @@ pub fn categories(args: &Categories) -> u8 {
     }
     let mut out = String::new();
     if args.format == Plain::Json {
-        let row = |(name, size): &&(String, [f64; 3])| json!({ "category": name, "size": size, "role": role_of(name), "stands": stands(name) });
+        let row = |(name, size): &&(String, [f64; 3])| {
+            let (role, stands, furniture) = (role_of(name), stands(name), family_of(name, ""));
+            json!({ "category": name, "size": size, "role": role, "stands": stands, "furniture": furniture })
+        };
         let list =
             json!({ "format": "scenelang.categories/1", "categories": found.iter().map(row).collect::<Vec<_>>() });
         let _ = writeln!(out, "{list}");
     } else {
         let width = found.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
-        let _ = writeln!(out, "{:width$}   width height  depth   role", "category");
+        let _ = writeln!(out, "{:width$}   width height  depth   {:14} furniture", "category", "role");
         for (name, [w, h, d]) in found {
-            let _ = writeln!(out, "{name:width$}  {w:>6.2} {h:>6.2} {d:>6.2}   {}", role_of(name));
+            let furniture = family_of(name, "").unwrap_or("a labelled box");
+            let _ = writeln!(out, "{name:width$}  {w:>6.2} {h:>6.2} {d:>6.2}   {:14} {furniture}", role_of(name));
         }
     }
     crate::out::show(&out);
@@ -119,5 +185,21 @@ mod tests {
         let near = meaning("near").unwrap_or_default();
         assert!(near.contains("gap(a, b) <= d") && near.contains("margin 0.15 m") && !near.contains("json"), "{near}");
         assert_eq!((meaning("nearr"), nearest("nearr")), (None, Some("near")));
+    }
+
+    #[test]
+    fn every_setting_and_command_is_explained() {
+        for Setting { table, name, .. } in settings().into_iter().filter(|s| s.schema["description"].is_string()) {
+            let whole = table.map_or_else(|| name.clone(), |table| format!("{table}.{name}"));
+            assert!(setting(&whole).is_some() && setting(&name).is_some(), "{whole}");
+        }
+        let eta = setting("eta").unwrap_or_default();
+        assert!(eta.contains("metres") && eta.contains("eta = 0.03"), "{eta}");
+        assert!(setting("tolerances.equal").is_some_and(|text| text.contains("[tolerances]\nequal = 0.001")));
+        assert!(setting("tolerance").is_none());
+        for command in manual::commands() {
+            assert!(manual::command(&command).is_some_and(|text| text.contains("scenelang")), "{command}");
+        }
+        assert_eq!(nearest_of_all("sovle").as_deref(), Some("solve"));
     }
 }

@@ -7,6 +7,7 @@
 //! - [`frame`]: what a program demands, worked out once: terms, rules, what each object is held by.
 //! - [`candidate`]: a whole layout with what each demand costs in it, and trials that are judged by what they touch;
 //!   [`penalty`] says what a formula costs.
+//! - [`trial`]: the same with code in place of the evaluator, for those who make very many trials.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
 //! - [`check`], [`smallest_move`]: the verdict with the moves that repair what fails.
 //! - [`check_file`] and its like: the same of files.
@@ -27,6 +28,7 @@ pub mod penalty;
 pub mod pose;
 mod rows;
 mod state;
+pub mod trial;
 
 pub use explain::{check, smallest_move};
 pub use file::{

@@ -1,6 +1,7 @@
 //! Where one thing is, how it is turned, how large it is; and moving several things as one.
 
 use nalgebra::Vector3;
+pub use scenelang_layout::digits::round_to;
 use scenelang_layout::{Aabb, Obb, Vec3, rotation};
 use scenelang_verify::{Number, Thing, vector::V3};
 
@@ -121,10 +122,4 @@ pub fn yaw_towards(way: &Vec3) -> f64 {
 pub fn direction(yaw: f64) -> Vec3 {
     let (s, c) = rotation::sin_cos(yaw);
     Vector3::new(s, 0.0, c)
-}
-
-/// The nearest multiple of a grid, as the decimal number that is meant.
-pub fn round_to(value: f64, grid: f64) -> f64 {
-    let per = (1.0 / grid).round();
-    (value * per).round() / per + 0.0
 }

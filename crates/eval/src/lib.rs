@@ -5,13 +5,20 @@
 //! NAME.expect.json ───expect──▶ what it should say ────┴─score──▶ shares ──requests──▶ table, JSON
 //! ```
 //!
-//! Absent here: readers of requests (they are handed in), and whether a program can be solved.
+//! Beside that: a [`dataset`] of such requests, made by a grammar; the published [`resemblance`] and solution [`correctness`]
+//! with two baselines; layouts scored by the annotations of SceneEval ([`sceneeval`]); all of it for a suite ([`suite`]).
+//!
+//! Absent here: readers of requests (they are handed in), and files.
 
+pub mod correctness;
+pub mod dataset;
 mod expect;
 mod pairing;
 pub mod requests;
+pub mod resemblance;
 pub mod sceneeval;
 mod score;
+pub mod suite;
 mod told;
 mod words;
 mod wrong;

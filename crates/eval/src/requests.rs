@@ -100,7 +100,7 @@ pub fn read_folder(
     let door = Door::of(folder);
     let text = |path: &Path| {
         let bytes = door.read(path).map_err(|e| say(path, &e))?;
-        String::from_utf8(bytes).map_err(|_| say(path, &"this is no text in UTF-8"))
+        String::from_utf8(bytes).map_err(|_| say(path, &"this is not valid UTF-8"))
     };
     let mut texts = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(|e| say(folder, &e))? {

@@ -6,7 +6,7 @@
 //! Holodeck leaves in its things, in centimetres: those of things on the floor are 10 cm wider than the things.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, Open, Opening, Room, Thing, standing, usual, usually};
+use crate::house::{Holds, House, HouseRoom, Open, Opening, Thing, standing, usual, usually};
 use crate::names::category;
 use crate::sizes::Sizes;
 use nalgebra::{Matrix3, Rotation3, Unit};
@@ -104,18 +104,18 @@ pub(crate) fn read(at: &At<'_>, sizes: &Sizes) -> Found<House> {
     Ok(reader.finish())
 }
 
-fn room(at: &At<'_>, height: Option<f64>) -> Found<Room> {
+fn room(at: &At<'_>, height: Option<f64>) -> Found<HouseRoom> {
     let id = at.need("id")?.name()?;
     let kind = at.maybe_name("roomType")?.unwrap_or_default();
     let polygon = at.need("floorPolygon")?;
     let points: Vec<Vec3> = polygon.items()?.iter().map(At::xyz).collect::<Found<_>>()?;
     let corners: Vec<[f64; 2]> = points.iter().map(|p| [p.x, p.z]).collect();
     let floor = points.first().map_or(0.0, |p| p.y);
-    Ok(Room { id, kind: category(&kind), corners: polygon.outline(&corners)?, floor, height, polygon: None })
+    Ok(HouseRoom { id, kind: category(&kind), corners: polygon.outline(&corners)?, floor, height, polygon: None })
 }
 
 /// The walls by name. What they are high, their rooms are.
-fn walls(at: &At<'_>, index: &BTreeMap<String, usize>, rooms: &mut [Room]) -> Found<BTreeMap<String, Wall>> {
+fn walls(at: &At<'_>, index: &BTreeMap<String, usize>, rooms: &mut [HouseRoom]) -> Found<BTreeMap<String, Wall>> {
     let mut out = BTreeMap::new();
     for at in at.list("walls")? {
         let points: Vec<Vec3> = at.need("polygon")?.items()?.iter().map(At::xyz).collect::<Found<_>>()?;

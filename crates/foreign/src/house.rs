@@ -14,7 +14,7 @@ const HEIGHT: f64 = 2.6;
 /// A house.
 #[derive(Debug, Default)]
 pub(crate) struct House {
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<HouseRoom>,
     pub openings: Vec<Opening>,
     pub things: Vec<Thing>,
     /// What the file says besides.
@@ -53,7 +53,7 @@ impl House {
 
 /// A room.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Room {
+pub(crate) struct HouseRoom {
     /// What the file calls it.
     pub id: String,
     /// What it is: "living room".
@@ -68,7 +68,7 @@ pub(crate) struct Room {
     pub polygon: Option<Polygon>,
 }
 
-impl Room {
+impl HouseRoom {
     /// What is there when all is read.
     pub fn finish(&mut self) {
         self.height = self.height.filter(|height| *height > 0.0);

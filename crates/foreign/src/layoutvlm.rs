@@ -5,7 +5,7 @@
 //! height; where the program of LayoutVLM has prepared a room (its assets have `asset_var_name`), x and y have changed places.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, Open, Room, Thing, standing, usual, usually};
+use crate::house::{Holds, House, HouseRoom, Open, Thing, standing, usual, usually};
 use crate::names::category;
 use crate::sizes::Sizes;
 use nalgebra::Matrix3;
@@ -71,7 +71,7 @@ pub(crate) fn poses(at: &At<'_>, of: Option<&At<'_>>, sizes: &Sizes) -> Found<Ho
     Ok(house)
 }
 
-fn room(at: &At<'_>) -> Found<Room> {
+fn room(at: &At<'_>) -> Found<HouseRoom> {
     let vertices = at.need("floor_vertices")?;
     let mut corners = Vec::new();
     let mut floor = 0.0;
@@ -87,7 +87,7 @@ fn room(at: &At<'_>) -> Found<Room> {
         }
     }
     let height = at.maybe("wall_height")?.map(|at| at.length()).transpose()?;
-    Ok(Room {
+    Ok(HouseRoom {
         id: "room".into(),
         kind: "room".into(),
         corners: vertices.outline(&corners)?,

@@ -200,7 +200,7 @@ pub fn read(name: &str, path: &Path, text: &str, file: FileId, beside: &Beside) 
     if house.work() > MOST_WORK {
         return at.fail(codes::E0005, "there are more corners of rooms and things than can be looked at");
     }
-    house.rooms.iter_mut().for_each(house::Room::finish);
+    house.rooms.iter_mut().for_each(house::HouseRoom::finish);
     let stem = names::stem(path);
     let written = write::write(&house, &format!("{stem}.scene"), name, kind);
     let (main, layout_file) = (path.join(format!("{stem}.scene")), format!("{stem}.layout.json"));

@@ -8,7 +8,7 @@
 //! stand on the floor tell: where some have their origin at its height, it is the base.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, Open, Opening, Room, Thing, usual, usually};
+use crate::house::{Holds, House, HouseRoom, Open, Opening, Thing, usual, usually};
 use crate::layoutvlm::axes;
 use crate::names::category;
 use crate::sizes::Sizes;
@@ -105,7 +105,7 @@ fn building(arch: &At<'_>, house: &mut House) -> Found<()> {
         let corners = at.need("points")?.outline(&corners)?;
         let floor = points.first().map_or(0.0, |p| p.y);
         index.entry(id.clone()).or_insert(house.rooms.len());
-        house.rooms.push(Room { kind: category(&id), id, corners, floor, height: None, polygon: None });
+        house.rooms.push(HouseRoom { kind: category(&id), id, corners, floor, height: None, polygon: None });
     }
     for at in elements {
         if at.need("type")?.text()? != "Wall" {

@@ -209,6 +209,7 @@ impl Writer<'_> {
         let _ = write!(self.program, "\n/// {comment}\nobject {name};\n");
         if !category.is_empty() {
             let _ = writeln!(self.program, "{name}.category <- \"{}\";", clean(category));
+            self.layout.categories.insert(name.into(), clean(category).into());
         }
         let _ = writeln!(self.program, "{name}.dimensions <- {};", vec3(size));
     }

@@ -1,4 +1,4 @@
-//! Applies the safe fixes of a program's findings to its files, in memory, until none is left.
+//! Applies the fixes of a program's findings to its files, in memory, until none is left: the safe ones, or all of them.
 //!
 //! A fix may make others possible (a statement that parses is looked at more closely), so the program is compiled again
 //! after each round. Writing the files is left to the caller.
@@ -18,9 +18,9 @@ const ROUNDS: usize = 50;
 pub struct Fixed {
     /// Files that are changed, by path.
     pub files: Vec<File>,
-    /// Safe fixes that could not be made, since they overlap or would make the syntax worse.
+    /// Fixes that could not be made, since they overlap or would make the syntax worse.
     pub refused: usize,
-    /// Files with safe fixes that are not below the main file's folder, and so stay as they are.
+    /// Files with fixes that are not below the main file's folder, and so stay as they are.
     pub foreign: Vec<String>,
 }
 
@@ -50,22 +50,23 @@ pub struct Made {
     pub line: u32,
 }
 
-/// Makes the safe fixes of a program in `path`, called `name`, and of what it imports from below its folder.
-pub fn fix_all(name: &str, path: &Path, options: Options, loader: &dyn Loader) -> Fixed {
+/// Makes the fixes of a program in `path`, called `name`, and of what it imports from below its folder. `up_to`: with
+/// `Unsafe`, guesses are made too, where a finding has one fix only.
+pub fn fix_all(name: &str, path: &Path, options: Options, up_to: Applicability, loader: &dyn Loader) -> Fixed {
     let mut changed = Changed { loader, files: BTreeMap::new() };
     let folder = normal(path.parent().unwrap_or(Path::new("")));
     let mut refused = 0;
     let mut compiled = compile_with(name, path, options, &changed, SourceMap::new());
     for _ in 0..ROUNDS {
         let before = changed.files.clone();
-        refused = round(&compiled, &folder, &mut changed.files);
+        refused = round(&compiled, &folder, up_to, &mut changed.files);
         if changed.files.iter().all(|(path, file)| before.get(path).is_some_and(|b| b.text == file.text)) {
             break;
         }
         let next = compile_with(name, path, options, &changed, SourceMap::new());
         if syntax_errors(&next) > syntax_errors(&compiled) {
             // No fix should do this; if one does, the text stays as it was.
-            refused = safe(&compiled, &folder).count();
+            refused = wanted(&compiled, &folder, up_to).count();
             changed.files = before;
             break;
         }
@@ -79,7 +80,7 @@ pub fn fix_all(name: &str, path: &Path, options: Options, loader: &dyn Loader) -
             out.files.push(file);
         }
     }
-    for d in compiled.diagnostics.iter().filter(|d| safe_fix(d).is_some()) {
+    for d in compiled.diagnostics.iter().filter(|d| fix_of(d, up_to).is_some()) {
         if let Some(id) = file_of(d).filter(|id| !is_below(&folder, compiled.sources.get(*id).path())) {
             let name = compiled.sources.get(id).name().to_owned();
             if !out.foreign.contains(&name) {
@@ -91,10 +92,10 @@ pub fn fix_all(name: &str, path: &Path, options: Options, loader: &dyn Loader) -
 }
 
 /// Makes one round of fixes; returns how many were left out because they overlap.
-fn round(compiled: &Compiled, folder: &Path, files: &mut BTreeMap<PathBuf, File>) -> usize {
+fn round(compiled: &Compiled, folder: &Path, up_to: Applicability, files: &mut BTreeMap<PathBuf, File>) -> usize {
     let mut refused = 0;
     for (id, source) in compiled.sources.iter() {
-        let of_file: Vec<(&Diagnostic, Vec<Edit<TextRange>>)> = safe(compiled, folder)
+        let of_file: Vec<(&Diagnostic, Vec<Edit<TextRange>>)> = wanted(compiled, folder, up_to)
             .filter(|(d, _)| file_of(d) == Some(id))
             .map(|(d, fix)| {
                 (d, fix.edits.iter().map(|e| Edit { place: e.place.range, text: e.text.clone() }).collect())
@@ -115,25 +116,33 @@ fn round(compiled: &Compiled, folder: &Path, files: &mut BTreeMap<PathBuf, File>
         file.text = applied.text;
         for (d, _) in applied.made.iter().map(|i| &of_file[*i]) {
             let line = d.primary.as_ref().map_or(1, |l| source.position(l.place.range.start).line);
-            let title = safe_fix(d).map_or(String::new(), |fix| fix.title.clone());
+            let title = fix_of(d, up_to).map_or(String::new(), |fix| fix.title.clone());
             file.made.push(Made { code: d.code, title, line });
         }
     }
     refused
 }
 
-/// The findings with a safe fix in a file below the folder.
-fn safe<'c>(compiled: &'c Compiled, folder: &'c Path) -> impl Iterator<Item = (&'c Diagnostic, &'c Fix)> {
+/// The findings with a fix that is wanted, in a file below the folder.
+fn wanted<'c>(
+    compiled: &'c Compiled,
+    folder: &'c Path,
+    up_to: Applicability,
+) -> impl Iterator<Item = (&'c Diagnostic, &'c Fix)> {
     compiled.diagnostics.iter().filter_map(move |d| {
-        let fix = safe_fix(d)?;
+        let fix = fix_of(d, up_to)?;
         let file = file_of(d)?;
         let own = fix.edits.iter().all(|e| e.place.file == file);
         (own && is_below(folder, compiled.sources.get(file).path())).then_some((d, fix))
     })
 }
 
-fn safe_fix(d: &Diagnostic) -> Option<&Fix> {
-    d.fixes.iter().find(|fix| fix.applicability == Applicability::Safe)
+fn fix_of(d: &Diagnostic, up_to: Applicability) -> Option<&Fix> {
+    let safe = d.fixes.iter().find(|fix| fix.applicability == Applicability::Safe);
+    match d.fixes.as_slice() {
+        [only] if up_to == Applicability::Unsafe => Some(only),
+        _ => safe,
+    }
 }
 
 fn file_of(d: &Diagnostic) -> Option<FileId> {
@@ -191,7 +200,7 @@ mod tests {
             ("b.scene", "object b;;\n"),
         ]);
         let path = Path::new("room/main.scene");
-        let fixed = fix_all("room/main.scene", path, Options::default(), &files);
+        let fixed = fix_all("room/main.scene", path, Options::default(), Applicability::Safe, &files);
         let texts: Vec<(&str, &str, usize)> =
             fixed.files.iter().map(|f| (f.path.to_str().unwrap(), f.text.as_str(), f.made.len())).collect();
         assert_eq!(
@@ -203,6 +212,15 @@ mod tests {
         );
         assert_eq!(fixed.foreign, ["b.scene"]);
         assert_eq!(fixed.refused, 0);
+    }
+
+    #[test]
+    fn guesses_are_made_only_where_they_are_asked_for() {
+        let files = memory(&[("a.scene", "object lamp;;\nassert lapm.pos.x > 1;\nlamp.category <- \"lmap\";\n")]);
+        let path = Path::new("a.scene");
+        let text = |up_to| fix_all("a.scene", path, Options::default(), up_to, &files).files[0].text.clone();
+        assert_eq!(text(Applicability::Safe), "object lamp;\nassert lapm.pos.x > 1;\nlamp.category <- \"lmap\";\n");
+        assert_eq!(text(Applicability::Unsafe), "object lamp;\nassert lamp.pos.x > 1;\nlamp.category <- \"lamp\";\n");
     }
 
     #[test]

@@ -215,7 +215,7 @@ pub(crate) fn array_size(stmt: &Stmt, id: ExprId) -> Result<u32, BadSize> {
     let message = match stmt.expr(id).kind {
         ExprKind::Error => return Ok(ASSUMED), // reported by the parser
         ExprKind::Number(n, None) if n.fract() != 0.0 || n < 1.0 => {
-            format!("an array has a whole number of elements, at least 1; {n} is none")
+            format!("the size of an array must be a whole number of at least 1, not {n}")
         }
         ExprKind::Number(n, None) if n > MAX_ARRAY => {
             format!("an array of {n} elements is too large; at most {MAX_ARRAY}")

@@ -59,7 +59,8 @@ pub fn decode(
 ) -> Result<FileId, Box<(FileId, Diagnostic)>> {
     if bytes.len() > MAX_FILE {
         let id = sources.put(SourceFile::new(name, path, ""));
-        let message = format!("{name} has {} MB; more than {} MB is not read", bytes.len() >> 20, MAX_FILE >> 20);
+        let message =
+            format!("{name} has {} MB; files of more than {} MB are not read", bytes.len() >> 20, MAX_FILE >> 20);
         return Err(Box::new((id, Diagnostic::new(codes::E0006, TextRange::empty(0).in_file(id), message))));
     }
     match String::from_utf8(bytes) {
@@ -72,9 +73,9 @@ pub fn decode(
             let text = String::from_utf8_lossy(&bytes[..at]).into_owned();
             let id = sources.put(SourceFile::new(name, path, text));
             let message = if utf16 {
-                format!("{name} is not UTF-8 text but seems to be UTF-16")
+                format!("{name} is not valid UTF-8; it seems to be UTF-16")
             } else {
-                format!("{name} is not UTF-8 text: the byte 0x{:02x} cannot stand here", bytes[at])
+                format!("{name} is not UTF-8 text: the byte 0x{:02x} is not allowed here", bytes[at])
             };
             let diagnostic = Diagnostic::new(codes::E0003, TextRange::empty(at as u32).in_file(id), message)
                 .note("save the file as UTF-8");

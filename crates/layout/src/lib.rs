@@ -4,6 +4,7 @@
 
 pub mod broad;
 pub mod convex;
+pub mod digits;
 pub mod file;
 pub mod model;
 pub mod obb;

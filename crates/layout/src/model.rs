@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use smol_str::SmolStr;
+use std::collections::BTreeMap;
 
 /// Three numbers: a point, extents, or an Euler triple in degrees (x, then z, then y, about the fixed world axes).
 pub type Vec3 = Vector3<f64>;
@@ -17,6 +18,8 @@ pub struct Layout {
     pub incomplete: bool,
     /// Placed objects by name (`lamp`, `chair[0]`).
     pub objects: Vec<(SmolStr, Placement)>,
+    /// The category of an object by its name, for people who read the file. Nothing is judged by it: the program decides.
+    pub categories: BTreeMap<SmolStr, SmolStr>,
     /// Placed regions by name.
     pub regions: Vec<(SmolStr, RegionPlacement)>,
     /// Values of decision variables.

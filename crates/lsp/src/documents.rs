@@ -314,7 +314,7 @@ impl Documents {
         }
         scene.shelf = Some(Arc::new(shelf));
         scene.read_at = Some(Instant::now());
-        // What has changed meanwhile is read again.
+        // What was changed in the meantime is read again.
         scene.unread &= scene.wanted != wanted;
     }
 }

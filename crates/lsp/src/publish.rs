@@ -18,7 +18,7 @@ const PAGES: &str = "https://github.com/scenelang/scenelang/blob/main/spec/src/c
 
 /// What a program and its layout come to.
 #[derive(Clone, Debug, Default)]
-pub struct Verdict {
+pub struct Findings {
     /// What is marked, by the address of the file.
     pub marks: BTreeMap<String, Vec<Value>>,
     /// How many constraints hold, and how many there are; `None`: there is no layout to judge.
@@ -29,7 +29,7 @@ pub struct Verdict {
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
+pub fn verdict(context: &Context) -> Result<Findings, Cancelled> {
     let snapshot = &context.snapshot;
     let places = context.places();
     let mut marks: BTreeMap<String, Vec<Value>> = BTreeMap::new();
@@ -63,7 +63,7 @@ pub fn verdict(context: &Context) -> Result<Verdict, Cancelled> {
         let rows = &judged.verdict.rows;
         [rows.iter().filter(|row| row.satisfied == Some(true)).count(), rows.len()]
     });
-    Ok(Verdict { marks, count })
+    Ok(Findings { marks, count })
 }
 
 /// What is wrong with the settings of the workspace.

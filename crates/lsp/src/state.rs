@@ -9,7 +9,7 @@ use crate::drag::Drag;
 use crate::model::Connect;
 use crate::parked::Parked;
 use crate::pool::Pool;
-use crate::publish::{Board, Verdict, proofs, verdict};
+use crate::publish::{Board, Findings, proofs, verdict};
 use crate::reading::Reading;
 use crate::record::Recorder;
 use crate::text::Encoding;
@@ -544,7 +544,7 @@ impl State {
         }
     }
 
-    fn judged(&mut self, key: &str, generation: u64, found: Result<Verdict, Fault>) {
+    fn judged(&mut self, key: &str, generation: u64, found: Result<Findings, Fault>) {
         let Some(Document { uri, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
         scene.judging = false;
         if scene.generation != generation || scene.stale_text || scene.stale_layout {
@@ -553,7 +553,7 @@ impl State {
         // A verdict that could not be had is not tried again until something changes.
         scene.published = generation;
         let outside = std::mem::take(&mut scene.outside);
-        let Ok(Verdict { marks, count }) = found else { return };
+        let Ok(Findings { marks, count }) = found else { return };
         let layout = scene.layout.as_deref().filter(|_| count.is_some()).and_then(disk::uri_of);
         let [holds, total] = count.unwrap_or_default();
         let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });

@@ -38,7 +38,7 @@ struct Slot {
 
 /// The rectangle around a region.
 #[derive(Clone, Copy, Debug)]
-struct Room {
+struct FloorBox {
     id: RegionId,
     min: Vec2,
     max: Vec2,
@@ -46,7 +46,7 @@ struct Room {
     ceiling: f64,
 }
 
-impl Room {
+impl FloorBox {
     fn area(&self) -> f64 {
         (self.max.x - self.min.x) * (self.max.y - self.min.y)
     }
@@ -61,7 +61,7 @@ impl Room {
 
 /// See the file. Nothing in it changes with the layout.
 pub struct Places {
-    rooms: Vec<Room>,
+    rooms: Vec<FloorBox>,
     /// By object: heights of its tops above its base, lowest first.
     levels: Vec<Vec<f64>>,
     slots: Vec<Vec<Slot>>,
@@ -76,7 +76,7 @@ impl Places {
             let corners = prism.polygon.corners();
             let least = corners.iter().fold(Vec2::repeat(f64::INFINITY), |a, b| a.inf(b));
             let most = corners.iter().fold(Vec2::repeat(f64::NEG_INFINITY), |a, b| a.sup(b));
-            Room { id, min: least, max: most, floor: prism.floor, ceiling: prism.ceiling }
+            FloorBox { id, min: least, max: most, floor: prism.floor, ceiling: prism.ceiling }
         });
         let levels = frame.objects().map(|id| tops(world, id)).collect();
         let tolerance = world.options.tolerances.support.max(LEVEL);
@@ -90,13 +90,13 @@ impl Places {
             return vec![Slot { on: On::Inside(container), share: 1.0 }];
         }
         let area = |named: bool| {
-            let counts = |room: &&Room| !named || frame.regions[id.0 as usize].contains(&room.id);
-            self.rooms.iter().filter(counts).map(Room::area).sum::<f64>()
+            let counts = |room: &&FloorBox| !named || frame.regions[id.0 as usize].contains(&room.id);
+            self.rooms.iter().filter(counts).map(FloorBox::area).sum::<f64>()
         };
         let (named, all) = (area(true), area(false));
-        let is_named = |room: &Room| frame.regions[id.0 as usize].contains(&room.id);
+        let is_named = |room: &FloorBox| frame.regions[id.0 as usize].contains(&room.id);
         let part = if named > 0.0 { NAMED } else { 0.0 };
-        let of_room = |(i, room): (usize, &Room)| {
+        let of_room = |(i, room): (usize, &FloorBox)| {
             let among = if part > 0.0 && is_named(room) { part / named } else { 0.0 };
             Slot { on: On::Room(i), share: room.area() * (among + (1.0 - part) / all) }
         };

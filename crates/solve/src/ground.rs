@@ -40,8 +40,8 @@ impl<'a> Ground<'a> {
     /// The layout of a candidate. With a step, numbers that the program does not assign are cut to multiples of it.
     pub fn layout(&self, state: &Candidate<'_>, step: Option<f64>) -> Layout {
         match step {
-            Some(step) => compose(&self.setup, state, |x| round_to(x, step)),
-            None => compose(&self.setup, state, |x| x),
+            Some(step) => compose(&self.setup, state, |_, x| round_to(x, step)),
+            None => compose(&self.setup, state, |_, x| x),
         }
     }
 }

@@ -295,8 +295,8 @@ pub fn solve_with(
 /// Says so where a program has more objects than are laid out: each pair of them may collide.
 pub fn too_large(program: &Program) -> Option<Diagnostic> {
     let object = program.objects.get(MOST_OBJECTS)?;
-    let say = format!("{} objects are more than are laid out", program.objects.len());
-    let note = format!("at most {MOST_OBJECTS}; split the scene, or let one object stand for many");
+    let say = format!("{} objects are too many to solve", program.objects.len());
+    let note = format!("the maximum is {MOST_OBJECTS}; split the scene, or represent several objects by one");
     Some(Diagnostic::new(codes::E0005, object.span, say).note(note))
 }
 

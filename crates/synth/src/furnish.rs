@@ -119,14 +119,14 @@ pub fn furnish_from(
                 surface: piece.surface,
                 joints: piece.joints,
             };
-            layout.objects.push((object.name.clone(), placement));
+            layout.objects.push((object.name.clone(), placement.in_short()));
             continue;
         }
         let size = sizes[i].or(before.map(|p| p.scale)).or_else(|| usual_size(what).map(Vec3::from));
         if size.is_none() {
             let d = Diagnostic::new(codes::W0602, object.span, message(codes::W0602, &[what]))
                 .label(what)
-                .note(format!("say how large it is: `{}.dimensions <- vec3(…);`", base_name(object)));
+                .note(format!("give its size: `{}.dimensions <- vec3(…);`", base_name(object)));
             unknown.entry(format!("size {what}")).or_insert((i, d));
         }
         let size = size.unwrap_or_else(|| Vec3::repeat(DEFAULT_EDGE));
@@ -138,12 +138,12 @@ pub fn furnish_from(
         if !asset.known {
             let d = Diagnostic::new(codes::W0601, object.span, message(codes::W0601, &[what]))
                 .label(what)
-                .note(format!("give it a category the library knows: `{}.category <- \"chair\";`", base_name(object)));
+                .note(format!("use a category from the library: `{}.category <- \"chair\";`", base_name(object)));
             unknown.entry(format!("asset {what}")).or_insert((i, d));
         }
         let placement =
             Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
-        layout.objects.push((object.name.clone(), placement));
+        layout.objects.push((object.name.clone(), placement.in_short()));
     }
     let mut found: Vec<(usize, Diagnostic)> = unknown.into_values().collect();
     found.sort_by_key(|(i, d)| (*i, d.code));
@@ -191,7 +191,7 @@ fn message(code: Code, kinds: &[&str]) -> String {
     let one = kinds.len() == 1;
     if code == codes::W0601 {
         let turns = if one { "it becomes a labelled box" } else { "they become labelled boxes" };
-        format!("the library has nothing for {list}; {turns}")
+        format!("the library has no model for {list}; {turns}")
     } else {
         let turns = if one { "it becomes a cube" } else { "they become cubes" };
         format!("no usual size is known for {list}; {turns} of {DEFAULT_EDGE} m")
@@ -311,15 +311,15 @@ mod tests {
     #[test]
     fn what_is_unknown_is_told_once() {
         assert!(told(&["chair", "table"]).is_empty());
-        let size = "say how large it is: `it0.dimensions <- vec3(…);`";
-        let asset = "give it a category the library knows: `it0.category <- \"chair\";`";
+        let size = "give its size: `it0.dimensions <- vec3(…);`";
+        let asset = "use a category from the library: `it0.category <- \"chair\";`";
         let all = |wanted: [(&str, &str, &str); 2], categories: &[&str]| {
             let wanted = wanted.map(|(a, b, c)| (a.to_owned(), b.to_owned(), c.to_owned()));
             assert_eq!(told(categories), wanted);
         };
         all(
             [
-                ("W0601 the library has nothing for \"gizmo\"; it becomes a labelled box", "", asset),
+                ("W0601 the library has no model for \"gizmo\"; it becomes a labelled box", "", asset),
                 ("W0602 no usual size is known for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
             ],
             &["gizmo", "chair", "gizmo"],
@@ -328,7 +328,7 @@ mod tests {
         all(
             [
                 (
-                    "W0601 the library has nothing for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
+                    "W0601 the library has no model for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
                     "g1 g2 g3 g4",
                     rest,
                 ),

@@ -158,7 +158,7 @@ pub fn nearest<N: Number>(
     let clearance = world.options.detail.clearance;
     // Who does not ask how much room there is does not ask how much is missing, either.
     let share = if clearance.is_finite() { ROUGH } else { SHARE };
-    for obstacle in obstacles(world, id, moving, amount) {
+    for obstacle in obstacles(world, id, moving, amount, clearance.max(0.0)) {
         let below = best.map_or(clearance, |nearest| nearest.swept.gap);
         if obstacle.distance > below.max(0.0) {
             break;
@@ -187,10 +187,7 @@ pub fn free<N: Number>(
     let Some(moving) = world.object(id)?.body.moving(part) else { return Ok((amount, None)) };
     let least = -world.options.tolerances.contact;
     let (mut free, mut met) = (amount, None);
-    for obstacle in obstacles(world, id, moving, amount) {
-        if obstacle.distance > 0.0 {
-            break;
-        }
+    for obstacle in obstacles(world, id, moving, amount, 0.0) {
         if let (shorter, Some(_)) = moving.free(&obstacle.solid, free, least, looks) {
             (free, met) = (shorter, Some(obstacle.met));
         }
@@ -241,29 +238,38 @@ fn widening<N: Number>(world: &World<N>, id: ObjectId, part: usize, nearest: &Ne
     })
 }
 
-/// All that may be in the way, the nearest first.
-fn obstacles<'w, N: Number>(world: &'w World<N>, id: ObjectId, moving: &Moving, amount: f64) -> Vec<Obstacle<'w>> {
+/// All that may be in the way and whose box is no further than `reach` from that of the motion (metres), the nearest first.
+fn obstacles<'w, N: Number>(
+    world: &'w World<N>,
+    id: ObjectId,
+    moving: &Moving,
+    amount: f64,
+    reach: f64,
+) -> Vec<Obstacle<'w>> {
     let around = moving.around(amount);
-    let carried = carried(world, id, moving);
-    let mut found: Vec<Obstacle<'w>> = world
-        .bodies()
-        .filter(|(other, _)| !gives_way(world, id, *other) && !carried.contains(other))
-        .map(|(other, body)| Obstacle {
-            met: Met::Object(other),
-            distance: around.distance(&body.aabb()),
-            solid: body.solid().into(),
-        })
+    let near = world.bodies().map(|(other, body)| (other, body, around.distance(&body.aabb())));
+    let mut things: Vec<_> = near.filter(|(_, _, distance)| *distance <= reach).collect();
+    things.retain(|(other, ..)| !gives_way(world, id, *other));
+    if !things.is_empty() {
+        let carried = carried(world, id, moving);
+        things.retain(|(other, ..)| !carried.contains(other));
+    }
+    let mut found: Vec<Obstacle<'w>> = things
+        .into_iter()
+        .map(|(other, body, distance)| Obstacle { met: Met::Object(other), solid: body.solid().into(), distance })
         .collect();
     for (region, wall) in walls(world, id, moving, amount, &around) {
         let distance = around.distance(wall.aabb());
-        found.push(Obstacle { met: Met::Wall(region), distance, solid: vec![wall].into() });
+        if distance <= reach {
+            found.push(Obstacle { met: Met::Wall(region), distance, solid: vec![wall].into() });
+        }
     }
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     found
 }
 
 /// Whether one object is never in the way of the parts of another.
-fn gives_way<N: Number>(world: &World<N>, owner: ObjectId, other: ObjectId) -> bool {
+pub fn gives_way<N: Number>(world: &World<N>, owner: ObjectId, other: ObjectId) -> bool {
     let habits = &world.habits;
     let is = |list: &[bool]| list.get(other.0 as usize).is_some_and(|is| *is);
     if other == owner || is(&habits.soft) || (!habits.is_door(owner) && is(&habits.light)) {

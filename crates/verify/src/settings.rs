@@ -112,7 +112,7 @@ fn read_as(text: &str, file: FileId, own: bool) -> Result<Settings, Vec<Diagnost
         Ok(document) => reader.top(document.as_table()),
         Err(e) => {
             let message = e.message().lines().next().unwrap_or("it cannot be read");
-            reader.error(e.span(), format!("this is not TOML: {message}"));
+            reader.error(e.span(), format!("this is not valid TOML: {message}"));
         }
     }
     let Reader { settings, mut found, .. } = reader;
@@ -349,7 +349,7 @@ mod tests {
         for (text, wanted) in [
             ("eta = 0.1", "there is no setting of a user `eta`; there are llm, assets"),
             ("[llm]\nbase_url = 3", "`base_url` takes a URL, not a number"),
-            ("[llm]\nkey = \"sk\"", "`key` is no setting: keys come from the environment, never from a file"),
+            ("[llm]\nkey = \"sk\"", "`key` is not a setting: keys come from the environment, never from a file"),
         ] {
             assert_eq!(own(text), Err(wanted.to_owned()), "{text}");
         }
@@ -393,11 +393,11 @@ mod tests {
             ("[llm]\ncache = \"on\"", "2:9-13 `cache` takes true or false, not a string"),
             (
                 "[llm]\nbase_url = \"https://a.example\"",
-                "2:1-9 `base_url` is no setting of a workspace: only you say where a key is sent, by --base-url or in your own config.toml",
+                "2:1-9 `base_url` is not a workspace setting: set it with --base-url or in your own config.toml",
             ),
             (
                 "[llm]\napi_key = \"sk-1\"",
-                "2:1-8 `api_key` is no setting: keys come from the environment, never from a file",
+                "2:1-8 `api_key` is not a setting: keys come from the environment, never from a file",
             ),
             (
                 "[llm]\nprices = 3",
@@ -413,7 +413,11 @@ mod tests {
         ] {
             assert_eq!(said(text), wanted, "{text}");
         }
-        assert!(said("eta = ").starts_with("1:") && said("eta = ").contains("this is not TOML"), "{}", said("eta = "));
+        assert!(
+            said("eta = ").starts_with("1:") && said("eta = ").contains("this is not valid TOML"),
+            "{}",
+            said("eta = ")
+        );
         assert!(said("eta = 1\neta = 2").starts_with("2:1"), "{}", said("eta = 1\neta = 2"));
         assert_eq!(said("phisics = true\neta = true").lines().count(), 2);
     }

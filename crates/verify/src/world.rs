@@ -9,12 +9,12 @@ use crate::number::{Algebra, Number};
 use crate::opening::Habits;
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
+use nalgebra::Matrix3;
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Allowances, DrawId, ObjectId, Program, RegionId, VariableId, VariableKind};
 use scenelang_layout::convex::{self, local_solid, parts_fill_box};
 use scenelang_layout::{
-    Aabb, Convex, Geometry, Joint, Layout, Motion, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model,
-    rotation,
+    Aabb, Convex, Geometry, Joint, Layout, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation,
 };
 use std::sync::{Arc, OnceLock};
 
@@ -65,9 +65,8 @@ pub struct Body {
     parts: Option<Vec<Convex>>,
     /// Height of the support surface above the base, where one is declared and the parts count.
     pub surface: Option<f64>,
-    /// What of it can be opened, where the parts count, and how far from `pos` anything of that comes (metres).
+    /// What of it can be opened, where the parts count.
     joints: Arc<[Joint]>,
-    reach: f64,
     solid: OnceLock<Vec<Convex>>,
     aabb: OnceLock<Aabb>,
     moving: OnceLock<Vec<Moving>>,
@@ -79,14 +78,12 @@ impl Body {
         let has_parts = geometry == Geometry::Parts && !placement.parts.is_empty() && parts_fill_box(placement);
         let parts = has_parts.then(|| local_solid(placement, geometry));
         let joints = if has_parts { joints(placement) } else { none };
-        let reach = parts.as_deref().map_or(0.0, |parts| reach(&joints, parts));
         Self {
             obb: Obb::from_placement(placement),
             pos: placement.pos,
             parts,
             surface: placement.surface.filter(|_| has_parts),
             joints,
-            reach,
             solid: OnceLock::new(),
             aabb: OnceLock::new(),
             moving: OnceLock::new(),
@@ -110,19 +107,18 @@ impl Body {
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
-    /// How far from its position anything of it comes that can be opened (metres).
-    pub fn reach(&self) -> f64 {
-        self.reach
+    /// What each of its joints moves, in its own frame.
+    pub fn moving_in_frame(&self) -> Vec<Moving> {
+        self.all_moving(&Matrix3::identity(), &Vec3::zeros())
+    }
+    fn all_moving(&self, axes: &Matrix3<f64>, pos: &Vec3) -> Vec<Moving> {
+        let parts = self.parts.as_deref().unwrap_or_default();
+        let of = |joint: &Joint| Moving::new(joint, joint.parts.iter().filter_map(|&i| parts.get(i)), axes, pos);
+        self.joints.iter().map(of).collect()
     }
     /// What one of its joints moves, in the world.
     pub(crate) fn moving(&self, joint: usize) -> Option<&Moving> {
-        let all = self.moving.get_or_init(|| {
-            let parts = self.parts.as_deref().unwrap_or_default();
-            let of = |joint: &Joint| {
-                Moving::new(joint, joint.parts.iter().filter_map(|&i| parts.get(i)), &self.obb.axes, &self.pos)
-            };
-            self.joints.iter().map(of).collect()
-        });
+        let all = self.moving.get_or_init(|| self.all_moving(&self.obb.axes, &self.pos));
         all.get(joint)
     }
     /// Its solid in the world: its parts, or its box.
@@ -159,19 +155,6 @@ impl Body {
 fn joints(placement: &Placement) -> Arc<[Joint]> {
     let has = |joint: &&Joint| !joint.parts.is_empty() && joint.parts.iter().all(|&i| i < placement.parts.len());
     placement.joints.iter().filter(has).cloned().collect()
-}
-
-/// How far from the origin anything comes that moves.
-fn reach(joints: &[Joint], parts: &[Convex]) -> f64 {
-    let of = |joint: &Joint| {
-        let far = |v: &Vec3| match joint.motion {
-            Motion::Hinge => joint.anchor.norm() + (v - joint.anchor).norm(),
-            Motion::Slide => v.norm() + joint.limits[1],
-        };
-        let bodies = joint.parts.iter().filter_map(|&i| parts.get(i));
-        bodies.flat_map(|body| body.vertices()).map(far).fold(0.0, f64::max)
-    };
-    joints.iter().map(of).fold(0.0, f64::max)
 }
 
 impl<N: Number> Thing<N> {

@@ -7,33 +7,33 @@ use std::path::PathBuf;
 /// `scenelang assets`
 #[derive(Subcommand, Debug)]
 pub enum Assets {
-    /// Say what the furniture library draws for some words, and which models of a folder fit them
+    /// Show what the furniture library draws for a description, and which models in a folder match it
     Search(AssetsSearch),
-    /// List the models of a folder
+    /// List the models in a folder
     List(AssetsList),
-    /// Say what is wrong with the models of a folder
+    /// Check the models in a folder
     Check(AssetsCheck),
-    /// Bring the models of a folder to metres, base and front, and write them with their cards as a catalogue
+    /// Normalise the unit, base and front of the models in a folder, and write them with their cards as a catalogue
     Import(AssetsImport),
-    /// Write a page with every family of the furniture library, in three sizes, closed and open
+    /// Write a web page that shows every family of the furniture library in three sizes, closed and open
     Gallery(AssetsGallery),
 }
 
 /// `scenelang assets search`
 #[derive(ClapArgs, Debug)]
 pub struct AssetsSearch {
-    /// What is looked for: "oak dining table"
+    /// The description: "oak dining table"
     pub words: String,
-    /// The size that is wanted, in metres [default: the usual one]
+    /// The requested size, in metres [default: the usual size]
     #[arg(long, value_name = "WxHxD", value_parser = crate::assets::size)]
     pub size: Option<[f64; 3]>,
-    /// A folder of GLB and OBJ files, or one of objathor
+    /// A folder of GLB and OBJ files, or an objathor folder
     #[arg(long = "in", value_name = "FOLDER")]
     pub folder: Option<PathBuf>,
-    /// How many models are shown
+    /// How many models to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
     pub most: u16,
-    /// How they are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -41,10 +41,10 @@ pub struct AssetsSearch {
 /// `scenelang assets list`
 #[derive(ClapArgs, Debug)]
 pub struct AssetsList {
-    /// A folder of GLB and OBJ files, or one of objathor
+    /// A folder of GLB and OBJ files, or an objathor folder
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// How they are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -52,10 +52,10 @@ pub struct AssetsList {
 /// `scenelang assets check`
 #[derive(ClapArgs, Debug)]
 pub struct AssetsCheck {
-    /// A folder of GLB and OBJ files, or one of objathor
+    /// A folder of GLB and OBJ files, or an objathor folder
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// How the report is written; with json, one report per line and model
+    /// The output format; with json, one report per line and model
     #[arg(long, value_enum, default_value_t = AssetsFormat::Human)]
     pub format: AssetsFormat,
 }
@@ -63,16 +63,16 @@ pub struct AssetsCheck {
 /// `scenelang assets import`
 #[derive(ClapArgs, Debug)]
 pub struct AssetsImport {
-    /// A folder of GLB and OBJ files, or one of objathor
+    /// A folder of GLB and OBJ files, or an objathor folder
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
     /// The folder to write to
     #[arg(short, long, value_name = "CATALOGUE")]
     pub output: PathBuf,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the report is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -80,13 +80,13 @@ pub struct AssetsImport {
 /// `scenelang assets gallery`
 #[derive(ClapArgs, Debug)]
 pub struct AssetsGallery {
-    /// Only these families [default: all]
+    /// Show only these families [default: all]
     #[arg(value_name = "FAMILY")]
     pub families: Vec<String>,
     /// The page to write
     #[arg(short, long, value_name = "FILE.html", default_value = "gallery.html")]
     pub output: PathBuf,
-    /// Replace a file that is there already
+    /// Overwrite an existing file
     #[arg(long)]
     pub force: bool,
 }
@@ -105,14 +105,14 @@ pub enum AssetsFormat {
 /// Where furniture comes from, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Furniture {
-    /// A folder of your own models, which is asked before the furniture library; may be given more than once
+    /// A folder of your own models, which takes precedence over the furniture library; may be given several times
     #[arg(long, value_name = "FOLDER")]
     pub assets: Vec<PathBuf>,
-    /// Who makes models of what no folder has: meshy, tripo, hunyuan, `hunyuan:URL`, `command:PROGRAM`; `none` [default: the
-    /// one that your own config.toml names, else none]
+    /// The generator of models that no folder contains: meshy, tripo, hunyuan, `hunyuan:URL`, `command:PROGRAM` or `none`
+    /// [default: the one in your own config.toml, or none]
     #[arg(long, value_name = "GENERATOR")]
     pub generator: Option<String>,
-    /// The most models that are made in a run [default: 20]
+    /// The maximum number of models to generate in one run [default: 20]
     #[arg(long, value_name = "N")]
     pub max_models: Option<u64>,
 }

@@ -15,16 +15,16 @@ pub struct Completions {
 /// `scenelang man`
 #[derive(ClapArgs, Debug)]
 pub struct Man {
-    /// The command, `check` or `bench solve` [default: scenelang itself]
+    /// The command, such as `check` or `bench solve` [default: scenelang itself]
     #[arg(value_name = "COMMAND", conflicts_with = "output")]
     pub command: Vec<String>,
     /// Write the pages of all commands into this folder
     #[arg(short, long, value_name = "FOLDER")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long, requires = "output")]
     pub force: bool,
-    /// How the pages are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Page::Man)]
     pub format: Page,
 }

@@ -11,31 +11,31 @@ pub struct Sample {
     /// The program
     #[arg(value_name = "FILE.scene")]
     pub scene: PathBuf,
-    /// How many layouts
+    /// The number of layouts
     #[arg(short = 'n', long = "number", value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub number: u64,
-    /// Fixes all of them; each has its own draws of `rand`
+    /// The random seed; each layout has its own draws of `rand`
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..1 << 53))]
     pub seed: u64,
-    /// Only the i-th of n parts, counted from 0; all parts one after the other are what one run writes
+    /// Make only part I of N, counted from 0; all parts together are the same as one run
     #[arg(long, value_name = "I/N", default_value = "0/1", value_parser = shard)]
     pub shard: Shard,
-    /// How many layouts are worked on at once; the result does not depend on it [default: as many as there are cores]
+    /// How many layouts to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// The folder to write to: samples-*.jsonl, one layout per line, and report.json
+    /// The output folder: samples-*.jsonl, with one layout per line, and report.json
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// Also write each sample in these formats, into sample-NUMBER; separated by commas
+    /// Also export each sample in these formats, separated by commas, to sample-NUMBER
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
     pub export: Vec<String>,
-    /// N times the usual work before the search for a layout to begin at gives up
+    /// Search N times as long as usual for the first layout
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the report is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
     /// How to judge
@@ -58,39 +58,39 @@ pub struct Batch {
 /// `scenelang batch merge`
 #[derive(Subcommand, Debug)]
 pub enum BatchCommand {
-    /// Write one list of the results of all shards, in the order of the manifest
+    /// Merge the results of all shards into one list, in the order of the manifest
     Merge(BatchMerge),
 }
 
 /// `scenelang batch MANIFEST`
 #[derive(ClapArgs, Debug)]
 pub struct BatchRun {
-    /// Jobs, one JSON object per line: {"name": "study", "request": "a study with a desk"}; in place of "request", "program"
-    /// names a file and "source" is a program's text
+    /// Jobs, one JSON object per line: {"name": "study", "request": "a study with a desk"}; instead of "request", "program"
+    /// names a file, or "source" contains a program
     #[arg(value_name = "MANIFEST.jsonl")]
     pub manifest: PathBuf,
-    /// The folder to write to: NAME.scene, NAME.layout.json and NAME.result.json of each line, and a summary
+    /// The output folder: NAME.scene, NAME.layout.json and NAME.result.json for each line, and a summary
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// How many lines are worked on at once; the result does not depend on it [default: as many as there are cores]
+    /// How many lines to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Only the i-th of n parts of the lines, counted from 0
+    /// Work only on part I of N of the lines, counted from 0
     #[arg(long, value_name = "I/N", default_value = "0/1", value_parser = shard)]
     pub shard: Shard,
-    /// End a line after so long, and go on with the next
+    /// Stop working on a line after this time and continue with the next
     #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = seconds)]
     pub time: f64,
-    /// The most memory a line may have (MiB), where the system can enforce it
+    /// The maximum memory for a line (MiB), if the system can enforce it
     #[arg(long, value_name = "MIB", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(256..=1 << 20))]
     pub memory: u64,
-    /// Try lines again that failed before
+    /// Retry lines that failed before
     #[arg(long)]
     pub retry: bool,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the summary is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }
@@ -98,13 +98,13 @@ pub struct BatchRun {
 /// `scenelang batch merge`
 #[derive(ClapArgs, Debug)]
 pub struct BatchMerge {
-    /// The folder that the shards wrote to
+    /// The output folder of the shards
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the summary is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }

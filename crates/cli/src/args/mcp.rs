@@ -6,13 +6,13 @@ use std::path::PathBuf;
 /// `scenelang mcp`
 #[derive(ClapArgs, Debug)]
 pub struct Mcp {
-    /// The workspace: what is outside it is neither read nor written
+    /// The workspace; files outside it are neither read nor written
     #[arg(value_name = "FOLDER", default_value = ".")]
     pub folder: PathBuf,
-    /// Let tools write files; without it, what they make is kept in memory, where all tools see it
+    /// Allow tools to write files; by default, their results are kept in memory, where all tools can see them
     #[arg(long)]
     pub write: bool,
-    /// A call takes at most so long
+    /// The time limit for a call
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = super::seconds)]
     pub time: f64,
 }

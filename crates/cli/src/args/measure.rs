@@ -1,41 +1,41 @@
 //! Options of the commands that measure: `scenelang bench` and `scenelang eval`.
 
-use super::{Plain, SummaryFormat, seconds};
+use super::{Model, Plain, SummaryFormat, seconds};
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
 
 /// `scenelang bench`
 #[derive(Subcommand, Debug)]
 pub enum Bench {
-    /// Solve problems and print a table: solved share, constraints held, time to the first full solution
+    /// Solve problems and print a table: share solved, constraints satisfied, time to the first complete solution
     Solve(BenchSolve),
 }
 
 /// `scenelang bench solve`
 #[derive(ClapArgs, Debug)]
 pub struct BenchSolve {
-    /// Programs, and folders: all programs below
+    /// Programs, or folders that contain programs
     #[arg(required = true, value_name = "FILE | FOLDER")]
     pub paths: Vec<PathBuf>,
-    /// Solve each from so many seeds: 0, 1, …
+    /// Solve each problem with this many seeds: 0, 1, …
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub seeds: u64,
-    /// How many problems are solved at once; more than one makes times less sure
+    /// How many problems to solve in parallel; with more than one, the times are less reliable
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: u16,
-    /// End a run after so long; without it, after the solver's own budget of work
+    /// Stop a run after this time; by default, after the solver's own budget of work
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// How the result is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
-    /// Also write the result there, as JSON
+    /// Also write the result to this file, as JSON
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// Write the layouts there, for another judge: PROBLEM.sSEED.layout.json
+    /// Write the layouts to this folder, for an independent checker: PROBLEM.sSEED.layout.json
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
 }
@@ -43,37 +43,112 @@ pub struct BenchSolve {
 /// `scenelang eval`
 #[derive(Subcommand, Debug)]
 pub enum Eval {
-    /// Read requests without a model, and score the programs by what was to be read: things, looks, relations, measures
+    /// Read requests without a model, and compare the programs with the ground truth: objects, properties, relations, measures
     Requests(EvalRequests),
-    /// Make programs and layouts for the requests of SceneEval-500, or take those of others, and score them by its annotations
+    /// Make programs and layouts for the requests of SceneEval-500, or take existing ones, and score them by its annotations
     Sceneeval(EvalSceneEval),
+    /// Make requests with ground truth by a grammar: a program, a layout, a long request and one sentence for each scene
+    Dataset(EvalDataset),
+    /// Measure a suite: how much is read of its requests, and how much of its programs holds after each iteration
+    Run(EvalRun),
+    /// Make a page of the results of a suite, with plots, beside the published figures
+    Report(EvalReport),
+}
+
+/// `scenelang eval dataset`
+#[derive(ClapArgs, Debug)]
+pub struct EvalDataset {
+    /// How many scenes
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub scenes: u64,
+    /// The same seed gives the same dataset
+    #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u64).range(..1 << 53))]
+    pub seed: u64,
+    /// The folder to write to: dataset.jsonl, statistics.json, and of each scene its request, ground truth, program and layout
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// How many scenes are worked on at once; the result does not depend on it [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// How the statistics are printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+}
+
+/// `scenelang eval run`
+#[derive(ClapArgs, Debug)]
+pub struct EvalRun {
+    /// What is measured: a file of JSON with a name, how many scenes of the dataset, and its seed
+    #[arg(long, value_name = "FILE")]
+    pub suite: PathBuf,
+    /// The folder to write to: a file for each scene, and figures.json; what is there already is not measured again
+    #[arg(short, long, value_name = "FOLDER", default_value = "results")]
+    pub output: PathBuf,
+    /// Judge likeness by the vectors of a model instead of letters: lines of JSON, {"text": …, "vector": […]}
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub embeddings: Option<PathBuf>,
+    /// Only write the texts that `--embeddings` needs vectors for, as lines of JSON
+    #[arg(long, value_name = "FILE.jsonl", conflicts_with = "embeddings")]
+    pub texts: Option<PathBuf>,
+    /// How many scenes are measured at once; the figures do not depend on it [default: as many as there are cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
+    /// How the figures are printed
+    #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
+    pub format: SummaryFormat,
+    /// Which model is asked directly for layouts
+    #[command(flatten)]
+    pub model: Model,
+}
+
+/// `scenelang eval report`
+#[derive(ClapArgs, Debug)]
+pub struct EvalReport {
+    /// The folder that `scenelang eval run` wrote to
+    #[arg(value_name = "FOLDER", default_value = "results")]
+    pub results: PathBuf,
+    /// Write Markdown there, and the plots into images/ beside it; without this and --html the text is printed
+    #[arg(short, long, value_name = "FILE.md")]
+    pub output: Option<PathBuf>,
+    /// Write one page of HTML there, with the plots in it
+    #[arg(long, value_name = "FILE.html")]
+    pub html: Option<PathBuf>,
+    /// Replace files that scenelang did not write, or that were edited since
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `scenelang eval requests`
 #[derive(ClapArgs, Debug)]
 pub struct EvalRequests {
-    /// A folder of requests, NAME.txt, with their ground truth, NAME.expect.json
+    /// A folder with requests, NAME.txt, and their ground truth, NAME.expect.json
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// Score the programs that are there, NAME.scene, instead of reading the requests
+    /// Score existing programs, NAME.scene, instead of reading the requests
     #[arg(long, value_name = "FOLDER")]
     pub programs: Option<PathBuf>,
-    /// Let the reader add what such rooms usually have; nobody asked for that, so precision falls
+    /// Let the reader add the usual contents of rooms; they are not in the ground truth, so precision falls
     #[arg(long, conflicts_with = "programs")]
     pub expand: bool,
-    /// Score the programs before it was tried whether there is a layout for them
+    /// Score the programs without trying to find layouts for them
     #[arg(long, conflicts_with = "programs")]
     pub untried: bool,
-    /// Write the programs there, NAME.scene
+    /// Write the programs to this folder, as NAME.scene
     #[arg(short, long, value_name = "FOLDER", conflicts_with = "programs")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// Say of so many requests what was missed, the worst first
+    /// Show what was missed in this many requests, the worst first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,
-    /// How the result is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }
@@ -81,31 +156,31 @@ pub struct EvalRequests {
 /// `scenelang eval sceneeval`
 #[derive(ClapArgs, Debug)]
 pub struct EvalSceneEval {
-    /// The benchmark's file: requests with counts, attributes and relations
+    /// The benchmark file: requests with counts, attributes and relations
     #[arg(long, value_name = "FILE.csv")]
     pub annotations: PathBuf,
-    /// Only those with an even or an odd ID, or with these IDs, separated by commas
+    /// Use only requests with an even or an odd ID, or with these IDs, separated by commas
     #[arg(long, value_name = "even | odd | LIST", value_delimiter = ',')]
     pub ids: Vec<String>,
-    /// Score the layouts that are there, ID.layout.json, instead of making any
+    /// Score existing layouts, ID.layout.json, instead of making new ones
     #[arg(long, value_name = "FOLDER")]
     pub layouts: Option<PathBuf>,
-    /// The folder to write to: ID.scene, ID.layout.json, report.json, summary.csv
+    /// The output folder: ID.scene, ID.layout.json, report.json, summary.csv
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// Keep the programs and layouts that an earlier run has made, and make the others
+    /// Keep programs and layouts from an earlier run, and make only the missing ones
     #[arg(long, conflicts_with = "layouts")]
     pub resume: bool,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How many requests are worked on at once; the result does not depend on it [default: as many as there are cores]
+    /// How many requests to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Say of so many requests what was missed, those with the most first
+    /// Show what was missed in this many requests, those with the most first
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,
-    /// How the result is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }

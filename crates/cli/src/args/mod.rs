@@ -10,7 +10,7 @@ pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport,
 pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
 pub use mcp::Mcp;
-pub use measure::{Bench, BenchSolve, Eval, EvalRequests, EvalSceneEval};
+pub use measure::{Bench, BenchSolve, Eval, EvalDataset, EvalReport, EvalRequests, EvalRun, EvalSceneEval};
 
 use crate::settings;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
@@ -28,67 +28,67 @@ pub struct Args {
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Check programs and layouts: what holds, by how much, and what fails
+    /// Check programs and layouts: what holds, what fails, and by how much
     Check(Check),
-    /// Place the objects of a program so that its constraints hold
+    /// Find a layout that satisfies a program
     Solve(Solve),
-    /// Repair a layout by the smallest change: moves, or numbers and constraints to relax
+    /// Repair a layout with the smallest change: move objects, or relax numbers and constraints
     Repair(Repair),
-    /// Write a program from a request in plain words, with a model or without: every clause is accounted for
+    /// Write a program from a request in plain English, with or without a model; every clause is accounted for
     Formalize(Formalize),
-    /// Build a furnished, verified scene: layout, Unity project, glTF, pictures, a page to look at
+    /// Build a furnished, verified scene: layout, Unity project, glTF, pictures and a web page
     Synth(Synth),
-    /// Draw many verified layouts of a program, uniformly, and say how far they are spread
+    /// Draw many verified layouts of a program, uniformly, and report how they are spread
     Sample(Sample),
-    /// Make a scene for each line of a manifest; what is done already is kept
+    /// Make a scene for each line of a manifest; finished lines are kept
     Batch(Batch),
-    /// Work on one line of a manifest: `batch` starts it
+    /// Work on one line of a manifest (started by `batch`)
     #[command(hide = true)]
     BatchLine,
-    /// Show a layout in the browser, follow every change, and let objects be dragged
+    /// Show a layout in the browser, update it after every change, and edit it by dragging objects
     View(View),
-    /// Write a layout as it is in other formats: Unity project, glTF, pictures, a page to look at
+    /// Export a layout to other formats: Unity project, glTF, pictures, a web page, files for simulators
     Export(Export),
-    /// Write the program and the layout of a GLB or USD file or a Unity project, as the scene stands there now; or of a house of
-    /// another system
+    /// Write the program and the layout of a GLB file, a USD file or a Unity project, including the edits made in it, or of a
+    /// house from another system
     Import(Import),
-    /// Write programs in the standard form
+    /// Format programs
     Fmt(Fmt),
-    /// Write a small commented program to start from
+    /// Write a small program with comments to start from
     New(New),
-    /// Show what a code, predicate, function or property means, with examples
+    /// Explain a code, predicate, function, property, setting or command, with examples
     Explain(Explain),
-    /// List the kinds of things that are known, with their usual sizes
+    /// List the known categories of objects with their usual sizes, roles and furniture
     Categories(Categories),
-    /// Look for furniture, and check a folder of your own models
+    /// Search for furniture, and check a folder of your own models
     #[command(subcommand)]
     Assets(Assets),
-    /// Print the syntax tree of a program, every byte of it; also of a broken one
+    /// Print the complete syntax tree of a program, even if it has errors
     Syntax(Inspect),
-    /// Print what the names and expressions of a program mean
+    /// Print what the names in a program refer to, and the types of its expressions
     Hir(Inspect),
-    /// Print what the statements of a program become
+    /// Print the formulas that the statements of a program expand to
     Constraints(Inspect),
-    /// Say what two layouts differ in, and what holds in one but not in the other
+    /// Compare two layouts: what moved, and what holds in one but not in the other
     Diff(Diff),
-    /// Say what became of each requirement: statements, objects, verdict; and the other way round
+    /// Show the statements, objects and results that belong to each requirement, or the other way round
     Trace(Trace),
-    /// Say what is known of an object: where it is declared, what for, how it stands, what holds of it
+    /// Show information about an object: declaration, requirements, pose, constraints and margins
     Query(Query),
-    /// Serve an editor over standard input and output, by the Language Server Protocol
+    /// Start the language server for an editor, on standard input and output
     Lsp(Lsp),
-    /// Serve an assistant over standard input and output, by the Model Context Protocol
+    /// Start the Model Context Protocol server for an AI assistant, on standard input and output
     Mcp(Mcp),
-    /// Print what a shell needs to complete commands and options
+    /// Print shell completions
     Completions(Completions),
-    /// Print the manual page of a command, or write those of all
+    /// Print the manual page of a command, or write the pages of all commands
     Man(Man),
     /// Print the JSON Schema of a format
     Schema(Schema),
-    /// Measure how much of a set of problems is solved, and how fast
+    /// Measure how many problems are solved, and how fast
     #[command(subcommand)]
     Bench(Bench),
-    /// Measure how much of what is asked for becomes part of a program
+    /// Measure how much of a request becomes part of a program
     #[command(subcommand)]
     Eval(Eval),
 }
@@ -96,41 +96,44 @@ pub enum Command {
 /// `scenelang check`
 #[derive(ClapArgs, Debug)]
 pub struct Check {
-    /// Programs (`room.scene`), layouts (`room.layout.json`), what `synth` wrote (`room.glb`, `room.usda`, a Unity project),
-    /// houses and layouts of AI2-THOR, LayoutVLM and SceneEval (`house.json`), and folders: all programs and layouts below
+    /// Programs (`room.scene`), layouts (`room.layout.json`), exported scenes (`room.glb`, `room.usda`, a Unity project), houses
+    /// and layouts from AI2-THOR, LayoutVLM and SceneEval (`house.json`), and folders that contain programs and layouts
     #[arg(required = true, value_name = "FILE | FOLDER")]
     pub files: Vec<PathBuf>,
-    /// How the report is written; with json, one report per line and file
+    /// The output format; with json, one report per line and file
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
-    /// How much the report for people says
+    /// How detailed the human-readable report is
     #[arg(long, value_enum, default_value_t = Verbosity::Full)]
     pub verbosity: Verbosity,
-    /// List physical rules that hold, too
+    /// Also list physical rules that hold
     #[arg(long)]
     pub all: bool,
-    /// How many violations are explained in full, with the smallest move that repairs them
+    /// How many violations to explain in full, with the smallest move that repairs them
     #[arg(long, value_name = "all|none|N", default_value = "20", value_parser = explain)]
     pub explain: scenelang_verify::Explain,
-    /// With each contradiction in a program, say step by step why it is one
+    /// Explain each contradiction in a program step by step
     #[arg(long)]
     pub explain_proof: bool,
     /// Accept only the published core language
     #[arg(long)]
     pub core: bool,
-    /// Make the safe fixes in the programs first; of a layout, in its program
+    /// Apply the safe fixes to the programs first; for a layout, to its program
     #[arg(long)]
     pub fix: bool,
-    /// Check again whenever one of the files changes, until Ctrl-C
+    /// Also apply fixes that are only a good guess, such as "did you mean"; review the changes afterwards
+    #[arg(long)]
+    pub unsafe_fixes: bool,
+    /// Check again whenever a file changes, until Ctrl-C
     #[arg(long)]
     pub watch: bool,
-    /// How many files are judged at once [default: as many as there are processors]
+    /// How many files to check in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// All of it takes at most so long; what is not judged by then could not be judged (exit 2)
+    /// The time limit for everything; files that are not checked in time count as not checked (exit code 2)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// What is known of a file of another system
+    /// Additional information about a file from another system
     #[command(flatten)]
     pub beside: Beside,
     /// How to judge
@@ -141,10 +144,10 @@ pub struct Check {
 /// What else is known of a house or a layout of another system.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Beside {
-    /// For a house or a layout of another system: how large its models are, as a JSON file in which each has a `boundingBox`
+    /// For a house or a layout from another system: a JSON file with a `boundingBox` for each model
     #[arg(long, value_name = "FILE.json")]
     pub sizes: Option<PathBuf>,
-    /// For a layout of LayoutVLM: the room that it belongs to
+    /// For a LayoutVLM layout: the room it belongs to
     #[arg(long, value_name = "FILE.json")]
     pub room: Option<PathBuf>,
 }
@@ -159,25 +162,25 @@ fn explain(text: &str) -> Result<scenelang_verify::Explain, String> {
     }
 }
 
-/// How a layout is judged. What is not given here comes from `scenelang.toml`.
+/// How a layout is checked. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Judging {
-    /// What a solid is: the convex parts of its asset, or its box [default: parts]
+    /// The solid of an object: the convex parts of its asset, or its box [default: parts]
     #[arg(long, value_enum)]
     pub geometry: Option<Geometry>,
-    /// Of what P-OPEN demands that it opens: the doors of rooms and furniture, or the doors of rooms only [default: doors]
+    /// What P-OPEN requires to open: the doors of rooms and furniture, the doors of rooms only, or nothing [default: doors]
     #[arg(long, value_enum)]
     pub opens: Option<Opens>,
-    /// Leave out the physical rules (collisions, bounds, support, what opens)
+    /// Do not check the physical rules (collisions, bounds, support, doors that open)
     #[arg(long)]
     pub no_physics: bool,
-    /// Apply the physical rules, whatever scenelang.toml says
+    /// Check the physical rules, even if scenelang.toml switches them off
     #[arg(long, conflicts_with = "no_physics")]
     pub physics: bool,
     /// Thickness of the walls of a room (metres) [default: 0.03]
     #[arg(long, value_name = "METRES", value_parser = settings::measure)]
     pub eta: Option<f64>,
-    /// A tolerance, by the name that reports echo: `equal=0.002`; may be given several times
+    /// A tolerance, such as `equal=0.002`; the names are those in reports; may be given several times
     #[arg(long = "tolerance", value_name = "NAME=VALUE", value_parser = settings::tolerance)]
     pub tolerances: Vec<(String, f64)>,
 }
@@ -185,7 +188,7 @@ pub struct Judging {
 /// `--format`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// For people
+    /// Human-readable text
     Human,
     /// One JSON report per line
     Json,
@@ -193,23 +196,23 @@ pub enum Format {
     Sarif,
     /// JUnit XML, for build servers
     Junit,
-    /// Workflow commands: annotations of a pull request on GitHub
+    /// Workflow commands, which annotate a pull request on GitHub
     Github,
 }
 
 /// `--verbosity`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verbosity {
-    /// A line for each finding
+    /// One line per finding
     Compact,
-    /// Each finding with the text it speaks of
+    /// Each finding with the source text it refers to
     Full,
 }
 
 /// `--opens`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opens {
-    /// Doors of rooms, and furniture as far as is of use
+    /// Doors of rooms, and furniture as far as its use requires
     All,
     /// Doors of rooms
     Doors,
@@ -220,7 +223,7 @@ pub enum Opens {
 /// `--geometry`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Geometry {
-    /// Convex parts where the layout gives them
+    /// Convex parts, if the layout has them
     Parts,
     /// Bounding boxes
     Box,
@@ -232,43 +235,43 @@ pub struct Solve {
     /// The program
     #[arg(value_name = "FILE.scene")]
     pub scene: PathBuf,
-    /// Where the layout goes [default: the program's name with .layout.json]
+    /// The output file [default: the program's name with .layout.json]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// A layout to start from: its objects stay where they are as far as the constraints let them
+    /// A layout to start from; its objects stay where they are if the constraints allow it
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
-    /// Objects, or whole arrays, that stay exactly where --layout has them
+    /// Objects or whole arrays that must stay exactly where they are in --layout
     #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout", conflicts_with = "only")]
     pub lock: Vec<String>,
-    /// Only these objects, or whole arrays, may move: all others stay where --layout has them
+    /// The only objects or whole arrays that may move; all others stay where they are in --layout
     #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout")]
     pub only: Vec<String>,
-    /// All of it takes at most so long; what comes of it then depends on the machine
+    /// The time limit for everything; the result then depends on the speed of the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// The same seed gives the same layout
+    /// The random seed; the same seed gives the same layout
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
-    /// So many layouts that differ in kind: NAME.1.layout.json and so on
+    /// Find this many substantially different layouts: NAME.1.layout.json and so on
     #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
     pub alternatives: Option<u16>,
-    /// Also say what the layout leaves open: how far each object could still move, and whether it could turn
+    /// Also report how far each object could still move, and whether it could turn
     #[arg(long)]
     pub free: bool,
-    /// How long and on how many threads to search
+    /// The effort of the search, and its threads
     #[command(flatten)]
     pub search: Search,
-    /// How the result is printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
-    /// Which model proposes
+    /// The language model
     #[command(flatten)]
     pub model: Model,
-    /// Where furniture comes from
+    /// The sources of furniture
     #[command(flatten)]
     pub furniture: Furniture,
     /// How to judge
@@ -282,25 +285,25 @@ pub struct Repair {
     /// The layout
     #[arg(value_name = "FILE.layout.json")]
     pub layout: PathBuf,
-    /// Repair only this: a line of the program, or an id as in the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
+    /// Repair only this violation: a line of the program, or an id from the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
     #[arg(long, value_name = "LINE | ID")]
     pub constraint: Option<String>,
-    /// Say what could be done and write nothing
+    /// List the possible repairs without writing anything
     #[arg(long)]
     pub dry_run: bool,
-    /// Make this change, by its number [default: the first, if it only moves things]
+    /// The number of the repair to apply [default: the first one, if it only moves objects]
     #[arg(long, value_name = "N", conflicts_with = "dry_run", value_parser = clap::value_parser!(u16).range(1..))]
     pub apply: Option<u16>,
-    /// How the alternatives are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
-    /// Where the repaired layout goes [default: in place of the old one]
+    /// The output file [default: the layout itself]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// All of it takes at most so long; what is found then depends on the machine
+    /// The time limit for everything; the result then depends on the speed of the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// How to judge
@@ -311,13 +314,13 @@ pub struct Repair {
 /// How much `solve` and `synth` may spend on the search for a layout.
 #[derive(ClapArgs, Debug, Clone)]
 pub struct Search {
-    /// The search uses at most so many threads [default: as many as there are cores]; the result does not depend on it
+    /// The maximum number of threads; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// N times the usual work before the search gives up
+    /// Search N times as long as usual before giving up
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
-    /// How much of the work may go into preferences once all that must hold does, in percent: 0 leaves them as they come
+    /// How much of the work to spend on preferences after all hard constraints hold, in percent; 0 does not optimise them
     #[arg(long, value_name = "PERCENT", default_value_t = scenelang_solve::QUALITY, value_parser = clap::value_parser!(u8).range(0..=100))]
     pub quality: u8,
 }
@@ -332,24 +335,24 @@ impl Search {
 /// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Model {
-    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama, compatible; `configured` is the
-    /// one that scenelang.toml names; `replay:FILE` plays a recorded conversation; `none` [env: SCENELANG_MODEL]
+    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama or compatible, each with `:NAME`;
+    /// `configured` for the one in scenelang.toml; `replay:FILE` for a recorded conversation; `none` [env: SCENELANG_MODEL]
     /// [default: none]
     #[arg(long, value_name = "PROVIDER:NAME")]
     pub model: Option<String>,
-    /// Where the model is, in place of the provider's own address
+    /// The address of the model, instead of that of its provider
     #[arg(long, value_name = "URL")]
     pub base_url: Option<String>,
-    /// The most requests to the model [default: 100]
+    /// The maximum number of requests to the model [default: 100]
     #[arg(long, value_name = "N")]
     pub max_calls: Option<u64>,
-    /// The most tokens, read and written [default: 500000]
+    /// The maximum number of tokens, input and output together [default: 500000]
     #[arg(long, value_name = "N")]
     pub max_tokens: Option<u64>,
-    /// Use no network: the model's answers come from the cache or not at all
+    /// Do not use the network: take the model's answers from the cache only
     #[arg(long)]
     pub offline: bool,
-    /// Write the conversation with the model to a file
+    /// Record the conversation with the model in a file
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
 }
@@ -360,40 +363,40 @@ pub struct Formalize {
     /// The request: "a meeting room with a long table and eight chairs around it"
     #[arg(value_name = "REQUEST", required_unless_present_any = ["file", "from_brief"], conflicts_with = "file")]
     pub request: Option<String>,
-    /// A file with the request; `-` is standard input
+    /// A file with the request; `-` reads standard input
     #[arg(short, long, value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Print what was understood as JSON (the schema `brief`), and write no program
+    /// Print what was understood as JSON (schema `brief`), without writing a program
     #[arg(long, conflicts_with_all = ["output", "explain", "from_brief"])]
     pub brief: bool,
-    /// Go on from what `--brief` printed; `-` is standard input
+    /// Continue from the output of `--brief`; `-` reads standard input
     #[arg(long, value_name = "FILE.json", conflicts_with_all = ["request", "file"])]
     pub from_brief: Option<PathBuf>,
-    /// Exit with 1 if a word of the request became nothing, or what it demands became a preference
+    /// Exit with 1 if a word of the request was not used, or a requirement became a preference
     #[arg(long)]
     pub strict: bool,
-    /// The program to write [default: standard output]
+    /// The output file [default: standard output]
     #[arg(short, long, value_name = "FILE.scene")]
     pub output: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// Add nothing that the request does not say
+    /// Add nothing that is not in the request
     #[arg(long)]
     pub literal: bool,
-    /// Do not try to furnish the room: faster, but perhaps more is asked than there is room for
+    /// Do not try to furnish the room; faster, but the program may ask for more than fits
     #[arg(long)]
     pub untried: bool,
-    /// All of it takes at most so long: the trial whether there is a layout ends in time
+    /// The time limit for everything, including the trial whether a layout exists
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// List clause by clause what became of it
+    /// Show how each clause of the request was understood
     #[arg(long)]
     pub explain: bool,
-    /// How the outcome is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
-    /// Which model reads
+    /// The language model
     #[command(flatten)]
     pub model: Model,
 }
@@ -401,43 +404,43 @@ pub struct Formalize {
 /// `scenelang synth`
 #[derive(ClapArgs, Debug)]
 pub struct Synth {
-    /// A request in plain words, or a program
+    /// A request in plain English, or a program
     #[arg(value_name = "REQUEST | FILE.scene")]
     pub request: String,
-    /// Of a request: add nothing that it does not say
+    /// For a request: add nothing that is not in it
     #[arg(long)]
     pub literal: bool,
-    /// The folder to write to
+    /// The output folder
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// What becomes of scenes that were edited
+    /// How to treat edited scenes
     #[command(flatten)]
     pub edits: Edits,
-    /// The same seed gives the same scene
+    /// The random seed; the same seed gives the same scene
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
-    /// The layout takes at most so long, and a request before it; what comes of it then depends on the machine
+    /// The time limit for the layout, and for reading a request before it; the result then depends on the speed of the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
-    /// How long and on how many threads to search
+    /// The effort of the search, and its threads
     #[command(flatten)]
     pub search: Search,
-    /// How the summary is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
-    /// Which formats are written beside program, layout and report
+    /// The formats to write besides program, layout and report
     #[command(flatten)]
     pub formats: Formats,
-    /// Shaders that the Unity materials are for
+    /// The render pipeline for the Unity materials
     #[arg(long, value_enum, default_value_t = Pipeline::Builtin)]
     pub pipeline: Pipeline,
-    /// Which model proposes
+    /// The language model
     #[command(flatten)]
     pub model: Model,
-    /// Where furniture comes from
+    /// The sources of furniture
     #[command(flatten)]
     pub furniture: Furniture,
 }
@@ -445,13 +448,13 @@ pub struct Synth {
 /// `scenelang view`
 #[derive(ClapArgs, Debug)]
 pub struct View {
-    /// A program, whose layout is beside it, or a layout
+    /// A layout, or a program with its layout beside it
     #[arg(value_name = "FILE.scene | FILE.layout.json")]
     pub file: PathBuf,
-    /// The port on this machine [default: any that is free]
+    /// The local port [default: any free port]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub port: u16,
-    /// Open no browser: print the address only
+    /// Do not open a browser, only print the address
     #[arg(long)]
     pub no_open: bool,
 }
@@ -462,26 +465,26 @@ pub struct Export {
     /// The layout, or the program beside it
     #[arg(value_name = "FILE.layout.json")]
     pub layout: PathBuf,
-    /// The folder to write to
+    /// The output folder
     #[arg(short, long, value_name = "FOLDER", default_value = "out")]
     pub output: PathBuf,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// What becomes of scenes that were edited
+    /// How to treat edited scenes
     #[command(flatten)]
     pub edits: Edits,
-    /// Which formats
+    /// The formats to write
     #[command(flatten)]
     pub formats: Formats,
-    /// Write this object alone as a robot, in the format `urdf`; other formats as well only if they are named
+    /// Export only this object as a robot, in the format `urdf`; other formats only if they are named
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Also write `mjcf`, load it in MuJoCo, and say what overlaps and how far things move in two seconds. It needs Python
-    /// with the package mujoco; SCENELANG_PYTHON names which
+    /// Also write `mjcf`, load it in MuJoCo, and report what overlaps and how far objects move in two seconds. This needs
+    /// Python with the package mujoco; SCENELANG_PYTHON sets the interpreter
     #[arg(long = "try")]
     pub trial: bool,
-    /// How the outcome is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }
@@ -489,17 +492,17 @@ pub struct Export {
 /// `scenelang import`
 #[derive(ClapArgs, Debug)]
 pub struct Import {
-    /// What `synth` or `export` wrote, edited or not: `room.glb`, `room.usda`, or the folder of a Unity project; or a house or a
-    /// layout of AI2-THOR, LayoutVLM or SceneEval: `house.json`
+    /// An exported scene, edited or not: `room.glb`, `room.usda`, or the folder of a Unity project; or a house or a layout from
+    /// AI2-THOR, LayoutVLM or SceneEval: `house.json`
     #[arg(value_name = "FILE | PROJECT")]
     pub scene: PathBuf,
-    /// What is known of a file of another system
+    /// Additional information about a file from another system
     #[command(flatten)]
     pub beside: Beside,
-    /// The folder to write to
+    /// The output folder
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
 }
@@ -507,10 +510,10 @@ pub struct Import {
 /// What `export` and `synth` do where they would write over an exported scene that was edited since.
 #[derive(ClapArgs, Debug, Clone, Copy, Default)]
 pub struct Edits {
-    /// Go on from the exported scene (GLB, USD, Unity project) as it stands there now, with what was edited in it
+    /// Continue from the exported scene (GLB, USD, Unity project), with the edits made in it
     #[arg(long, conflicts_with = "overwrite")]
     pub take: bool,
-    /// Write over exported scenes that were edited, and lose what was changed in them
+    /// Overwrite edited scenes and discard the edits
     #[arg(long)]
     pub overwrite: bool,
 }
@@ -518,11 +521,11 @@ pub struct Edits {
 /// Which formats `export` and `synth` write.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Formats {
-    /// Only these formats: unity, glb, plan, picture, preview, which are the usual ones, and mjcf, usd, usdz, sdf, obj;
-    /// separated by commas
+    /// Only these formats, separated by commas: unity, glb, plan, picture, preview (the default ones), mjcf, usd, usdz, sdf,
+    /// obj
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
     pub only: Vec<String>,
-    /// All formats, not only the usual ones
+    /// All formats, not only the default ones
     #[arg(long, conflicts_with = "only")]
     pub all_formats: bool,
 }
@@ -551,10 +554,10 @@ pub struct Fmt {
     /// Programs; `-` reads standard input and writes standard output
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Change nothing; exit 1 if a file is not in the standard form
+    /// Do not change files; exit with 1 if a file is not formatted
     #[arg(long)]
     pub check: bool,
-    /// Longest line (characters)
+    /// The maximum line length, in characters
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(40..=400))]
     pub width: u16,
 }
@@ -562,7 +565,7 @@ pub struct Fmt {
 /// `scenelang new`
 #[derive(ClapArgs, Debug)]
 pub struct New {
-    /// The file to write; one that is there already is left alone
+    /// The file to write; an existing file is not overwritten
     #[arg(value_name = "FILE.scene")]
     pub file: PathBuf,
 }
@@ -570,17 +573,17 @@ pub struct New {
 /// `scenelang explain`
 #[derive(ClapArgs, Debug)]
 pub struct Explain {
-    /// A code such as E0201, or a word of the language such as near, gap or surface
-    #[arg(value_name = "WORD")]
-    pub word: String,
+    /// A code (E0201), a predicate, function or property (near, gap, surface), a setting (eta) or a command (solve)
+    #[arg(value_name = "WORD", required = true)]
+    pub words: Vec<String>,
 }
 
 /// `scenelang categories`
 #[derive(ClapArgs, Debug)]
 pub struct Categories {
-    /// Only those with this in their name
+    /// List only categories that contain this word
     pub word: Option<String>,
-    /// How they are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -591,7 +594,7 @@ pub struct Inspect {
     /// The program; `-` reads standard input
     #[arg(value_name = "FILE.scene")]
     pub file: PathBuf,
-    /// How it is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -599,7 +602,7 @@ pub struct Inspect {
 /// `--format` of the commands that show what becomes of a program
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plain {
-    /// For people
+    /// Human-readable text
     Text,
     /// A JSON object on one line
     Json,
@@ -608,16 +611,16 @@ pub enum Plain {
 /// `scenelang diff`
 #[derive(ClapArgs, Debug)]
 pub struct Diff {
-    /// The first layout; a GLB file or Unity project that `synth` wrote will do
+    /// The first layout, or a GLB file or Unity project that `synth` wrote
     #[arg(value_name = "A")]
     pub before: PathBuf,
     /// The second layout
     #[arg(value_name = "B")]
     pub after: PathBuf,
-    /// How the differences are written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
-    /// Margins that differ by no more than this are not listed (metres or degrees)
+    /// Do not list margins that differ by less than this (metres or degrees)
     #[arg(long, default_value = "0.001", value_parser = settings::measure)]
     pub threshold: f64,
     /// How to judge
@@ -631,13 +634,13 @@ pub struct Trace {
     /// The program; `-` reads standard input
     #[arg(value_name = "FILE.scene")]
     pub file: PathBuf,
-    /// The layout whose verdict is told [default: the one beside the program, if there is one]
+    /// The layout to check [default: the one beside the program, if it exists]
     #[arg(value_name = "FILE.layout.json")]
     pub layout: Option<PathBuf>,
-    /// Where each line begins
+    /// How to group the output
     #[arg(long, value_enum, default_value_t = By::Requirement)]
     pub by: By,
-    /// How the trace is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
     /// How to judge
@@ -657,13 +660,13 @@ pub enum By {
 /// `scenelang query`
 #[derive(ClapArgs, Debug)]
 pub struct Query {
-    /// A program, judged by the layout beside it if there is one; a layout, a GLB or USD file or a Unity project
+    /// A program with its layout beside it, a layout, a GLB or USD file, or a Unity project
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// The object, `chair[2]`, or all elements of an array, `chair`; without it, a table of all objects
+    /// An object, such as `chair[2]`, or an array, such as `chair` [default: a table of all objects]
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// How the answer is written
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
     /// How to judge
@@ -674,13 +677,13 @@ pub struct Query {
 /// `scenelang lsp`
 #[derive(ClapArgs, Debug)]
 pub struct Lsp {
-    /// Write the session down, a message a line
+    /// Record the session in a file, one message per line
     #[arg(long, value_name = "FILE", conflicts_with = "replay")]
     pub record: Option<PathBuf>,
-    /// Serve the client of a recorded session instead of standard input
+    /// Replay the client of a recorded session instead of reading standard input
     #[arg(long, value_name = "FILE")]
     pub replay: Option<PathBuf>,
-    /// What editors pass; the server speaks over standard input and output in any case
+    /// Ignored; for editors that pass it. The server always uses standard input and output
     #[arg(long, hide = true)]
     pub stdio: bool,
 }

@@ -105,7 +105,7 @@ fn job(text: &[u8], path: &Path, door: &Door) -> Result<Job, String> {
             "the line has {long:.1} MiB, and at most {most} MiB is read; put a long program into a file"
         ));
     }
-    let text = std::str::from_utf8(text).map_err(|_| "the line is no text in UTF-8".to_owned())?;
+    let text = std::str::from_utf8(text).map_err(|_| "the line is not valid UTF-8".to_owned())?;
     let job: Job = serde_json::from_str(text).map_err(|e| {
         // All of it stands on one line, so only the column helps.
         let why = e.to_string();

@@ -41,7 +41,7 @@ fn merged(args: &BatchMerge) -> Result<Summary, String> {
             None => {
                 let name = &outcome.name;
                 return Err(format!(
-                    "the result of line {} ({name}) is gone; the same `scenelang batch` makes it again",
+                    "the result of line {} ({name}) is missing; run the same `scenelang batch` again to make it",
                     outcome.line
                 ));
             }

@@ -143,7 +143,7 @@ fn all(args: &BatchRun) -> Result<u8, String> {
     );
     drop(progress);
     if interrupt::asked() {
-        eprintln!("interrupted after {} of {} lines; the same command goes on from there", results.len(), own.len());
+        eprintln!("interrupted after {} of {} lines; run the same command again to continue", results.len(), own.len());
         return Ok(INTERRUPTED);
     }
     let found = Summary::new(&sum, Some(shard), results);
@@ -247,10 +247,9 @@ fn worked(args: &BatchRun, program: &Path, line: &Line, job: &Job) -> Option<Tro
     match ended {
         Ok(Some(status)) if status.success() => None,
         Ok(Some(status)) => Some(badly(status, &said, args.memory)),
-        Ok(None) => Some(Trouble::new(
-            Kind::Time,
-            format!("it took more than {} s, and was ended (--time raises that)", args.time),
-        )),
+        Ok(None) => {
+            Some(Trouble::new(Kind::Time, format!("it was stopped after {} s (--time increases the limit)", args.time)))
+        }
         Err(why) => crash(format!("its process cannot be waited for: {why}")),
     }
 }
@@ -291,7 +290,10 @@ fn end(child: &mut Child) -> std::io::Result<()> {
 fn badly(status: ExitStatus, said: &str, memory: u64) -> Trouble {
     // What the standard library says before it ends the process.
     if said.contains("memory allocation of") || said.contains("Cannot allocate memory") {
-        return Trouble::new(Kind::Memory, format!("it took more than {memory} MiB of memory (--memory raises that)"));
+        return Trouble::new(
+            Kind::Memory,
+            format!("it needed more than {memory} MiB of memory (--memory increases the limit)"),
+        );
     }
     let last = said.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("it said nothing");
     Trouble::new(Kind::Crash, format!("its process ended with {status}: {}", last.trim()))

@@ -97,7 +97,7 @@ fn make(task: &Task) -> Result<usize, Trouble> {
         if understood.reading.nothing {
             return Err(Trouble::new(
                 Kind::Input,
-                "nothing of the request was understood; say what stands in which room",
+                "nothing in the request was understood; say what stands in which room",
             ));
         }
         replace::program(&scene, &understood.program).map_err(files)?;
@@ -192,7 +192,7 @@ fn violations(checked: &Checked) -> String {
         more => format!("; and {more} more"),
     };
     let named = rows.iter().take(SAID).cloned().collect::<Vec<_>>().join("; ");
-    format!("no layout was found in which all holds that must; what comes closest breaks {named}{more}")
+    format!("no layout was found that satisfies all hard constraints; the best one violates {named}{more}")
 }
 
 /// Nobody watches.

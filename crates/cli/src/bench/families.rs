@@ -1,6 +1,6 @@
 //! The table: a row for each family of problems.
 
-use super::trial::{Answer, Trial};
+use super::trial::{Trial, TrialEnd};
 use crate::table::Table;
 use scenelang_verify::report::model::Tally;
 use std::time::Duration;
@@ -18,11 +18,11 @@ pub struct Family<'a> {
 impl Family<'_> {
     /// How many runs ended in a layout that the verifier accepts.
     pub fn solved(&self) -> usize {
-        self.trials.iter().filter(|t| t.answer == Answer::Solved).count()
+        self.trials.iter().filter(|t| t.answer == TrialEnd::Solved).count()
     }
     /// How many ended in the proof that there is no layout.
     pub fn refuted(&self) -> usize {
-        self.trials.iter().filter(|t| matches!(t.answer, Answer::Refuted(_))).count()
+        self.trials.iter().filter(|t| matches!(t.answer, TrialEnd::Refuted(_))).count()
     }
     /// How many of the constraints hold in all layouts together.
     pub fn stated(&self) -> Tally {
@@ -128,7 +128,7 @@ mod tests {
             family: family.into(),
             seed: 0,
             objects: 3,
-            answer: if first.is_some() { Answer::Solved } else { Answer::Unsolved },
+            answer: if first.is_some() { TrialEnd::Solved } else { TrialEnd::Unsolved },
             held: Summary { assertions, ..Summary::default() },
             first: first.map(Duration::from_millis),
             total: Duration::from_secs(9),

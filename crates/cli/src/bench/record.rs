@@ -2,7 +2,7 @@
 
 use super::families::{self, SHARES};
 use super::others;
-use super::trial::{Answer, Trial};
+use super::trial::{Trial, TrialEnd};
 use crate::args::BenchSolve;
 use scenelang_verify::report::model::Tally;
 use serde_json::{Map, Value, json};
@@ -42,9 +42,9 @@ fn family(family: &families::Family<'_>) -> Value {
 
 fn run(trial: &Trial) -> Value {
     let (answer, contradictions) = match &trial.answer {
-        Answer::Solved => ("solved", None),
-        Answer::Unsolved => ("unsolved", None),
-        Answer::Refuted(sets) => ("refuted", Some(sets)),
+        TrialEnd::Solved => ("solved", None),
+        TrialEnd::Unsolved => ("unsolved", None),
+        TrialEnd::Refuted(sets) => ("refuted", Some(sets)),
     };
     let mut out = json!({
         "problem": trial.problem,

@@ -32,7 +32,7 @@ pub struct Limits<'a> {
 
 /// What a run came to.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Answer {
+pub enum TrialEnd {
     /// The verifier accepts the layout.
     Solved,
     /// The verifier does not.
@@ -53,7 +53,7 @@ pub struct Trial {
     /// How many objects it has.
     pub objects: usize,
     /// What came of it.
-    pub answer: Answer,
+    pub answer: TrialEnd,
     /// How many constraints of each kind hold, as the verifier counts.
     pub held: Summary,
     /// Until the solver first had everything that must hold, or until the proof; `None` without an answer.
@@ -73,7 +73,7 @@ pub struct Trial {
 impl Trial {
     /// Whether this is the answer: a layout, or the proof that there is none.
     pub fn answered(&self) -> bool {
-        self.answer != Answer::Unsolved
+        self.answer != TrialEnd::Unsolved
     }
     /// Statements that must hold, assignments included.
     pub fn stated(&self) -> Tally {
@@ -109,7 +109,7 @@ pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
             family: case.family.clone(),
             seed,
             objects: program.objects.len(),
-            answer: Answer::Unsolved,
+            answer: TrialEnd::Unsolved,
             held: Summary::default(),
             first: None,
             total: proving,
@@ -125,7 +125,7 @@ pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
             solve(case, &compiled, program, limits, &mut trial)?;
         } else {
             trial.first = Some(proving);
-            trial.answer = Answer::Refuted(requirements(program, &findings));
+            trial.answer = TrialEnd::Refuted(requirements(program, &findings));
         }
         if interrupt::asked() {
             break;
@@ -186,7 +186,7 @@ fn solve(
         check_layout_of("layout.json", text, (name, &case.path), &limits.judge, options, &Door::of(&case.path));
     trial.held = checked.report.summary;
     if exit_code(&checked.report) == 0 {
-        trial.answer = Answer::Solved;
+        trial.answer = TrialEnd::Solved;
         trial.first = Some(first.unwrap_or(trial.total).min(trial.total));
     }
     Ok(())

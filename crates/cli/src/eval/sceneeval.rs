@@ -56,11 +56,7 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         return fail(&message);
     }
     if interrupt::asked() {
-        eprintln!(
-            "interrupted after {} of {} requests; --resume goes on from there",
-            scores.cases.len(),
-            requests.len()
-        );
+        eprintln!("interrupted after {} of {} requests; use --resume to continue", scores.cases.len(), requests.len());
         return INTERRUPTED;
     }
     let files = REPORT.into_iter().zip([format!("{:#}\n", scores.json()), scores.csv()]);
@@ -81,7 +77,7 @@ pub fn run(args: &EvalSceneEval) -> u8 {
 fn chosen(args: &EvalSceneEval) -> Result<Benchmark, String> {
     let name = args.annotations.display();
     let bytes = Door::of(&args.annotations).read(&args.annotations).map_err(|e| format!("cannot read {name}: {e}"))?;
-    let text = String::from_utf8(bytes).map_err(|_| format!("{name} is no text in UTF-8"))?;
+    let text = String::from_utf8(bytes).map_err(|_| format!("{name} is not valid UTF-8"))?;
     let mut benchmark = read(&text).map_err(|why| format!("{name}: {why}"))?;
     let parity =
         |asked: &Asked| asked.id.bytes().all(|b| b.is_ascii_digit()).then(|| asked.id.bytes().last()).flatten();
@@ -143,7 +139,7 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
     let stop = interrupt::stop();
     let mut reading = scenelang_formalize::read(&asked.description, &scenelang_formalize::Options { literal: false });
     if reading.nothing {
-        return Ok(Some("nothing of the request was understood".to_owned()));
+        return Ok(Some("nothing in the request was understood".to_owned()));
     }
     let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
     let mut planned = None;

@@ -1,9 +1,9 @@
 //! Tools that judge and change nothing: `check`, `why_not`, `speculate`, `render`.
 
-use super::tools::{Answer, Answered, Call};
+use super::tools::{Answered, Call, ToolAnswer};
 use super::verdict::{self, folded};
 use super::workspace::called;
-use crate::room::{Room, layout_of};
+use crate::room::{CheckedLayout, layout_of};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use scenelang_base::{SourceMap, codes};
@@ -33,7 +33,7 @@ pub fn check(call: &Call<'_>, Check { file }: Check) -> Answered {
     let path = call.workspace.scene_file(&file)?;
     let files = call.workspace.files(&path);
     files.text(&path)?;
-    Ok(Answer::of(verdict::of(&call.workspace.judge(&path, &files))))
+    Ok(ToolAnswer::of(verdict::of(&call.workspace.judge(&path, &files))))
 }
 
 #[derive(Deserialize)]
@@ -102,7 +102,7 @@ pub fn why_not(call: &Call<'_>, WhyNot { file, statement, proof }: WhyNot) -> An
     if more > 0 {
         out["more_sets"] = more.into();
     }
-    Ok(Answer::of(out))
+    Ok(ToolAnswer::of(out))
 }
 
 /// `room.scene:3:1`
@@ -153,7 +153,7 @@ pub fn speculate(call: &Call<'_>, Speculate { file, text, edits }: Speculate) ->
             out["more_changes"] = more.into();
         }
     }
-    Ok(Answer::of(out))
+    Ok(ToolAnswer::of(out))
 }
 
 fn turn(row: &Difference) -> Value {
@@ -197,7 +197,7 @@ pub fn render(call: &Call<'_>, Render { file, view }: Render) -> Answered {
     if !files.has(&path) {
         return Err(format!("there is no layout {}; `solve` makes one", called(&path)));
     }
-    let room = Room::judge(path.clone(), &files.door, &files)?;
+    let room = CheckedLayout::judge(path.clone(), &files.door, &files)?;
     let scene = room.scene()?;
     let exporter: &dyn Exporter = match view {
         View::Plan => &plan::Plan,
@@ -211,5 +211,5 @@ pub fn render(call: &Call<'_>, Render { file, view }: Render) -> Answered {
         "ok": room.checked.report.ok,
         "objects": room.program.objects.iter().take(NAMED).map(|object| object.name.to_string()).collect::<Vec<_>>(),
     });
-    Ok(Answer { said, picture: Some(BASE64_STANDARD.encode(&png.bytes)) })
+    Ok(ToolAnswer { said, picture: Some(BASE64_STANDARD.encode(&png.bytes)) })
 }

@@ -1,6 +1,6 @@
 //! Tools that look words up: `explain` and `vocabulary`.
 
-use super::tools::{Answer, Answered, Call};
+use super::tools::{Answered, Call, ToolAnswer};
 use crate::words;
 use scenelang_base::{Code, codes, suggest};
 use scenelang_ide::hover;
@@ -20,10 +20,10 @@ pub struct Explain {
 /// The page of a code, or what a word means.
 pub fn explain(_: &Call<'_>, Explain { word }: Explain) -> Answered {
     if let Some(code) = Code::find(&word) {
-        return Ok(Answer::of(json!({ "word": code.as_str(), "text": code.page() })));
+        return Ok(ToolAnswer::of(json!({ "word": code.as_str(), "text": code.page() })));
     }
     if let Some(text) = words::meaning(&word) {
-        return Ok(Answer::of(json!({ "word": word, "text": text })));
+        return Ok(ToolAnswer::of(json!({ "word": word, "text": text })));
     }
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
     let near = suggest::nearest(&word.to_uppercase(), all).or_else(|| words::nearest(&word));
@@ -44,7 +44,7 @@ pub struct Vocabulary {
 pub fn vocabulary(_: &Call<'_>, Vocabulary { word }: Vocabulary) -> Answered {
     let Some(word) = word.map(|word| word.to_lowercase()).filter(|word| !word.is_empty()) else {
         let names = |table: &[natives::Property]| table.iter().map(|p| p.name).collect::<Vec<_>>();
-        return Ok(Answer::of(json!({
+        return Ok(ToolAnswer::of(json!({
             "predicates": library::names().collect::<Vec<_>>(),
             "functions": functions(),
             "properties_of_objects": names(natives::OBJECT_PROPERTIES),
@@ -74,7 +74,7 @@ pub fn vocabulary(_: &Call<'_>, Vocabulary { word }: Vocabulary) -> Answered {
         let advice = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
         return Err(format!("no name and no category has `{word}` in it{advice}"));
     }
-    Ok(Answer::of(json!({ "names": names, "categories": categories })))
+    Ok(ToolAnswer::of(json!({ "names": names, "categories": categories })))
 }
 
 /// Names of built-in functions, each once.

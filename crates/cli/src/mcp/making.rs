@@ -1,7 +1,7 @@
 //! Tools that make something: `formalize`, `solve`, `repair`. What they make is written where the server may write, else
 //! kept in memory.
 
-use super::tools::{Answer, Answered, Call};
+use super::tools::{Answered, Call, ToolAnswer};
 use super::verdict::{self, folded};
 use super::workspace::{Made, called, is_program};
 use crate::repair::told::{Told, how, rounded, rows};
@@ -80,7 +80,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
         Some(path) => kept(call, &mut out, vec![Made { path, text: understood.program, edited: false }])?,
         None => out["program"] = understood.program.into(),
     }
-    Ok(Answer::of(out))
+    Ok(ToolAnswer::of(out))
 }
 
 #[derive(Deserialize)]
@@ -133,7 +133,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
         Err(Failure::Contradiction(checked)) => {
             let mut out = verdict::of(&checked);
             out["text"] = "there is no layout in which all of it holds; `why_not` shows the smallest set".into();
-            return Ok(Answer::of(out));
+            return Ok(ToolAnswer::of(out));
         }
         Err(Failure::Input(_, findings)) => return Err(input(&name, &findings)),
     };
@@ -154,7 +154,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
     let edited = start.as_ref().is_some_and(|text| !replace::is_ours(&layout, text));
     let text = found.text.clone();
     kept(call, &mut out, vec![Made { path: layout, text, edited }])?;
-    Ok(Answer::of(out))
+    Ok(ToolAnswer::of(out))
 }
 
 /// Why a program cannot be laid out.
@@ -181,7 +181,7 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     let checked = call.workspace.judge(&path, &files);
     let is_whole = !checked.verdict.diagnostics.iter().any(Diagnostic::is_error);
     let (Some(program), Some(layout), true) = (&checked.program, &checked.layout, is_whole) else {
-        return Err(format!("{name} cannot be judged as a whole; `check` says why"));
+        return Err(format!("{name} cannot be checked completely; `scenelang check` says why"));
     };
     if let Some(finding) = scenelang_synth::too_large(program) {
         return Err(finding.message);
@@ -197,7 +197,7 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     let damaged = Damaged { program, layout, text: Some(text) };
     let options = RepairOptions { judge: judging.options, stop: call.stop.clone(), ..RepairOptions::default() };
     let found = look(&damaged, &which, &options)
-        .map_err(|Unjudged| format!("{name} cannot be judged as a whole; `check` says why"))?;
+        .map_err(|Unjudged| format!("{name} cannot be checked completely; `scenelang check` says why"))?;
     if call.stop.is_set() {
         return Err(call.late());
     }
@@ -216,11 +216,11 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     let Some(n) = apply else {
         out["text"] = match (found.failing.is_empty(), found.alternatives.is_empty()) {
             (true, _) => "nothing to repair",
-            (false, true) => "no repair was found, which does not prove that there is none",
+            (false, true) => "no repair was found, which is not a proof that none exists",
             (false, false) => "nothing is changed yet: call again with `apply` and the number of a way",
         }
         .into();
-        return Ok(Answer::of(out));
+        return Ok(ToolAnswer::of(out));
     };
     let chosen = usize::from(n).checked_sub(1).and_then(|i| found.alternatives.get(i));
     let chosen = chosen.ok_or_else(|| format!("there is no way {n}, of {}", found.alternatives.len()))?;
@@ -241,7 +241,7 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     kept(call, &mut out, made)?;
     let after: Checked = call.workspace.judge(&path, &call.workspace.files(&path));
     out["after"] = verdict::of(&after);
-    Ok(Answer::of(out))
+    Ok(ToolAnswer::of(out))
 }
 
 /// Keeps or writes what was made, and says so.

@@ -30,14 +30,14 @@ impl Call<'_> {
 }
 
 /// What a tool says: a JSON object, and perhaps a picture.
-pub struct Answer {
+pub struct ToolAnswer {
     /// In names and sentences.
     pub said: Value,
     /// PNG, as base64.
     pub picture: Option<String>,
 }
 
-impl Answer {
+impl ToolAnswer {
     /// Without a picture.
     pub fn of(said: Value) -> Self {
         Self { said, picture: None }
@@ -52,7 +52,7 @@ impl Answer {
 }
 
 /// What a tool says, or why it could not do its work and what to do about it.
-pub type Answered = Result<Answer, String>;
+pub type Answered = Result<ToolAnswer, String>;
 
 /// A tool.
 pub struct Spec {

@@ -134,7 +134,7 @@ impl Workspace {
             return Ok(());
         }
         // An assistant has no `--force`.
-        let said = |why: String| why.replace("--force replaces it, or name another file", "name another file");
+        let said = |why: String| why.replace("use --force to overwrite it, or name another file", "name another file");
         replace::permit(path, inputs, false).map_err(said)
     }
 
@@ -211,7 +211,7 @@ impl Files<'_> {
             _ if e.kind() == ErrorKind::NotFound => format!("there is no file {}", called(path)),
             _ => format!("cannot read {}: {e}", called(path)),
         };
-        String::from_utf8(self.load(path).map_err(said)?).map_err(|_| format!("{} is no text in UTF-8", called(path)))
+        String::from_utf8(self.load(path).map_err(said)?).map_err(|_| format!("{} is not valid UTF-8", called(path)))
     }
 
     fn made(&self, path: &Path) -> Option<Vec<u8>> {

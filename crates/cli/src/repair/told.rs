@@ -127,9 +127,9 @@ impl Told<'_> {
             out += &format!("{:3}  {}\n", i + 1, self.words(a));
         }
         out + &match (choice, all.is_empty()) {
-            (_, true) => "no repair was found, which does not prove that there is none\n".to_owned(),
-            (None, false) => "nothing is written; --apply N makes one of these changes\n".to_owned(),
-            (Some(i), _) if args.dry_run => format!("{} would be made; nothing is written\n", i + 1),
+            (_, true) => "no repair was found, which is not a proof that none exists\n".to_owned(),
+            (None, false) => "nothing was written; use --apply N to apply one of these repairs\n".to_owned(),
+            (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),
             (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
         } + &with
     }
@@ -159,7 +159,7 @@ impl Told<'_> {
         let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
         match (a.how, a.least.get(i)) {
             (How::Prefer, _) => format!("make it a preference: {change}"),
-            (_, Some(least)) => format!("change a number: {change} (by {} at least)", short(*least)),
+            (_, Some(least)) => format!("change a number: {change} (by at least {})", short(*least)),
             _ => change,
         }
     }

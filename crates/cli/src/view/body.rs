@@ -8,14 +8,14 @@ use std::task::{Context, Poll};
 use tokio::sync::mpsc::Receiver;
 
 /// What is answered.
-pub enum Answer {
+pub enum ResponseBody {
     /// All at once.
     Whole(Bytes),
     /// As long as there is somebody who says something.
     News(Receiver<Bytes>),
 }
 
-impl Body for Answer {
+impl Body for ResponseBody {
     type Data = Bytes;
     type Error = Infallible;
 

@@ -1,6 +1,6 @@
 //! The room that is shown: read anew when a file changes, judged while something in it is dragged, written when it is let go.
 
-use crate::room::Room;
+use crate::room::CheckedLayout;
 use crate::watch::Seen;
 use scenelang_base::door::Door;
 use scenelang_engine::Live;
@@ -48,7 +48,7 @@ pub struct Shown {
 struct State {
     /// Counts what pages have to be told.
     version: u64,
-    room: Option<Arc<Room>>,
+    room: Option<Arc<CheckedLayout>>,
     /// The room for the page.
     data: Option<Told>,
     /// What is dragged at the moment.
@@ -68,7 +68,7 @@ struct Told {
 }
 
 impl Told {
-    fn new(room: &Room) -> Result<Self, String> {
+    fn new(room: &CheckedLayout) -> Result<Self, String> {
         let mut told = preview::live(room.scene()?, None).map_err(|e| e.to_string())?;
         let (shape, whole) = (told["shape"].as_str().unwrap_or_default().to_owned(), told.to_string());
         told["glb"] = Value::Null;
@@ -85,7 +85,7 @@ impl Shown {
 
     /// Reads the files again, and tells all pages if anything is different.
     pub fn read(&self, seen: &Seen) {
-        let read = Room::read(&self.file, Some(seen)).and_then(|room| Ok((Told::new(&room)?, room)));
+        let read = CheckedLayout::read(&self.file, Some(seen)).and_then(|room| Ok((Told::new(&room)?, room)));
         let mut state = self.lock();
         match read {
             Ok((data, _)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
@@ -139,13 +139,13 @@ impl Shown {
         let door = Door::of(&room.path);
         let same = door.read(&room.path).is_ok_and(|bytes| layout_file::decode(bytes).is_ok_and(|t| t == room.text()));
         if !same {
-            return Err(Refused::Changed(format!("{} has changed meanwhile", room.path.display())));
+            return Err(Refused::Changed(format!("{} was changed in the meantime", room.path.display())));
         }
         let old = layout_file::read(room.text(), scenelang_base::FileId(0));
         layout_file::write(&door, &room.path, &moved, old.usable.then_some(&old.document))
             .map_err(|e| Refused::Failed(e.to_string()))?;
         // Another move may come before the file is looked at.
-        if let Ok(now) = Room::read(&self.file, None) {
+        if let Ok(now) = CheckedLayout::read(&self.file, None) {
             state.room = Some(Arc::new(now));
         }
         Ok(answer(&report))
@@ -158,7 +158,7 @@ impl Shown {
 
 impl State {
     /// Has a step of a drag judged: where the answer comes.
-    fn consider(&mut self, room: &Arc<Room>, asked: &Move) -> Result<Receiver<Value>, Refused> {
+    fn consider(&mut self, room: &Arc<CheckedLayout>, asked: &Move) -> Result<Receiver<Value>, Refused> {
         let found = room.program.objects.iter().position(|object| object.name == asked.object);
         let found = found.ok_or_else(|| Refused::Wrong(format!("the program has no `{}`", asked.object)))?;
         let (answer, answered) = channel();
@@ -178,7 +178,7 @@ impl State {
 
 /// A drag that goes on: the room that it began in, and where its steps go.
 struct Drag {
-    room: Arc<Room>,
+    room: Arc<CheckedLayout>,
     steps: Sender<Step>,
 }
 
@@ -192,11 +192,11 @@ struct Step {
 
 impl Drag {
     /// A thread that keeps the judgement of a room: each step costs what it changes. It ends when nobody holds the drag.
-    fn begin(room: &Arc<Room>) -> std::io::Result<Self> {
+    fn begin(room: &Arc<CheckedLayout>) -> std::io::Result<Self> {
         let (steps, taken) = channel::<Step>();
         let own = Arc::clone(room);
         std::thread::Builder::new().name("drag".to_owned()).stack_size(8 << 20).spawn(move || {
-            let Room { program, layout, options, checked, .. } = &*own;
+            let CheckedLayout { program, layout, options, checked, .. } = &*own;
             let mut live = Live::new(program, layout, options);
             for step in taken {
                 live.drag(step.object, Vec3::from(step.pos), Vec3::from(step.rot));

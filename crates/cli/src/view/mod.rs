@@ -37,7 +37,7 @@ pub fn run(args: &View) -> u8 {
         }
     };
     println!("{address}");
-    eprintln!("only who has this address can see it, and on this machine alone; Ctrl-C ends");
+    eprintln!("the page can be opened only with this address, on this machine; press Ctrl-C to stop");
     if !args.no_open {
         open(&address);
     }

@@ -1,7 +1,7 @@
 //! The pages over HTTP, to this machine and this user alone: one thread that accepts and answers, within limits of number,
 //! size and time for everything that a stranger can send.
 
-use super::body::Answer;
+use super::body::ResponseBody;
 use super::connection::{Connection, Connections};
 use super::door::Door;
 use super::live::Shown;
@@ -87,7 +87,7 @@ async fn accept(listener: TcpListener, site: Arc<Site>) {
 async fn serve(stream: TcpStream, site: &Arc<Site>, connection: &Arc<Connection>) {
     let service = service_fn(|request: Request<hyper::body::Incoming>| {
         let (site, connection) = (Arc::clone(site), Arc::clone(connection));
-        async move { Ok::<Response<Answer>, Infallible>(site.answer(connection, request).await) }
+        async move { Ok::<Response<ResponseBody>, Infallible>(site.answer(connection, request).await) }
     });
     let mut http = http1::Builder::new();
     // One request each: on this machine another connection costs nothing, and none is left to wait for.

@@ -1,7 +1,7 @@
 //! What is answered to those who come in: the page, the room, its news, and moves. No path of a request is ever a path of a
 //! file.
 
-use super::body::{Answer, Untaken, is_larger, read};
+use super::body::{ResponseBody, Untaken, is_larger, read};
 use super::connection::Connection;
 use super::door::{Admission, Door, secret};
 use super::live::{Move, Refused, Shown};
@@ -65,14 +65,15 @@ impl Site {
     }
 
     /// Answers a request.
-    pub async fn answer(self: Arc<Self>, connection: Arc<Connection>, request: Request<Incoming>) -> Response<Answer> {
+    pub async fn answer(
+        self: Arc<Self>,
+        connection: Arc<Connection>,
+        request: Request<Incoming>,
+    ) -> Response<ResponseBody> {
         let (parts, body) = request.into_parts();
         match self.door.admit(&parts) {
             Admission::Out => {
-                return text(
-                    StatusCode::FORBIDDEN,
-                    "not for you: paste the address that `scenelang view` printed into the address bar",
-                );
+                return text(StatusCode::FORBIDDEN, "access denied: open the address that `scenelang view` printed");
             }
             _ if is_larger(&body, MOST) => return text(StatusCode::PAYLOAD_TOO_LARGE, "too large"),
             Admission::Exchange => {
@@ -96,7 +97,7 @@ impl Site {
         }
     }
 
-    fn scene(&self, parts: &Parts) -> Response<Answer> {
+    fn scene(&self, parts: &Parts) -> Response<ResponseBody> {
         let known = parts.uri.query().and_then(|query| query.strip_prefix("known=")).unwrap_or_default();
         match self.shown.data(known) {
             Ok(data) => send(StatusCode::OK, "application/json", data),
@@ -104,7 +105,7 @@ impl Site {
         }
     }
 
-    async fn go(&self, parts: &Parts, body: Incoming) -> Response<Answer> {
+    async fn go(&self, parts: &Parts, body: Incoming) -> Response<ResponseBody> {
         let token = parts.headers.get("x-scenelang-token");
         if token.is_none_or(|token| token != self.token.as_str()) {
             return text(StatusCode::FORBIDDEN, "not for you");
@@ -117,7 +118,7 @@ impl Site {
         };
         let asked: Move = match serde_json::from_slice(&bytes) {
             Ok(asked) => asked,
-            Err(e) => return text(StatusCode::BAD_REQUEST, format!("this is no move: {e}")),
+            Err(e) => return text(StatusCode::BAD_REQUEST, format!("this is not a valid move: {e}")),
         };
         // Judging takes a while; the other pages are answered meanwhile.
         let shown = Arc::clone(&self.shown);
@@ -131,7 +132,7 @@ impl Site {
     }
 
     /// Tells a page of news until it is gone.
-    fn events(self: &Arc<Self>, connection: &Connection) -> Response<Answer> {
+    fn events(self: &Arc<Self>, connection: &Connection) -> Response<ResponseBody> {
         if self.pages.fetch_add(1, Ordering::SeqCst) >= PAGES {
             self.pages.fetch_sub(1, Ordering::SeqCst);
             return text(StatusCode::SERVICE_UNAVAILABLE, "too many pages follow this room");
@@ -157,7 +158,7 @@ impl Site {
             }
             site.pages.fetch_sub(1, Ordering::SeqCst);
         });
-        respond(StatusCode::OK, "text/event-stream", Answer::News(lines))
+        respond(StatusCode::OK, "text/event-stream", ResponseBody::News(lines))
     }
 }
 
@@ -171,15 +172,15 @@ fn event((_, why): &News) -> Bytes {
     }
 }
 
-fn text(status: StatusCode, said: impl Into<Bytes>) -> Response<Answer> {
+fn text(status: StatusCode, said: impl Into<Bytes>) -> Response<ResponseBody> {
     send(status, "text/plain", said)
 }
 
-fn send(status: StatusCode, kind: &str, body: impl Into<Bytes>) -> Response<Answer> {
-    respond(status, kind, Answer::Whole(body.into()))
+fn send(status: StatusCode, kind: &str, body: impl Into<Bytes>) -> Response<ResponseBody> {
+    respond(status, kind, ResponseBody::Whole(body.into()))
 }
 
-fn respond(status: StatusCode, kind: &str, body: Answer) -> Response<Answer> {
+fn respond(status: StatusCode, kind: &str, body: ResponseBody) -> Response<ResponseBody> {
     let mut response = Response::new(body);
     *response.status_mut() = status;
     for (name, value) in HEADERS {
@@ -189,7 +190,7 @@ fn respond(status: StatusCode, kind: &str, body: Answer) -> Response<Answer> {
     response
 }
 
-fn set(response: &mut Response<Answer>, name: &'static str, value: &str) {
+fn set(response: &mut Response<ResponseBody>, name: &'static str, value: &str) {
     if let Ok(value) = HeaderValue::from_str(value) {
         response.headers_mut().insert(HeaderName::from_static(name), value);
     }

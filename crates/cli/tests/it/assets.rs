@@ -55,7 +55,7 @@ fn search_names_the_family_and_the_best_models() {
 
     let ended = scenelang(folder.path(), ["assets", "search", "zyzzyva", "--in", "models"]);
     assert_eq!(ended.code, 1, "{}", ended.stdout);
-    assert!(ended.stdout.contains("no model of the folder has any of these words"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("no model in the folder matches these words"), "{}", ended.stdout);
 
     let ended = scenelang(folder.path(), ["assets", "search", "table", "--size", "1x2"]);
     assert!(ended.code == 2 && ended.stderr.contains("WxHxD"), "{}", ended.stderr);
@@ -80,7 +80,7 @@ fn list_shows_what_there_is_and_warns_of_what_is_passed_over() {
 fn check_has_three_forms_and_three_exit_codes() {
     let folder = shop();
     let ended = scenelang(folder.path(), ["assets", "check", "models"]);
-    assert_eq!((ended.code, ended.stdout.as_str()), (0, "models: 3 of 3 models are good\n"), "{}", ended.stderr);
+    assert_eq!((ended.code, ended.stdout.as_str()), (0, "models: no findings in 3 of 3 models\n"), "{}", ended.stderr);
 
     fs::remove_file(folder.path().join("models/a.json")).unwrap();
     let ended = scenelang(folder.path(), ["assets", "check", "models"]);
@@ -88,7 +88,7 @@ fn check_has_three_forms_and_three_exit_codes() {
     for line in [
         "models/a.obj: warning[W0703]: nothing says where its front is; +z is taken for it\n",
         "models/a.obj: warning[W0707]: nothing says under which licence it may be used\n",
-        "models: 2 of 3 models are good\n",
+        "models: no findings in 2 of 3 models\n",
     ] {
         assert!(ended.stdout.contains(line), "{}", ended.stdout);
     }

@@ -187,7 +187,7 @@ fn what_was_removed_or_added_is_told() {
     remove(&room.at("out/room.glb"), "bed");
     let edited = room.files();
     let ended = room.run(&EXPORT, &["--take"], 2);
-    assert!(ended.stderr.contains("the layout lacks the object `bed`"), "{ended:?}");
+    assert!(ended.stderr.contains("object missing from the layout: `bed`"), "{ended:?}");
     assert!(room.files() == edited);
 }
 
@@ -210,7 +210,7 @@ fn a_file_that_another_program_has_saved_is_not_ours_any_more() {
     edit_glb(&room.at("out/room.glb"), |document| document["scenes"][0]["extras"] = Value::Null);
     for more in [&[][..], &["--take"]] {
         let ended = room.run(&SYNTH, more, 2);
-        assert!(ended.stderr.contains("so nothing can be taken from it"), "{ended:?}");
+        assert!(ended.stderr.contains("so its edits cannot be used"), "{ended:?}");
         assert!(ended.stderr.contains("--overwrite"), "{ended:?}");
     }
     room.run(&SYNTH, &["--overwrite"], 0);
@@ -283,7 +283,7 @@ fn what_is_not_written_over_is_in_nobodys_way() {
     let settings = room.at("out/unity/ProjectSettings/ProjectVersion.txt");
     fs::write(&settings, "m_EditorVersion: 6000.0.0f1\n").unwrap();
     let ended = room.run(&SYNTH, &[], 2);
-    assert!(ended.stderr.contains("`ProjectSettings/ProjectVersion.txt` was edited, too"), "{ended:?}");
+    assert!(ended.stderr.contains("`ProjectSettings/ProjectVersion.txt` was edited as well"), "{ended:?}");
     // A file that is no part of a scene is the user's, as ever.
     let room = Room::made_by(&SYNTH);
     let report = room.at("out/report.json");

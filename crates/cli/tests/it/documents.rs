@@ -3,8 +3,15 @@
 use crate::support::{root, scenelang};
 use std::fs;
 
-const DOCUMENTS: [&str; 6] =
-    ["README.md", "CONTRIBUTING.md", "SECURITY.md", "docs/architecture.md", "docs/benchmarks.md", "docs/simulators.md"];
+const DOCUMENTS: [&str; 7] = [
+    "README.md",
+    "CONTRIBUTING.md",
+    "SECURITY.md",
+    "docs/architecture.md",
+    "docs/benchmarks.md",
+    "docs/evaluation.md",
+    "docs/simulators.md",
+];
 
 fn read(document: &str) -> String {
     fs::read_to_string(root().join(document)).unwrap()

@@ -37,7 +37,7 @@ fn safe_fixes_are_made_and_the_rest_is_told() {
         "fixed 3 of 4 findings in in/room.scene\n",
         "fixed 1 of 1 finding in in/parts/a.scene\n",
         "[E0201]",
-        "in/fine.scene: nothing to object to\n",
+        "in/fine.scene: no problems found\n",
     ] {
         assert!(ended.stdout.contains(line), "{line} in {}", ended.stdout);
     }

@@ -146,5 +146,5 @@ fn a_program_may_have_groups_of_its_own() {
                predicate balanced(Object a) := a.pos.x > 0;\nassert diningSet(c, t) and balanced(t);\n";
     fs::write(folder.path().join("own.scene"), own).unwrap();
     let ended = scenelang(folder.path(), ["check", "own.scene"]);
-    assert_eq!((ended.code, ended.stdout.as_str()), (0, "own.scene: nothing to object to\n"));
+    assert_eq!((ended.code, ended.stdout.as_str()), (0, "own.scene: no problems found\n"));
 }

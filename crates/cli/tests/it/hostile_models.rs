@@ -57,7 +57,7 @@ fn off() -> Vec<Case> {
             name: "a workspace names a model, and that is all",
             workspace: named,
             args: &["--base-url", "{url}"],
-            said: "note: scenelang.toml names the language model compatible:m, which is not asked; `--model configured` asks it\n",
+            said: "note: the language model compatible:m in scenelang.toml is not used; enable it with `--model configured`\n",
             ..CASE
         },
         Case { name: "none, on the command line", workspace: named, own: OWN, args: &["--model", "none"], ..CASE },
@@ -94,7 +94,7 @@ fn off() -> Vec<Case> {
             name: "a spell for a name",
             workspace: "[llm]\nmodel = \"compatible:\\u001b[2J\\u202e\"\n",
             args: &["--base-url", "{url}"],
-            said: "which is not asked",
+            said: "is not used",
             ..CASE
         },
     ]
@@ -142,7 +142,7 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "a base URL of the workspace",
             workspace: "[llm]\nmodel = \"compatible:m\"\nbase_url = \"{elsewhere}\"\n",
             args: CONFIGURED,
-            said: "`base_url` is no setting of a workspace: only you say where a key is sent",
+            said: "`base_url` is not a workspace setting",
             ..refused
         },
         Case {
@@ -157,14 +157,14 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "a key in the workspace",
             workspace: "[llm]\napi_key = \"sk-stolen\"\n",
             args: ON,
-            said: "`api_key` is no setting: keys come from the environment, never from a file",
+            said: "`api_key` is not a setting: keys come from the environment, never from a file",
             ..refused
         },
         Case {
             name: "a key in the user's own file",
             own: "[llm]\nkey = \"sk-mine\"\n",
             args: ON,
-            said: "config.toml:2:1: `key` is no setting: keys come from the environment, never from a file\n",
+            said: "config.toml:2:1: `key` is not a setting: keys come from the environment, never from a file\n",
             ..refused
         },
         Case {
@@ -240,7 +240,7 @@ fn numbers() -> Vec<Case> {
         Case {
             name: "tokens beyond numbers",
             workspace: "[llm]\nmax_tokens = 99999999999999999999\n",
-            said: "this is not TOML",
+            said: "this is not valid TOML",
             ..wrong
         },
         Case {

@@ -51,6 +51,7 @@ mod solving;
 mod speaking;
 mod stability;
 mod stage_one;
+mod suite;
 mod support;
 mod trace;
 mod view;

@@ -190,7 +190,7 @@ fn a_model_of_the_settings_keeps_to_its_budget() {
     let ended = solve(folder.path(), &["--model", "configured", "--base-url", &server.url]);
     assert_eq!(ended.code, 0, "{ended:?}");
     assert!(ended.stdout.contains(": 2 calls, 200 tokens in, 40 out, cost 0.4000\n"), "{}", ended.stdout);
-    assert!(ended.stdout.contains("it did not help to the end: the budget is spent: 2 of 2 calls"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("it stopped early: the budget is spent: 2 of 2 calls"), "{}", ended.stdout);
     assert_eq!(server.asked().len(), 2);
     // `none` on the command line: nobody is asked, nothing is said.
     let ended = solve(folder.path(), &["--model", "none"]);

@@ -13,8 +13,10 @@ const BROKEN: &str = r#"{ "format": "scenelang.layout/1", "scene": "broken.scene
     "objects": { "box": { "pos": [0, 0, 0], "scale": [1, 1, 1] } } }"#;
 const MINE: &str = "this is mine\n";
 
+const SUITE: &str = r#"{ "format": "scenelang.suite/1", "name": "one", "scenes": 1, "seed": 7 }"#;
+
 /// Every command that writes: its arguments, and a file that it writes.
-const COMMANDS: [(&[&str], &str); 14] = [
+const COMMANDS: [(&[&str], &str); 16] = [
     (&["solve", "room.scene"], "room.layout.json"),
     (&["solve", "room.scene", "-o", "other.json"], "other.json"),
     (&["solve", "room.scene", "--alternatives", "2", "-o", "some.layout.json"], "some.2.layout.json"),
@@ -27,6 +29,8 @@ const COMMANDS: [(&[&str], &str); 14] = [
     (&["sample", "room.scene", "-n", "2", "-o", "samples"], "samples/samples-000000000.jsonl"),
     (&["batch", "jobs.jsonl", "-o", "many"], "many/box.layout.json"),
     (&["eval", "requests", "requests", "--untried", "-o", "programs"], "programs/one.scene"),
+    (&["eval", "dataset", "--scenes", "1", "-o", "data"], "data/dataset.jsonl"),
+    (&["eval", "run", "--suite", "suite.json", "-o", "results"], "results/figures.json"),
     (&["assets", "import", "models", "-o", "shop"], "shop/one.json"),
     (&["bench", "solve", "room.scene", "-o", "record.json", "--layouts", "layouts"], "record.json"),
 ];
@@ -43,6 +47,7 @@ fn prepared() -> tempfile::TempDir {
     fs::create_dir(at("requests")).unwrap();
     fs::write(at("requests/one.txt"), "A room with a bed.").unwrap();
     fs::write(at("requests/one.expect.json"), TRUTH).unwrap();
+    fs::write(at("suite.json"), SUITE).unwrap();
     fs::write(at("broken.scene"), "object box; assert box.pos.x >= 1;").unwrap();
     fs::write(at("broken.layout.json"), BROKEN).unwrap();
     assert_eq!(scenelang(folder.path(), ["solve", "room.scene"]).code, 0);
@@ -70,7 +75,7 @@ fn a_file_of_the_user_stays() {
         // The layout that is repaired or exported is not the one that is in the way.
         let ended = scenelang(folder.path(), args);
         refuses(&ended, file);
-        assert!(ended.stderr.contains("scenelang did not write it") && ended.stderr.contains("--force"), "{ended:?}");
+        assert!(ended.stderr.contains("was not written by scenelang") && ended.stderr.contains("--force"), "{ended:?}");
         assert_eq!(fs::read_to_string(&path).unwrap(), MINE, "{args:?}");
         let ended = scenelang(folder.path(), forced(args));
         assert!(ended.code <= 1 && fs::read_to_string(&path).is_ok_and(|text| text != MINE), "{args:?} {ended:?}");

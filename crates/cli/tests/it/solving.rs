@@ -46,9 +46,9 @@ fn what_is_in_the_way_is_named_in_words() {
     fs::write(folder.path().join("room.scene"), &scene).unwrap();
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
-    let said = "without this statement the rest can hold, as in this layout (found by search, not proved):\n  \
+    let said = "without this statement the rest can hold, as this layout shows; a smaller set may exist:\n  \
                 room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
-    assert!(ended.stdout.contains("when the budget was spent (--effort raises it)\n"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("when the budget was used up (--effort increases it)\n"), "{}", ended.stdout);
     assert!(ended.stdout.contains(said), "{}", ended.stdout);
     // The layout is the witness, as `check` sees it.
     let report = scenelang(folder.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
@@ -89,7 +89,7 @@ fn several_layouts_differ_in_kind() {
     fs::write(folder.path().join("one.scene"), "object a; a.pos <- vec3(0, 0, 0); a.rot <- rot(0, 0, 0);").unwrap();
     let ended = scenelang(folder.path(), ["solve", "one.scene", "--alternatives", "3"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    assert!(ended.stdout.contains("of 3 layouts that differ in kind 1 were found"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("1 of 3 substantially different layouts were found"), "{}", ended.stdout);
     let written = |name: &str| folder.path().join(name).exists();
     assert!(written("one.1.layout.json") && !written("one.2.layout.json") && !written("one.layout.json"));
 }
@@ -185,7 +185,7 @@ fn what_is_proved_impossible_gets_no_layout() {
         let ended = scenelang(folder.path(), args);
         assert_eq!(ended.code, 1, "{args:?}: {}", ended.stderr);
         assert!(ended.stdout.starts_with(&judged.stdout), "{}\nbut check says\n{}", ended.stdout, judged.stdout);
-        assert!(ended.stdout.contains("these 2 statements cannot hold together"), "{}", ended.stdout);
+        assert!(ended.stdout.contains("these 2 statements contradict each other"), "{}", ended.stdout);
     }
     let ended = scenelang(folder.path(), ["solve", "room.scene", "--format", "json"]);
     let answer = fits("solution", &ended.stdout);

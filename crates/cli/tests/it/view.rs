@@ -304,7 +304,7 @@ fn changes_of_others_are_shown_and_never_overwritten() {
     let asked = json!({ "object": "lamp", "pos": [0, 0, 0], "rot": [0, 0, 0], "commit": true });
     let answer = view.go(&asked);
     if answer.status == 409 {
-        assert!(answer.body.contains("has changed meanwhile"), "{}", answer.body);
+        assert!(answer.body.contains("was changed in the meantime"), "{}", answer.body);
         assert_eq!(fs::read_to_string(&view.layout).unwrap(), other);
     } else {
         // It had looked already.

@@ -304,6 +304,19 @@ fn regions_of(terms: &[Term], of: &[usize]) -> Vec<RegionId> {
     list
 }
 
+/// Variables that regions are made of, or sizes of objects.
+pub fn variables_of_sizes(program: &Program) -> Vec<VariableId> {
+    let shapes = program.pins.iter().filter(|pin| match pin.owner {
+        Owner::Region(_) => true,
+        Owner::Object(_) => pin.property == Pinned::Scale,
+    });
+    let mut found: Vec<VariableId> =
+        shapes.flat_map(|pin| &pin.values).flat_map(|formula| crate::Reads::of(formula).variables).collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
 /// All decision variables.
 pub fn variables(program: &Program) -> impl Iterator<Item = VariableId> {
     (0..program.variables.len() as u32).map(VariableId)

@@ -131,7 +131,7 @@ impl<'a> MoveFinder<'a> {
         Some(SmallestMove { steps: best.steps, breaks: best.does.breaks, repairs })
     }
 
-    /// What pulls the other way: what the smallest move would break or, if nothing, what comes nearest to it.
+    /// What conflicts with it: what the smallest move would break or, if nothing, what comes nearest to it.
     fn opposing(&mut self, row: RowRef) -> Vec<RowRef> {
         self.limit = self.stage.work + BUDGET;
         let mut smallest: Option<Judged> = None;

@@ -29,7 +29,7 @@ fn the_safety_requirement_names_its_bottleneck() {
     let checked = judged(&scene, &layout, &Options::default());
     insta::assert_snapshot!(human(&checked, Human::default()));
     let row = checked.report.constraints.iter().find(|row| row.text.contains("canEscape")).expect("it is stated");
-    assert!(row.message.starts_with("the passage between `table` and `trolley` is 1.45 m wide, 0.05 m short"));
+    assert!(row.message.starts_with("the passage between `table` and `trolley` is 1.45 m wide, 0.05 m too narrow"));
     assert!(hold_to_its_word(&scene, &layout, &checked.report, row), "a move is offered");
 }
 

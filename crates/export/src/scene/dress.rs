@@ -86,14 +86,16 @@ impl Wardrobe {
     }
 }
 
-/// Whether the parts of the asset are the bodies that were judged.
+/// Whether the parts of the asset are the bodies that were judged, with all their digits or with those of a layout file.
 fn same_solid(asset: &Asset, solid: &[Convex]) -> bool {
     let near = |a: &Convex, b: &Convex| {
         a.vertices().len() == b.vertices().len()
             && a.vertices().iter().zip(b.vertices()).all(|(p, q)| (p - q).amax() <= SAME)
     };
     asset.parts.len() == solid.len()
-        && asset.parts.iter().zip(solid).all(|(part, body)| Convex::from_part(part).is_some_and(|own| near(&own, body)))
+        && asset.parts.iter().zip(solid).all(|(part, body)| {
+            [part, &part.in_short()].into_iter().any(|part| Convex::from_part(part).is_some_and(|own| near(&own, body)))
+        })
 }
 
 /// The surfaces of a region: what the program says, else what is usual.

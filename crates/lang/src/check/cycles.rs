@@ -62,7 +62,7 @@ pub(crate) fn report<P: Copy>(
     let path: Vec<String> = circle.iter().chain(circle.first()).map(|(n, _)| format!("`{n}`")).collect();
     let message = match circle.len() {
         1 => format!("{} refers to itself", path[0]),
-        _ => format!("{what} refer to each other in a circle: {}", path.join(" → ")),
+        _ => format!("{what} refer to each other in a cycle: {}", path.join(" → ")),
     };
     let (first, others) = circle.split_first()?;
     let mut d = Diagnostic::new(code, place(first.1)?, message);

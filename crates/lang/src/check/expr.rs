@@ -104,11 +104,11 @@ impl<'n, 'a> Checker<'n, 'a> {
             let mut d = Diagnostic::new(
                 codes::E0302,
                 Where::Here(self.range(id)),
-                format!("a condition is expected here, and this is {ty}"),
+                format!("expected a condition, but this is {ty}"),
             );
             d = match ty {
                 Ty::Number | Ty::Degree | Ty::Literal => d.note("compare it with something: `… > 1`"),
-                Ty::Objects => d.note("say something of each: `forall x in …: …`"),
+                Ty::Objects => d.note("state a condition for each: `forall x in …: …`"),
                 _ => d.note("a condition is a comparison, a predicate, or several joined by `and`, `or`, `not`"),
             };
             self.push(d);
@@ -119,7 +119,7 @@ impl<'n, 'a> Checker<'n, 'a> {
     pub(super) fn expect(&mut self, id: ExprId, wanted: Ty, what: &str) {
         let ty = self.ty(id);
         if !ty.fits(wanted) {
-            let message = format!("{what} takes {wanted}, and this is {ty}");
+            let message = format!("{what} takes {wanted}, but this is {ty}");
             let d = Diagnostic::new(codes::E0301, Where::Here(self.range(id)), message);
             self.push(self.repaired(d, id, wanted, ty));
         }
@@ -150,7 +150,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             ExprKind::Neg(e) => match self.ty(*e) {
                 t @ (Ty::Literal | Ty::Number | Ty::Degree | Ty::Vector3 | Ty::Error) => t,
                 other => {
-                    self.error(codes::E0301, self.range(*e), format!("{other} has no negative"));
+                    self.error(codes::E0301, self.range(*e), format!("{other} cannot be negated"));
                     Ty::Error
                 }
             },
@@ -187,7 +187,7 @@ impl<'n, 'a> Checker<'n, 'a> {
                 for end in [*lo, *hi] {
                     let ty = self.ty(end);
                     if !ty.fits(Ty::Literal) {
-                        self.error(codes::E0304, self.range(end), "the ends of a range are whole numbers");
+                        self.error(codes::E0304, self.range(end), "the bounds of a range must be whole numbers");
                     }
                 }
                 Ty::Range
@@ -225,7 +225,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         }
         match item {
             Some(ItemKind::Variable(ty)) if ty.is_text() && !self.names.is_assigned(name) => {
-                let message = format!("`{name}` is read but never assigned, and text cannot be chosen by the solver");
+                let message = format!("`{name}` is read but never assigned, and the solver cannot choose text");
                 self.push(
                     Diagnostic::new(codes::E0307, Where::Here(range), message)
                         .related(Where::Item(name.clone()), "declared here")
@@ -333,8 +333,10 @@ impl<'n, 'a> Checker<'n, 'a> {
         let range = self.range(at);
         let mut d = Diagnostic::new(codes::E0212, Where::Here(range), format!("this is a set of objects: {why}"));
         d = match &self.expr(at).kind {
-            ExprKind::Name(n) => d.note(format!("name one element, `{n}[0]`, or speak of each: `forall x in {n}: …`")),
-            _ => d.note("speak of each of them: `forall x in …: …`"),
+            ExprKind::Name(n) => {
+                d.note(format!("name one element, `{n}[0]`, or quantify over all: `forall x in {n}: …`"))
+            }
+            _ => d.note("quantify over them: `forall x in …: …`"),
         };
         self.push(d);
     }
@@ -344,7 +346,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.resolve(id, || Resolution::Property { of: Ty::Object, property });
         }
         if !self.filter {
-            let message = format!("`.{}` stands for a property only after `where`", name.text);
+            let message = format!("`.{}` without an object before it is allowed only after `where`", name.text);
             self.error(codes::E0207, name.range, message);
             return Ty::Error;
         }
@@ -356,7 +358,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             Where::Here(name.range),
             format!("a filter may read color, material, features, category and role, not `{}`", name.text),
         )
-        .note("what a set holds must be known without a layout; move other conditions behind the colon");
+        .note("the elements of a set must not depend on the layout; move other conditions after the colon");
         if let Some(near) = nearest(&name.text, STATIC_PROPERTIES) {
             d = d.fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(name.range), near);
         }
@@ -373,14 +375,14 @@ impl<'n, 'a> Checker<'n, 'a> {
         let Some((name, kind)) = array else {
             let ty = self.ty(base);
             if ty != Ty::Error {
-                self.error(codes::E0212, self.range(base), format!("{ty} has no elements to choose from by a number"));
+                self.error(codes::E0212, self.range(base), format!("{ty} cannot be indexed"));
             }
             return Ty::Error;
         };
         self.note_type(base, kind.ty());
         self.resolve(base, || Resolution::Item(name.clone(), kind));
         let ItemKind::Array(n) = kind else {
-            let message = format!("`{name}` is no array");
+            let message = format!("`{name}` is not an array");
             let d = Diagnostic::new(codes::E0212, Where::Here(self.range(base)), message)
                 .related(Where::Item(name.clone()), "declared here")
                 .note(format!("leave the brackets out, or declare `object {name}[…];`"));
@@ -389,7 +391,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         };
         let range = self.range(index);
         if !index_ty.fits(Ty::Literal) || (index_ty == Ty::Literal && self.is_static(index).is_err()) {
-            let message = "an index is a whole number made of literals and range variables";
+            let message = "an index must be a whole number made of literals and range variables";
             self.error(codes::E0304, range, message);
             return Ty::Error;
         }
@@ -408,7 +410,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         let elements = if n == 1 { "one element".to_owned() } else { format!("{n} elements") };
         self.push(
             Diagnostic::new(codes::E0205, Where::Here(range), format!("`{name}` has no such element"))
-                .label(format!("a whole number from 0 to {} is expected", n - 1))
+                .label(format!("expected a whole number from 0 to {}", n - 1))
                 .related(Where::Item(name.clone()), format!("declared with {elements} here")),
         );
     }
@@ -479,7 +481,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         }
         let range = self.range(l).cover(self.range(r));
         let message = if ordered && a == b {
-            format!("{a} is neither less nor greater than another")
+            format!("{a} cannot be ordered")
         } else {
             format!("{a} and {b} cannot be compared")
         };
@@ -492,7 +494,7 @@ impl<'n, 'a> Checker<'n, 'a> {
     fn set(&mut self, id: ExprId) {
         let ty = self.ty(id);
         if !ty.fits(Ty::Objects) {
-            self.error(codes::E0301, self.range(id), format!("a set of objects is expected here, and this is {ty}"));
+            self.error(codes::E0301, self.range(id), format!("expected a set of objects, but this is {ty}"));
         }
     }
 
@@ -504,7 +506,8 @@ impl<'n, 'a> Checker<'n, 'a> {
             Ty::Regions => Ty::Region,
             Ty::Error => Ty::Error,
             other => {
-                let message = format!("this runs over a set of objects or a range like `0..5`, not over {other}");
+                let message =
+                    format!("a quantifier ranges over a set of objects or a range like `0..5`, not over {other}");
                 self.error(codes::E0301, self.range(domain), message);
                 Ty::Error
             }
@@ -593,9 +596,9 @@ impl<'n, 'a> Checker<'n, 'a> {
         let end = self.range(id).end;
         let place = Where::Here(TextRange { start: end - length, end });
         if matches!(unit, UnitSuffix::Deg | UnitSuffix::Rad) {
-            return d.note("an angle is no length").fix(Applicability::Unsafe, "remove the unit", place, "");
+            return d.note("an angle is not a length").fix(Applicability::Unsafe, "remove the unit", place, "");
         }
-        d.note("degrees are expected, and a bare number is one: `90`")
+        d.note("expected degrees; a plain number such as `90` is read as degrees")
             .fix(Applicability::Unsafe, "write degrees: `deg`", place.clone(), "deg")
             .fix(Applicability::Unsafe, "remove the unit", place, "")
     }
@@ -608,7 +611,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             self.bare_set(arg, &format!("`{of}` takes one object here"));
             return;
         }
-        let message = format!("`{param}` of `{of}` is {wanted}, and this is {ty}");
+        let message = format!("`{param}` of `{of}` is {wanted}, but this is {ty}");
         let d = Diagnostic::new(codes::E0301, Where::Here(self.range(arg)), message);
         self.push(self.repaired(d, arg, wanted, ty));
     }
@@ -694,12 +697,12 @@ impl<'n, 'a> Checker<'n, 'a> {
         let mut d = Diagnostic::new(
             codes::E0301,
             Where::Here(self.range(args[bad])),
-            format!("`{}` takes {} here, and this is {}", name.text, words.join(" or "), types[bad]),
+            format!("`{}` takes {} here, but this is {}", name.text, words.join(" or "), types[bad]),
         );
         let mut swapped = types.clone();
         swapped.reverse();
         if let Some(s) = fitting.iter().find(|s| accepts(s, &swapped)) {
-            d = d.note(format!("the other way round it would fit: `{}({})`", s.name, s.names));
+            d = d.note(format!("the arguments fit in the other order: `{}({})`", s.name, s.names));
         } else if let [only] = wanted.as_slice() {
             d = self.repaired(d, args[bad], *only, types[bad]);
         }
@@ -717,7 +720,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             return Ty::Side;
         }
         let words: Vec<&str> = SIDES.iter().map(|(w, _)| *w).collect();
-        let message = format!("a side is one of the words {}", words.join(", "));
+        let message = format!("expected one of the sides {}", words.join(", "));
         self.error(codes::E0301, self.range(id), message);
         Ty::Error
     }

@@ -99,7 +99,7 @@ pub enum Where {
 fn check_weight(checker: &mut Checker<'_, '_>, stmt: &Stmt, weight: ExprId) {
     let range = stmt.expr(weight).range;
     if constant::number(stmt, weight).is_none_or(|w| w <= 0.0) {
-        let message = "a weight is a positive number, written as such";
+        let message = "a weight must be a positive number literal";
         checker.error(codes::E0305, range, message);
     }
 }
@@ -122,7 +122,7 @@ fn check_allow(checker: &mut Checker<'_, '_>, rule: Allow, word: TextRange, args
     for arg in args {
         let ty = checker.ty(*arg);
         if !ty.fits(Ty::Objects) {
-            let message = format!("`{name}` takes objects or arrays of objects, and this is {ty}");
+            let message = format!("`{name}` takes objects or arrays of objects, but this is {ty}");
             checker.error(codes::E0301, checker.range(*arg), message);
         }
     }
@@ -142,7 +142,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
                     checker.index_error(&name.text, n, stmt.expr(*index).range);
                 }
             }
-            _ => checker.error(codes::E0212, stmt.expr(*index).range, format!("`{}` is no array", name.text)),
+            _ => checker.error(codes::E0212, stmt.expr(*index).range, format!("`{}` is not an array", name.text)),
         }
     }
     let owner = match (kind, index) {
@@ -172,7 +172,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
         (Ty::Object | Ty::Region, [prop]) => match property(owner, &prop.text) {
             Some(p) if p.assignable => checker.expect(*value, p.ty, &format!("`{}`", p.name)),
             Some(p) => {
-                let message = format!("`{}` follows from other properties and cannot be assigned", p.name);
+                let message = format!("`{}` is derived from other properties and cannot be assigned", p.name);
                 let d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
                 checker.push(asserted(d, *target, stmt.expr(*value).range));
                 checker.ty(*value);
@@ -198,14 +198,14 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             }
         },
         (Ty::Object | Ty::Region, [first, ..]) => {
-            let message = format!("only whole properties can be assigned, not a part of `{}`", first.text);
+            let message = format!("only whole properties can be assigned, not a component of `{}`", first.text);
             let d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
             checker.push(asserted(d, *target, stmt.expr(*value).range));
             checker.ty(*value);
         }
         (ty, []) => checker.expect(*value, ty, &format!("`{}`", name.text)),
         (ty, [..]) => {
-            let message = format!("`{}` is {ty}; it can only be assigned whole", name.text);
+            let message = format!("`{}` is {ty}; it can only be assigned as a whole", name.text);
             checker.error(codes::E0211, *target, message);
             checker.ty(*value);
         }

@@ -118,7 +118,7 @@ impl<'a> Reader<'a> {
             let message = format!("`{written}` imports itself: {}", names.join(" → "));
             self.found.push(
                 Diagnostic::new(codes::E0206, place, message)
-                    .label("closes the circle")
+                    .label("closes the cycle")
                     .note("move what both files need into a third one and import that"),
             );
             return;
@@ -127,7 +127,7 @@ impl<'a> Reader<'a> {
             return;
         }
         if Path::new(written).is_absolute() {
-            let message = format!("`{written}` is an absolute path; imports are relative to the file they stand in");
+            let message = format!("`{written}` is an absolute path; imports are relative to the importing file");
             self.found.push(Diagnostic::new(codes::E0206, place, message));
             return;
         }

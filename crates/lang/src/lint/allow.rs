@@ -67,7 +67,7 @@ impl Allowances {
         let mut out = Vec::new();
         for allowance in &self.list {
             if allowance.named.is_empty() {
-                let d = Diagnostic::new(codes::W0103, allowance.comment, "this comment names no code to silence");
+                let d = Diagnostic::new(codes::W0103, allowance.comment, "this `allow` comment names no code");
                 out.push(d.note("as in `// allow(W0203)`"));
             }
             for (name, place) in &allowance.named {
@@ -75,13 +75,13 @@ impl Allowances {
                 match (Code::find(name), warning(name)) {
                     (None, _) => out.push(
                         d(format!("there is no code `{name}`"))
-                            .note("a code is a letter and four digits, as each diagnostic shows it"),
+                            .note("a code is a letter and four digits, such as W0201"),
                     ),
                     (Some(code), None) => {
                         let what = if code.as_str().starts_with('V') { "a violation" } else { "an error" };
                         out.push(
                             d(format!("{code} is {what} and cannot be silenced"))
-                                .note("only warnings can: W and four digits"),
+                                .note("only warnings can be silenced; their codes start with W"),
                         );
                     }
                     (Some(_), Some(code)) => {
@@ -90,7 +90,7 @@ impl Allowances {
                         };
                         let missing = found.is_some_and(|found| !found.iter().any(there));
                         if missing && is_early(code) {
-                            let mut d = d(format!("{code} is not found here: there is nothing to silence"));
+                            let mut d = d(format!("{code} is not reported here, so there is nothing to silence"));
                             if allowance.named.len() == 1 {
                                 d = d.fix(Applicability::Unsafe, "remove the comment", allowance.comment, "");
                             }

@@ -130,8 +130,8 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
             let expr = self.stmt.expr(*id);
             if let ExprKind::Bool(value) = expr.kind {
                 let message = match (op, value) {
-                    (BinaryOp::And, true) | (BinaryOp::Or, false) => format!("`{word} {value}` adds nothing"),
-                    _ => format!("with `{word} {value}` the other conditions say nothing"),
+                    (BinaryOp::And, true) | (BinaryOp::Or, false) => format!("`{word} {value}` has no effect"),
+                    _ => format!("with `{word} {value}` the other conditions have no effect"),
                 };
                 finding(out, expr.range, message);
                 continue;
@@ -154,7 +154,7 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
         let (condition, conclusion) = (self.stmt.expr(left), self.stmt.expr(right));
         match (&condition.kind, &conclusion.kind) {
             (ExprKind::Bool(true), _) => {
-                finding(out, condition.range, "`true implies` adds nothing");
+                finding(out, condition.range, "`true implies` has no effect");
             }
             (ExprKind::Bool(false), _) => {
                 finding(out, condition.range, "`false implies` makes the rest say nothing");
@@ -200,8 +200,11 @@ pub fn repeated(statements: &[Linted<'_>], drawing: impl Fn(&str) -> bool, out: 
         let first = &statements[first].place;
         let (Some(at), Some(before)) = (place.span(place.stmt.range), first.span(first.stmt.range)) else { continue };
         if at != before && shape::same_statement(first.stmt, place.stmt) {
-            let d = Diagnostic::new(codes::W0304, at, "this statement is made twice");
-            out.push(d.related(before, "made here first").note("a program is a set of statements: once is enough"));
+            let d = Diagnostic::new(codes::W0304, at, "this statement is repeated");
+            out.push(
+                d.related(before, "first stated here")
+                    .note("a program is a set of statements, so repeating one has no effect"),
+            );
         }
     }
 }

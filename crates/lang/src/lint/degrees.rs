@@ -56,8 +56,9 @@ impl<'a> Look<'a> {
         let sides = [(left, right), (right, left)];
         let (_, limit) = sides.into_iter().find(|(side, _)| self.component(*side).is_some())?;
         let value = constant::number(self.stmt, limit).filter(|x| !(0.0..360.0).contains(x))?;
-        let message =
-            format!("a component of a rotation is from 0 up to 360, and comparing it with {value} tells nothing");
+        let message = format!(
+            "a component of a rotation is in [0, 360), so comparing it with {value} always gives the same result"
+        );
         let mut d = Diagnostic::new(codes::W0301, Where::Here(whole.range), message);
         if value < 0.0 {
             d = d.note(format!("{value}° is read as {}°", value.rem_euclid(360.0)));
@@ -68,7 +69,7 @@ impl<'a> Look<'a> {
     /// A difference of two components, or its magnitude, on either side.
     fn difference(&self, whole: &Expr, left: ExprId, right: ExprId) -> Option<Diagnostic<Where>> {
         let (side, (a, b)) = [left, right].into_iter().find_map(|side| Some((side, self.subtracted(side)?)))?;
-        let message = "a difference of rotations by their components does not know that 359° is near 1°";
+        let message = "a difference of rotation components ignores that 359° is close to 1°";
         let mut d = Diagnostic::new(codes::W0301, Where::Here(whole.range), message)
             .note("`angle` is the angle between two directions or two orientations, 0 to 180");
         if let Some(edits) = self.as_angle(side, a, b) {

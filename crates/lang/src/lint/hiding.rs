@@ -8,9 +8,9 @@ use scenelang_base::{Diagnostic, codes};
 /// Names that hide one that the same statement binds further out.
 pub fn within(scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>) {
     for (inner, outer) in &scopes.hiding {
-        let message = format!("`{}` hides the `{}` around it", inner.text, inner.text);
+        let message = format!("`{}` shadows the outer `{}`", inner.text, inner.text);
         let d = Diagnostic::new(codes::W0203, Where::Here(inner.range), message)
-            .related(Where::Here(outer.range), "the one that is hidden")
+            .related(Where::Here(outer.range), "the one that is shadowed")
             .note("give one of them another name");
         out.push(d);
     }
@@ -28,9 +28,9 @@ pub fn declared(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             let (Some(at), Some(hidden)) = (linted.place.span(name.range), facts.declared_at(&name.text)) else {
                 continue;
             };
-            let message = format!("`{}` hides the {} of that name", name.text, facts.what(&name.text));
+            let message = format!("`{}` shadows the {} of the same name", name.text, facts.what(&name.text));
             let d = Diagnostic::new(codes::W0203, at, message).related(hidden, "declared here");
-            out.push(d.note("give one of them another name; inside, the other cannot be reached"));
+            out.push(d.note("give one of them another name; the outer one cannot be used inside"));
         }
     }
 }

@@ -30,7 +30,7 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                 continue;
             }
             let who = object.as_ref().map_or("this".to_owned(), |o| format!("`{o}`"));
-            let message = format!("{who} is kept out of `{region}`, and nothing says where it is instead");
+            let message = format!("{who} is kept out of `{region}`, but no statement says where it should be");
             if let Some(at) = linted.place.span(*range) {
                 let d = Diagnostic::new(codes::W0305, at, message);
                 out.push(d.note("assert the region that it is in: `inside(…, …)`"));

@@ -30,7 +30,7 @@ pub fn ranges(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>
         {
             let d =
                 Diagnostic::new(codes::W0302, Where::Here(expr.range), consequence(*quantifier, "this range is empty"));
-            out.push(d.note("`lo..hi` are the whole numbers from lo up to, but not including, hi"));
+            out.push(d.note("`lo..hi` contains the whole numbers from lo up to, but not including, hi"));
         }
     }
 }
@@ -38,9 +38,9 @@ pub fn ranges(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>
 /// What follows from an empty domain.
 fn consequence(quantifier: Quantifier, why: &str) -> String {
     match quantifier {
-        Quantifier::Forall => format!("{why}, so that `forall` asks for nothing"),
-        Quantifier::Exists => format!("{why}, so that `exists` fails"),
-        Quantifier::Count => format!("{why}, so that `count` is 0"),
+        Quantifier::Forall => format!("{why}, so `forall` always holds"),
+        Quantifier::Exists => format!("{why}, so `exists` always fails"),
+        Quantifier::Count => format!("{why}, so `count` is always 0"),
     }
 }
 
@@ -97,7 +97,7 @@ pub fn empty(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                 !chosen.iter().any(&mut passes)
             });
             if is_empty && let Some(at) = linted.place.span(stmt.expr(*id).range) {
-                let message = consequence(*quantifier, "no object passes this filter");
+                let message = consequence(*quantifier, "no object matches this filter");
                 let mut d = Diagnostic::new(codes::W0302, at, message);
                 let given = given.get_or_insert_with(|| given_texts(facts));
                 guessed += 1;

@@ -13,7 +13,7 @@ use scenelang_base::{Applicability, Diagnostic, Edit, Fix, Span, codes};
 
 /// Longer spellings are not compared, and longer texts are no names of kinds.
 const LONGEST: usize = 40;
-/// So many spellings may share a variant before it is passed over: no hand makes so many slips.
+/// So many spellings may share a variant before it was skipped: no hand makes so many slips.
 const CROWD: usize = 8;
 
 /// How two spellings differ.
@@ -67,9 +67,9 @@ fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             continue;
         }
         known.push(&text.text);
-        let message = format!("nothing is known of the category \"{}\"", text.text);
+        let message = format!("unknown category \"{}\"", text.text);
         let mut d = Diagnostic::new(codes::W0205, place, message)
-            .note("such a thing has no usual size and looks like a box; `scenelang categories` lists what is known");
+            .note("an object of an unknown category has no usual size and looks like a box; `scenelang categories` lists the known ones");
         if let Some(near) = library::nearest_category(&text.text) {
             d = d.label(format!("did you mean \"{near}\"?"));
             d.fixes.push(Fix {
@@ -116,9 +116,9 @@ fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             Slip::Faint => a.used.min(b.used) <= 1,
         };
         if let (true, Some(at), Some(before)) = (fits, b.place, a.place) {
-            let message = format!("`{}` and `{}` are spelt almost alike", b.whole, a.whole);
+            let message = format!("`{}` and `{}` are nearly identical", b.whole, a.whole);
             let d = Diagnostic::new(codes::W0204, at, message).related(before, "the other one");
-            out.push(d.note("if both are meant, names that can be told apart help whoever reads them"));
+            out.push(d.note("if both are intended, choose names that are easier to tell apart"));
         }
     }
 }
@@ -172,10 +172,10 @@ fn texts(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             // The rarer is the slip; of two that are as rare, the later one.
             let (right, wrong) = if a.used < b.used { (b, a) } else { (a, b) };
             let (Some(at), Some(other)) = (wrong.place, right.place) else { continue };
-            let message = format!("\"{}\" and \"{}\" are spelt almost alike", wrong.whole, right.whole);
+            let message = format!("\"{}\" and \"{}\" are nearly identical", wrong.whole, right.whole);
             let mut d = Diagnostic::new(codes::W0204, at, message)
                 .related(other, "the other one")
-                .note("text is compared exactly: these are two");
+                .note("strings are compared exactly, so these two are different");
             if wrong.places.iter().all(|p| p.file == at.file) && !right.whole.contains(['"', '\\']) {
                 let edit = |place: &Span| Edit { place: *place, text: format!("\"{}\"", right.whole) };
                 d.fixes.push(Fix {

@@ -36,23 +36,23 @@ pub fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
                 if assigned || all || *blank.get_or_insert_with(|| sets::keep_blank(facts)) {
                     continue;
                 }
-                format!("nothing is said of `{name}`")
+                format!("no statement uses `{name}`")
             }
             // The only region holds everything, whether anything is said of it or not.
             ItemKind::Region if assigned || regions == 1 || rooms => continue,
-            ItemKind::Region => format!("nothing is said of `{name}`"),
+            ItemKind::Region => format!("no statement uses `{name}`"),
             // A file that is imported may define more than every importer needs.
             ItemKind::Variable(_) if facts.statements[*declared].place.file != facts.main => continue,
             ItemKind::Variable(_) if assigned && !stated => continue,
-            ItemKind::Variable(_) if assigned => format!("`{name}` is assigned and never used"),
+            ItemKind::Variable(_) if assigned => format!("`{name}` is assigned but never used"),
             ItemKind::Variable(_) => format!("`{name}` is never used"),
         };
         if let Some(at) = facts.declared_at(name) {
             let d = Diagnostic::new(codes::W0201, at, message);
             out.push(match kind {
                 ItemKind::Variable(_) => d.note("use it in an assertion, or remove it"),
-                ItemKind::Region => d.note("say what is in it, or remove it"),
-                _ => d.note("say where it is to be or what it is, or remove it"),
+                ItemKind::Region => d.note("state what is inside it, or remove it"),
+                _ => d.note("state where it should be or what it is, or remove it"),
             });
         }
     }
@@ -88,8 +88,8 @@ pub fn texts(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             }
             told.push((&read.of, property));
             if let Some(at) = linted.place.span(read.range) {
-                let d = Diagnostic::new(codes::W0202, at, format!("the {property} {whose} is read and never assigned"));
-                out.push(d.note("text that is not assigned reads as `\"\"`; nothing but the program gives it"));
+                let d = Diagnostic::new(codes::W0202, at, format!("the {property} {whose} is read but never assigned"));
+                out.push(d.note("a text property that the program does not assign is `\"\"`"));
             }
         }
     }
@@ -119,8 +119,8 @@ pub fn without_objects(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             && !dead
             && let Some(at) = linted.place.span(expr.range)
         {
-            let d = Diagnostic::new(codes::W0303, at, format!("this {word} speaks of no object and no region"));
-            out.push(d.note("no layout can change it: name what it is about, or remove it"));
+            let d = Diagnostic::new(codes::W0303, at, format!("this {word} mentions no object and no region"));
+            out.push(d.note("it is the same in every layout: mention what it is about, or remove it"));
         }
     }
 }

@@ -14,7 +14,7 @@ pub fn check(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>)
     }
     let mut say = |message: String| {
         let d = Diagnostic::new(codes::W0306, Where::Here(name.range), message);
-        out.push(d.note("reports show the comparison itself instead"));
+        out.push(d.note("reports show the text of the comparison instead"));
     };
     let (templates, places) = (lines(&stmt.doc).count(), comparisons(stmt).len());
     if templates > places {
@@ -36,11 +36,13 @@ pub fn check(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>)
             let number = |ty: TypeWord| matches!(ty, TypeWord::Number | TypeWord::Degree);
             let shown = |ty: TypeWord| number(ty) || matches!(ty, TypeWord::Object | TypeWord::Region);
             match params.iter().find(|p| p.name.text == *word) {
-                Some(p) if in_sums(index) && !number(p.ty) => say(format!("`{word}` of a template is no number")),
-                Some(p) if !shown(p.ty) => say(format!("`{word}` of a template is no object, region or number")),
+                Some(p) if in_sums(index) && !number(p.ty) => say(format!("`{word}` in a template is not a number")),
+                Some(p) if !shown(p.ty) => {
+                    say(format!("`{word}` in a template is not an object, a region or a number"))
+                }
                 Some(_) => {}
                 None if scopes.bound.iter().any(|bound| bound.text == *word) => {}
-                None => say(format!("`{word}` of a template is no parameter of the predicate")),
+                None => say(format!("`{word}` in a template is not a parameter of the predicate")),
             }
         }
     }

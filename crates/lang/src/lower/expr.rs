@@ -91,7 +91,7 @@ impl<'a> Lowerer<'a, '_> {
             ExprKind::Range(lo, hi) => {
                 let mut ends = [0; 2];
                 for (end, e) in ends.iter_mut().zip([*lo, *hi]) {
-                    *end = self.whole(e, "the ends of a range are whole numbers")?;
+                    *end = self.whole(e, "the bounds of a range must be whole numbers")?;
                 }
                 Ok(Val::Range(ends[0], ends[1]))
             }
@@ -230,7 +230,7 @@ impl<'a> Lowerer<'a, '_> {
         }
         if let Some(at) = self.values_open.iter().position(|k| *k == key) {
             let circle: Vec<String> = self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
-            let message = format!("definitions refer to each other in a circle: {}", circle.join(" → "));
+            let message = format!("definitions refer to each other in a cycle: {}", circle.join(" → "));
             self.circle(a, message);
             return Err(Poison);
         }
@@ -286,7 +286,7 @@ impl<'a> Lowerer<'a, '_> {
     }
 
     fn index(&mut self, base: ExprId, index: ExprId, range: TextRange) -> Lowered<Val> {
-        let i = self.whole(index, "an index is a whole number")?;
+        let i = self.whole(index, "an index must be a whole number")?;
         let Val::Set(set) = self.lower(base)? else { return Err(Poison) };
         if let Some(id) = usize::try_from(i).ok().and_then(|i| set.get(i)) {
             return Ok(Val::Object(*id));
@@ -299,7 +299,7 @@ impl<'a> Lowerer<'a, '_> {
         let at = if self.f.user.is_some() { range } else { place.stmt.expr(index).range };
         if let Some(span) = self.blame(at) {
             let mut d = Diagnostic::new(codes::E0205, span, format!("`{name}[{i}]` does not exist"))
-                .label(format!("a whole number from 0 to {} is expected", set.len().saturating_sub(1)))
+                .label(format!("expected a whole number from 0 to {}", set.len().saturating_sub(1)))
                 .note("the index is out of range for some values of the range variables");
             if let Some(item) = self.items.names.get(&name) {
                 d = d.related(item.span, format!("declared with {} elements here", set.len()));
@@ -573,7 +573,8 @@ impl<'a> Lowerer<'a, '_> {
                 .iter()
                 .any(|n| matches!(n, Node::Object(..) | Node::Region(..) | Node::Variable(_) | Node::BuiltIn(..)));
             if depends {
-                let message = "the bounds of `rand` may not depend on the layout: draws are fixed before it is made";
+                let message =
+                    "the bounds of `rand` must not depend on the layout, because values are drawn before solving";
                 self.error(codes::E0306, range, message);
                 return Err(Poison);
             }

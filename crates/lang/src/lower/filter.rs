@@ -45,7 +45,7 @@ impl Lowerer<'_, '_> {
         let inside = |range: &TextRange| whole.start <= range.start && range.end <= whole.end;
         let range = if self.f.user.is_some() { place } else { Some(place).filter(inside).unwrap_or(whole) };
         if let Some(span) = self.blame(range) {
-            let message = format!("what a filter asks must be known without a layout, and this depends on {why}");
+            let message = format!("a filter must not depend on the layout, but this depends on {why}");
             let d = Diagnostic::new(codes::E0306, span, message).note(
                 "a filter may read color, material, features, category and role; move other conditions behind the colon",
             );

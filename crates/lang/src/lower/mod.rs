@@ -304,7 +304,7 @@ impl<'a> Lowerer<'a, '_> {
         let key = format!("{}.{property}", self.program.objects[id.0 as usize].name);
         if let Some(at) = self.values_open.iter().position(|k| *k == key) {
             let circle: Vec<String> = self.values_open[at..].iter().chain([&key]).map(|k| format!("`{k}`")).collect();
-            self.circle(a, format!("properties refer to each other in a circle: {}", circle.join(" → ")));
+            self.circle(a, format!("properties are defined in terms of each other: {}", circle.join(" → ")));
             return Err(Poison);
         }
         self.values_open.push(key);

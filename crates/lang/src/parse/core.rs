@@ -122,7 +122,7 @@ impl<'s> Check<'s> {
                 if self.found.len() > before {
                     return;
                 }
-                format!("`.{}` of what is neither a name nor a property", name.text)
+                format!("`.{}` after something that is neither a name nor a property", name.text)
             }
             ExprKind::Own(_) | ExprKind::Where(..) => "a set filter".to_owned(),
             ExprKind::Index(..) => "an element of an array".to_owned(),

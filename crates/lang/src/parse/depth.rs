@@ -86,5 +86,5 @@ pub fn check_exprs(exprs: &[Expr]) -> Option<Diagnostic<TextRange>> {
 
 fn refusal(range: TextRange) -> Diagnostic<TextRange> {
     Diagnostic::new(E0004, range, format!("this is nested more than {LIMIT} levels deep"))
-        .note("split it into several statements, or name parts of it by variables or predicates")
+        .note("split it into several statements, or name its parts with variables or predicates")
 }

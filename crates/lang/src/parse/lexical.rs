@@ -98,11 +98,11 @@ fn bad_escape(slice: &str, range: TextRange) -> Option<Diagnostic<TextRange>> {
     let place = TextRange::new(bad.start, bad.end).shifted(range.start);
     let escape = &slice[bad];
     let message = match escape.starts_with("\\u") {
-        true => format!("{} is no character", quote(escape)),
+        true => format!("{} is not a valid character", quote(escape)),
         false => format!("{} is not an escape", quote(escape)),
     };
     let diagnostic = Diagnostic::new(E0103, place, message)
-        .note("a string knows `\\\"` `\\\\` `\\/` `\\n` `\\r` `\\t` and `\\u` with four hexadecimal digits")
+        .note("the escapes are `\\\"` `\\\\` `\\/` `\\n` `\\r` `\\t` and `\\u` with four hexadecimal digits")
         .fix(Applicability::Unsafe, "write a backslash as `\\\\`", TextRange::empty(place.start), "\\");
     Some(diagnostic)
 }
@@ -111,8 +111,8 @@ fn open_string(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
     let end = slice.trim_end_matches([';', ')', ',', ' ', '\t']);
     let curly = end.ends_with(['“', '”']);
     let place = TextRange::empty(range.start + end.len() as u32);
-    let diagnostic = Diagnostic::new(E0102, range, "this string does not close before the end of its line")
-        .label("the string begins here");
+    let diagnostic =
+        Diagnostic::new(E0102, range, "this string is not closed on its line").label("the string begins here");
     if curly {
         let quote = end.char_indices().next_back().map_or(0, |(i, _)| i) as u32 + range.start;
         let last = TextRange { start: quote, end: place.end };
@@ -131,12 +131,8 @@ fn odd_quotes(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
     let inner = literals::string_value(slice);
     let straight = format!("\"{}\"", inner.replace('\\', "\\\\").replace('"', "\\\""));
     let title = format!("write {}", quote(&straight));
-    Diagnostic::new(E0104, range, format!("text is written in straight double quotes, not as {}", quote(slice))).fix(
-        Applicability::Safe,
-        title,
-        range,
-        straight,
-    )
+    Diagnostic::new(E0104, range, format!("strings are written in straight double quotes, not as {}", quote(slice)))
+        .fix(Applicability::Safe, title, range, straight)
 }
 
 fn too_large(slice: &str, range: TextRange) -> Option<Diagnostic<TextRange>> {
@@ -145,7 +141,7 @@ fn too_large(slice: &str, range: TextRange) -> Option<Diagnostic<TextRange>> {
     if !suspect || literals::number_value(slice).is_some() {
         return None;
     }
-    let message = format!("{} is too large for a number", quote(slice));
+    let message = format!("{} is too large", quote(slice));
     Some(Diagnostic::new(E0106, range, message).note("the largest number is about 1.8e308"))
 }
 
@@ -160,7 +156,7 @@ fn bad_number(slice: &str, range: TextRange, before: Option<Token>) -> Diagnosti
     let plain = slice.replace('_', "");
     if plain != slice && literals::number_value(&plain).is_some() {
         let title = format!("write {}", quote(&plain));
-        return diagnostic.note("digits are not grouped").fix(Applicability::Safe, title, range, plain);
+        return diagnostic.note("digits cannot be grouped").fix(Applicability::Safe, title, range, plain);
     }
     if suffix.starts_with('.') || suffix.contains('.') {
         return diagnostic.note("it has more than one decimal point");
@@ -169,7 +165,7 @@ fn bad_number(slice: &str, range: TextRange, before: Option<Token>) -> Diagnosti
         return diagnostic.note("the exponent has no digits");
     }
     let place = TextRange { start: range.start + digits.len() as u32, end: range.end };
-    let diagnostic = diagnostic.label(format!("{} is no unit", quote(suffix)));
+    let diagnostic = diagnostic.label(format!("{} is not a unit", quote(suffix)));
     let diagnostic = diagnostic.note("units are `m` `cm` `mm` `ft` `in` `deg` `rad`, directly after the digits");
     match unit_meant(suffix) {
         Some(unit) => {
@@ -222,14 +218,14 @@ fn foreign_operator(text: &str, range: TextRange, assigns: bool) -> Diagnostic<T
 
 fn open_comment(range: TextRange) -> Diagnostic<TextRange> {
     let place = TextRange { start: range.start, end: range.start + 2 };
-    Diagnostic::new(E0105, place, "this comment never closes")
+    Diagnostic::new(E0105, place, "this comment is never closed")
         .label("begins here")
-        .note("comments nest: every `/*` needs a `*/` of its own; the rest of the file was not read")
+        .note("comments nest, so every `/*` needs its own `*/`; the rest of the file is ignored")
 }
 
 fn bad_attribute(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
-    let diagnostic = Diagnostic::new(E0115, range, format!("there is no {} before a statement", quote(slice)))
-        .note("`@req(\"…\")` tells the requirement that a statement came from");
+    let diagnostic = Diagnostic::new(E0115, range, format!("unknown annotation {}", quote(slice)))
+        .note("`@req(\"…\")` records the requirement that a statement comes from");
     match nearest(slice, ["@req"]) {
         Some(near) => diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), range, near),
         None => diagnostic,
@@ -239,17 +235,17 @@ fn bad_attribute(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
 /// `number`: the number that ends where the characters begin.
 fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<TextRange> {
     let Some(first) = slice.chars().next() else {
-        return Diagnostic::new(E0101, range, "nothing can be read here");
+        return Diagnostic::new(E0101, range, "these characters are not part of the language");
     };
     let one = TextRange { start: range.start, end: range.start + first.len_utf8() as u32 };
     if matches!(first, '"' | '\'' | '`' | '“' | '”' | '„' | '‟' | '‘' | '’' | '‚' | '«' | '»') {
-        return Diagnostic::new(E0104, one, format!("the quotation mark `{first}` means nothing here"))
-            .note("text is written in straight double quotes: `\"red\"`");
+        return Diagnostic::new(E0104, one, format!("unexpected quotation mark `{first}`"))
+            .note("strings are written in straight double quotes: `\"red\"`");
     }
     let message = match first {
-        '\0'..='\x1f' | '\x7f'..='\u{9f}' => format!("the control character U+{:04X} means nothing here", first as u32),
-        c if invisible(c) => format!("the invisible character U+{:04X} means nothing here", c as u32),
-        c => format!("`{c}` means nothing here"),
+        '\0'..='\x1f' | '\x7f'..='\u{9f}' => format!("unexpected control character U+{:04X}", first as u32),
+        c if invisible(c) => format!("unexpected invisible character U+{:04X}", c as u32),
+        c => format!("unexpected character `{c}`"),
     };
     let place = if invisible(first) { one } else { range };
     let diagnostic = Diagnostic::new(E0101, place, message);
@@ -264,10 +260,10 @@ fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<T
             diagnostic.fix(Applicability::Safe, "write an ordinary space", one, " ")
         }
         c if invisible(c) => diagnostic.fix(Applicability::Safe, "remove it", one, ""),
-        '{' | '}' => diagnostic.note("there are no blocks: a statement ends with `;`"),
+        '{' | '}' => diagnostic.note("the language has no blocks; a statement ends with `;`"),
         '#' => diagnostic.note("a comment begins with `//`"),
         c if c.is_ascii() => diagnostic,
-        _ => diagnostic.note("names are made of letters, digits and `_`"),
+        _ => diagnostic.note("a name consists of letters, digits and `_`"),
     }
 }
 

@@ -299,16 +299,16 @@ impl ChunkParser<'_> {
     fn require_semicolon(&mut self, tokens: &[Token], end: After) {
         let (Some(last), true) = (tokens.last(), matches!(end, After::Statement(_) | After::Nothing)) else { return };
         let place = TextRange::empty(last.range.end);
-        let missing = Diagnostic::new(E0111, place, "a `;` is missing at the end of this statement");
+        let missing = Diagnostic::new(E0111, place, "missing `;` at the end of this statement");
         let missing = match end {
             After::Statement(next) => missing.related(next, "the next statement begins here"),
-            _ => missing.note("every statement ends with `;`, the last one too"),
+            _ => missing.note("every statement ends with `;`, including the last one"),
         };
         self.diagnostics.push(missing.fix(Applicability::Safe, "insert `;`", place, ";"));
     }
 
     fn stray_semicolon(&mut self, range: TextRange) {
-        let warning = Diagnostic::new(W0101, range, "there is no statement before this `;`");
+        let warning = Diagnostic::new(W0101, range, "unknown statement before this `;`");
         self.diagnostics.push(warning.fix(Applicability::Safe, "remove it", range, ""));
         self.statements.push(Stmt {
             kind: StmtKind::Empty,

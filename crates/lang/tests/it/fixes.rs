@@ -3,7 +3,7 @@
 
 use crate::blocks::blocks;
 use crate::spec;
-use scenelang_base::{Diagnostic, Edit, TextRange, fix};
+use scenelang_base::{Applicability, Diagnostic, Edit, TextRange, fix};
 use scenelang_lang::fixes::fix_all;
 use scenelang_lang::sources::Loader;
 use scenelang_lang::{Options, compile_text};
@@ -24,7 +24,7 @@ impl Loader for Alone<'_> {
 
 /// The text after all safe fixes.
 fn fixed(text: &str) -> String {
-    let fixed = fix_all(NAME, Path::new(NAME), Options::default(), &Alone(text));
+    let fixed = fix_all(NAME, Path::new(NAME), Options::default(), Applicability::Safe, &Alone(text));
     fixed.files.into_iter().next().map_or_else(|| text.to_owned(), |file| file.text)
 }
 

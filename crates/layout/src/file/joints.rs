@@ -78,7 +78,7 @@ impl Reader<'_, '_> {
     fn joint_name(&mut self, node: &Node, owner: &str, names: &mut Vec<SmolStr>) -> Option<SmolStr> {
         let name = SmolStr::from(self.text(node, &format!("`name` of {owner}"))?);
         if name.trim().is_empty() || names.contains(&name) {
-            let wrong = if names.contains(&name) { "is that of another joint" } else { "is empty" };
+            let wrong = if names.contains(&name) { "is already the name of another joint" } else { "is empty" };
             self.error(codes::E0505, node.range, format!("`name` of {owner} {wrong}"));
             return None;
         }
@@ -98,13 +98,17 @@ impl Reader<'_, '_> {
         for item in items {
             let index = self.number(item, &what)?;
             if index.fract() != 0.0 || !(0.0..parts as f64).contains(&index) {
-                let say = format!("{what} takes indices of its {parts} parts, from 0 on, not {index}");
+                let say = format!("{what} takes indices of its {parts} parts, counted from 0, not {index}");
                 self.error(codes::E0505, item.range, say);
                 return None;
             }
             let index = index as usize;
             if taken.contains(&index) {
-                self.error(codes::E0505, item.range, format!("the part {index} of {owner} moves already"));
+                self.error(
+                    codes::E0505,
+                    item.range,
+                    format!("part {index} of {owner} already moves with another joint"),
+                );
                 return None;
             }
             taken.push(index);
@@ -117,7 +121,7 @@ impl Reader<'_, '_> {
         let Some([low, high]) = node.items() else { return self.wrong(node, what, "two numbers") };
         let (low, high) = (self.length(low, what)?, self.length(high, what)?);
         if low > 0.0 || high <= 0.0 {
-            let say = format!("{what} are the least and the greatest opening: at most 0 and more than 0");
+            let say = format!("{what} are the minimum and maximum opening: at most 0, and greater than 0");
             self.error(codes::E0505, node.range, say);
             return None;
         }
@@ -129,7 +133,7 @@ impl Reader<'_, '_> {
         if let Some([_, high]) = limits
             && useful > high
         {
-            self.error(codes::E0505, node.range, format!("{what} is beyond the greatest opening, {high}"));
+            self.error(codes::E0505, node.range, format!("{what} exceeds the maximum opening, {high}"));
             return None;
         }
         Some(useful)

@@ -132,7 +132,7 @@ pub fn parse(text: &str, findings: &mut Findings) -> Option<Node> {
     parser.blanks();
     if parser.at < text.len() {
         let at = parser.here();
-        parser.error(at, "nothing may follow the end of the document");
+        parser.error(at, "unexpected text after the end of the document");
     }
     Some(root)
 }
@@ -194,12 +194,12 @@ impl Parser<'_, '_> {
             Some(c) if c.is_ascii_alphabetic() || c == b'_' => self.word(),
             Some(_) => {
                 let (at, c) = (self.here(), self.rest().chars().next().unwrap_or_default());
-                self.error(at, format!("a value was expected here, not {c:?}"));
+                self.error(at, format!("expected a value, not {c:?}"));
                 return Err(Stop);
             }
             None => {
                 let at = self.here();
-                self.error(at, "the file ends where a value was expected");
+                self.error(at, "expected a value, but the file ends here");
                 return Err(Stop);
             }
         };
@@ -209,7 +209,7 @@ impl Parser<'_, '_> {
     fn nested(&mut self, read: fn(&mut Self) -> Result<Json, Stop>) -> Result<Json, Stop> {
         if self.depth == MAX_DEPTH {
             let at = self.here();
-            self.findings.add(codes::E0004, at, format!("more than {MAX_DEPTH} brackets are nested here"));
+            self.findings.add(codes::E0004, at, format!("brackets are nested more than {MAX_DEPTH} levels deep here"));
             return Err(Stop);
         }
         self.depth += 1;

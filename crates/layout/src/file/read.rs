@@ -5,6 +5,7 @@ use crate::convex::{MAX_HULL_POINTS, parts_fill_box};
 use crate::{Convex, Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
 use scenelang_base::{Code, TextRange, codes};
 use smol_str::SmolStr;
+use std::collections::BTreeMap;
 
 /// What a layout file calls itself.
 pub const FORMAT: &str = "scenelang.layout/1";
@@ -30,6 +31,16 @@ pub(super) fn document(text: &str, root: &Node, findings: &mut Findings) -> Docu
     let mut understood = reader.understood;
     understood.sort_unstable();
     Document { layout, usable, understood }
+}
+
+/// The categories that objects are given. Anything else under that key is kept like an unknown member.
+fn categories(members: &[Member]) -> BTreeMap<SmolStr, SmolStr> {
+    let objects = find(members, "objects").and_then(|m| m.node.members()).unwrap_or_default();
+    let category = |object: &Member| match &find(object.node.members()?, "category")?.node.value {
+        Json::Text(category) => Some((SmolStr::new(&object.key), SmolStr::new(category))),
+        _ => None,
+    };
+    objects.iter().filter_map(category).collect()
 }
 
 pub(super) struct Reader<'a, 'f> {
@@ -66,6 +77,7 @@ impl Reader<'_, '_> {
             seed: find(members, "seed").and_then(|m| self.seed(&m.node)),
             incomplete: find(members, "incomplete").and_then(|m| self.truth(&m.node, "`incomplete`")).unwrap_or(false),
             objects: self.block(members, "objects", Self::object),
+            categories: categories(members),
             regions: self.block(members, "regions", Self::region),
             variables: self.block(members, "variables", Self::variable),
             draws: self
@@ -82,7 +94,7 @@ impl Reader<'_, '_> {
         match find(members, "format").map(|m| &m.node) {
             Some(Node { value: Json::Text(format), .. }) if format == FORMAT => true,
             Some(Node { value: Json::Text(_), range }) => {
-                self.error(codes::E0502, *range, format!("this is no layout of the format {FORMAT:?}"));
+                self.error(codes::E0502, *range, format!("this is not a layout of the format {FORMAT:?}"));
                 false
             }
             Some(node) => {
@@ -91,7 +103,7 @@ impl Reader<'_, '_> {
             }
             None => {
                 let at = TextRange::new(root.range.start as usize, root.range.start as usize + 1);
-                self.error(codes::E0502, at, format!("a layout file says `\"format\": {FORMAT:?}`, this one does not"));
+                self.error(codes::E0502, at, format!("a layout file must contain `\"format\": {FORMAT:?}`"));
                 find(members, "objects").is_some() || find(members, "regions").is_some()
             }
         }
@@ -168,7 +180,7 @@ impl Reader<'_, '_> {
         if let Some(m) = given
             && !parts_fill_box(&placement)
         {
-            let say = format!("the parts of `{name}` do not fill its box: the box is used instead");
+            let say = format!("the parts of `{name}` do not fill its box, so the box is used instead");
             self.error(codes::W0501, m.key_range, say);
         }
         Some(placement)
@@ -181,7 +193,7 @@ impl Reader<'_, '_> {
         if let (Some([_, rot, _]), Some(m)) = (place, find(members, "rot")) {
             let off = |degrees: f64| (degrees - 360.0 * (degrees / 360.0).round()).abs();
             if off(rot.x) > TILT + 1e-9 || off(rot.z) > TILT + 1e-9 {
-                self.error(codes::E0511, m.node.range, format!("the region `{name}` may only be turned about y"));
+                self.error(codes::E0511, m.node.range, format!("the region `{name}` can be rotated about y only"));
                 return None;
             }
         }
@@ -264,7 +276,7 @@ impl Reader<'_, '_> {
                 let read: Option<Vec<Vec3>> = items.iter().map(|n| self.triple(n, &what("points"))).collect();
                 let part = Part::Hull { points: read? };
                 if Convex::from_part(&part).is_none() {
-                    let say = format!("a hull takes 4 to {MAX_HULL_POINTS} points that are not in one plane");
+                    let say = format!("a hull needs 4 to {MAX_HULL_POINTS} points that are not all in one plane");
                     self.error(codes::E0505, points.range, say);
                     return None;
                 }
@@ -336,7 +348,7 @@ impl Reader<'_, '_> {
     pub(super) fn length(&mut self, node: &Node, what: &str) -> Option<f64> {
         let number = self.number(node, what)?;
         if number.abs() > LARGEST {
-            self.error(codes::E0505, node.range, format!("{what} is beyond a million"));
+            self.error(codes::E0505, node.range, format!("{what} must not exceed a million"));
             return None;
         }
         Some(number)
@@ -346,7 +358,7 @@ impl Reader<'_, '_> {
     pub(super) fn extent(&mut self, node: &Node, what: &str) -> Option<f64> {
         let number = self.length(node, what)?;
         if number <= 0.0 {
-            self.error(codes::E0505, node.range, format!("{what} must be more than 0"));
+            self.error(codes::E0505, node.range, format!("{what} must be greater than 0"));
             return None;
         }
         Some(number)
@@ -367,7 +379,7 @@ impl Reader<'_, '_> {
                 Some(Vec3::new(read[0]?, read[1]?, read[2]?))
             }
             Some(items) if !node.is_spoilt() => {
-                let say = format!("{what} takes three numbers, here are {}", items.len());
+                let say = format!("{what} takes three numbers, not {}", items.len());
                 self.error(codes::E0504, node.range, say);
                 None
             }

@@ -1,4 +1,7 @@
 //! A layout as text: stable, compact, with all that another tool has put into the file kept where it was.
+//!
+//! Poses are what people edit. So an entry begins with them, on one line, and the parts of an object stand behind them on a
+//! line of their own, however long that is.
 
 use super::joints::joint;
 use super::json::{Json, Member, Node, find};
@@ -6,6 +9,7 @@ use super::{Document, FORMAT};
 use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
 use scenelang_base::FileId;
 use scenelang_base::door::Door;
+use smol_str::SmolStr;
 use std::borrow::Cow;
 use std::fmt::Write;
 use std::io;
@@ -13,23 +17,31 @@ use std::path::Path;
 
 /// Up to this column an array or object stays on its line.
 const WIDTH: usize = 120;
+/// Doubles tell whole numbers below this apart.
+const EXACT: f64 = 9e15;
 
 /// What is to be written.
 pub(super) enum Out<'a> {
     /// A number, string or word, as it will stand in the file.
     Raw(Cow<'a, str>),
     Array(Vec<Out<'a>>),
-    Object(Vec<(Cow<'a, str>, Out<'a>)>),
+    Object(Vec<Pair<'a>>),
     /// An object each of whose members begins a line, however short.
-    Open(Vec<(Cow<'a, str>, Out<'a>)>),
+    Open(Vec<Pair<'a>>),
+    /// An object whose members fill lines, and a member that stands on one line behind them.
+    Entry(Vec<Pair<'a>>, Option<Box<Pair<'a>>>),
 }
+
+/// A key as it will stand in the file, and its value.
+type Pair<'a> = (Cow<'a, str>, Out<'a>);
 
 /// The text of a layout. With the document it was read from, keys that we do not know stay, at every level and in
 /// their place, and so do entries that could not be read; entries that the layout no longer has go.
 pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
     let old = Old { document: previous, node: previous.map(|d| &d.root) };
     let regions = layout.regions.iter().map(|(n, r)| (n.as_str(), r));
-    let objects = layout.objects.iter().map(|(n, o)| (n.as_str(), o));
+    let objects: Vec<_> = layout.objects.iter().map(|(n, o)| (n, (layout.categories.get(n), o))).collect();
+    let objects = objects.iter().map(|(n, o)| (n.as_str(), o));
     let variables = layout.variables.iter().map(|(n, v)| (n.as_str(), v));
     let draws = layout.draws.iter().map(|(n, d)| (n.as_str(), d));
     let root = old.merged(vec![
@@ -39,8 +51,8 @@ pub fn to_json(layout: &Layout, previous: Option<&Document>) -> String {
         ("written", None),
         ("seed", layout.seed.map(|s| Out::Raw(s.to_string().into()))),
         ("incomplete", layout.incomplete.then(|| Out::Raw("true".into()))),
-        ("objects", old.member("objects").block(objects, object)),
         ("regions", old.member("regions").block(regions, region)),
+        ("objects", old.member("objects").block(objects, object)),
         ("variables", old.member("variables").block(variables, |v, _| value(v))),
         ("draws", old.member("draws").block(draws, |d, _| number(*d))),
     ]);
@@ -110,23 +122,31 @@ fn value<'a>(value: &Value) -> Out<'a> {
     }
 }
 
-fn object<'a>(placement: &Placement, old: Old<'a>) -> Out<'a> {
+fn object<'a>((category, placement): &(Option<&SmolStr>, &Placement), old: Old<'a>) -> Out<'a> {
     let asset = old.member("asset");
     let old_parts = asset.member("parts");
     let parts = placement.parts.iter().enumerate().map(|(i, p)| part(p, old_parts.item(i))).collect::<Vec<_>>();
     let old_joints = asset.member("joints");
     let joints = placement.joints.iter().enumerate().map(|(i, j)| joint(j, old_joints.item(i))).collect::<Vec<_>>();
     let asset = asset.merged(vec![
-        ("parts", (!parts.is_empty()).then_some(Out::Array(parts))),
         ("surface", placement.surface.map(number)),
+        ("parts", (!parts.is_empty()).then_some(Out::Array(parts))),
         ("joints", (!joints.is_empty()).then_some(Out::Array(joints))),
     ]);
-    Out::Object(old.merged(vec![
+    let mut known = vec![
         ("pos", Some(triple(&placement.pos))),
         ("rot", Some(triple(&placement.rot))),
         ("scale", Some(triple(&placement.scale))),
-        ("asset", (!asset.is_empty()).then_some(Out::Object(asset))),
-    ]))
+        ("asset", None),
+    ];
+    known.extend(category.map(|category| ("category", Some(text(category)))));
+    let mut members = old.merged(known);
+    if old.member("category").node.is_none() {
+        let category = members.iter().position(|(key, _)| key == "\"category\"");
+        members[..category.map_or(0, |at| at + 1)].rotate_right(usize::from(category.is_some()));
+    }
+    let asset = (!asset.is_empty()).then(|| Box::new(("\"asset\"".into(), Out::Object(asset))));
+    Out::Entry(members, asset)
 }
 
 fn part<'a>(part: &Part, old: Old<'a>) -> Out<'a> {
@@ -149,12 +169,13 @@ fn part<'a>(part: &Part, old: Old<'a>) -> Out<'a> {
 
 fn region<'a>(region: &RegionPlacement, old: Old<'a>) -> Out<'a> {
     let vertices = region.vertices.as_ref().map(|v| Out::Array(v.iter().map(|p| numbers(p)).collect()));
-    Out::Object(old.merged(vec![
+    let members = old.merged(vec![
         ("pos", Some(triple(&region.pos))),
         ("rot", Some(triple(&region.rot))),
         ("scale", Some(triple(&region.scale))),
         ("vertices", vertices),
-    ]))
+    ]);
+    Out::Entry(members, None)
 }
 
 /// What stood at this place of the document before, if anything.
@@ -188,13 +209,32 @@ impl<'a> Old<'a> {
         }
     }
 
+    /// A new value, spelt as it was wherever it says the same as before.
+    fn as_written(self, new: Out<'a>, before: &'a Node) -> Out<'a> {
+        match (new, &before.value) {
+            (Out::Array(items), Json::Array(old)) if items.len() == old.len() => {
+                Out::Array(items.into_iter().zip(old).map(|(item, old)| self.as_written(item, old)).collect())
+            }
+            (Out::Raw(raw), Json::Number(old))
+                if old.abs() < EXACT && raw.parse::<f64>().is_ok_and(|new| new == *old) =>
+            {
+                Out::Raw(self.source(before.range))
+            }
+            (Out::Raw(raw), Json::Text(old)) if raw == quoted(old) => Out::Raw(self.source(before.range)),
+            (new, _) => new,
+        }
+    }
+
     /// The members as they were, with known ones replaced or (`None`) left out, and new ones at the end.
-    pub(super) fn merged(self, known: Vec<(&str, Option<Out<'a>>)>) -> Vec<(Cow<'a, str>, Out<'a>)> {
+    pub(super) fn merged(self, known: Vec<(&str, Option<Out<'a>>)>) -> Vec<Pair<'a>> {
         let mut known: Vec<(&str, Option<Out<'a>>)> = known;
         let mut out = Vec::new();
         for member in self.members() {
             match known.iter().position(|(key, _)| *key == member.key) {
-                Some(i) => out.extend(known.remove(i).1.map(|new| (self.source(member.key_range), new))),
+                Some(i) => {
+                    let new = known.remove(i).1.map(|new| self.as_written(new, &member.node));
+                    out.extend(new.map(|new| (self.source(member.key_range), new)));
+                }
                 None => out.push((self.source(member.key_range), self.kept(&member.node))),
             }
         }
@@ -215,7 +255,9 @@ impl<'a> Old<'a> {
         for member in self.members() {
             let old = Self { node: Some(&member.node), ..self };
             match index.get(member.key.as_str()).and_then(|&i| new[i].1.take()) {
-                Some(entry) => out.push((self.source(member.key_range), show(entry, old))),
+                Some(entry) => {
+                    out.push((self.source(member.key_range), self.as_written(show(entry, old), &member.node)));
+                }
                 None if !self.understood(member) => out.push((self.source(member.key_range), self.kept(&member.node))),
                 None => {}
             }
@@ -232,10 +274,9 @@ impl<'a> Old<'a> {
 
 /// Prints a value that starts at some column of a line indented by `indent`.
 fn print(value: &Out<'_>, indent: usize, out: &mut String) {
-    let column = out.len() - out.rfind('\n').map_or(0, |i| i + 1);
     let mut line = String::new();
     // One column is left for the comma after it.
-    if fits(value, (WIDTH - 1).saturating_sub(column), &mut line) {
+    if fits(value, (WIDTH - 1).saturating_sub(column(out)), &mut line) {
         out.push_str(&line);
         return;
     }
@@ -260,7 +301,38 @@ fn print(value: &Out<'_>, indent: usize, out: &mut String) {
             }
             let _ = write!(out, "\n{}}}", &inner[2..]);
         }
+        Out::Entry(members, last) => entry(members, last.as_deref(), &inner, out),
     }
+}
+
+/// Prints the members of an entry, as many on a line as there is room for, and the last one on a line of its own.
+fn entry(members: &[Pair<'_>], last: Option<&Pair<'_>>, inner: &str, out: &mut String) {
+    out.push('{');
+    for (i, (key, member)) in members.iter().enumerate() {
+        let (mut text, separator) = (format!("{key}: "), if i == 0 { "" } else { "," });
+        // Room for a space, and for the comma or brace that follows.
+        let room = (WIDTH - 4).saturating_sub(column(out));
+        let on_this_line = fits(member, room, &mut text);
+        out.push_str(separator);
+        if on_this_line {
+            let _ = write!(out, " {text}");
+        } else {
+            let _ = write!(out, "\n{inner}{key}: ");
+            print(member, inner.len(), out);
+        }
+    }
+    if let Some((key, member)) = last {
+        out.push_str(if members.is_empty() { "\n" } else { ",\n" });
+        let mut text = String::new();
+        fits(member, usize::MAX, &mut text);
+        let _ = write!(out, "{inner}{key}: {text}");
+    }
+    out.push_str(" }");
+}
+
+/// How many characters stand on the last line.
+fn column(text: &str) -> usize {
+    text.len() - text.rfind('\n').map_or(0, |i| i + 1)
 }
 
 /// Whether a value fits into so many columns, and what it looks like then.
@@ -278,7 +350,8 @@ fn fits(value: &Out<'_>, room: usize, out: &mut String) -> bool {
             out.push(']');
         }
         Out::Open(members) if !members.is_empty() => return false,
-        Out::Object(members) | Out::Open(members) => {
+        Out::Entry(_, Some(_)) => return false,
+        Out::Object(members) | Out::Open(members) | Out::Entry(members, None) => {
             out.push('{');
             for (i, (key, member)) in members.iter().enumerate() {
                 out.push_str(if i == 0 { " " } else { ", " });

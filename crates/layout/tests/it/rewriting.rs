@@ -103,12 +103,17 @@ fn named<T: std::fmt::Debug>(entry: impl Strategy<Value = T>) -> impl Strategy<V
 
 fn layout() -> impl Strategy<Value = Layout> {
     let head = (prop::option::of(".{0,8}"), prop::option::of(any::<u64>()), any::<bool>());
-    (head, named(placement()), named(region()), named(value()), named(number())).prop_map(
+    let object = (placement(), prop::option::of("[a-z ]{0,8}"));
+    (head, named(object), named(region()), named(value()), named(number())).prop_map(
         |((scene, seed, incomplete), objects, regions, variables, draws)| Layout {
             scene,
             seed,
             incomplete,
-            objects: objects.into_iter().map(|(n, v)| (n.into(), v)).collect(),
+            categories: objects
+                .iter()
+                .filter_map(|(name, (_, category))| Some((name.into(), category.as_ref()?.into())))
+                .collect(),
+            objects: objects.into_iter().map(|(n, (v, _))| (n.into(), v)).collect(),
             regions: regions.into_iter().map(|(n, v)| (n.into(), v)).collect(),
             variables: variables.into_iter().map(|(n, v)| (n.into(), v)).collect(),
             draws,
@@ -144,7 +149,11 @@ proptest! {
         let text = to_json(&new, Some(&before.document));
         let after = read(&text, FileId(0));
         prop_assert!(after.diagnostics.iter().all(|d| !d.is_error()), "{text}\n{:?}", after.diagnostics);
-        prop_assert_eq!(sorted(after.layout), sorted(new.clone()));
+        // A category that the new layout does not know is a member like any other.
+        let stays = |name: &str| new.object(name).is_some() && !new.categories.contains_key(name);
+        let mut wanted = new.clone();
+        wanted.categories.extend(old.categories.clone().into_iter().filter(|(name, _)| stays(name)));
+        prop_assert_eq!(sorted(after.layout), sorted(wanted));
         let first = text.starts_with("{\n  \"first\": [1.50, {}],\n");
         prop_assert!(first, "{text}");
         let kept = |name: &str| before.places.objects.get(name).is_some();
@@ -172,25 +181,69 @@ fn a_rewrite_changes_what_changed() {
     {
       "made by": "hand",
       "objects": {
-        "lamp": {
-          "note": "mind the cable",
-          "scale": [1, 1, 1],
-          "pos": [0.30000000000000004, 0, 0],
-          "asset": {
-            "file": "lamp.glb",
-            "parts": [{ "name": "all", "shape": "box", "pos": [0, 0.5, 0], "size": [1, 1, 1] }]
-          },
-          "rot": [0, 0, 0]
-        },
+        "lamp": { "note": "mind the cable", "scale": [1, 1, 1], "pos": [0.30000000000000004, 0, 0], "rot": [0, 0, 0],
+          "asset": { "file": "lamp.glb", "parts": [{ "name": "all", "shape": "box", "pos": [0, 0.5, 0], "size": [1, 1, 1] }] } },
         "broken": { "pos": [0, 0], "scale": [1, 1, 1] },
         "new": { "pos": [0.30000000000000004, 0, 0], "rot": [0, 0, 0], "scale": [1, 1, 1] }
       },
       "format": "scenelang.layout/1",
       "variables": {
         "text": "not ours",
-        "gap": 1
+        "gap": 1.0e0
       },
       "seed": 3
+    }
+    "#);
+}
+
+/// The block of the book that shows how layouts are written.
+#[test]
+fn layouts_are_written_as_the_book_shows() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../spec/src/layout-file.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let section = page.split("## How layouts are written").nth(1).unwrap();
+    let block = section.split("```json layout\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let file = read(block, FileId(0));
+    assert!(file.usable && file.diagnostics.is_empty(), "{:?}", file.diagnostics);
+    assert_eq!(to_json(&file.layout, None), block);
+}
+
+/// A file of an earlier version: no categories, a part to a line, sixteen digits. Read as ever; written in the new form with
+/// every number as it was.
+#[test]
+fn files_of_earlier_versions_stay_readable() {
+    let old = include_str!("old/bedroom.layout.json");
+    let file = read(old, FileId(0));
+    assert!(file.usable && file.diagnostics.is_empty(), "{:?}", file.diagnostics);
+    assert!(file.layout.categories.is_empty() && file.layout.objects.iter().any(|(_, p)| !p.parts.is_empty()));
+    let new = to_json(&file.layout, Some(&file.document));
+    let again = read(&new, FileId(0));
+    assert_eq!(again.layout, file.layout);
+    assert!(again.diagnostics.is_empty() && new.lines().count() * 4 < old.lines().count(), "{new}");
+    let lines =
+        |name: &str| new.lines().filter(|line| line.trim_start().starts_with(&format!("\"{name}\": {{"))).count();
+    assert!(file.layout.objects.iter().all(|(name, _)| lines(name) == 1), "{new}");
+}
+
+#[test]
+fn categories_are_written_first_and_kept() {
+    let mut file = read(
+        r#"{"format": "scenelang.layout/1", "objects": {
+      "a": {"pos": [0.50, 0, 1e0], "category": 7, "scale": [1, 1, 1]},
+      "b": {"pos": [0, 0, 0], "scale": [1, 1, 1], "asset": {"surface": 0.5}, "note": "mine"}}}"#,
+        FileId(0),
+    );
+    assert!(file.diagnostics.is_empty() && file.layout.categories.is_empty(), "what is no text says nothing");
+    file.layout.categories.insert("b".into(), "desk".into());
+    file.layout.objects[0].1.pos.y = 0.25;
+    insta::assert_snapshot!(to_json(&file.layout, Some(&file.document)), @r#"
+    {
+      "format": "scenelang.layout/1",
+      "objects": {
+        "a": { "pos": [0.50, 0.25, 1e0], "category": 7, "scale": [1, 1, 1], "rot": [0, 0, 0] },
+        "b": { "category": "desk", "pos": [0, 0, 0], "scale": [1, 1, 1], "note": "mine", "rot": [0, 0, 0],
+          "asset": { "surface": 0.5 } }
+      }
     }
     "#);
 }

@@ -5,54 +5,99 @@ use crate::problem::setup::Setup;
 use crate::problem::{Standing, Unsatisfied, What};
 use scenelang_engine::candidate::Candidate;
 use scenelang_lang::program::{ConstraintKind, ObjectId, Owner, Pinned, RegionId};
-use scenelang_layout::{Layout, Value, Vec3};
+use scenelang_layout::{Layout, Value, Vec3, digits};
 use scenelang_verify::opening::Met;
 use scenelang_verify::{Options, Truth, World, judge, rules};
 use smol_str::SmolStr;
+use std::collections::BTreeSet;
 
-/// Digits that are written (metres and degrees).
-const DIGITS: f64 = 1e-6;
+/// Digits of what would fail with as few as are usual (metres and degrees).
+const FINE: f64 = 1e-6;
 
-/// The layout of a state; numbers are cut to six digits where that does no harm.
+/// The layout of a state, in numbers of few digits where that does no harm.
 pub(crate) fn layout(
     setup: &Setup<'_>,
     state: &Candidate<'_>,
     options: &Options,
 ) -> (Layout, (Vec<Unsatisfied>, Vec<Standing>)) {
-    let short = compose(setup, state, |x| round_to(x, DIGITS));
-    let b = unsatisfied(setup, &short, options);
+    let judged = |layout: Layout| {
+        let found = unsatisfied(setup, &layout, options);
+        (layout, found)
+    };
     // To judge is dear where ways are looked for: where no more fails than the search says, once is enough.
-    if b.0.len() <= (0..state.numbering.len()).filter(|&check| !state.does_hold(check)).count() {
-        return (short, b);
+    let expected = (0..state.numbering.len()).filter(|&check| !state.does_hold(check)).count();
+    let mut best = judged(compose(setup, state, |_, x| round_to(x, digits::STEP)));
+    // What fails may fail for want of digits. So what it speaks of gets more of them, then everything.
+    let concerned = concerned(setup, &best.1.0);
+    let is_far = |who: Who| matches!(who, Who::Object(id) if !concerned.contains(&id));
+    let finer: [&dyn Fn(Who, f64) -> f64; 3] =
+        [&|who, x| round_to(x, if is_far(who) { digits::STEP } else { FINE }), &|_, x| round_to(x, FINE), &|_, x| x];
+    for cut in finer {
+        if best.1.0.len() <= expected {
+            break;
+        }
+        let next = judged(compose(setup, state, cut));
+        if next.1.0.len() < best.1.0.len() {
+            best = next;
+        }
     }
-    let exact = compose(setup, state, |x| x);
-    let a = unsatisfied(setup, &exact, options);
-    if b.0.len() <= a.0.len() { (short, b) } else { (exact, a) }
+    best
 }
 
-pub(crate) fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(f64) -> f64 + Copy) -> Layout {
+/// Whose numbers are cut.
+#[derive(Clone, Copy)]
+pub(crate) enum Who {
+    /// Those of an object.
+    Object(ObjectId),
+    /// Those of a region or a variable.
+    Other,
+}
+
+/// The objects that something is said of which does not hold.
+fn concerned(setup: &Setup<'_>, unsatisfied: &[Unsatisfied]) -> BTreeSet<ObjectId> {
+    let mut found = BTreeSet::new();
+    for each in unsatisfied {
+        let names: Vec<&SmolStr> = match &each.what {
+            What::Stated(index) => {
+                found.extend(setup.frame.program.constraints[*index].formula.objects());
+                continue;
+            }
+            What::Collision(a, b) => vec![a, b],
+            What::Open(a, met) => std::iter::once(a).chain(met).collect(),
+            What::Bounds(a) | What::Support(a) => vec![a],
+        };
+        found.extend(setup.frame.objects().filter(|id| names.iter().any(|name| *name == setup.frame.name(*id))));
+    }
+    found
+}
+
+/// The layout of a state, its numbers cut, but for what the program assigns and what has not moved.
+pub(crate) fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(Who, f64) -> f64) -> Layout {
     let mut layout = setup.layout.clone();
-    let vec = |v: Vec3, pinned: bool| if pinned { v } else { v.map(cut) };
+    let vec = |who: Who, now: Vec3, before: Vec3, pinned: bool| {
+        if pinned || now == before { now } else { now.map(|x| cut(who, x)) }
+    };
     for (id, (_, placement)) in state.frame.objects().zip(&mut layout.objects) {
         let pose = state.pose(id);
         let pinned =
             |property| state.frame.program.pins.iter().any(|p| p.owner == Owner::Object(id) && p.property == property);
-        placement.pos = vec(pose.pos, pinned(Pinned::Pos));
-        placement.rot = vec(pose.rot, pinned(Pinned::Rot));
+        let who = Who::Object(id);
+        placement.pos = vec(who, pose.pos, placement.pos, pinned(Pinned::Pos));
+        placement.rot = vec(who, pose.rot, placement.rot, pinned(Pinned::Rot));
         // Parts are made for one size.
         placement.scale = pose.scale;
     }
     for (index, (_, placement)) in layout.regions.iter_mut().enumerate() {
         let (pose, pins) = (state.region_pose(RegionId(index as u32)), state.frame.region_pins[index]);
-        placement.pos = vec(pose.pos, pins.pos);
-        placement.rot = vec(pose.rot, pins.rot);
-        placement.scale = vec(pose.scale, pins.scale);
+        placement.pos = vec(Who::Other, pose.pos, placement.pos, pins.pos);
+        placement.rot = vec(Who::Other, pose.rot, placement.rot, pins.rot);
+        placement.scale = vec(Who::Other, pose.scale, placement.scale, pins.scale);
     }
     for (id, (_, value)) in scenelang_engine::frame::variables(state.frame.program).zip(&mut layout.variables) {
         *value = match state.world().variable(id) {
-            Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(n)),
+            Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(Who::Other, n)),
             Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {
-                Value::Triple(v.0.map(cut))
+                Value::Triple(v.0.map(|x| cut(Who::Other, x)))
             }
             Ok(scenelang_verify::Value::Truth(t)) => Value::Bool(t.holds),
             Err(_) => *value,

@@ -28,7 +28,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// What is said where the time limit has ended something.
-const TIME_IS_OVER: &str = "the time is over; what was found by then depends on the machine";
+const TIME_IS_OVER: &str = "the time limit was reached; the result depends on the speed of the machine";
 /// How much larger open regions are made when a placement fails.
 const GROWTH: f64 = 1.4;
 /// The part of the time that the search has, if there is to be a diagnosis.
@@ -112,7 +112,7 @@ pub fn solve_with(
     let mut warnings = setup.warnings.clone();
     match end {
         End::Budget => warnings.push(format!(
-            "the budget of {} units of work is spent; a larger budget or effort (`--effort` on the command line) allows more",
+            "the budget of {} units of work is used up; a larger budget or effort (`--effort` on the command line) allows more",
             options.budget
         )),
         End::Time => warnings.push(TIME_IS_OVER.to_owned()),
@@ -134,7 +134,7 @@ pub fn solve_with(
 
 /// The layout of a local search as that of the search proper.
 fn show(local: &LocalSearch<'_>, state: &mut Candidate<'_>) {
-    let changes = local.changes();
+    let changes = local.trial.changes();
     if state.attempt(&changes, f64::INFINITY).is_some() {
         state.keep();
     }
@@ -316,11 +316,11 @@ impl<'r, 'a> Run<'r, 'a> {
         let mut for_preferences = (self.options.budget as f64 * self.options.polish) as u64;
         loop {
             if solved {
-                let begun = local.work;
+                let begun = local.trial.work;
                 let preferences = for_preferences.min(budget.saturating_sub(begun));
                 let quality = self.options.polish * 100.0 / f64::from(QUALITY);
                 local.improve_preferences(&mut chance, (preferences, quality), &limit, !is_new);
-                for_preferences = for_preferences.saturating_sub(local.work - begun);
+                for_preferences = for_preferences.saturating_sub(local.trial.work - begun);
             }
             if solved && is_new {
                 local.tidy(&mut chance, &limit);
@@ -328,17 +328,17 @@ impl<'r, 'a> Run<'r, 'a> {
             show(&local, &mut search.state);
             let holds = solved && search.state.hard().0 == 0;
             // What was thought to hold may not: it is judged otherwise from then on, and one goes on from here.
-            let over = limit.is_over() || local.work >= budget;
-            if !solved || holds || over || !local.doubt(&search.state.failing()) {
+            let over = limit.is_over() || local.trial.work >= budget;
+            if !solved || holds || over || !local.trial.doubt(&search.state.failing()) {
                 break;
             }
             given.fill(true);
-            solved = local.search(&mut chance, budget - local.work, &limit, &given);
+            solved = local.search(&mut chance, budget - local.trial.work, &limit, &given);
             if !solved {
                 local.restore_best();
             }
         }
-        search.state.work += local.work;
+        search.state.work += local.trial.work;
         self.is_cut |= limit.is_over();
     }
 

@@ -21,15 +21,15 @@ pub(crate) struct Member<'a> {
 impl Member<'_> {
     /// Does a round. The work that it took, if all holds then; it ends early where another needed less.
     fn round(&mut self, slice: u64, limit: &Limit, given: &[bool], least: &AtomicU64) -> Option<u64> {
-        let begun = self.local.work;
+        let begun = self.local.trial.work;
         for part in 1..=PARTS {
-            let budget = (begun + slice * part / PARTS).saturating_sub(self.local.work);
+            let budget = (begun + slice * part / PARTS).saturating_sub(self.local.trial.work);
             if self.local.search(&mut self.chance, budget, limit, given) {
-                let took = self.local.work - begun;
+                let took = self.local.trial.work - begun;
                 least.fetch_min(took, Ordering::Relaxed);
                 return Some(took);
             }
-            if limit.is_over() || self.local.work - begun > least.load(Ordering::Relaxed) {
+            if limit.is_over() || self.local.trial.work - begun > least.load(Ordering::Relaxed) {
                 break;
             }
         }
@@ -51,7 +51,7 @@ pub(crate) fn search<'a>(
     if first.local.search(&mut first.chance, slice, limit, given) {
         return (first, true);
     }
-    let mut work = first.local.work;
+    let mut work = first.local.trial.work;
     if work >= budget || limit.is_over() {
         first.local.restore_best();
         return (first, false);
@@ -59,7 +59,7 @@ pub(crate) fn search<'a>(
     let mut second = another();
     while work < budget && !limit.is_over() {
         slice = slice.min((budget - work).div_ceil(2));
-        let begun = [first.local.work, second.local.work];
+        let begun = [first.local.trial.work, second.local.trial.work];
         let least = AtomicU64::new(u64::MAX);
         let (one, other) = if threads > 1 {
             std::thread::scope(|scope| {
@@ -72,14 +72,14 @@ pub(crate) fn search<'a>(
         };
         if let Some(took) = one.into_iter().chain(other).min() {
             let mut winner = if one == Some(took) { first } else { second };
-            winner.local.work = work + 2 * took;
+            winner.local.trial.work = work + 2 * took;
             return (winner, true);
         }
-        work += first.local.work - begun[0] + second.local.work - begun[1];
+        work += first.local.trial.work - begun[0] + second.local.trial.work - begun[1];
         slice *= 2;
     }
     let mut closest = if second.local.least_violated() < first.local.least_violated() { second } else { first };
     closest.local.restore_best();
-    closest.local.work = work;
+    closest.local.trial.work = work;
     (closest, false)
 }

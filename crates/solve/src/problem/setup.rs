@@ -11,7 +11,8 @@ use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId, VariableKind};
 use scenelang_layout::{Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
 use scenelang_verify::{World, evaluate, rules::Scope};
-use std::collections::BTreeSet;
+use smol_str::SmolStr;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The size of an object that nobody knows anything about (metres).
 const UNKNOWN: f64 = 0.5;
@@ -38,15 +39,14 @@ pub(crate) fn setup<'a>(problem: &Problem<'a>, options: &Options) -> Setup<'a> {
     let mut warnings = Vec::new();
     let (draws, refused) = draws::draw(program, options.seed);
     warnings.extend(
-        refused
-            .into_iter()
-            .map(|key| format!("the bounds of the draw `{key}` have no value, or are in the wrong order")),
+        refused.into_iter().map(|key| format!("the bounds of the draw `{key}` are undefined or in the wrong order")),
     );
     let mut layout = Layout {
         scene: problem.start.scene.clone(),
         seed: Some(options.seed),
         incomplete: false,
         objects: objects(problem),
+        categories: categories(program),
         regions: regions(problem),
         variables: variables(problem),
         draws,
@@ -76,7 +76,7 @@ fn pose(p: &Placement) -> Pose {
     Pose { pos: p.pos, rot: p.rot, scale: p.scale }
 }
 
-fn objects(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, Placement)> {
+fn objects(problem: &Problem<'_>) -> Vec<(SmolStr, Placement)> {
     let known = |index: usize, name: &str| {
         let found = problem.start.object(name).cloned();
         let mut placement = found.unwrap_or(Placement {
@@ -96,7 +96,12 @@ fn objects(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, Placement)> {
     named.map(|(i, o)| (o.name.clone(), known(i, &o.name))).collect()
 }
 
-fn regions(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, RegionPlacement)> {
+fn categories(program: &Program) -> BTreeMap<SmolStr, SmolStr> {
+    let stated = program.objects.iter().filter(|object| !object.category.is_empty());
+    stated.map(|object| (object.name.clone(), object.category.as_str().into())).collect()
+}
+
+fn regions(problem: &Problem<'_>) -> Vec<(SmolStr, RegionPlacement)> {
     let open = RegionPlacement { pos: Vec3::zeros(), rot: Vec3::zeros(), scale: Vec3::from(REGION), vertices: None };
     let known = |index: usize, name: &str| {
         let kept = problem.placed.region(RegionId(index as u32));
@@ -106,7 +111,7 @@ fn regions(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, RegionPlacement)> {
     named.map(|(i, r)| (r.name.clone(), known(i, &r.name))).collect()
 }
 
-fn variables(problem: &Problem<'_>) -> Vec<(smol_str::SmolStr, Value)> {
+fn variables(problem: &Problem<'_>) -> Vec<(SmolStr, Value)> {
     let warm = problem.placed != crate::problem::Placed::None;
     let value = |name: &str, kind: VariableKind| {
         let zero = match kind {

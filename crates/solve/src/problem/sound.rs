@@ -13,7 +13,7 @@ pub(crate) fn sound<'a>(problem: &Problem<'a>) -> Option<(Problem<'a>, Vec<Strin
     let bad: Vec<String> = objects
         .chain(regions)
         .chain(variables)
-        .map(|name| format!("what the layout to start from says of `{name}` cannot be; it is left out"))
+        .map(|name| format!("the starting layout has an invalid value for `{name}`, which is ignored"))
         .collect();
     if bad.is_empty() {
         return None;

@@ -5,13 +5,12 @@ use super::Options;
 use crate::search::local::LocalSearch;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use scenelang_engine::Reads;
-use scenelang_engine::frame::Frame;
 use scenelang_engine::frame::checks::Numbering;
 use scenelang_engine::frame::terms::{self, Term};
+use scenelang_engine::frame::{Frame, variables_of_sizes};
 use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
-use scenelang_lang::program::{Allowances, Owner, Pinned, VariableId};
+use scenelang_lang::program::Allowances;
 use scenelang_layout::{Layout, Value, Vec3};
 use scenelang_verify::World;
 use std::time::Duration;
@@ -19,22 +18,9 @@ use std::time::Duration;
 /// What a search for values may cost.
 const BUDGET: u64 = 200_000;
 
-/// Variables that regions are made of, or sizes of objects.
-pub(crate) fn of_sizes(program: &Program) -> Vec<VariableId> {
-    let shapes = program.pins.iter().filter(|pin| match pin.owner {
-        Owner::Region(_) => true,
-        Owner::Object(_) => pin.property == Pinned::Scale,
-    });
-    let mut found: Vec<VariableId> =
-        shapes.flat_map(|pin| &pin.values).flat_map(|formula| Reads::of(formula).variables).collect();
-    found.sort_unstable();
-    found.dedup();
-    found
-}
-
 /// Chooses values with which all holds that speaks of variables alone, where sizes depend on some of them.
 pub(crate) fn choose(program: &Program, layout: &mut Layout, options: &Options) {
-    if of_sizes(program).is_empty() {
+    if variables_of_sizes(program).is_empty() {
         return;
     }
     let alone = |term: &Term| term.objects.is_empty() && term.regions.is_empty();
@@ -56,7 +42,7 @@ pub(crate) fn choose(program: &Program, layout: &mut Layout, options: &Options) 
     if !local.search(&mut chance, BUDGET, &limit, &[]) {
         local.restore_best();
     }
-    for (id, value) in local.values() {
+    for (id, value) in local.trial.values() {
         layout.variables[id.0 as usize].1 = match value {
             scenelang_verify::Value::Number(n) => Value::Number(n),
             scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v) => Value::Triple(v.0),

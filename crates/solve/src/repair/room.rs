@@ -14,6 +14,7 @@ use scenelang_engine::frame::checks::Check;
 use scenelang_engine::frame::terms;
 use scenelang_engine::frame::{Frame, variables};
 use scenelang_lang::program::{ObjectId, RegionId};
+use scenelang_layout::digits;
 use scenelang_layout::{Layout, Value as Written, Vec3};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
@@ -25,8 +26,8 @@ use scenelang_verify::{Value, World};
 const WALK: u64 = 150_000;
 /// What is smaller than this is no move (metres, degrees).
 const STILL: f64 = 1e-7;
-/// Digits that are written (metres and degrees).
-const DIGITS: f64 = 1e-6;
+/// Digits that are written, as few as will do (metres and degrees); at last all that there are.
+const DIGITS: [f64; 3] = [digits::STEP, 1e-6, 0.0];
 
 /// The solver's options for a search with a budget.
 pub(super) fn solver(options: &RepairOptions) -> Options {
@@ -179,7 +180,7 @@ impl<'r, 'a> Room<'r, 'a> {
     /// with everything where the rules of the program put it.
     pub fn alternative(&mut self) -> Option<Alternative> {
         let fine = [true, false].into_iter().find_map(|lazy| {
-            [DIGITS, 0.0].into_iter().find_map(|digits| {
+            DIGITS.into_iter().find_map(|digits| {
                 let layout = self.compose(lazy, digits);
                 let broken = self.judge.judge(&layout)?;
                 Some((layout, broken))

@@ -90,6 +90,24 @@ fn layouts_leave_doors_room() {
     assert!(barred > 0, "without the rule some doors are barred");
 }
 
+/// A pole between two of the poses at which the search looks at the leaf: only the evaluator sees that it is in the way.
+#[test]
+fn what_is_met_between_two_poses_is_moved_away() {
+    let program = compiled(
+        "region hall; object door; object pole;
+         hall.pos <- vec3(0, 0, 0); hall.scale <- vec3(4, 2.5, 3); door.pos <- vec3(0, 0, -1.5); door.rot <- rot(0, 0, 0);
+         assert connects(door, hall); assert abs(pole.pos.x - 0.2) <= 0.1 and abs(pole.pos.z + 1) <= 0.1;",
+    );
+    let things = [("door", door()), ("pole", place([0.03, 2.0, 0.03]))];
+    let start = Layout { objects: things.map(|(name, thing)| (name.into(), thing)).to_vec(), ..Layout::default() };
+    let problem = Problem { program: &program, start, placed: Placed::None };
+    for seed in 0..10 {
+        let options = Options { seed, ..Options::default() };
+        let found = solve(&problem, &options, &mut |_| ControlFlow::Continue(()));
+        assert!(found.converged, "{seed}: {:?}", found.unsatisfied);
+    }
+}
+
 #[test]
 fn repair_makes_room_for_a_door() {
     let program = compiled("region hall; object door; object wardrobe; assert connects(door, hall);");

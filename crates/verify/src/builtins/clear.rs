@@ -107,7 +107,7 @@ impl Semantics for Clear {
             && found.separation.gap < -contact
         {
             let blocker = &names.objects[blocker.0 as usize].name;
-            return Some(format!("`{blocker}` reaches {} into that space", metres(-found.separation.gap)));
+            return Some(format!("`{blocker}` extends {} into that space", metres(-found.separation.gap)));
         }
         let (region, prism) = region_of(call.world, id, side)?;
         let (left, _) = room_left(call.world, id, side, &space, prism);

@@ -93,7 +93,7 @@ fn in_words(call: &Call<'_, f64>, names: &Program, motion: Motion) -> Option<Str
         }
         if let Some((far, Some(met))) = free(part, amount) {
             let (far, met) = (opening::amount(far, *motion), opening::met_in_words(names, met));
-            return Some(format!("`{part_name}` of `{name}` opens {far} of {wanted}, then meets {met}"));
+            return Some(format!("`{part_name}` of `{name}` opens {far} of {wanted}, then hits {met}"));
         }
     }
     None

@@ -69,11 +69,11 @@ impl Semantics for Reachable {
         }
         let [a, b] = [call.name(0, names), call.name(1, names)];
         if !call.world.options.detail.bars {
-            return Some(format!("no way {} wide leads from `{a}` to `{b}`", metres(width)));
+            return Some(format!("there is no path {} wide from `{a}` to `{b}`", metres(width)));
         }
         Some(match navigation::bottleneck(call.world, from, to, width) {
             Some(bottleneck) => in_words(&bottleneck, [a, b], width, names),
-            None => format!("no way of any width leads from `{a}` to `{b}`"),
+            None => format!("there is no path of any width from `{a}` to `{b}`"),
         })
     }
 
@@ -110,18 +110,18 @@ pub(crate) fn in_words(found: &Bottleneck, ends: [&str; 2], width: f64, names: &
     match (found.between, found.end) {
         ([a, b], Some(end)) => {
             let between = if a == b { name(&a) } else { format!("{} and {}", name(&a), name(&b)) };
-            format!("beside `{}` a way is {wide} wide at most, {short} short, because of {between}", ends[end])
+            format!("the space beside `{}` is at most {wide} wide, {short} too narrow, because of {between}", ends[end])
         }
         ([Blocker::Door(door), Blocker::Door(_)], _) => {
-            format!("the doorway `{}` is {wide} wide, {short} short", names.objects[door.0 as usize].name)
+            format!("the doorway `{}` is {wide} wide, {short} too narrow", names.objects[door.0 as usize].name)
         }
         ([Blocker::Wall(a), Blocker::Wall(b)], _) if a == b => {
             format!(
-                "the passage between the walls of `{}` is {wide} wide, {short} short",
+                "the passage between the walls of `{}` is {wide} wide, {short} too narrow",
                 names.regions[a.0 as usize].name
             )
         }
-        ([a, b], _) => format!("the passage between {} and {} is {wide} wide, {short} short", name(&a), name(&b)),
+        ([a, b], _) => format!("the passage between {} and {} is {wide} wide, {short} too narrow", name(&a), name(&b)),
     }
 }
 

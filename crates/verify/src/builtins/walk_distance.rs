@@ -53,7 +53,7 @@ impl Semantics for WalkDistance {
     }
 
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
-        Some(format!("the shortest walk from `{}` to `{}`", call.name(0, names), call.name(1, names)))
+        Some(format!("the shortest path from `{}` to `{}`", call.name(0, names), call.name(1, names)))
     }
 }
 

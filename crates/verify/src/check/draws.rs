@@ -21,10 +21,10 @@ pub fn check(program: &Program, world: &mut World<f64>, places: Option<&Places>,
         let bounds = bound(&draw.lo, world).and_then(|lo| Ok((lo, bound(&draw.hi, world)?)));
         let finding = match (bounds, world.draw(id)) {
             (Err(cause), _) => cause.code().map(|code| {
-                Diagnostic::new(code, draw.span, format!("the bounds of a `rand` here have no value: {}", code.title()))
+                Diagnostic::new(code, draw.span, format!("the bounds of this `rand` have no value: {}", code.title()))
             }),
             (Ok((lo, hi)), _) if lo > hi => {
-                let say = format!("`rand` takes the lower bound first, here they are {lo} and {hi}");
+                let say = format!("the lower bound of this `rand`, {lo}, is greater than the upper bound, {hi}");
                 Some(Diagnostic::new(codes::E0603, draw.span, say))
             }
             (Ok((lo, hi)), Ok(value)) if value < lo - ROUNDING || value > hi + ROUNDING => {

@@ -24,7 +24,8 @@ pub fn check(program: &Program, read: &ReadLayout) -> Vec<Diagnostic> {
     missing("region", "regions", read, &places.regions, &regions, &mut out);
     for region in program.regions.iter().filter(|r| r.has_scale && !r.has_vertices) {
         if let Some(vertices) = places.regions.get(&region.name).and_then(|entry| entry.member("vertices")) {
-            let say = format!("`{}` has a `scale` in the program, so the layout gives it no `vertices`", region.name);
+            let say =
+                format!("`{}` has a `scale` in the program, so the layout cannot give it `vertices`", region.name);
             let finding = Diagnostic::new(codes::E0512, vertices.key, say).related(region.span, "declared here");
             out.push(finding.note("assign `vertices` in the program instead, if it is not a rectangle"));
         }
@@ -55,7 +56,10 @@ fn unknown(
         let finding = |say: String| Diagnostic::new(codes::E0506, place.key, say);
         out.push(if let Some(last) = elements.last() {
             let say = if base == name {
-                format!("`{name}` is an array, no object: its elements are `{}` to `{}`", elements[0].name, last.name)
+                format!(
+                    "`{name}` is an array, not an object; its elements are `{}` to `{}`",
+                    elements[0].name, last.name
+                )
             } else {
                 format!("the program has no `{name}`: the array `{base}` ends with `{}`", last.name)
             };
@@ -88,10 +92,10 @@ fn missing(what: &str, key: &str, read: &ReadLayout, block: &Block, own: &[&Smol
         names.push(format!("{} more", lacking.len() - NAMED));
     }
     let plural = if lacking.len() > 1 { "s" } else { "" };
-    let message = format!("the layout lacks the {what}{plural} {}", names.join(", "));
+    let message = format!("{what}{plural} missing from the layout: {}", names.join(", "));
     out.push(
         Diagnostic::new(codes::E0507, read.places.block(key), message)
-            .note(format!("what depends on the missing {what}{plural} is not judged; all else is")),
+            .note(format!("statements that depend on the missing {what}{plural} cannot be checked; all others are")),
     );
 }
 
@@ -135,7 +139,7 @@ fn variables(program: &Program, layout: &Layout, places: &Places, out: &mut Vec<
         let finding = if !fits {
             Diagnostic::new(codes::E0504, entry.place.value, format!("`{}` takes {wanted}", entry.name))
         } else if large {
-            Diagnostic::new(codes::E0505, entry.place.value, format!("`{}` is beyond a million", entry.name))
+            Diagnostic::new(codes::E0505, entry.place.value, format!("`{}` must not exceed a million", entry.name))
         } else {
             continue;
         };

@@ -91,14 +91,14 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
     verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
     let untried = judge_opening(program, world, &rules, verdict);
     if untried > 0 {
-        let say = format!("there is so much in the way of what opens that {untried} parts were not tried");
+        let say = format!("there are so many obstacles that the opening of {untried} parts was not checked");
         verdict.diagnostics.push(too_dense(program, say));
     }
     if !near.complete {
-        let say = format!("so many objects are in one place that {} of {there} pairs were not judged", there - judged);
+        let say = format!("so many objects overlap that {} of {there} pairs were not checked", there - judged);
         verdict.diagnostics.push(too_dense(program, say));
     } else if unasked > 0 {
-        let say = format!("so many objects are above each other that the support of {unasked} of them was not judged");
+        let say = format!("so many objects are above each other that the support of {unasked} of them was not checked");
         verdict.diagnostics.push(too_dense(program, say));
     }
 }
@@ -127,7 +127,7 @@ fn judge_opening(program: &Program, world: &World<f64>, rules: &Rules<'_>, verdi
 
 /// That there is too much in one place.
 pub fn too_dense(program: &Program, say: String) -> Diagnostic {
-    let note = "move them apart, or state with `allowCollide` which of them may overlap";
+    let note = "move them apart, or allow overlaps with `allowCollide`";
     match program.objects.first() {
         Some(first) => Diagnostic::new(codes::E0005, first.span, say).note(note),
         None => Diagnostic::without_place(codes::E0005, say).note(note),
@@ -354,7 +354,7 @@ impl<'a> Rules<'a> {
                     let free =
                         opening::free(world, id, usize::from(part), demand, &mut looks).map_or(0.0, |(free, _)| free);
                     let free = joint.map_or(String::new(), |joint| opening::amount(free, joint.motion));
-                    format!("`{name}` opens {free} of {amount}, then meets {what}")
+                    format!("`{name}` opens {free} of {amount}, then hits {what}")
                 }
                 Some(truth) if truth.margin.is_finite() => {
                     let gap = truth.margin - world.options.tolerances.contact;
@@ -423,10 +423,10 @@ impl<'a> Rules<'a> {
         let on = rest.carrier.map_or("the floor".to_owned(), |id| format!("`{}`", self.name(id)));
         let metres = |x: f64| format!("{} m", number(x, Unit::Metre));
         match rest.off {
-            Some(off) if off > 0.0 => format!("its centre is {} beyond what carries it, on {on}", metres(off)),
+            Some(off) if off > 0.0 => format!("its centre is {} outside its area of contact with {on}", metres(off)),
             Some(_) => format!("it rests on {on}"),
             None if rest.lowest > rest.nearest => {
-                format!("it hovers {} above {on}", metres(rest.lowest - rest.nearest))
+                format!("it is {} above {on}", metres(rest.lowest - rest.nearest))
             }
             None => format!("it reaches {} below the top of {on}", metres(rest.nearest - rest.lowest)),
         }

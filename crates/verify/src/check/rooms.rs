@@ -101,7 +101,7 @@ fn crossing(
         if level && prism.polygon.edges().any(|(a, b)| in_wall(&convex_overlap(&[a, b], &footprint))) {
             let object = &program.objects[id.0 as usize];
             let region = &program.regions[room.0 as usize];
-            let message = format!("`{}` stands in a wall of `{}` where there is no door", object.name, region.name);
+            let message = format!("`{}` is inside a wall of `{}` where there is no door", object.name, region.name);
             out.push(Diagnostic::new(codes::W0503, object.span, message).related(region.span, "the room"));
             return;
         }

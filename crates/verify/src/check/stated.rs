@@ -125,10 +125,10 @@ fn reason(program: &Program, cause: Cause) -> String {
             format!("the layout has no value for `{}`", program.variables[id.0 as usize].name)
         }
         Cause::MissingDraw(id) => format!("the layout does not record the draw `{}`", program.draws[id.0 as usize].key),
-        Cause::Refused => "a value that it needs is refused".to_owned(),
+        Cause::Refused => "a value that it depends on is invalid".to_owned(),
         Cause::DivisionByZero => "this divides by zero".to_owned(),
         Cause::NegativeRoot => "this is the square root of a negative number".to_owned(),
-        Cause::ZeroVector => "this asks for the direction of a zero vector".to_owned(),
+        Cause::ZeroVector => "this takes the direction of a zero vector".to_owned(),
         Cause::NotFinite => "this number is too large".to_owned(),
     }
 }

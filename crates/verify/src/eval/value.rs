@@ -128,7 +128,7 @@ pub enum Cause {
     NegativeRoot,
     /// The direction of a zero vector.
     ZeroVector,
-    /// The result is too large for a number, or none.
+    /// The result is too large, or none.
     NotFinite,
 }
 

@@ -22,7 +22,7 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
         let place = program.constraints[statement].span;
         out.push(
             Diagnostic::new(codes::W0402, place, "this always holds")
-                .note("it asks for nothing: it holds in every layout"),
+                .note("it has no effect, because it holds in every layout"),
         );
     }
     for redundancy in &findings.redundant {
@@ -34,10 +34,8 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
         out.push(finding);
     }
     if let (true, Some(first)) = (findings.too_large, program.constraints.first()) {
-        let say = "there is too much to be searched for contradictions together";
-        let note = format!(
-            "at most {LARGEST} objects, and statements that become at most {MOST_SAID} parts, are searched as a whole"
-        );
+        let say = "the program is too large to be searched for contradictions as a whole";
+        let note = format!("the limits are {LARGEST} objects and statements that expand to {MOST_SAID} parts");
         out.push(Diagnostic::new(codes::W0403, first.span, say).note(note));
     }
     out.sort_by_key(|d| d.primary.as_ref().map(|p| (p.place.file, p.place.range.start)));
@@ -61,7 +59,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     members.sort_by_key(|(span, _)| (span.file, span.range.start));
     let mut finding = match members.len() {
         1 => Diagnostic::new(codes::E0402, of(main).span, format!("this can never hold{rules}")),
-        n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements cannot hold together{rules}")),
+        n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements contradict each other{rules}")),
     };
     for (span, text) in members {
         finding = finding.related(span, format!("`{text}`"));
@@ -131,7 +129,7 @@ impl Speaker<'_> {
             }
             What::Conflict(rule) => match rule {
                 Rule::Empty(var) => format!("no value is left for {}", self.var(var, 0)),
-                Rule::Verdict(_) => "that contradicts what is known".to_owned(),
+                Rule::Verdict(_) => "that is a contradiction".to_owned(),
                 Rule::Sum => "added up, these inequalities contradict each other".to_owned(),
                 Rule::Packing => "together the boxes are too large for the region".to_owned(),
                 Rule::Beside { fit } => format!("at most {fit} of the boxes fit beside each other"),

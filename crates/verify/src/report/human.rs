@@ -191,7 +191,7 @@ pub(super) fn summary(report: &super::Report) -> String {
         }
     }
     if text.is_empty() {
-        text.push_str(if exit_code(report) == 0 { "nothing to object to" } else { "it fails" });
+        text.push_str(if exit_code(report) == 0 { "no problems found" } else { "it fails" });
     }
     text
 }

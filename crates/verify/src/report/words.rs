@@ -1,4 +1,4 @@
-//! Explanations as people read them: what pulls the other way, and what to do, with what that would do to the rest.
+//! Explanations as people read them: what conflicts with it, and what to do, with what that would do to the rest.
 
 use crate::check::{Checked, Judged, Subject};
 use crate::explain::{RowRef, SmallestMove, move_in_words, row_in_words};
@@ -42,7 +42,7 @@ impl<'a> Words<'a> {
         let (Some(explanation), Some(program)) = (&row.explanation, &self.checked.program) else { return };
         let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
         for against in &explanation.opposing {
-            notes.push(format!("{} pulls the other way", name(against)));
+            notes.push(format!("{} conflicts with it", name(against)));
         }
         if let Some(repair) = &explanation.repair {
             hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));

@@ -73,13 +73,13 @@ impl Reader {
                 }
                 "generator" | "url" | "command" => {
                     let say = format!(
-                        "`{key}` is no setting of a workspace: only you say which program or service makes models, by \
+                        "`{key}` is not a workspace setting: choose the program or service that makes models with \
                          --generator or in your own config.toml"
                     );
                     self.error(place_of(table, key), say);
                 }
                 "key" | "api_key" => {
-                    let say = format!("`{key}` is no setting: keys come from the environment, never from a file");
+                    let say = format!("`{key}` is not a setting: keys come from the environment, never from a file");
                     self.error(place_of(table, key), say);
                 }
                 _ => {
@@ -155,14 +155,14 @@ mod tests {
             ("[assets]\nleast = -1", "`least` takes a number from 0 to 1000000"),
             (
                 "[assets]\napi_key = \"sk\"",
-                "`api_key` is no setting: keys come from the environment, never from a file",
+                "`api_key` is not a setting: keys come from the environment, never from a file",
             ),
         ] {
             assert_eq!(read(text), Err(wanted.to_owned()), "{text}");
         }
         for key in ["generator = \"meshy\"", "url = \"https://a.example\"", "command = [\"sh\"]"] {
             let said = read(&format!("[assets]\n{key}")).unwrap_err();
-            assert!(said.contains("is no setting of a workspace"), "{said}");
+            assert!(said.contains("is not a workspace setting"), "{said}");
         }
     }
 

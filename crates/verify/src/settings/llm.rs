@@ -94,12 +94,12 @@ impl Reader {
                     None => self.wrong(key, item, "a URL"),
                 },
                 "base_url" => {
-                    let say = "`base_url` is no setting of a workspace: only you say where a key is sent, by --base-url or \
+                    let say = "`base_url` is not a workspace setting: set it with --base-url or \
                                in your own config.toml";
                     self.error(place_of(table, key), say.to_owned());
                 }
                 "key" | "api_key" => {
-                    let say = format!("`{key}` is no setting: keys come from the environment, never from a file");
+                    let say = format!("`{key}` is not a setting: keys come from the environment, never from a file");
                     self.error(place_of(table, key), say);
                 }
                 _ => {

@@ -178,7 +178,7 @@ fn a_compact_report_has_a_line_for_each_finding() {
     let broken = judged("object a", &layout("object a 0 0 0"), &Options::default()).report;
     insta::assert_snapshot!(compact(&broken, Human::default()), @r##"
     room.layout.json:1:40: error[E0510]: the program room.scene has errors
-    room.scene:1:9: error[E0111]: a `;` is missing at the end of this statement
+    room.scene:1:9: error[E0111]: missing `;` at the end of this statement
     room.layout.json: 2 errors
     "##);
 }

@@ -90,7 +90,7 @@ fn a_room_from_words() {
     client.done("formalize", &request);
     fs::write(folder.path().join("study.scene"), STUDY).unwrap();
     assert!(client.refused("formalize", &request).contains("name another file"));
-    assert!(client.refused("formalize", &json!({ "request": "zzz" })).contains("nothing of the request"));
+    assert!(client.refused("formalize", &json!({ "request": "zzz" })).contains("nothing in the request"));
     assert_eq!(client.end(), 0);
 }
 

@@ -6,12 +6,12 @@ use crate::token::Kind;
 use scenelang_base::codes::E0113;
 use scenelang_base::{Applicability, Diagnostic};
 
-/// A closing bracket where the grammar stopped that closes nothing, or something else.
+/// A closing bracket where the grammar stopped that has no matching opening bracket, or something else.
 pub fn mixed(site: &Site<'_>) -> Option<Finding> {
     let closer = site.found().filter(|k| matches!(k, Kind::RParen | Kind::RBracket))?;
     let place = site.range(site.at);
     let Some(open) = site.innermost_open() else {
-        let message = format!("{} closes nothing", site.quoted(site.at));
+        let message = format!("{} has no matching opening bracket", site.quoted(site.at));
         let diagnostic = Diagnostic::new(E0113, place, message).label("no bracket is open here");
         return Some(diagnostic.fix(Applicability::Unsafe, "remove it", place, ""));
     };
@@ -39,7 +39,7 @@ pub fn open(site: &Site<'_>) -> Option<Finding> {
     }
     let place = site.behind(site.at - 1);
     let diagnostic = Diagnostic::new(E0113, place, format!("{} is never closed", site.quoted(open)))
-        .label(format!("`{sign}` is missing here at the latest"))
+        .label(format!("expected `{sign}` here or earlier"))
         .related(site.range(open), "opened here");
     Some(diagnostic.fix(Applicability::Unsafe, format!("insert `{sign}`"), place, sign))
 }

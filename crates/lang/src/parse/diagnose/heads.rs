@@ -115,7 +115,7 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
         return Some(match site.found() {
             Some(Kind::Str) => {
                 let name = site.slice(site.at).trim_matches('"');
-                let diagnostic = Diagnostic::new(E0110, place, "a name is written without quotation marks");
+                let diagnostic = Diagnostic::new(E0110, place, "names are written without quotation marks");
                 if is_name(name) {
                     diagnostic.fix(Applicability::Safe, format!("write `{name}`"), place, name)
                 } else {
@@ -131,7 +131,7 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
     }
     if site.wanted.has(Wanted::VALUE) && site.before() == Some(Kind::LBracket) && site.found() == Some(Kind::RBracket) {
         let diagnostic = Diagnostic::new(E0112, place, "the size of the array is missing");
-        return Some(diagnostic.note("write how many there are: `object chair[6];`"));
+        return Some(diagnostic.note("give the number of elements: `object chair[6];`"));
     }
     if site.innermost_open().is_some() {
         return None;
@@ -141,7 +141,7 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
         Kind::Comma => {
             let text = format!("; {word}");
             let another = site.kind(site.at + 1) == Some(Kind::Ident);
-            let diagnostic = Diagnostic::new(E0110, place, "one declaration declares one name");
+            let diagnostic = Diagnostic::new(E0110, place, "a declaration declares only one name");
             if another {
                 diagnostic.fix(Applicability::Safe, format!("repeat `{word}`"), place, text)
             } else {
@@ -150,7 +150,7 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
         }
         Kind::Arrow | Kind::ArrowSign | Kind::Eq | Kind::Define => {
             let diagnostic =
-                Diagnostic::new(E0110, place, "a declaration gives no value: assign it in a statement of its own");
+                Diagnostic::new(E0110, place, "a declaration cannot assign a value; use a separate assignment");
             if is_type_word(keyword) {
                 let title = format!("write `{word} {name}; {name} <- …`");
                 diagnostic.fix(
@@ -165,8 +165,8 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
         }
         Kind::Ident => {
             let message = format!("expected `;` after the name `{name}`, found {}", site.name_of(site.at));
-            let diagnostic =
-                Diagnostic::new(E0110, place, message).note("a name is one word, and a declaration declares one");
+            let diagnostic = Diagnostic::new(E0110, place, message)
+                .note("a name is a single word, and a declaration declares one name");
             let both = format!("{name}_{}", site.slice(site.at));
             let joined = site.range(site.at - 1).cover(place);
             let diagnostic = diagnostic.fix(Applicability::Unsafe, format!("join them: `{both}`"), joined, both);
@@ -198,7 +198,7 @@ pub fn assignment(site: &Site<'_>) -> Option<Finding> {
             Some(assert_it(assigned, site.range(site.head)))
         }
         Kind::Define | Kind::Colon => {
-            let message = format!("a value is assigned by `<-`, not by {}", site.quoted(site.at));
+            let message = format!("a value is assigned with `<-`, not with {}", site.quoted(site.at));
             Some(Diagnostic::new(E0110, place, message).fix(Applicability::Safe, "write `<-`", place, "<-"))
         }
         _ => None,
@@ -209,7 +209,7 @@ pub fn assignment(site: &Site<'_>) -> Option<Finding> {
 pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let next = site.found().filter(|_| assigns(site) && site.at == site.head + 1)?;
     let (head, after) = (site.range(site.head), site.slice(site.at));
-    let diagnostic = Diagnostic::new(E0115, head, format!("there is no statement {}", site.quoted(site.head)));
+    let diagnostic = Diagnostic::new(E0115, head, format!("unknown statement {}", site.quoted(site.head)));
     match meant_statement(site.slice(site.head), after) {
         Some((near, _)) => {
             // `Object lamp` can mean nothing else.
@@ -287,7 +287,7 @@ pub fn predicate(site: &Site<'_>) -> Option<Finding> {
             E0110,
             place,
             match typed {
-                true => format!("{} is not a type of parameters", site.quoted(site.at)),
+                true => format!("{} is not a parameter type", site.quoted(site.at)),
                 false => format!("the parameter {} has no type", site.quoted(site.at)),
             },
         );
@@ -333,7 +333,7 @@ pub fn import(site: &Site<'_>) -> Option<Finding> {
     };
     let path = site.range(site.at).cover(site.range(last));
     let quoted = format!("\"{}\"", &site.text[path.bytes()]);
-    let diagnostic = Diagnostic::new(E0110, path, "the path of the file is written in double quotes");
+    let diagnostic = Diagnostic::new(E0110, path, "the path of an import is written in double quotes");
     Some(diagnostic.fix(Applicability::Unsafe, format!("write {}", super::quote(&quoted)), path, quoted))
 }
 

@@ -154,13 +154,13 @@ impl<'t> Site<'t> {
         let found = self.name_of(self.at);
         let diagnostic = match self.expectation() {
             expected if expected.is_empty() => {
-                Diagnostic::new(E0110, self.range(self.at), format!("{found} cannot stand here"))
+                Diagnostic::new(E0110, self.range(self.at), format!("{found} is not allowed here"))
             }
             expected => Diagnostic::new(E0110, self.range(self.at), format!("expected {expected}, found {found}")),
         };
         match self.innermost_open() {
             Some(open) if self.wanted.has(Wanted::CLOSE_PAREN) || self.wanted.has(Wanted::CLOSE_BRACKET) => {
-                diagnostic.related(self.range(open), "in the brackets that open here")
+                diagnostic.related(self.range(open), "inside the brackets that open here")
             }
             _ => diagnostic,
         }

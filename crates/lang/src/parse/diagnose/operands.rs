@@ -30,7 +30,7 @@ pub fn number_like(site: &Site<'_>) -> Option<Finding> {
         return None;
     }
     let place = site.range(site.at);
-    let diagnostic = Diagnostic::new(E0112, place, "a value is missing before `+`; there is no `+` as a sign");
+    let diagnostic = Diagnostic::new(E0112, place, "missing value before `+`; there is no unary `+`");
     Some(diagnostic.fix(Applicability::Safe, "remove it", place, ""))
 }
 

@@ -44,13 +44,13 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
         return None;
     }
     if after.is_none() {
-        let diagnostic = Diagnostic::new(E0110, place, "a comma ends no statement");
+        let diagnostic = Diagnostic::new(E0110, place, "a statement ends with `;`, not with a comma");
         return Some(match site.after {
             After::Semicolon(_) => diagnostic.fix(Applicability::Safe, "remove it", place, ""),
             _ => diagnostic.fix(Applicability::Safe, "write `;`", place, ";"),
         });
     }
-    let diagnostic = Diagnostic::new(E0110, place, "a comma joins no conditions");
+    let diagnostic = Diagnostic::new(E0110, place, "conditions are joined with `and`, not with a comma");
     Some(diagnostic.fix(Applicability::Unsafe, "write `and`", place, " and"))
 }
 
@@ -82,7 +82,8 @@ pub fn unit(site: &Site<'_>) -> Option<Finding> {
     }
     let number = site.range(site.at - 1);
     let place = number.cover(site.range(site.at));
-    let diagnostic = Diagnostic::new(E0110, site.range(site.at), "a unit follows its number without a blank");
+    let diagnostic =
+        Diagnostic::new(E0110, site.range(site.at), "there must be no space between a number and its unit");
     let joined = format!("{}{unit}", site.slice(site.at - 1));
     let title = format!("write {}", super::quote(&joined));
     Some(diagnostic.fix(Applicability::Safe, title, place, joined))
@@ -100,7 +101,7 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             Some(diagnostic.fix(Applicability::Unsafe, "write `=`", place, "="))
         }
         Kind::Arrow | Kind::ArrowSign => {
-            let message = format!("{} assigns, and stands only behind what is assigned", site.quoted(site.at));
+            let message = format!("{} is allowed only after the target of an assignment", site.quoted(site.at));
             Some(Diagnostic::new(E0110, place, message).note("to compare write `=`"))
         }
         Kind::Weight => {
@@ -126,7 +127,7 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             Some(diagnostic.note("a product is written with `*`"))
         }
         Kind::Colon if site.innermost_open().is_none() && !site.wanted.has(Wanted::COLON) => Some(
-            Diagnostic::new(E0110, place, "`:` stands only behind the set of a quantifier")
+            Diagnostic::new(E0110, place, "`:` is allowed only after the set of a quantifier")
                 .note("as in `forall c in chair: …`"),
         ),
         _ => None,

@@ -2,12 +2,11 @@
 //! lead past all of a cluster, and a row fits into a room in few ways: so a first layout builds each cluster where there is
 //! space, and then tries it as one piece in other places and turns, before the next one is built.
 
-use super::judge::carried;
-use super::moves::{Inputs, turned};
-use super::{Home, Judge, LocalSearch};
+use super::moves::turned;
+use super::{Home, LocalSearch};
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_lang::program::ObjectId;
+use scenelang_engine::trial::{Inputs, Judge, carried};
 
 /// What a constraint lets stand further apart than this keeps nothing together (metres).
 const CLOSE: f64 = 1.0;
@@ -23,7 +22,6 @@ const STEPS: usize = 30;
 const ROUNDS: usize = 4;
 /// How many places are tried for a cluster.
 const PLACES: usize = 300;
-
 /// Which things belong together.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
@@ -43,7 +41,7 @@ impl Clusters {
 impl LocalSearch<'_> {
     /// The clusters of a program.
     pub(super) fn find_clusters(&mut self) -> Clusters {
-        let n = self.count();
+        let n = self.trial.count();
         let mut root: Vec<usize> = (0..n).collect();
         fn find(root: &[usize], mut i: usize) -> usize {
             while root[i] != i {
@@ -51,7 +49,7 @@ impl LocalSearch<'_> {
             }
             i
         }
-        for t in 0..self.judges.len() {
+        for t in 0..self.trial.judges.len() {
             let Some([a, b]) = self.stands_with(t) else { continue };
             let (ra, rb) = (find(&root, a), find(&root, b));
             if ra != rb && self.keeps_together(t, a, b) {
@@ -70,30 +68,29 @@ impl LocalSearch<'_> {
 
     /// The two things that a term speaks of, if both stand on a floor and may be moved.
     fn stands_with(&self, t: usize) -> Option<[usize; 2]> {
-        let (Judge::Code(_), [a, b]) = (&self.judges[t], &self.frame.terms[t].objects[..]) else { return None };
+        let (Judge::Code(_), [a, b]) = (&self.trial.judges[t], &self.trial.frame.terms[t].objects[..]) else {
+            return None;
+        };
         let both = [a.0 as usize, b.0 as usize];
-        let stands = |i: usize| matches!(self.homes[i], Home::Stands(_)) && self.is_movable(i);
-        (self.frame.terms[t].is_hard() && both.into_iter().all(stands)).then_some(both)
+        let stands = |i: usize| matches!(self.homes[i], Home::Stands(_)) && self.trial.is_movable(i);
+        (self.trial.frame.terms[t].is_hard() && both.into_iter().all(stands)).then_some(both)
     }
 
     /// Whether a term is violated wherever two things are more than a step apart, the more so the further.
     fn keeps_together(&mut self, t: usize, a: usize, b: usize) -> bool {
-        let from = self.inputs(b);
-        let touching = self.size[a][0].max(self.size[a][2]) / 2.0 + self.size[b][0].max(self.size[b][2]) / 2.0;
+        let from = self.trial.inputs(b);
+        let touching = self.trial.size[a][0].max(self.trial.size[a][2]) / 2.0
+            + self.trial.size[b][0].max(self.trial.size[b][2]) / 2.0;
         let [near, far, further] = [touching + CLOSE, FAR[0], FAR[1]];
-        let id = ObjectId(a as u32);
-        let before = self.slots.get(id);
+        let before = self.trial.inputs(a);
         let mut lacks = |apart: f64, [x, z]: [f64; 2]| {
             let mut pose = before;
             (pose[0], pose[2]) = (from[0] + apart * x, from[2] + apart * z);
-            self.slots.put(id, pose);
-            self.lacks(t)
+            self.trial.lacks_at(t, a, pose)
         };
-        let keeps = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]
+        [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]
             .into_iter()
-            .all(|way| lacks(further, way) - lacks(far, way) > (FAR[1] - FAR[0]) / 2.0 && lacks(near, way) > 0.0);
-        self.slots.put(id, before);
-        keeps
+            .all(|way| lacks(further, way) - lacks(far, way) > (FAR[1] - FAR[0]) / 2.0 && lacks(near, way) > 0.0)
     }
 
     /// Makes what is there hold before anything else comes: a cluster that is built badly is no piece.
@@ -105,7 +102,7 @@ impl LocalSearch<'_> {
         late: &dyn Fn() -> bool,
     ) {
         for _ in 0..STEPS * self.clusters.members[cluster].len() {
-            if self.bad.is_empty() || late() {
+            if self.trial.bad.is_empty() || late() {
                 break;
             }
             self.step(chance, poses);
@@ -123,17 +120,17 @@ impl LocalSearch<'_> {
             let (pose, loose) = self.elsewhere_as_one(&members, chance);
             self.go_together(leader, &members, pose);
             let crowd = crowd(self) + loose;
-            if let Some(delta) = self.judge(best.0 - crowd) {
+            if let Some(delta) = self.trial.judge(best.0 - crowd) {
                 best = (delta + crowd - 1e-9, Some(pose));
             }
-            self.undo();
+            self.trial.undo();
         }
         if let Some(pose) = best.1 {
             self.go_together(leader, &members, pose);
-            if self.judge(f64::INFINITY).is_some() {
-                self.keep();
+            if self.trial.judge(f64::INFINITY).is_some() {
+                self.trial.keep();
             } else {
-                self.undo();
+                self.trial.undo();
             }
         }
     }
@@ -159,17 +156,17 @@ impl LocalSearch<'_> {
     /// away from it or from another thing, or anywhere; and what it costs that it is anywhere.
     fn elsewhere_as_one(&self, members: &[usize], chance: &mut ChaCha8Rng) -> (Inputs, f64) {
         let leader = members[0];
-        let now = self.inputs(leader);
+        let now = self.trial.inputs(leader);
         let quarters = if chance.below(2) == 0 { 0.0 } else { 90.0 * chance.below(4) as f64 };
         let may_turn = members.iter().all(|&k| {
-            let yaw = crate::problem::pose::round_turn(self.inputs(k)[3] + quarters);
-            self.turns[k] || self.yaws[k].contains(&yaw)
+            let yaw = crate::problem::pose::round_turn(self.trial.inputs(k)[3] + quarters);
+            self.trial.turns[k] || self.trial.yaws[k].contains(&yaw)
         });
         let mut pose = if may_turn { turned(now, now[3] + quarters) } else { now };
         // How far all of it reaches from the leader, once turned.
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for &k in members {
-            let there = carried(&now, &pose, &self.inputs(k));
+            let there = carried(&now, &pose, &self.trial.inputs(k));
             let (rx, rz) = self.reach(k, &there);
             for (axis, (at, reach)) in [(there[0] - pose[0], rx), (there[2] - pose[2], rz)].into_iter().enumerate() {
                 low[axis] = low[axis].min(at - reach);
@@ -177,12 +174,12 @@ impl LocalSearch<'_> {
             }
         }
         let (field, path) = (&self.field[leader], self.widest_path() + 1e-4);
-        let other = self.movable[chance.below(self.movable.len())];
-        let beside = !self.away[other] && !members.contains(&other);
+        let other = self.trial.movable[chance.below(self.trial.movable.len())];
+        let beside = !self.trial.away[other] && !members.contains(&other);
         let mut loose = 0.0;
         for (axis, k) in [(0, 0), (1, 2)] {
             let [least, most] = [field.min[axis] - low[axis], field.max[axis] - high[axis]];
-            let [begin, end] = [self.span[other].min[k], self.span[other].max[k]];
+            let [begin, end] = [self.trial.span[other].min[k], self.trial.span[other].max[k]];
             pose[k] = match chance.below(if beside { 8 } else { 5 }) {
                 0 => least,
                 1 => most,

@@ -1,10 +1,10 @@
 //! The course of a local search: a first layout, then step after step; where nothing gets better for long, all begins
 //! anew. It can be interrupted and taken up again.
 
-use super::moves::Inputs;
-use super::{Home, LocalSearch, Room};
+use super::{Home, LocalSearch};
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::limit::Limit;
+use scenelang_engine::trial::{Inputs, Room};
 
 /// So many steps without a new best, and all begins anew, in a room that is full: per object, and per root of the number
 /// of objects, whichever is less. Large scenes are better begun anew than waited for.
@@ -19,7 +19,6 @@ const WALKING: u64 = 5;
 const SOON: u64 = 150_000;
 /// Paths that are barred by no more than this part of what they were are worth going on for.
 const LESS: f64 = 0.9;
-
 /// How far a search is.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Course {
@@ -48,8 +47,8 @@ impl LocalSearch<'_> {
     /// a place start from there at first. Asked again it goes on where it was.
     pub fn search(&mut self, chance: &mut ChaCha8Rng, budget: u64, limit: &Limit, given: &[bool]) -> bool {
         let late = || limit.is_over();
-        let end = self.work + budget;
-        self.preferring = false;
+        let end = self.trial.work + budget;
+        self.trial.preferring = false;
         let patience = [self.patience(HASTE), self.patience(HASTE_ON_PATHS)];
         let mut poses = Vec::new();
         loop {
@@ -62,7 +61,7 @@ impl LocalSearch<'_> {
                 self.begin(chance, given, &late);
                 self.skew = skew;
                 let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
-                let (begun, walking_since) = (self.work, self.work);
+                let (begun, walking_since) = (self.trial.work, self.trial.work);
                 self.course = Course {
                     turn: turn + 1,
                     open: true,
@@ -81,15 +80,16 @@ impl LocalSearch<'_> {
             let turn = luby(self.course.turn.div_ceil(2));
             let patience = patience.map(|steps| (steps * turn) as usize);
             // What has its place already is not given up so soon.
-            while self.work < end
+            while self.trial.work < end
                 && !late()
-                && self.course.idle < patience[usize::from(self.is_warm() || self.walking && self.path_count() > 0)]
+                && self.course.idle
+                    < patience[usize::from(self.is_warm() || self.walking && self.trial.path_count() > 0)]
             {
-                if self.bad.is_empty() && !self.walking {
+                if self.trial.bad.is_empty() && !self.walking {
                     // Corridors are worth planning where all else is in its place.
                     self.walking = true;
-                    self.plan_missing(&late);
-                    (self.course.walking_since, self.course.idle, self.course.least) = (self.work, 0, usize::MAX);
+                    self.trial.plan_missing(&late);
+                    (self.course.walking_since, self.course.idle, self.course.least) = (self.trial.work, 0, usize::MAX);
                 }
                 if self.is_done(&late) || self.bars_paths(turn) {
                     break;
@@ -97,11 +97,11 @@ impl LocalSearch<'_> {
                 self.step(chance, &mut poses);
                 self.note_best();
             }
-            if self.is_settled() || self.bad.is_empty() && self.walking && !late() {
+            if self.trial.is_settled() || self.trial.bad.is_empty() && self.walking && !late() {
                 self.course = Course::default();
                 return self.is_done(&late);
             }
-            if self.work >= end || late() {
+            if self.trial.work >= end || late() {
                 return false;
             }
             self.course.open = false;
@@ -121,8 +121,8 @@ impl LocalSearch<'_> {
 
     /// The width of the widest path that is looked at.
     pub(super) fn widest_path(&self) -> f64 {
-        let groups = (0..self.groups.len()).filter(|&group| self.looks_at(group));
-        groups.map(|group| 2.0 * self.groups[group].width()).fold(0.0, f64::max)
+        let groups = (0..self.trial.groups.len()).filter(|&group| self.trial.looks_at(group));
+        groups.map(|group| 2.0 * self.trial.groups[group].width()).fold(0.0, f64::max)
     }
 
     /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at
@@ -141,23 +141,25 @@ impl LocalSearch<'_> {
     fn bars_paths(&self, turn: f64) -> bool {
         let Course { begun, walking_since, freed, .. } = self.course;
         let share = WALKING * (walking_since - begun).max(SOON);
-        self.walking && self.path_count() > 0 && (self.work - freed.max(walking_since)) as f64 > turn * share as f64
+        self.walking
+            && self.trial.path_count() > 0
+            && (self.trial.work - freed.max(walking_since)) as f64 > turn * share as f64
     }
 
     /// Remembers what is violated least.
     fn note_best(&mut self) {
-        let bad = self.bad.len() + if self.walking { 0 } else { self.path_count() };
-        let barred = self.walks.iter().map(|(t, _)| self.cost[*t]).sum::<f64>();
+        let bad = self.trial.bad.len() + if self.walking { 0 } else { self.trial.path_count() };
+        let barred = self.trial.walks.iter().map(|(t, _)| self.trial.cost[*t]).sum::<f64>();
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };
         course.least = course.least.min(bad);
         if self.walking && barred < LESS * course.barred {
-            (course.barred, course.freed, course.idle) = (barred, self.work, 0);
+            (course.barred, course.freed, course.idle) = (barred, self.trial.work, 0);
         }
         let least = &mut course.least_of[usize::from(self.skew)];
         *least = Some(least.map_or(bad, |least| least.min(bad)));
         if course.best.as_ref().is_none_or(|(least, _)| bad < *least) {
-            self.course.best = Some((bad, self.everything()));
+            self.course.best = Some((bad, self.trial.everything()));
         }
     }
 
@@ -169,20 +171,20 @@ impl LocalSearch<'_> {
     /// Puts everything where the least was violated.
     pub fn restore_best(&mut self) {
         if let Some((_, poses)) = self.course.best.take() {
-            self.put_everything(&poses);
+            self.trial.put_everything(&poses);
         }
         self.course = Course::default();
     }
 
     /// Whether all holds, paths that terms ask for beside other things included.
     pub(super) fn is_done(&mut self, late: &dyn Fn() -> bool) -> bool {
-        self.bad.is_empty() && (self.path_terms.is_empty() || self.find_paths(late))
+        self.trial.bad.is_empty() && (self.trial.path_terms.is_empty() || self.trial.find_paths(late))
     }
 
     /// How many steps without a new best are worth waiting for, at least. What is packed tightly gets better slowly but
     /// surely, what has space is either soon right or never.
     fn patience(&self, least: f64) -> f64 {
-        let n = self.movable.len().max(5) as f64;
+        let n = self.trial.movable.len().max(5) as f64;
         let full = (self.covered() - FULL[0]) / (FULL[1] - FULL[0]);
         (least + (1.0 - least) * full).clamp(least, 1.0) * (PATIENCE[0] * n).min(PATIENCE[1] * n.sqrt())
     }
@@ -190,15 +192,17 @@ impl LocalSearch<'_> {
     /// The part of the floor that things stand on.
     pub(super) fn covered(&self) -> f64 {
         let stands = |&i: &usize| self.bases[i].is_empty() && matches!(self.homes[i], Home::Stands(_));
-        let covered: f64 = (0..self.count()).filter(stands).map(|i| self.size[i][0] * self.size[i][2]).sum();
+        let covered: f64 =
+            (0..self.trial.count()).filter(stands).map(|i| self.trial.size[i][0] * self.trial.size[i][2]).sum();
         covered / self.floor_area()
     }
 
     /// Of all rooms, zones within them not counted again (m²).
     fn floor_area(&self) -> f64 {
-        let is_zone =
-            |room: &&Room| self.rooms.iter().any(|other| other.area > room.area && other.field.contains(&room.field));
-        self.rooms.iter().filter(|room| !is_zone(room)).map(|room| room.area).sum()
+        let is_zone = |room: &&Room| {
+            self.trial.rooms.iter().any(|other| other.area > room.area && other.field.contains(&room.field))
+        };
+        self.trial.rooms.iter().filter(|room| !is_zone(room)).map(|room| room.area).sum()
     }
 }
 

@@ -1,9 +1,9 @@
 //! The first layout of a local search: one object after the other at the best of some poses.
 
 use super::LocalSearch;
-use super::moves::Inputs;
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
+use scenelang_engine::trial::Inputs;
 
 /// How many poses are tried for each object of a first layout.
 const FIRST: usize = 24;
@@ -24,33 +24,33 @@ impl LocalSearch<'_> {
     /// A first layout: one object after the other at the best of some poses. Large ones come first, and what has to do
     /// with those that are there already.
     pub(super) fn begin(&mut self, chance: &mut ChaCha8Rng, given: &[bool], late: &dyn Fn() -> bool) {
-        self.weight.fill(1.0);
-        self.reluctance.fill(0.0);
-        self.work += self.count() as u64;
+        self.trial.weight.fill(1.0);
+        self.trial.reluctance.fill(0.0);
+        self.trial.work += self.trial.count() as u64;
         let is_new = |i: &usize| !given.get(*i).copied().unwrap_or(false);
-        let mut waiting: Vec<usize> = self.movable.iter().copied().filter(is_new).collect();
-        self.away.fill(false);
+        let mut waiting: Vec<usize> = self.trial.movable.iter().copied().filter(is_new).collect();
+        self.trial.away.fill(false);
         let is_warm = waiting.is_empty();
         if !is_warm {
-            self.forget_paths();
+            self.trial.forget_paths();
         }
-        self.trust_paths();
+        self.trial.trust_paths();
         for &i in &waiting {
-            self.away[i] = true;
+            self.trial.away[i] = true;
             for k in self.dependants(i) {
-                self.away[k] = true;
+                self.trial.away[k] = true;
             }
         }
-        for i in 0..self.count() {
-            self.put(i, self.inputs(i));
+        for i in 0..self.trial.count() {
+            self.trial.put(i, self.trial.inputs(i));
         }
-        self.away_count = self.away.iter().filter(|a| **a).count();
-        self.judge_all();
+        self.trial.away_count = self.trial.away.iter().filter(|a| **a).count();
+        self.trial.judge_all();
         self.settle_variables(chance);
-        let factor: Vec<f64> = (0..self.count()).map(|_| chance.between(0.7, 1.3)).collect();
+        let factor: Vec<f64> = (0..self.trial.count()).map(|_| chance.between(0.7, 1.3)).collect();
         let company = chance.between(0.0, 1.0);
-        let mut links = vec![0.0; self.count()];
-        for i in (0..self.count()).filter(|i| !self.away[*i]) {
+        let mut links = vec![0.0; self.trial.count()];
+        for i in (0..self.trial.count()).filter(|i| !self.trial.away[*i]) {
             self.link(i, &mut links);
         }
         let mut poses = Vec::new();
@@ -59,11 +59,12 @@ impl LocalSearch<'_> {
         let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {
-                let door = if self.doors.contains(&i) { 100.0 } else { 0.0 };
+                let door = if self.trial.doors.contains(&i) { 100.0 } else { 0.0 };
                 let begun = if begun.is_some() && self.clusters.of[i] == begun { BEGUN } else { 0.0 };
-                door + begun + self.size[i][0] * self.size[i][2] * factor[i] + company * links[i]
+                door + begun + self.trial.size[i][0] * self.trial.size[i][2] * factor[i] + company * links[i]
             };
-            let based = |i: &usize| self.bases[*i].iter().chain(&self.container[*i]).all(|base| !self.away[*base]);
+            let based =
+                |i: &usize| self.bases[*i].iter().chain(&self.trial.container[*i]).all(|base| !self.trial.away[*base]);
             let ready = (0..waiting.len()).filter(|&k| based(&waiting[k]));
             let next = ready.max_by(|&a, &b| rank(waiting[a]).total_cmp(&rank(waiting[b]))).unwrap_or(0);
             let i = waiting.swap_remove(next);
@@ -77,44 +78,44 @@ impl LocalSearch<'_> {
                 }
             }
         }
-        self.judge_all();
+        self.trial.judge_all();
         if as_one {
             self.arrange_clusters(chance, late);
         }
         let early = self.is_other && self.course.turn % 4 < 2 && !is_warm && self.covered() >= CROWDED;
-        self.walking = early || (is_warm || as_one) && self.bad.is_empty() || self.path_count() == 0;
+        self.walking = early || (is_warm || as_one) && self.trial.bad.is_empty() || self.trial.path_count() == 0;
         if self.walking {
-            self.judge_paths();
-            self.plan_missing(late);
-            if (is_warm || as_one) && !self.bad.is_empty() && !late() {
+            self.trial.judge_paths();
+            self.trial.plan_missing(late);
+            if (is_warm || as_one) && !self.trial.bad.is_empty() && !late() {
                 // What has its place already is not moved for a plan, which is coarser than the evaluator.
-                self.confirm_paths();
+                self.trial.confirm_paths();
             }
         }
     }
 
     /// Objects that go wherever rules put them when this one moves.
     fn dependants(&self, i: usize) -> Vec<usize> {
-        let rules = self.frame.followers[i].iter().map(|&rule| self.rules[rule].owner);
-        rules.filter(|&k| k != i && !self.is_movable(k)).collect()
+        let rules = self.trial.frame.followers[i].iter().map(|&rule| self.trial.rules[rule].owner);
+        rules.filter(|&k| k != i && !self.trial.is_movable(k)).collect()
     }
 
     /// Gives an object its first place.
     fn bring_in(&mut self, i: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>, late: &dyn Fn() -> bool) {
-        self.away[i] = false;
+        self.trial.away[i] = false;
         let mut movers = Vec::new();
         for k in self.dependants(i) {
             movers.clear();
             self.movers(k, 0, &mut movers);
-            self.away[k] = movers.iter().any(|mover| self.away[*mover]);
+            self.trial.away[k] = movers.iter().any(|mover| self.trial.away[*mover]);
         }
         for k in std::iter::once(i).chain(self.dependants(i)) {
-            self.put(k, self.inputs(k));
-            self.near.set(k, &self.span[k]);
+            self.trial.put(k, self.trial.inputs(k));
+            self.trial.near.set(k, &self.trial.span[k]);
         }
-        self.away_count = self.away.iter().filter(|a| **a).count();
+        self.trial.away_count = self.trial.away.iter().filter(|a| **a).count();
         let pose = self.anywhere(i, chance);
-        self.settle(i, pose);
+        self.trial.settle(i, pose);
         let mut around = Vec::new();
         let mut best = (self.crowd(i, &mut around) - 1e-9, None);
         for round in 0..2 {
@@ -138,18 +139,18 @@ impl LocalSearch<'_> {
                 self.in_line(i, poses);
             }
             for &pose in poses.iter() {
-                self.go(i, pose);
+                self.trial.go(i, pose);
                 let crowd = self.crowd(i, &mut around);
-                if let Some(delta) = self.judge(best.0 - crowd) {
+                if let Some(delta) = self.trial.judge(best.0 - crowd) {
                     best = (delta + crowd - 1e-9, Some(pose));
                 }
-                self.undo();
+                self.trial.undo();
             }
             if let Some(pose) = best.1.take() {
-                self.settle(i, pose);
+                self.trial.settle(i, pose);
             }
             best.0 = self.crowd(i, &mut around) - 1e-9;
-            if self.terms_of[i].iter().all(|&t| self.bad_at[t] == u32::MAX) && self.hits[i].is_empty() {
+            if self.trial.terms_of[i].iter().all(|&t| !self.trial.is_bad(t)) && self.trial.hits[i].is_empty() {
                 break;
             }
         }
@@ -158,27 +159,29 @@ impl LocalSearch<'_> {
     /// How much an object narrows the paths between things, if this turn begins with room for these: what stands nearer to
     /// another than a path is wide costs more, unless the two have to do with each other.
     pub(super) fn crowd(&mut self, i: usize, around: &mut Vec<usize>) -> f64 {
-        if self.air == 0.0 || self.doors.contains(&i) {
+        if self.air == 0.0 || self.trial.doors.contains(&i) {
             return 0.0;
         }
-        let own = self.span[i];
+        let own = self.trial.span[i];
         let mut wide = own;
         for k in [0, 2] {
             wide.min[k] -= self.air;
             wide.max[k] += self.air;
         }
-        self.work += self.near.around(&wide, &self.span, around) as u64 / LOOKS;
+        self.trial.work += self.trial.near.around(&wide, &self.trial.span, around) as u64 / LOOKS;
         let together = |j: usize| {
             j == i
                 || self.course.turn > 0 && self.clusters.share(i, j)
                 || self.related[i].contains(&j)
-                || self.frame.siblings[i].iter().any(|s| s.0 as usize == j)
+                || self.trial.frame.siblings[i].iter().any(|s| s.0 as usize == j)
         };
         let gap = |j: usize| {
-            let apart = |k: usize| (self.span[j].min[k] - own.max[k]).max(own.min[k] - self.span[j].max[k]).max(0.0);
+            let apart = |k: usize| {
+                (self.trial.span[j].min[k] - own.max[k]).max(own.min[k] - self.trial.span[j].max[k]).max(0.0)
+            };
             apart(0).hypot(apart(2))
         };
-        let near = around.iter().filter(|&&j| !self.away[j] && !together(j));
+        let near = around.iter().filter(|&&j| !self.trial.away[j] && !together(j));
         let things: f64 = near.map(|&j| CROWD * (1.0 - gap(j) / self.air).max(0.0)).sum();
         // Between it and a wall there is a path or nothing.
         let field = &self.field[i];
@@ -189,34 +192,8 @@ impl LocalSearch<'_> {
 
     /// Others have so much more to do with what is there.
     fn link(&self, i: usize, links: &mut [f64]) {
-        for (other, weight) in &self.frame.related[i] {
+        for (other, weight) in &self.trial.frame.related[i] {
             links[other.0 as usize] += weight;
-        }
-    }
-
-    /// Judges everything anew.
-    pub(super) fn judge_all(&mut self) {
-        self.cost.fill(0.0);
-        self.holds.fill(true);
-        self.bad.clear();
-        self.bad_at.fill(u32::MAX);
-        self.hits.iter_mut().for_each(Vec::clear);
-        self.near.clear();
-        self.moved = (0..self.count()).map(|i| (i, self.inputs(i), self.span[i])).collect();
-        self.all_variables_move();
-        for i in 0..self.count() {
-            self.put(i, self.inputs(i));
-        }
-        let _ = self.judge(f64::INFINITY);
-        self.keep();
-    }
-
-    pub(super) fn settle(&mut self, i: usize, pose: Inputs) {
-        self.go(i, pose);
-        if self.judge(f64::INFINITY).is_some() {
-            self.keep();
-        } else {
-            self.undo();
         }
     }
 }

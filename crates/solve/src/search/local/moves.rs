@@ -1,15 +1,13 @@
 //! Where an object could go: anywhere, a little aside, turned, up against another thing or a wall, and to where a
 //! violated constraint would hold.
 
-use super::judge::carried;
-use super::{Home, Judge, LocalSearch, Ran, Stretch, Wall};
+use super::{Home, LocalSearch, Stretch, Wall};
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
-use scenelang_engine::penalty::Penalty;
+use scenelang_engine::trial::{Inputs, Judge, carried};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::rotation::sin_cos;
-use scenelang_verify::coded::{Flat, INPUTS};
-use std::marker::PhantomData;
+use scenelang_verify::coded::Flat;
 
 /// A step to see how a margin changes: metres, and degrees.
 const PROBE: f64 = 1e-3;
@@ -28,27 +26,24 @@ const DRAWS: usize = 8;
 /// How far apart things are put that are put beside each other (metres), at most.
 const APART: f64 = 0.15;
 
-/// One pose of an object: see [`scenelang_verify::coded::Slots`].
-pub(super) type Inputs = [f64; INPUTS];
-
 impl LocalSearch<'_> {
     /// Poses for an object, into `out`.
     pub(super) fn poses(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         out.clear();
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         out.extend(self.at_first[i].filter(|_| self.is_warm()));
         for _ in 0..6 {
             let pose = self.anywhere(i, chance);
             out.push(pose);
         }
         self.satisfying(i, chance, out);
-        for at in 0..self.yaws[i].len() {
-            let yaw = self.yaws[i][at];
+        for at in 0..self.trial.yaws[i].len() {
+            let yaw = self.trial.yaws[i][at];
             if yaw != now[3] {
                 out.push(turned(now, yaw));
             }
         }
-        if self.turns[i] && self.skew {
+        if self.trial.turns[i] && self.skew {
             self.turning(i, chance, out);
         }
         for far in [0.02, 0.1, 0.4, 1.0] {
@@ -59,14 +54,14 @@ impl LocalSearch<'_> {
         }
         self.beside_others(i, chance, out);
         let first = out.len();
-        if !self.frame.siblings[i].is_empty() && chance.below(3) == 0 {
+        if !self.trial.frame.siblings[i].is_empty() && chance.below(3) == 0 {
             self.by_analogy(i, out);
         }
         for _ in ANALOGIES..out.len() - first {
             let drop = first + chance.below(out.len() - first);
             out.swap_remove(drop);
         }
-        self.out_of_the_way(i, out);
+        self.trial.out_of_the_way(i, out);
         for _ in 0..3 {
             self.at_a_wall(i, chance, out);
         }
@@ -81,12 +76,12 @@ impl LocalSearch<'_> {
             Home::Door(stretches) => return self.in_wall(i, &stretches[chance.below(stretches.len())], chance),
             Home::Ceiling(height) => {
                 let mut pose = self.on_the_ground(i, chance);
-                pose[1] = height - self.size[i][1];
+                pose[1] = height - self.trial.size[i][1];
                 return pose;
             }
         }
         let mut pose = self.on_the_ground(i, chance);
-        if self.rests[i] {
+        if self.trial.rests[i] {
             pose[1] = self.level(i, chance);
         }
         pose
@@ -98,20 +93,20 @@ impl LocalSearch<'_> {
             [level] => level,
             ref levels => levels[chance.below(levels.len())],
         };
-        level + self.depth_below(i)
+        level + self.trial.depth_below(i)
     }
 
     /// Somewhere in what holds it, at its bottom.
     fn within(&self, i: usize, container: usize, chance: &mut ChaCha8Rng) -> Inputs {
         let mut pose = self.some_turn(i, chance);
-        if self.turns[i] && chance.below(2) == 0 {
-            pose = turned(pose, self.inputs(container)[3] + 90.0 * chance.below(4) as f64);
+        if self.trial.turns[i] && chance.below(2) == 0 {
+            pose = turned(pose, self.trial.inputs(container)[3] + 90.0 * chance.below(4) as f64);
         }
-        let flat = self.flat(container);
+        let flat = self.trial.flat(container);
         let along = [flat.point([1.0, 0.0]), flat.point([0.0, 1.0])].map(|p| [p[0] - flat.at[0], p[1] - flat.at[1]]);
         let play = [0, 1].map(|k| (flat.half[k] - self.reach_along(i, &pose, along[k])).max(0.0));
         [pose[0], pose[2]] = flat.point(play.map(|far| chance.between(-far, far)));
-        pose[1] = self.span[container].min[1] + self.depth_below(i);
+        pose[1] = self.trial.span[container].min[1] + self.trial.depth_below(i);
         pose
     }
 
@@ -123,7 +118,7 @@ impl LocalSearch<'_> {
             pose[0] = within(chance, field.min[0] + rx, field.max[0] - rx);
             pose[2] = within(chance, field.min[1] + rz, field.max[1] - rz);
             let at = [pose[0], pose[2]];
-            if self.outlines[i].iter().all(|&room| self.rooms[room].depth(at) >= rx.min(rz)) {
+            if self.outlines[i].iter().all(|&room| self.trial.rooms[room].depth(at) >= rx.min(rz)) {
                 break;
             }
         }
@@ -131,27 +126,27 @@ impl LocalSearch<'_> {
     }
 
     fn some_turn(&self, i: usize, chance: &mut ChaCha8Rng) -> Inputs {
-        let yaws = &self.yaws[i];
-        if self.turns[i] && self.skew && chance.below(4) == 0 {
-            return turned(self.inputs(i), chance.between(0.0, 360.0));
+        let yaws = &self.trial.yaws[i];
+        if self.trial.turns[i] && self.skew && chance.below(4) == 0 {
+            return turned(self.trial.inputs(i), chance.between(0.0, 360.0));
         }
-        turned(self.inputs(i), yaws[chance.below(yaws.len())])
+        turned(self.trial.inputs(i), yaws[chance.below(yaws.len())])
     }
 
     pub(super) fn reach(&self, i: usize, pose: &Inputs) -> (f64, f64) {
-        let ([w, _, d], [.., sin, cos]) = (self.size[i], *pose);
+        let ([w, _, d], [.., sin, cos]) = (self.trial.size[i], *pose);
         ((cos.abs() * w + sin.abs() * d) / 2.0, (sin.abs() * w + cos.abs() * d) / 2.0)
     }
 
     /// How far it reaches along a direction on the floor.
     fn reach_along(&self, i: usize, pose: &Inputs, [x, z]: [f64; 2]) -> f64 {
-        let ([w, _, d], [.., sin, cos]) = (self.size[i], *pose);
+        let ([w, _, d], [.., sin, cos]) = (self.trial.size[i], *pose);
         ((cos * x - sin * z).abs() * w + (sin * x + cos * z).abs() * d) / 2.0
     }
 
     /// Where it is, turned otherwise: a little, at random, and as what it has to do with has it.
     fn turning(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         for far in [3.0, 15.0, 180.0] {
             out.push(turned(now, now[3] + chance.between(-far, far)));
         }
@@ -163,7 +158,7 @@ impl LocalSearch<'_> {
 
     /// A yaw that another thing suggests: towards it, or as it is turned, give or take quarter turns.
     fn turn_beside(&self, i: usize, pose: &Inputs, j: usize, chance: &mut ChaCha8Rng) -> f64 {
-        let other = self.inputs(j);
+        let other = self.trial.inputs(j);
         let base = if chance.below(2) == 0 && i != j {
             (other[0] - pose[0]).atan2(other[2] - pose[2]).to_degrees()
         } else {
@@ -175,24 +170,31 @@ impl LocalSearch<'_> {
 
     /// Along x, z or y, or by turning, to where a violated term of it would hold, and some way beyond.
     fn satisfying(&mut self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
-        let now = self.inputs(i);
-        let fixed = self.frame.fixed(ObjectId(i as u32));
+        let now = self.trial.inputs(i);
+        let fixed = self.trial.frame.fixed(ObjectId(i as u32));
         // Those of what goes along by rules, too.
         let mut owners = vec![i];
-        owners.extend(self.followers[i].iter().map(|&rule| self.rules[rule].owner).filter(|owner| *owner != i));
+        owners.extend(
+            self.trial.followers[i].iter().map(|&rule| self.trial.rules[rule].owner).filter(|owner| *owner != i),
+        );
         let mut terms: Vec<usize> = Vec::new();
         for &owner in &owners {
-            terms.extend(self.terms_of[owner].iter().copied().filter(|&t| self.bad_at[t] != u32::MAX));
-            terms.extend(self.preferences_of[owner].iter().copied().filter(|&t| self.counts(t) && self.cost[t] > 0.0));
+            terms.extend(self.trial.terms_of[owner].iter().copied().filter(|&t| self.trial.is_bad(t)));
+            terms.extend(
+                self.trial.preferences_of[owner]
+                    .iter()
+                    .copied()
+                    .filter(|&t| self.trial.counts(t) && self.trial.cost[t] > 0.0),
+            );
         }
-        terms.retain(|&t| matches!(self.judges[t], Judge::Code(_) | Judge::Mixed(_)));
+        terms.retain(|&t| matches!(self.trial.judges[t], Judge::Code(_) | Judge::Mixed(_)));
         terms.truncate(TERMS);
         for t in terms {
             let missing = self.missing(t, i, now);
             let mut slopes = [0.0; 3];
             for axis in [0, 2, 1] {
                 // What stands goes up and down by what it stands on: see `on_others`.
-                if fixed.pos[axis] || axis == 1 && self.rests[i] {
+                if fixed.pos[axis] || axis == 1 && self.trial.rests[i] {
                     continue;
                 }
                 let mut probe = now;
@@ -219,7 +221,7 @@ impl LocalSearch<'_> {
                 }
                 out.push(pose);
             }
-            if self.turns[i] && self.skew {
+            if self.trial.turns[i] && self.skew {
                 self.straight_there(now, missing, slopes, out);
                 let slope = (self.missing(t, i, turned(now, now[3] + TURN)) - missing) / TURN;
                 let step = -(missing + EASE) / slope;
@@ -247,44 +249,29 @@ impl LocalSearch<'_> {
 
     /// What a term lacks with an object somewhere (metres).
     fn missing(&mut self, t: usize, i: usize, pose: Inputs) -> f64 {
-        self.go(i, pose);
-        let missing = self.lacks(t);
-        self.undo();
+        self.trial.go(i, pose);
+        let missing = self.trial.lacks(t);
+        self.trial.undo();
         missing
-    }
-
-    /// What a term lacks (metres).
-    pub(super) fn lacks(&mut self, t: usize) -> f64 {
-        let mut missing: Vec<f64> = Vec::new();
-        if let Judge::Code(code) = &self.judges[t] {
-            code.run(&mut self.slots);
-            let values = Ran { code, slots: &self.slots };
-            let formula = &self.frame.terms[t].formula;
-            let penalty = Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData };
-            penalty.residuals(&mut missing);
-        } else {
-            self.mixed_with(t, |penalty| penalty.residuals(&mut missing));
-        }
-        missing.into_iter().sum()
     }
 
     /// Where it would go on with a row, and where it would stand as another of its array does to what that belongs to.
     pub(super) fn by_analogy(&self, i: usize, out: &mut Vec<Inputs>) {
-        let placed = |j: &usize| *j != i && !self.away[*j];
-        let array = |k: usize| self.frame.siblings[k].iter().map(|o| o.0 as usize);
+        let placed = |j: &usize| *j != i && !self.trial.away[*j];
+        let array = |k: usize| self.trial.frame.siblings[k].iter().map(|o| o.0 as usize);
         let known = |k: usize| self.related[k].iter().copied().filter(placed).take(RELATED);
         for j in known(i) {
-            let here = self.inputs(j);
+            let here = self.trial.inputs(j);
             for m in known(j).filter(|m| array(j).any(|k| k == *m)) {
-                let before = self.inputs(m);
+                let before = self.trial.inputs(m);
                 let mut pose = here;
                 (0..3).step_by(2).for_each(|k| pose[k] += here[k] - before[k]);
-                pose[1] = self.inputs(i)[1];
+                pose[1] = self.trial.inputs(i)[1];
                 out.push(pose);
             }
             for s in array(i).filter(placed).take(RELATED) {
                 for a in known(s).filter(|a| *a != j && array(j).any(|k| k == *a)) {
-                    out.push(carried(&self.inputs(a), &here, &self.inputs(s)));
+                    out.push(carried(&self.trial.inputs(a), &here, &self.trial.inputs(s)));
                 }
             }
         }
@@ -292,17 +279,17 @@ impl LocalSearch<'_> {
 
     /// In line with things that it has to do with, up against them, turned as they are or the other way: so rows grow.
     pub(super) fn in_line(&self, i: usize, out: &mut Vec<Inputs>) {
-        let now = self.inputs(i);
-        for &j in self.related[i].iter().filter(|j| **j != i && !self.away[**j]).take(LINES) {
-            let (flat, other) = (self.flat(j), self.inputs(j));
+        let now = self.trial.inputs(i);
+        for &j in self.related[i].iter().filter(|j| **j != i && !self.trial.away[**j]).take(LINES) {
+            let (flat, other) = (self.trial.flat(j), self.trial.inputs(j));
             for yaw in [other[3], other[3] + 180.0] {
                 let pose = turned(now, yaw);
-                if !self.turns[i] && !self.yaws[i].contains(&pose[3]) {
+                if !self.trial.turns[i] && !self.trial.yaws[i].contains(&pose[3]) {
                     continue;
                 }
                 for (axis, side) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0)] {
                     let mut at = [0.0; 2];
-                    at[axis] = side * (flat.half[axis] + self.size[i][2 * axis] / 2.0 + EASE);
+                    at[axis] = side * (flat.half[axis] + self.trial.size[i][2 * axis] / 2.0 + EASE);
                     let [x, z] = flat.point(at);
                     out.push([x, now[1], z, pose[3], pose[4], pose[5]]);
                 }
@@ -314,21 +301,21 @@ impl LocalSearch<'_> {
     fn beside_others(&self, i: usize, chance: &mut ChaCha8Rng, out: &mut Vec<Inputs>) {
         for round in 0..6 {
             let pool = match round {
-                0 | 1 if !self.hits[i].is_empty() => &self.hits[i],
+                0 | 1 if !self.trial.hits[i].is_empty() => &self.trial.hits[i],
                 2 | 3 if !self.related[i].is_empty() => &self.related[i],
-                _ => &self.movable,
+                _ => &self.trial.movable,
             };
             if let Some(&j) = pool.get(chance.below(pool.len()))
                 && i != j
-                && !self.away[j]
+                && !self.trial.away[j]
             {
                 let apart = if chance.below(3) == 0 { APART * chance.unit() } else { 0.0 };
                 out.push(self.beside(i, j, apart, chance));
             }
         }
         let stands = matches!(self.homes[i], Home::Stands(_));
-        if stands && self.stacks && !self.hits[i].is_empty() {
-            let j = self.hits[i][chance.below(self.hits[i].len())];
+        if stands && self.stacks && !self.trial.hits[i].is_empty() {
+            let j = self.trial.hits[i][chance.below(self.trial.hits[i].len())];
             self.on_others(i, &[j], chance, out);
         } else if stands && !self.carriers[i].is_empty() {
             self.on_others(i, &self.carriers[i], chance, out);
@@ -340,22 +327,22 @@ impl LocalSearch<'_> {
         let Home::Stands(walls) = &self.homes[i] else { return };
         let width = width + EASE;
         if !walls.is_empty() {
-            out.push(self.along(i, &walls[chance.below(walls.len())], self.inputs(i), -width, chance));
+            out.push(self.along(i, &walls[chance.below(walls.len())], self.trial.inputs(i), -width, chance));
         }
-        let j = self.movable[chance.below(self.movable.len())];
-        if i != j && !self.away[j] && self.is_in_the_way(j) {
+        let j = self.trial.movable[chance.below(self.trial.movable.len())];
+        if i != j && !self.trial.away[j] && self.trial.is_in_the_way(j) {
             out.push(self.beside(i, j, width, chance));
         }
     }
 
     /// At a side of another thing, as that is turned, so far from it.
     fn beside(&self, i: usize, j: usize, apart: f64, chance: &mut ChaCha8Rng) -> Inputs {
-        let other = self.flat(j);
-        let now = self.inputs(i);
+        let other = self.trial.flat(j);
+        let now = self.trial.inputs(i);
         let square = other.turn[0] == 0.0 || other.turn[1] == 0.0;
         let mut pose = if chance.below(2) == 0 { now } else { self.some_turn(i, chance) };
-        if self.turns[i] && (!square || chance.below(4) == 0) && chance.below(3) > 0 {
-            pose = turned(now, self.inputs(j)[3] + 90.0 * chance.below(4) as f64);
+        if self.trial.turns[i] && (!square || chance.below(4) == 0) && chance.below(3) > 0 {
+            pose = turned(now, self.trial.inputs(j)[3] + 90.0 * chance.below(4) as f64);
         }
         let axis = chance.below(2);
         let ways = [other.point([1.0, 0.0]), other.point([0.0, 1.0])].map(|p| [p[0] - other.at[0], p[1] - other.at[1]]);
@@ -381,18 +368,18 @@ impl LocalSearch<'_> {
         let mut low = self.anywhere(i, chance);
         low[1] = self.level(i, chance);
         out.push(low);
-        for &j in others.iter().take(3).filter(|&&j| !self.away[j]) {
-            let Flat { at, half, .. } = self.flat(j);
-            let top = self.span[j].min[1] + self.surface[j] + self.depth_below(i);
+        for &j in others.iter().take(3).filter(|&&j| !self.trial.away[j]) {
+            let Flat { at, half, .. } = self.trial.flat(j);
+            let top = self.trial.span[j].min[1] + self.trial.surface[j] + self.trial.depth_below(i);
             for _ in 0..2 {
                 let mut pose = self.some_turn(i, chance);
-                if self.turns[i] && chance.below(2) == 0 {
-                    pose = turned(pose, self.inputs(j)[3] + 90.0 * chance.below(4) as f64);
+                if self.trial.turns[i] && chance.below(2) == 0 {
+                    pose = turned(pose, self.trial.inputs(j)[3] + 90.0 * chance.below(4) as f64);
                 }
                 // With all of it over the other, or with its middle.
                 let mut local = half.map(|h| chance.between(-h, h));
                 if chance.below(4) > 0 {
-                    let ways = [[1.0, 0.0], [0.0, 1.0]].map(|way| self.flat(j).point(way));
+                    let ways = [[1.0, 0.0], [0.0, 1.0]].map(|way| self.trial.flat(j).point(way));
                     let reach = ways.map(|p| self.reach_along(i, &pose, [p[0] - at[0], p[1] - at[1]]));
                     local = [0, 1].map(|k| {
                         let play = half[k] - reach[k];
@@ -400,7 +387,7 @@ impl LocalSearch<'_> {
                     });
                 }
                 pose[1] = top;
-                [pose[0], pose[2]] = if chance.below(3) == 0 { at } else { self.flat(j).point(local) };
+                [pose[0], pose[2]] = if chance.below(3) == 0 { at } else { self.trial.flat(j).point(local) };
                 out.push(pose);
             }
         }
@@ -418,8 +405,8 @@ impl LocalSearch<'_> {
             }
         };
         let wall = &walls[chance.below(walls.len())];
-        let now = self.inputs(i);
-        let back = self.turns[i] || self.yaws[i].contains(&wall.yaw);
+        let now = self.trial.inputs(i);
+        let back = self.trial.turns[i] || self.trial.yaws[i].contains(&wall.yaw);
         let pose = match chance.below(3) {
             0 if back => turned(now, wall.yaw),
             1 => self.some_turn(i, chance),
@@ -443,21 +430,22 @@ impl LocalSearch<'_> {
     }
 
     fn on_wall(&self, i: usize, wall: &Wall, chance: &mut ChaCha8Rng) -> Inputs {
-        let now = self.inputs(i);
-        let pose = if self.turns[i] || self.yaws[i].contains(&wall.yaw) { turned(now, wall.yaw) } else { now };
+        let now = self.trial.inputs(i);
+        let pose =
+            if self.trial.turns[i] || self.trial.yaws[i].contains(&wall.yaw) { turned(now, wall.yaw) } else { now };
         let mut pose = self.along(i, wall, pose, 0.0, chance);
-        let room = self.rooms.iter().find(|room| room.depth([pose[0], pose[2]]) >= -1e-6);
+        let room = self.trial.rooms.iter().find(|room| room.depth([pose[0], pose[2]]) >= -1e-6);
         let (floor, ceiling) = room.map_or((0.0, 2.5), |room| (room.floor, room.ceiling));
         if chance.below(2) == 0 {
-            pose[1] = within(chance, floor, ceiling - self.size[i][1]);
+            pose[1] = within(chance, floor, ceiling - self.trial.size[i][1]);
         }
         pose
     }
 
     fn in_wall(&self, i: usize, stretch: &Stretch, chance: &mut ChaCha8Rng) -> Inputs {
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         let yaw = stretch.wall.yaw + if chance.below(2) == 0 { 0.0 } else { 180.0 };
-        let pose = if self.turns[i] || self.yaws[i].contains(&yaw) { turned(now, yaw) } else { now };
+        let pose = if self.trial.turns[i] || self.trial.yaws[i].contains(&yaw) { turned(now, yaw) } else { now };
         let depth = self.reach_along(i, &pose, stretch.wall.inward);
         let mut pose = self.along(i, &stretch.wall, pose, depth + stretch.behind, chance);
         pose[1] = stretch.floor;

@@ -27,7 +27,6 @@ const ROUNDS: f64 = 5.0;
 const WORK: f64 = 300_000.0;
 /// How often another check is drawn where the first was a preference and something that must hold does not.
 const DRAWS: usize = 3;
-
 impl LocalSearch<'_> {
     /// Looks for a layout in which preferences of more weight hold than in this one, in which all holds that must. It goes
     /// on holding.
@@ -38,17 +37,18 @@ impl LocalSearch<'_> {
         (end, quality): (u64, f64),
         limit: &Limit,
     ) {
-        let weights = self.weight.clone();
+        let weights = self.trial.weight.clone();
         self.stake = self.stakes(preferences);
+        self.trial.demand((0..self.stake.len()).filter(|&t| self.stake[t] > 0.0));
         self.weigh_anew();
         let (mut best, mut found) = (self.standing(preferences), self.found());
         let mut real = self.standing_with_paths(preferences);
-        let patience = PATIENCE[0] * self.count() + PATIENCE[1];
+        let patience = PATIENCE[0] * self.trial.count() + PATIENCE[1];
         let most = (ROUNDS * quality).ceil() as usize;
-        let end = end.min(self.work + (WORK * quality * self.count() as f64) as u64);
+        let end = end.min(self.trial.work + (WORK * quality * self.trial.count() as f64) as u64);
         let (mut idle, mut rounds) = (0, 0);
         let mut poses = Vec::new();
-        while self.work < end && !limit.is_over() && rounds < most && !self.bad.is_empty() {
+        while self.trial.work < end && !limit.is_over() && rounds < most && !self.trial.bad.is_empty() {
             self.step(chance, &mut poses);
             idle += 1;
             if self.is_allowed() {
@@ -70,24 +70,25 @@ impl LocalSearch<'_> {
             }
         }
         self.stake.clear();
-        self.weight = weights;
+        self.trial.demand([]);
+        self.trial.weight = weights;
         self.show(&found);
     }
 
     /// Whether all holds that must, as far as a search looks at it.
     fn is_allowed(&self) -> bool {
-        !self.bad.iter().any(|&check| self.is_hard(check))
+        !self.trial.bad.iter().any(|&check| self.trial.is_hard(check))
     }
 
     /// The same for paths that terms ask for beside other things.
     fn is_allowed_paths(&mut self, limit: &Limit) -> bool {
-        self.path_terms.is_empty() || self.find_paths(&|| limit.is_over())
+        self.trial.path_terms.is_empty() || self.trial.find_paths(&|| limit.is_over())
     }
 
     /// By term: what it is worth, the heaviest preference 1; 0: nothing can be done for it, or it must hold.
     fn stakes(&self, preferences: &[Preference]) -> Vec<f64> {
         let most = preferences.iter().map(|p| p.weight).fold(1e-12, f64::max);
-        let mut stakes = vec![0.0; self.frame.terms.len()];
+        let mut stakes = vec![0.0; self.trial.frame.terms.len()];
         let mut movers = Vec::new();
         for preference in preferences {
             for &part in &preference.parts {
@@ -101,36 +102,31 @@ impl LocalSearch<'_> {
         stakes
     }
 
-    /// Whether a check counts as violated where it fails.
-    pub(super) fn is_demanded(&self, check: usize) -> bool {
-        self.demanded.contains(&check) || self.stake.get(check).is_some_and(|stake| *stake > 0.0)
-    }
-
     /// All weighs what it weighs at first.
     fn weigh_anew(&mut self) {
-        self.weight.fill(1.0);
+        self.trial.weight.fill(1.0);
         for t in 0..self.stake.len() {
-            if !self.is_hard(t) {
-                self.weight[t] = AT_FIRST * self.stake[t];
-                let (cost, holds) = (self.cost[t], self.holds[t]);
-                self.set(t, cost, holds);
+            if !self.trial.is_hard(t) {
+                self.trial.weight[t] = AT_FIRST * self.stake[t];
+                let (cost, holds) = (self.trial.cost[t], self.trial.holds[t]);
+                self.trial.set(t, cost, holds);
             }
         }
     }
 
     /// Something violated to take up: rather what must hold than a preference, and of those rather one that weighs more.
     pub(super) fn pick(&self, chance: &mut ChaCha8Rng) -> usize {
-        let mut draw = || self.bad[chance.below(self.bad.len())];
+        let mut draw = || self.trial.bad[chance.below(self.trial.bad.len())];
         let mut check = draw();
         if self.stake.is_empty() {
             return check;
         }
         for _ in 0..DRAWS {
-            if self.is_hard(check) {
+            if self.trial.is_hard(check) {
                 break;
             }
             let other = draw();
-            if self.is_hard(other) || self.weight[other] > self.weight[check] {
+            if self.trial.is_hard(other) || self.trial.weight[other] > self.trial.weight[check] {
                 check = other;
             }
         }
@@ -140,14 +136,15 @@ impl LocalSearch<'_> {
     /// No move helps: what is violated comes to weigh more, preferences only where all holds that must.
     pub(super) fn insist(&mut self, chance: &mut ChaCha8Rng) {
         let optimising = !self.stake.is_empty();
-        let broken = !optimising || self.bad.iter().any(|&check| self.is_hard(check));
-        for at in 0..self.bad.len() {
-            let check = self.bad[at];
-            if !optimising || self.is_hard(check) {
-                self.weight[check] += STUBBORN * chance.unit();
+        let broken = !optimising || self.trial.bad.iter().any(|&check| self.trial.is_hard(check));
+        for at in 0..self.trial.bad.len() {
+            let check = self.trial.bad[at];
+            if !optimising || self.trial.is_hard(check) {
+                self.trial.weight[check] += STUBBORN * chance.unit();
             } else if !broken {
                 let stake = self.stake[check];
-                self.weight[check] = (self.weight[check] + MORE * stake * chance.unit()).min(AT_MOST * stake);
+                self.trial.weight[check] =
+                    (self.trial.weight[check] + MORE * stake * chance.unit()).min(AT_MOST * stake);
             }
         }
     }
@@ -155,8 +152,8 @@ impl LocalSearch<'_> {
     /// Everything movable that a check speaks of.
     pub(super) fn movers_of(&self, check: usize, out: &mut Vec<usize>) {
         let mut moves = |i: usize| self.movers(i, 0, out);
-        match self.numbering.check(check) {
-            Check::Term(t) => self.frame.terms[t].objects.iter().for_each(|o| moves(o.0 as usize)),
+        match self.trial.numbering.check(check) {
+            Check::Term(t) => self.trial.frame.terms[t].objects.iter().for_each(|o| moves(o.0 as usize)),
             Check::Collide(a, b) => [a, b].iter().for_each(|o| moves(o.0 as usize)),
             Check::Bounds(a) | Check::Support(a) => moves(a.0 as usize),
         }

@@ -2,11 +2,10 @@
 //! that is kept where everything else still holds and the preferences together cost less.
 
 use super::LocalSearch;
-use super::moves::Inputs;
-use super::paths::PathGroup;
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::frame::terms::Force;
 use scenelang_engine::limit::Limit;
+use scenelang_engine::trial::{Inputs, PathGroup, Trial};
 
 /// How often all preferences are gone through.
 const PASSES: usize = 2;
@@ -16,14 +15,18 @@ const ALL: f64 = 0.05;
 const DEMANDED: f64 = 1.0;
 /// How many steps a demand is worth, for each object and in all.
 const STEPS: [usize; 2] = [6, 60];
-
 /// Weights and costs that differ by less are the same.
 const SAME: f64 = 1e-6;
-
 /// A preference: what it weighs, and the terms that it is made of.
 pub(super) struct Preference {
     pub weight: f64,
     pub parts: Vec<usize>,
+}
+
+impl Preference {
+    fn is_met(&self, trial: &Trial<'_>) -> bool {
+        self.parts.iter().all(|&t| trial.does_hold(t))
+    }
 }
 
 /// How preferences stand.
@@ -36,6 +39,13 @@ pub(super) struct Standing {
 }
 
 impl Standing {
+    /// How preferences stand in a layout.
+    fn of(trial: &Trial<'_>, preferences: &[Preference]) -> Self {
+        let met = preferences.iter().filter(|p| p.is_met(trial)).map(|p| p.weight).sum();
+        let cost = weights(trial).map(|(t, weight)| weight * trial.cost[t]).sum();
+        Self { met, cost }
+    }
+
     /// Whether more weight holds, or all comes closer to holding.
     pub fn is_better(&self, other: &Self) -> bool {
         self.met > other.met + SAME || self.met > other.met - SAME && self.cost < other.cost - SAME
@@ -49,23 +59,6 @@ pub(super) struct Found {
 }
 
 impl LocalSearch<'_> {
-    /// Whether a term counts at present: it must hold, or preferences are looked at.
-    pub(super) fn counts(&self, t: usize) -> bool {
-        self.preferring || self.frame.terms[t].is_hard()
-    }
-
-    /// What preferences cost together.
-    pub fn preferences_cost(&self) -> f64 {
-        let soft = (0..self.frame.terms.len()).filter(|&t| !self.frame.terms[t].is_hard());
-        soft.map(|t| self.weight_of_preference(t) * self.cost[t]).sum()
-    }
-
-    fn weight_of_preference(&self, t: usize) -> f64 {
-        let weight = |t: usize| if let Force::Soft(weight) = self.frame.terms[t].force { weight } else { 0.0 };
-        let all: f64 = (0..self.frame.terms.len()).map(weight).sum();
-        ALL * weight(t) / all.max(1e-12)
-    }
-
     /// Improves a layout in which all holds that must, up to so much work. It keeps holding. What is `settled` is moved only
     /// for a preference that holds then. The higher the quality (usually 1), the longer it is tried without success.
     pub fn improve_preferences(
@@ -75,27 +68,26 @@ impl LocalSearch<'_> {
         limit: &Limit,
         settled: bool,
     ) {
-        let end = self.work + budget;
+        let end = self.trial.work + budget;
         let mut preferences = self.preferences();
         if preferences.is_empty() || budget == 0 {
             return;
         }
         preferences.sort_by(|a, b| b.weight.total_cmp(&a.weight).then(a.parts.cmp(&b.parts)));
-        self.preferring = true;
-        self.weight.fill(1.0);
-        for t in preferences.iter().flat_map(|p| &p.parts) {
-            self.weight[*t] = self.weight_of_preference(*t);
-        }
-        self.judge_all();
-        self.judge_paths();
-        self.plan_missing(&|| limit.is_over());
+        self.trial.preferring = true;
+        self.trial.weight.fill(1.0);
+        let weights: Vec<(usize, f64)> = weights(&self.trial).collect();
+        weights.into_iter().for_each(|(t, weight)| self.trial.weight[t] = weight);
+        self.trial.judge_all();
+        self.trial.judge_paths();
+        self.trial.plan_missing(&|| limit.is_over());
         for _ in 0..PASSES {
             let before = self.standing(&preferences);
             for preference in &preferences {
-                if self.work >= end || limit.is_over() {
+                if self.trial.work >= end || limit.is_over() {
                     break;
                 }
-                if !self.is_met(preference) {
+                if !preference.is_met(&self.trial) {
                     self.demand(preference, &preferences, chance, end, limit, settled);
                 }
             }
@@ -120,22 +112,22 @@ impl LocalSearch<'_> {
     ) {
         let late = || limit.is_over();
         let (found, before, real) = (self.found(), self.standing(all), self.standing_with_paths(all));
-        let (reluctance, weights) = (self.reluctance.clone(), self.weight.clone());
-        self.demanded.clone_from(&preference.parts);
-        preference.parts.iter().for_each(|&t| self.weight[t] = DEMANDED);
+        let (reluctance, weights) = (self.trial.reluctance.clone(), self.trial.weight.clone());
+        self.trial.demand(preference.parts.iter().copied());
+        preference.parts.iter().for_each(|&t| self.trial.weight[t] = DEMANDED);
         self.note_demand(preference);
         let mut poses = Vec::new();
-        let mut steps = (STEPS[0] * self.count()).max(STEPS[1]);
-        while steps > 0 && !self.bad.is_empty() && self.work < end && !late() {
+        let mut steps = (STEPS[0] * self.trial.count()).max(STEPS[1]);
+        while steps > 0 && !self.trial.bad.is_empty() && self.trial.work < end && !late() {
             self.step(chance, &mut poses);
             steps -= 1;
         }
         let done = self.is_done(&late);
-        self.demanded.clear();
-        self.weight = weights;
-        self.reluctance = reluctance;
+        self.trial.demand([]);
+        self.trial.weight = weights;
+        self.trial.reluctance = reluctance;
         self.note_demand(preference);
-        let better = done && self.standing(all).is_better(&before) && (!settled || self.is_met(preference));
+        let better = done && self.standing(all).is_better(&before) && (!settled || preference.is_met(&self.trial));
         if !better || !self.standing_with_paths(all).is_better(&real) {
             self.show(&found);
         }
@@ -144,15 +136,15 @@ impl LocalSearch<'_> {
     /// Counts a preference as violated where it fails, or no longer.
     fn note_demand(&mut self, preference: &Preference) {
         for &t in &preference.parts {
-            let (cost, holds) = (self.cost[t], self.does_hold(t));
-            self.set(t, cost, holds);
+            let (cost, holds) = (self.trial.cost[t], self.trial.does_hold(t));
+            self.trial.set(t, cost, holds);
         }
     }
 
     /// The preferences, each with the terms that it is made of.
     fn preferences(&self) -> Vec<Preference> {
         let mut found: Vec<(usize, Preference)> = Vec::new();
-        for (t, term) in self.frame.terms.iter().enumerate() {
+        for (t, term) in self.trial.frame.terms.iter().enumerate() {
             let Force::Soft(weight) = term.force else { continue };
             match found.last_mut().filter(|(constraint, _)| *constraint == term.constraint) {
                 Some((_, preference)) => {
@@ -165,31 +157,34 @@ impl LocalSearch<'_> {
         found.into_iter().map(|(_, preference)| preference).collect()
     }
 
-    fn is_met(&self, preference: &Preference) -> bool {
-        preference.parts.iter().all(|&t| self.does_hold(t))
-    }
-
     /// How the preferences stand.
     pub(super) fn standing(&self, preferences: &[Preference]) -> Standing {
-        let met = preferences.iter().filter(|p| self.is_met(p)).map(|p| p.weight).sum();
-        Standing { met, cost: self.preferences_cost() }
+        Standing::of(&self.trial, preferences)
     }
 
     /// The same with the paths that there are, where preferences ask for some.
     pub(super) fn standing_with_paths(&mut self, preferences: &[Preference]) -> Standing {
-        self.with_paths(|local| local.standing(preferences))
+        self.trial.with_paths(|trial| Standing::of(trial, preferences))
     }
 
     /// Where everything is.
     pub(super) fn found(&self) -> Found {
-        Found { poses: self.everything(), groups: self.groups.clone() }
+        Found { poses: self.trial.everything(), groups: self.trial.groups.clone() }
     }
 
     /// Puts everything where it was.
     pub(super) fn show(&mut self, found: &Found) {
-        self.put_everything(&found.poses);
-        self.groups.clone_from(&found.groups);
-        self.judge_all();
-        self.judge_paths();
+        self.trial.put_everything(&found.poses);
+        self.trial.groups.clone_from(&found.groups);
+        self.trial.judge_all();
+        self.trial.judge_paths();
     }
+}
+
+/// Terms of preferences, each with its part of what all of them cost together.
+fn weights(trial: &Trial<'_>) -> impl Iterator<Item = (usize, f64)> {
+    let terms = &trial.frame.terms;
+    let weight = |t: usize| if let Force::Soft(weight) = terms[t].force { weight } else { 0.0 };
+    let all: f64 = (0..terms.len()).map(weight).sum();
+    (0..terms.len()).filter(|&t| !terms[t].is_hard()).map(move |t| (t, ALL * weight(t) / all.max(1e-12)))
 }

@@ -1,12 +1,11 @@
 //! A step of a local search: take something violated and an object that it speaks of, try many poses, take the best if
 //! it is better; where none is, let what is violated weigh more.
 
-use super::judge::carried;
-use super::moves::Inputs;
-use super::{Home, Judge, LocalSearch};
+use super::{Home, LocalSearch};
 use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::frame::checks::Check;
+use scenelang_engine::trial::{Inputs, Judge, carried};
 use scenelang_lang::program::ObjectId;
 
 /// What a violated check gains in weight when nothing can be moved for it.
@@ -34,7 +33,6 @@ const PLANS: usize = 10;
 const FORGIVEN: f64 = 0.7;
 /// How much more is walked round a thing each time that it could not be moved.
 const RELUCTANCE: f64 = 0.2;
-
 /// What a step does.
 #[derive(Clone, Copy)]
 enum Choice {
@@ -61,24 +59,24 @@ impl LocalSearch<'_> {
     pub(super) fn step(&mut self, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         // Where the program fixes everything there is nothing to try;
         // and where ways alone are missing that are only preferred, nothing counts as violated.
-        if self.is_settled() || self.bad.is_empty() {
+        if self.trial.is_settled() || self.trial.bad.is_empty() {
             return;
         }
-        self.work += 1;
+        self.trial.work += 1;
         let check = self.pick(chance);
         if self.frees_path(check, chance, poses) || self.takes_variable(check, chance) || self.takes_lean(check, chance)
         {
             return;
         }
         let Some(i) = self.culprit(check, chance) else {
-            self.weight[check] += STUBBORN;
+            self.trial.weight[check] += STUBBORN;
             return;
         };
         let mut best = Best { delta: 1e-9, choice: None };
         self.poses(i, chance, poses);
         self.try_alone(i, poses, &mut best);
         self.try_exchanges(i, chance, &mut best);
-        let group = if self.frame.siblings[i].is_empty() { Vec::new() } else { self.group(i, chance) };
+        let group = if self.trial.frame.siblings[i].is_empty() { Vec::new() } else { self.group(i, chance) };
         // What has its place already stays there if one thing alone can make way.
         if !(self.is_warm() && best.choice.is_some()) {
             self.try_together(i, &group, poses, chance, &mut best);
@@ -96,7 +94,7 @@ impl LocalSearch<'_> {
                 self.along[0] += 1.0;
                 self.go_along(i, pose);
             }
-            Some(Choice::Alone(pose)) => self.go(i, pose),
+            Some(Choice::Alone(pose)) => self.trial.go(i, pose),
             Some(Choice::Exchange(j, turn)) => self.exchange(i, j, turn),
             Some(Choice::Mirrored(axis)) => {
                 self.go_mirrored(i, axis);
@@ -104,30 +102,30 @@ impl LocalSearch<'_> {
             Some(Choice::Together(pose)) => self.go_together(i, &group, pose),
             None => {}
         }
-        if best.choice.is_some() && self.judge(f64::INFINITY).is_some() {
-            self.keep();
+        if best.choice.is_some() && self.trial.judge(f64::INFINITY).is_some() {
+            self.trial.keep();
         }
         if best.delta > -1e-9 {
-            self.reluctance[i] += RELUCTANCE;
+            self.trial.reluctance[i] += RELUCTANCE;
             self.insist(chance);
         }
     }
 
     /// Where a path is missing: a new plan, another arrangement, a question to the evaluator. Whether the step is done.
     fn frees_path(&mut self, check: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) -> bool {
-        if let Some(Judge::PathGroup(group)) = self.judges.get(check)
-            && (self.is_stale(*group) || chance.below(PLANS) == 0)
+        if let Some(Judge::PathGroup(group)) = self.trial.judges.get(check)
+            && (self.trial.is_stale(*group) || chance.below(PLANS) == 0)
         {
             let group = *group;
-            let before = self.cost[check];
-            self.plan_again(group);
-            if self.cost[check] < before {
-                self.weight[check] = (self.weight[check] * FORGIVEN).max(1.0);
+            let before = self.trial.cost[check];
+            self.trial.plan_again(group);
+            if self.trial.cost[check] < before {
+                self.trial.weight[check] = (self.trial.weight[check] * FORGIVEN).max(1.0);
             }
             return true;
         }
-        if matches!(self.judges.get(check), Some(Judge::Mixed(mixed)) if mixed.walks())
-            && self.bad.iter().all(|c| self.path_terms.contains(c))
+        if matches!(self.trial.judges.get(check), Some(Judge::Mixed(mixed)) if mixed.walks())
+            && self.trial.bad.iter().all(|c| self.trial.path_terms.contains(c))
             && chance.below(2) == 0
         {
             self.clear_path(check, chance, poses);
@@ -136,8 +134,8 @@ impl LocalSearch<'_> {
         if !self.are_only_paths_barred() {
             return false;
         }
-        let nearly = self.bad.iter().map(|check| self.cost[*check]).sum::<f64>() < NEARLY;
-        if chance.below(CONFIRMED[usize::from(nearly)]) == 0 && self.confirm_paths() {
+        let nearly = self.trial.bad.iter().map(|check| self.trial.cost[*check]).sum::<f64>() < NEARLY;
+        if chance.below(CONFIRMED[usize::from(nearly)]) == 0 && self.trial.confirm_paths() {
             return true;
         }
         self.rearranges(chance) && self.rearrange(chance, poses)
@@ -146,24 +144,24 @@ impl LocalSearch<'_> {
     /// Judges a trial, and takes it back; it is remembered if it is the best yet.
     fn weigh(&mut self, choice: Choice, best: &mut Best) {
         let charged = self.charged();
-        if let Some(delta) = self.judge(best.delta - charged) {
+        if let Some(delta) = self.trial.judge(best.delta - charged) {
             *best = Best { delta: delta + charged, choice: Some(choice) };
         }
-        self.undo();
+        self.trial.undo();
     }
 
     fn try_alone(&mut self, i: usize, poses: &[Inputs], best: &mut Best) {
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         for &pose in poses.iter().filter(|pose| **pose != now) {
-            self.go(i, pose);
+            self.trial.go(i, pose);
             self.weigh(Choice::Alone(pose), best);
         }
     }
 
     fn try_exchanges(&mut self, i: usize, chance: &mut ChaCha8Rng, best: &mut Best) {
         for _ in 0..EXCHANGES {
-            let j = self.movable[chance.below(self.movable.len())];
-            if i != j && !self.away[j] {
+            let j = self.trial.movable[chance.below(self.trial.movable.len())];
+            if i != j && !self.trial.away[j] {
                 let turn = chance.below(2) == 0;
                 self.exchange(i, j, turn);
                 self.weigh(Choice::Exchange(j, turn), best);
@@ -180,15 +178,15 @@ impl LocalSearch<'_> {
     }
 
     fn try_along(&mut self, i: usize, poses: &[Inputs], chance: &mut ChaCha8Rng, best: &mut Best) {
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         // As often as it pays.
         let [pays, tried] = self.along;
         let often = (pays + 1.0) / (tried + 5.0) > 0.3 * chance.unit();
         let count = if often { ALONG } else { 0 };
         self.along[1] += f64::from(u8::from(often));
         let mut along: Vec<Inputs> = (0..count).map(|_| poses[chance.below(poses.len())]).collect();
-        if self.walking && self.path_count() > 0 {
-            self.out_of_the_way(i, &mut along);
+        if self.walking && self.trial.path_count() > 0 {
+            self.trial.out_of_the_way(i, &mut along);
             along.extend((0..ALONG).map(|_| {
                 // Far away, but turned as it is: a whole row may go there.
                 let pose = self.anywhere(i, chance);
@@ -199,7 +197,7 @@ impl LocalSearch<'_> {
             if pose != now && self.go_along(i, pose) {
                 self.weigh(Choice::Along(pose), best);
             } else {
-                self.undo();
+                self.trial.undo();
             }
         }
     }
@@ -207,32 +205,32 @@ impl LocalSearch<'_> {
     /// Looks for a place for an object where all else holds and a term has the path that it asks for.
     fn clear_path(&mut self, t: usize, chance: &mut ChaCha8Rng, poses: &mut Vec<Inputs>) {
         let own = self.culprit(t, chance).filter(|_| chance.below(2) == 0);
-        let i = own.unwrap_or(self.movable[chance.below(self.movable.len())]);
+        let i = own.unwrap_or(self.trial.movable[chance.below(self.trial.movable.len())]);
         self.poses(i, chance, poses);
-        let before = self.inputs(i);
+        let before = self.trial.inputs(i);
         for _ in 0..PATHS {
             let pose = poses[chance.below(poses.len())];
-            self.go(i, pose);
-            if self.judge(1e-9).is_none() {
-                self.undo();
+            self.trial.go(i, pose);
+            if self.trial.judge(1e-9).is_none() {
+                self.trial.undo();
                 continue;
             }
-            self.keep();
-            if self.find_paths_of(t) {
+            self.trial.keep();
+            if self.trial.find_paths_of(t) {
                 return;
             }
-            self.settle(i, before);
+            self.trial.settle(i, before);
         }
     }
 
     /// An object goes somewhere with others, as if all were one piece.
     pub(super) fn go_together(&mut self, i: usize, group: &[usize], pose: Inputs) {
-        let old = self.inputs(i);
-        self.go(i, pose);
-        let pose = self.inputs(i);
+        let old = self.trial.inputs(i);
+        self.trial.go(i, pose);
+        let pose = self.trial.inputs(i);
         for &k in group {
-            if k != i && self.is_movable(k) {
-                self.go(k, carried(&old, &pose, &self.inputs(k)));
+            if k != i && self.trial.is_movable(k) {
+                self.trial.go(k, carried(&old, &pose, &self.trial.inputs(k)));
             }
         }
     }
@@ -240,42 +238,42 @@ impl LocalSearch<'_> {
     /// An object goes somewhere, and with it go others whose relation to it would be broken, and others whose relation to
     /// those would. Whether there are such.
     pub(super) fn go_along(&mut self, i: usize, pose: Inputs) -> bool {
-        let old = self.inputs(i);
-        self.go(i, pose);
-        let pose = self.inputs(i);
+        let old = self.trial.inputs(i);
+        self.trial.go(i, pose);
+        let pose = self.trial.inputs(i);
         let mut looked = 0;
-        let most = COMPANY[usize::from(self.walking && self.path_count() > 0)];
-        while looked < self.moved.len() && self.moved.len() < most {
-            let k = self.moved[looked].0;
+        let most = COMPANY[usize::from(self.walking && self.trial.path_count() > 0)];
+        while looked < self.trial.moved.len() && self.trial.moved.len() < most {
+            let k = self.trial.moved[looked].0;
             looked += 1;
             // While preferences are raised, those that hold tie things together, too.
-            let preferences = if self.stake.is_empty() { 0 } else { self.preferences_of[k].len() };
-            for at in 0..self.terms_of[k].len() + preferences {
-                let hard = self.terms_of[k].len();
-                let t = if at < hard { self.terms_of[k][at] } else { self.preferences_of[k][at - hard] };
-                let objects = &self.frame.terms[t].objects;
-                if !(2..=3).contains(&objects.len()) || self.bad_at[t] != u32::MAX {
+            let preferences = if self.stake.is_empty() { 0 } else { self.trial.preferences_of[k].len() };
+            for at in 0..self.trial.terms_of[k].len() + preferences {
+                let hard = self.trial.terms_of[k].len();
+                let t = if at < hard { self.trial.terms_of[k][at] } else { self.trial.preferences_of[k][at - hard] };
+                let objects = &self.trial.frame.terms[t].objects;
+                if !(2..=3).contains(&objects.len()) || self.trial.is_bad(t) {
                     continue;
                 }
-                let stays = |o: &&ObjectId| !self.moved.iter().any(|(m, ..)| *m == o.0 as usize);
+                let stays = |o: &&ObjectId| !self.trial.moved.iter().any(|(m, ..)| *m == o.0 as usize);
                 let others: Vec<usize> = objects.iter().filter(stays).map(|o| o.0 as usize).collect();
-                if others.is_empty() || self.term(t).1 {
+                if others.is_empty() || self.trial.term(t).1 {
                     continue;
                 }
                 for other in others {
-                    if self.is_movable(other) {
-                        self.go(other, carried(&old, &pose, &self.inputs(other)));
+                    if self.trial.is_movable(other) {
+                        self.trial.go(other, carried(&old, &pose, &self.trial.inputs(other)));
                     }
                 }
             }
         }
-        self.moved.len() > 1
+        self.trial.moved.len() > 1
     }
 
     /// Its array; or that with others that have to do with it, and with those, but for what is beyond one of them.
     fn group(&self, i: usize, chance: &mut ChaCha8Rng) -> Vec<usize> {
         let mut found = vec![i];
-        let array = |k: usize| self.frame.siblings[k].iter().map(|o| o.0 as usize);
+        let array = |k: usize| self.trial.frame.siblings[k].iter().map(|o| o.0 as usize);
         found.extend(array(i));
         let others: Vec<usize> = self.neighbours(i).filter(|k| !found.contains(k)).collect();
         if others.is_empty() || chance.below(4) > 0 {
@@ -297,24 +295,24 @@ impl LocalSearch<'_> {
     /// Elements of arrays that it has to do with.
     fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
         let related = self.related[i].iter().copied();
-        related.filter(|&k| !self.frame.siblings[k].is_empty())
+        related.filter(|&k| !self.trial.frame.siblings[k].is_empty())
     }
 
     fn exchange(&mut self, i: usize, j: usize, turn: bool) {
-        let (a, b) = (self.inputs(i), self.inputs(j));
+        let (a, b) = (self.trial.inputs(i), self.trial.inputs(j));
         let at = |own: Inputs, theirs: Inputs| {
             let mut next = if turn { theirs } else { own };
             (next[0], next[2]) = (theirs[0], theirs[2]);
             next[1] = own[1];
             next
         };
-        self.go(i, at(a, b));
-        self.go(j, at(b, a));
+        self.trial.go(i, at(a, b));
+        self.trial.go(j, at(b, a));
     }
 
     /// Who has to move for an object to move: itself, or those that rules set its place by; into `out`.
     pub(super) fn movers(&self, i: usize, depth: usize, out: &mut Vec<usize>) {
-        if self.is_movable(i) && !out.contains(&i) {
+        if self.trial.is_movable(i) && !out.contains(&i) {
             out.push(i);
         }
         // Part of where it is may be set by others.
@@ -323,31 +321,37 @@ impl LocalSearch<'_> {
         }
     }
 
+    /// Something that a group of paths would be better without, or one of its ends where those are off it.
+    pub(super) fn hindrance(&self, group: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
+        let found = self.trial.hindrances(group);
+        found.get(chance.below(found.len())).copied()
+    }
+
     /// A movable object that a check speaks of.
     fn culprit(&self, check: usize, chance: &mut ChaCha8Rng) -> Option<usize> {
         let mut movers = Vec::new();
         let mut moves = |o: &ObjectId| self.movers(o.0 as usize, 0, &mut movers);
-        match self.numbering.check(check) {
+        match self.trial.numbering.check(check) {
             Check::Term(t) => {
-                match &self.judges[t] {
+                match &self.trial.judges[t] {
                     Judge::PathGroup(group) => return self.hindrance(*group, chance),
                     Judge::Clear(clear) if chance.below(2) == 0 => {
-                        let mut blockers = self.in_the_way(clear);
-                        blockers.retain(|j| self.is_movable(*j));
+                        let mut blockers = self.trial.in_the_way(clear);
+                        blockers.retain(|j| self.trial.is_movable(*j));
                         if !blockers.is_empty() {
                             return Some(blockers[chance.below(blockers.len())]);
                         }
                     }
                     _ => {}
                 }
-                self.frame.terms[t].objects.iter().for_each(&mut moves);
+                self.trial.frame.terms[t].objects.iter().for_each(&mut moves);
             }
             Check::Collide(a, b) => [a, b].iter().for_each(&mut moves),
             Check::Bounds(a) | Check::Support(a) => moves(&a),
         }
         // Openings stay where they are as long as something else may help.
         let opens = |i: &usize| matches!(self.homes[*i], Home::Door(_));
-        if self.weight[check] < INSISTENT && !movers.iter().all(opens) {
+        if self.trial.weight[check] < INSISTENT && !movers.iter().all(opens) {
             movers.retain(|i| !opens(i));
         }
         movers.get(chance.below(movers.len())).copied()

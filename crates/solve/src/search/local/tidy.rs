@@ -36,46 +36,48 @@ impl LocalSearch<'_> {
     /// Improves a layout in which everything holds; it keeps holding.
     pub fn tidy(&mut self, chance: &mut ChaCha8Rng, limit: &Limit) {
         let mut poses = Vec::new();
-        let count = self.movable.len();
+        let count = self.trial.movable.len();
         for at in 0..count {
             if limit.is_over() {
                 return;
             }
-            self.square(self.movable[at]);
+            self.square(self.trial.movable[at]);
         }
         for at in (0..PASSES).flat_map(|_| 0..count) {
             if limit.is_over() {
                 return;
             }
-            self.straighten(self.movable[at], chance, &mut poses);
+            self.straighten(self.trial.movable[at], chance, &mut poses);
         }
         for at in 0..count {
             if limit.is_over() {
                 return;
             }
-            self.round(self.movable[at]);
+            self.round(self.trial.movable[at]);
         }
     }
 
     /// Turns what stands askew parallel or square to the nearest wall, the shortest way that does no harm.
     fn square(&mut self, i: usize) {
         let Home::Stands(walls) = &self.homes[i] else { return };
-        let now = self.inputs(i);
+        let now = self.trial.inputs(i);
         let apart = |wall: &&Wall| wall.distance([now[0], now[2]]);
         let Some(wall) = walls.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) else { return };
         let off = (now[3] - wall.yaw).rem_euclid(90.0);
-        if !self.turns[i] || off.min(90.0 - off) < ASKEW {
+        if !self.trial.turns[i] || off.min(90.0 - off) < ASKEW {
             return;
         }
         let mut turns = [-off, 90.0 - off, -off - 90.0, 180.0 - off];
         turns.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         for turn in turns {
-            self.go(i, turned(now, now[3] + turn));
-            if self.judge(HARM).is_some() && self.fresh.iter().all(|(check, _, holds)| *holds || !self.holds[*check]) {
-                self.keep();
+            self.trial.go(i, turned(now, now[3] + turn));
+            if self.trial.judge(HARM).is_some()
+                && self.trial.fresh.iter().all(|(check, _, holds)| *holds || !self.trial.holds[*check])
+            {
+                self.trial.keep();
                 return;
             }
-            self.undo();
+            self.trial.undo();
         }
     }
 
@@ -92,23 +94,24 @@ impl LocalSearch<'_> {
         }
         let mut best = (now - 1e-4, None);
         for &pose in poses.iter() {
-            self.go(i, pose);
+            self.trial.go(i, pose);
             let odd = self.oddity(i);
-            if odd < best.0 && self.judge(HARM).is_some() {
+            if odd < best.0 && self.trial.judge(HARM).is_some() {
                 best = (odd, Some(pose));
             }
-            self.undo();
+            self.trial.undo();
         }
         if let Some(pose) = best.1 {
-            self.settle(i, pose);
+            self.trial.settle(i, pose);
         }
     }
 
     /// How odd an object looks where it is.
     fn oddity(&self, i: usize) -> f64 {
-        let ([x, _, z, _, sin, cos], span, [_, height, depth]) = (self.inputs(i), self.span[i], self.size[i]);
+        let ([x, _, z, _, sin, cos], span, [_, height, depth]) =
+            (self.trial.inputs(i), self.trial.span[i], self.trial.size[i]);
         let mut cost = 0.0;
-        if let Some(room) = self.rooms.iter().find(|room| room.depth([x, z]) >= 0.0) {
+        if let Some(room) = self.trial.rooms.iter().find(|room| room.depth([x, z]) >= 0.0) {
             let clearance = |ahead: f64| room.depth([x + sin * ahead, z + cos * ahead]);
             if height >= TALL && self.related[i].is_empty() {
                 cost += ADRIFT * clearance(-depth / 2.0).clamp(0.0, 1.0);
@@ -117,8 +120,8 @@ impl LocalSearch<'_> {
                 cost += BARRED;
             }
         }
-        for j in (0..self.count()).filter(|j| *j != i && !self.related[i].contains(j)) {
-            let other = &self.span[j];
+        for j in (0..self.trial.count()).filter(|j| *j != i && !self.related[i].contains(j)) {
+            let other = &self.trial.span[j];
             let apart = |k: usize| (span.min[k] - other.max[k]).max(other.min[k] - span.max[k]).max(0.0);
             let apart = apart(0).max(apart(1)).max(apart(2));
             if apart < AROUND {
@@ -130,17 +133,17 @@ impl LocalSearch<'_> {
 
     /// Rounds its position as far as nothing gets worse.
     fn round(&mut self, i: usize) {
-        let fixed = self.frame.fixed(ObjectId(i as u32));
+        let fixed = self.trial.frame.fixed(ObjectId(i as u32));
         for axis in [0, 2].into_iter().filter(|&axis| !fixed.pos[axis]) {
             for grid in GRIDS {
-                let mut pose = self.inputs(i);
+                let mut pose = self.trial.inputs(i);
                 pose[axis] = round_to(pose[axis], grid);
-                self.go(i, pose);
-                if self.judge(HARM).is_some() {
-                    self.keep();
+                self.trial.go(i, pose);
+                if self.trial.judge(HARM).is_some() {
+                    self.trial.keep();
                     break;
                 }
-                self.undo();
+                self.trial.undo();
             }
         }
     }

@@ -6,10 +6,9 @@
 
 use super::LocalSearch;
 use super::course::Course;
-use super::moves::Inputs;
-use super::paths::PathGroup;
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::limit::Limit;
+use scenelang_engine::trial::{Inputs, PathGroup, Span};
 
 /// What it costs that a thing leaves its place: at first, and in each further search.
 const CHARGE: f64 = 0.05;
@@ -22,7 +21,6 @@ const IN_ALL: u64 = 3;
 const PASSES: usize = 4;
 /// What going back may cost.
 const HARM: f64 = 1e-9;
-
 /// Where everything was, and the corridors that were planned then.
 struct Kept {
     moved: usize,
@@ -33,8 +31,8 @@ struct Kept {
 impl LocalSearch<'_> {
     /// Remembers where things are that are given a place.
     pub fn remember_homes(&mut self, given: &[bool]) {
-        let home = |i: usize| (given.get(i) == Some(&true) && self.is_movable(i)).then(|| self.inputs(i));
-        self.at_first = (0..self.count()).map(home).collect();
+        let home = |i: usize| (given.get(i) == Some(&true) && self.trial.is_movable(i)).then(|| self.trial.inputs(i));
+        self.at_first = (0..self.trial.count()).map(home).collect();
         self.charge = CHARGE;
     }
 
@@ -43,20 +41,20 @@ impl LocalSearch<'_> {
         if self.charge == 0.0 || !self.is_warm() {
             return 0.0;
         }
-        let left = |(i, old, _): &(usize, Inputs, super::Span)| {
+        let left = |(i, old, _): &(usize, Inputs, Span)| {
             let Some(home) = &self.at_first[*i] else { return 0.0 };
-            f64::from(u8::from(*home != self.inputs(*i))) - f64::from(u8::from(home != old))
+            f64::from(u8::from(*home != self.trial.inputs(*i))) - f64::from(u8::from(home != old))
         };
-        self.charge * self.moved.iter().map(left).sum::<f64>()
+        self.charge * self.trial.moved.iter().map(left).sum::<f64>()
     }
 
     /// How many things are not where they were given a place.
     fn strayed(&self) -> usize {
-        (0..self.count()).filter(|&i| self.has_strayed(i)).count()
+        (0..self.trial.count()).filter(|&i| self.has_strayed(i)).count()
     }
 
     fn has_strayed(&self, i: usize) -> bool {
-        self.at_first[i].is_some_and(|home| home != self.inputs(i))
+        self.at_first[i].is_some_and(|home| home != self.trial.inputs(i))
     }
 
     /// In a layout in which all holds: looks for one in which fewer things have left the places that they were given.
@@ -66,15 +64,15 @@ impl LocalSearch<'_> {
         }
         // Where nothing is new, something had to move.
         let least = usize::from(given.iter().all(|given| *given));
-        let work = self.work.clamp(WORK[0], WORK[1]);
-        let end = self.work + IN_ALL * work;
+        let work = self.trial.work.clamp(WORK[0], WORK[1]);
+        let end = self.trial.work + IN_ALL * work;
         self.go_back();
         let mut best = self.kept();
         for charge in CHARGES {
-            if best.moved <= least || self.work >= end || limit.is_over() {
+            if best.moved <= least || self.trial.work >= end || limit.is_over() {
                 break;
             }
-            (0..self.count()).for_each(|i| self.put(i, self.at_first[i].unwrap_or(self.inputs(i))));
+            (0..self.trial.count()).for_each(|i| self.trial.put(i, self.at_first[i].unwrap_or(self.trial.inputs(i))));
             self.course = Course::default();
             self.charge = charge;
             if self.search(chance, work, limit, given) {
@@ -85,24 +83,24 @@ impl LocalSearch<'_> {
             }
         }
         self.course = Course::default();
-        self.away.fill(false);
-        self.away_count = 0;
-        self.put_everything(&best.poses);
-        self.groups = best.groups;
-        self.judge_all();
-        self.judge_paths();
+        self.trial.away.fill(false);
+        self.trial.away_count = 0;
+        self.trial.put_everything(&best.poses);
+        self.trial.groups = best.groups;
+        self.trial.judge_all();
+        self.trial.judge_paths();
     }
 
     fn kept(&self) -> Kept {
-        Kept { moved: self.strayed(), poses: self.everything(), groups: self.groups.clone() }
+        Kept { moved: self.strayed(), poses: self.trial.everything(), groups: self.trial.groups.clone() }
     }
 
     /// Things go back to where they were given a place, as far as everything holds then.
     fn go_back(&mut self) {
         for _ in 0..PASSES {
             let mut changed = false;
-            for at in 0..self.movable.len() {
-                let i = self.movable[at];
+            for at in 0..self.trial.movable.len() {
+                let i = self.trial.movable[at];
                 changed |= self.has_strayed(i) && self.goes_back(i);
             }
             if !changed {
@@ -117,16 +115,21 @@ impl LocalSearch<'_> {
         loop {
             for &i in &company {
                 let Some(home) = self.at_first[i] else { continue };
-                self.go(i, home);
+                self.trial.go(i, home);
             }
-            let judged = self.judge(f64::INFINITY);
-            let failing: Vec<usize> =
-                self.fresh.iter().filter(|(c, _, holds)| !holds && self.is_hard(*c)).map(|(c, ..)| *c).collect();
+            let judged = self.trial.judge(f64::INFINITY);
+            let failing: Vec<usize> = self
+                .trial
+                .fresh
+                .iter()
+                .filter(|(c, _, holds)| !holds && self.trial.is_hard(*c))
+                .map(|(c, ..)| *c)
+                .collect();
             if failing.is_empty() && judged.is_some_and(|delta| delta <= HARM) {
-                self.keep();
+                self.trial.keep();
                 return true;
             }
-            self.undo();
+            self.trial.undo();
             let before = company.len();
             let mut more = Vec::new();
             failing.into_iter().for_each(|check| self.movers_of(check, &mut more));

@@ -1,17 +1,17 @@
 //! `clear` on boxes: the space on a side of a thing, what reaches into it, and the room that it must stay in.
 
-use super::{LocalSearch, Span};
-use scenelang_engine::penalty;
+use super::rooms::Room;
+use super::{Span, Trial};
 use scenelang_lang::program::{Formula, Node, Side};
 use scenelang_verify::coded::{Block, Flat};
 use scenelang_verify::{Surroundings, World, surroundings};
 
 /// Lower than this above the base of a thing nothing is in its way (metres).
 const SILL: f64 = 0.05;
-
 /// What a `clear` says.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Clear {
+pub struct Clear {
+    /// Beside what.
     pub owner: usize,
     side: Side,
     depth: f64,
@@ -27,7 +27,7 @@ struct Space {
 }
 
 impl Space {
-    fn span(&self) -> Span {
+    pub fn span(&self) -> Span {
         let [sin, cos] = self.flat.turn.map(f64::abs);
         let ([w, d], [x, z]) = (self.flat.half, self.flat.at);
         let (rx, rz) = (cos * w + sin * d, sin * w + cos * d);
@@ -45,7 +45,7 @@ impl Clear {
     }
 }
 
-impl LocalSearch<'_> {
+impl Trial<'_> {
     /// The space; `None`: nothing is left of it.
     fn space(&self, clear: &Clear) -> Option<Space> {
         let ([w, h, d], [_, y, ..]) = (self.size[clear.owner], self.inputs(clear.owner));
@@ -106,7 +106,7 @@ impl LocalSearch<'_> {
     }
 
     /// An object that is in the way, if one is.
-    pub(super) fn in_the_way(&self, clear: &Clear) -> Vec<usize> {
+    pub fn in_the_way(&self, clear: &Clear) -> Vec<usize> {
         let space = self.space(clear);
         space.map_or(Vec::new(), |space| self.blockers(clear.owner, &space).into_iter().map(|(j, _)| j).collect())
     }
@@ -129,7 +129,7 @@ impl LocalSearch<'_> {
             return Some(room.aside(&rest.span(), || rest.flat).min(room.ceiling - space.high));
         }
         let span = &self.span[clear.owner];
-        let key = |room: &super::rooms::Room| {
+        let key = |room: &Room| {
             let aside = room.aside(span, || own);
             let least = aside.min(span.min[1] - room.floor).min(room.ceiling - span.max[1]);
             let [least, aside] = [(least + self.tolerances.contact).min(0.0), aside].map(|m| (m * 1e6).round());
@@ -143,20 +143,5 @@ impl LocalSearch<'_> {
             rooms => rooms.iter().map(|room| (key(room), room)).max_by(|a, b| order(&a.0, &b.0))?.1,
         };
         Some(room.aside(&space.span(), || space.flat).min(room.ceiling - space.high))
-    }
-
-    pub(super) fn physical(&self, margin: f64, target: f64) -> (f64, bool) {
-        let holds = margin >= -self.tolerances.order;
-        (penalty::cost(holds, target - margin), holds)
-    }
-
-    /// The rectangle of an object.
-    pub(super) fn flat(&self, i: usize) -> Flat {
-        let ([w, _, d], inputs) = (self.size[i], self.inputs(i));
-        let [x, _, z, _, sin, cos] = inputs;
-        if let Some((at, half)) = self.lying(i, &inputs) {
-            return Flat { at, turn: [sin, cos], half };
-        }
-        Flat { at: [x, z], turn: [sin, cos], half: [w / 2.0, d / 2.0] }
     }
 }

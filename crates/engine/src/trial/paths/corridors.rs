@@ -1,9 +1,8 @@
 //! Where corridors go: one search over square cells from the object where they begin, to all that is to be reached.
 //! What can be moved is walked through at a price, so that a plan asks for as little as possible to be moved.
 
-use super::moves::Inputs;
-use super::paths::Branch;
-use super::{Field, LocalSearch, Span};
+use super::Branch;
+use crate::trial::{Field, Inputs, Span, Trial};
 use scenelang_verify::coded::Flat;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -28,8 +27,9 @@ const PUSHES: usize = 12;
 const SPARE: f64 = 0.02;
 /// Bends of less than this are none (metres).
 const STRAIGHT: f64 = 0.015;
+const UNSEEN: u32 = u32::MAX;
 
-impl LocalSearch<'_> {
+impl Trial<'_> {
     /// Corridors of a width from an object to one of the goals of each target, as branches of one tree; of a target that
     /// cannot be reached the branch is empty.
     pub(super) fn corridors(&mut self, index: usize) -> Vec<Branch> {
@@ -236,8 +236,6 @@ struct Tree {
     reached: Vec<End>,
 }
 
-const UNSEEN: u32 = u32::MAX;
-
 impl Tree {
     fn before(&self, cell: usize) -> Option<usize> {
         Some(self.before[cell]).filter(|c| *c != UNSEEN).map(|c| c as usize)
@@ -246,14 +244,14 @@ impl Tree {
 
 impl Grid {
     /// For paths of half such a width.
-    fn new(local: &LocalSearch<'_>, radius: f64) -> Option<Self> {
+    fn new(local: &Trial<'_>, radius: f64) -> Option<Self> {
         let field = local.rooms.iter().map(|room| room.field).reduce(Field::join)?;
         let [w, d] = [0, 1].map(|k| field.max[k] - field.min[k]);
         let cell = (w * d / CELLS).sqrt().max(CELL).max(radius / FINE);
         let size = [w, d].map(|m| (m / cell).ceil().max(1.0) as usize);
         (w.is_finite() && d.is_finite()).then_some(Self { from: field.min, cell, size })
     }
-    fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.size[0] * self.size[1]
     }
     fn middle(&self, c: usize) -> [f64; 2] {

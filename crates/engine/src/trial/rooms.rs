@@ -1,6 +1,7 @@
-//! Rooms as the local search sees them: an outline, walls with the way in, and where doors fit into walls.
+//! Rooms as a trial sees them: an outline, walls with the way in, and where doors fit into walls.
 
 use super::Span;
+use crate::pose::round_turn;
 use scenelang_lang::program::RegionId;
 use scenelang_layout::{Polygon, Prism, Vec2};
 use scenelang_verify::World;
@@ -9,11 +10,12 @@ use std::sync::Arc;
 
 /// Walls of two rooms no further apart than this share a door (metres).
 const SHARED: f64 = 0.2;
-
 /// A rectangle on the floor, by its least and greatest x and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Field {
+pub struct Field {
+    /// The least x and z (metres).
     pub min: [f64; 2],
+    /// The greatest.
     pub max: [f64; 2],
 }
 
@@ -23,16 +25,19 @@ impl Field {
         let high = polygon.corners().iter().copied().reduce(|a, b| a.sup(&b))?;
         Some(Self { min: low.into(), max: high.into() })
     }
+    /// What two share.
     pub fn meet(self, other: Self) -> Self {
         let least = |k: usize| self.min[k].max(other.min[k]);
         let most = |k: usize| self.max[k].min(other.max[k]);
         Self { min: [least(0), least(1)], max: [most(0), most(1)] }
     }
+    /// The least one around two.
     pub fn join(self, other: Self) -> Self {
         let least = |k: usize| self.min[k].min(other.min[k]);
         let most = |k: usize| self.max[k].max(other.max[k]);
         Self { min: [least(0), least(1)], max: [most(0), most(1)] }
     }
+    /// Whether another is within it.
     pub fn contains(&self, other: &Self) -> bool {
         (0..2).all(|k| self.min[k] <= other.min[k] && self.max[k] >= other.max[k])
     }
@@ -46,10 +51,14 @@ impl Field {
 
 /// A side of a room.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wall {
+pub struct Wall {
+    /// Where it begins (metres).
     pub from: [f64; 2],
+    /// The unit vector along it.
     pub along: [f64; 2],
+    /// The unit vector into the room.
     pub inward: [f64; 2],
+    /// How long it is (metres).
     pub length: f64,
     /// The yaw of what has its back to it (degrees).
     pub yaw: f64,
@@ -61,7 +70,7 @@ impl Wall {
         let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
         // Outlines run from x towards z, the inside on the positive side.
         let inward = [-along[1], along[0]];
-        let yaw = crate::problem::pose::round_turn(inward[0].atan2(inward[1]).to_degrees());
+        let yaw = round_turn(inward[0].atan2(inward[1]).to_degrees());
         (length > 0.0).then_some(Self { from: a, along, inward, length, yaw })
     }
     /// A point so far along and so far inside.
@@ -81,18 +90,25 @@ impl Wall {
 
 /// A region.
 #[derive(Clone, Debug)]
-pub(super) struct Room {
+pub struct Room {
+    /// Which.
     pub id: RegionId,
+    /// The rectangle around it.
     pub field: Field,
+    /// Height of the floor (metres).
     pub floor: f64,
+    /// Height of the ceiling (metres).
     pub ceiling: f64,
+    /// Its area (m²).
     pub area: f64,
     /// Its outline, unless that is the field.
     pub outline: Option<Arc<Polygon>>,
+    /// Its sides.
     pub walls: Vec<Wall>,
 }
 
 impl Room {
+    /// That of a prism; `None`: it has no corners.
     pub fn new(id: RegionId, prism: &Prism) -> Option<Self> {
         let field = Field::of(&prism.polygon)?;
         let area = prism.area();
@@ -130,7 +146,8 @@ impl Room {
 
 /// A stretch of wall that a door fits into: where its middle can be, and the yaws that it may have.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stretch {
+pub struct Stretch {
+    /// Where.
     pub wall: Wall,
     /// How far behind the wall's face the middle of the door is (metres).
     pub behind: f64,
@@ -139,7 +156,7 @@ pub(super) struct Stretch {
 }
 
 /// The stretches of the walls of one room, or of those that two share.
-pub(super) fn stretches(world: &World<f64>, first: &Room, second: Option<&Room>) -> Vec<Stretch> {
+pub fn stretches(world: &World<f64>, first: &Room, second: Option<&Room>) -> Vec<Stretch> {
     let Some(second) = second else {
         let behind = world.options.eta / 2.0;
         return first.walls.iter().map(|&wall| Stretch { wall, behind, floor: first.floor }).collect();

@@ -5,12 +5,10 @@ use super::{Field, Span};
 
 /// The side of a cell is between these (metres).
 const CELL: [f64; 2] = [0.5, 4.0];
-
 /// Fewer objects than these are in one cell: to go through all of them is faster.
 const MANY: usize = 80;
-
 /// Objects by where they are.
-pub(super) struct Near {
+pub struct Near {
     from: [f64; 2],
     cell: f64,
     size: [usize; 2],

@@ -4,13 +4,12 @@
 //! A path over the floor takes thousands of times as long as anything else. A term that asks for one beside other things
 //! counts it as there until all else holds, and only then has it looked for.
 
-use super::clear::Clear;
-use super::judge::Moved;
 use super::lean::Lean;
-use super::{Judge, LocalSearch, Span};
-use crate::problem::pose::Pose;
-use scenelang_engine::Mirror;
-use scenelang_engine::penalty::{Penalty, Truths};
+use super::swing;
+use super::{Clear, Judge, Moved, Span, Trial};
+use crate::Mirror;
+use crate::penalty::{Penalty, Truths};
+use crate::pose::Pose;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit, VariableId};
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{Coded, Slots, atoms};
@@ -21,18 +20,19 @@ use std::marker::PhantomData;
 const PATH: u64 = 150_000;
 /// Of several paths over one floor each takes such a part of that.
 const SHARED: u64 = 20;
-/// What trying the movable parts of a thing takes.
-const SWING: u64 = 100;
+/// What a sweep of the movable parts of a thing takes.
+const SWING: u64 = 10_000;
 /// More room than this before what opens is as good as this (metres).
-const CLEARANCE: f64 = 0.01;
+pub(super) const CLEARANCE: f64 = 0.01;
 /// Objects without a place wait this far below everything, each on a level of its own (metres).
 const LIMBO: f64 = -1e5;
-
 /// How a truth without code is judged.
 #[derive(Clone, Debug)]
 pub(super) enum Leaf {
     /// By the evaluator; these nodes are needed.
     Evaluated(Vec<NodeId>),
+    /// As what opens of an object, on boxes.
+    Swing(usize),
     /// As free space beside a thing, on boxes.
     Space(Clear),
     /// By the evaluator, but only once all else holds; until then this is taken for granted.
@@ -52,7 +52,7 @@ pub(super) enum Look {
 
 /// A term of which some truths have no code.
 #[derive(Clone, Debug)]
-pub(super) struct Mixed {
+pub struct Mixed {
     code: Coded,
     leaves: Vec<(NodeId, Leaf)>,
     /// `None`: everything.
@@ -62,11 +62,12 @@ pub(super) struct Mixed {
 }
 
 impl Mixed {
-    pub fn new(
+    pub(super) fn new(
         formula: &Formula,
         code: Coded,
         missing: &[NodeId],
         clear: impl Fn(&Node, &Formula) -> Option<Clear>,
+        has_panels: impl Fn(usize) -> bool,
         objects: usize,
     ) -> Self {
         let mut looks = Some(Vec::new());
@@ -83,6 +84,7 @@ impl Mixed {
                 return (node, Leaf::Path(nodes, true));
             }
             price += 10 + nodes.len() as u64;
+            let mut swings = 0;
             for seen in around {
                 match seen {
                     Surroundings::Nothing | Surroundings::Path { .. } => {}
@@ -91,7 +93,7 @@ impl Mixed {
                         looks.iter_mut().for_each(|l| l.push(Look::Sight(from.0 as usize, to.0 as usize)));
                     }
                     Surroundings::Swing { owner } => {
-                        price += SWING + objects as u64;
+                        swings += 1;
                         looks.iter_mut().for_each(|l| l.push(Look::Swing(owner.0 as usize)));
                     }
                     Surroundings::Space { .. } => {
@@ -100,7 +102,13 @@ impl Mixed {
                     }
                 }
             }
-            (node, Leaf::Evaluated(nodes))
+            match swing::opens(formula, node).filter(|owner| has_panels(*owner)) {
+                Some(owner) => (node, Leaf::Swing(owner)),
+                None => {
+                    price += SWING * swings;
+                    (node, Leaf::Evaluated(nodes))
+                }
+            }
         };
         let leaves = missing.iter().map(leaf).collect();
         Self { code, leaves, looks, price }
@@ -108,7 +116,12 @@ impl Mixed {
 
     /// One of which nothing is code.
     pub fn whole(formula: &Formula, objects: usize) -> Self {
-        Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, objects)
+        Self::new(formula, Coded::default(), &atoms(formula), |_, _| None, |_| false, objects)
+    }
+
+    /// Whether some of it is judged on boxes.
+    pub fn is_rough(&self) -> bool {
+        self.leaves.iter().any(|(_, leaf)| matches!(leaf, Leaf::Swing(_) | Leaf::Space(_)))
     }
 
     /// Whether it asks for paths.
@@ -168,7 +181,7 @@ impl Truths<f64> for Found<'_> {
     }
 }
 
-impl LocalSearch<'_> {
+impl Trial<'_> {
     /// Brings the instance up to date.
     pub(super) fn follow(&mut self) {
         let Self { instance, slots, away, scale, leans, .. } = self;
@@ -215,31 +228,44 @@ impl LocalSearch<'_> {
 
     /// Judges such a term, and asks something of what came of it.
     pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Penalty<'_, f64, Found<'_>>)) {
-        self.follow();
-        let Judge::Mixed(mixed) = &self.judges[t] else { return };
-        let formula = &self.frame.terms[t].formula;
-        self.work += mixed.price;
-        let mut truths = std::mem::take(&mut self.instance.truths);
-        truths.clear();
-        for (node, leaf) in &mixed.leaves {
-            let truth = match leaf {
-                Leaf::Path(_, holds) => Some(Truth::discrete(*holds)),
-                Leaf::Space(clear) => {
-                    let (cost, holds) = self.lack_of_space(clear);
-                    let margin = if holds { self.tolerances.contact } else { -cost };
-                    Some(Truth { margin, holds, unit: Unit::Metre })
-                }
-                Leaf::Evaluated(nodes) => {
-                    let found = self.instance.scratch.evaluate_cone(formula, nodes, self.instance.mirror.world());
-                    if let Ok(Value::Truth(truth)) = found { Some(truth) } else { None }
-                }
-            };
-            truths.extend(truth.map(|truth| (*node, truth)));
+        let judge = std::mem::replace(&mut self.judges[t], Judge::Absent);
+        if let Judge::Mixed(mixed) = &judge {
+            let formula = &self.frame.terms[t].formula;
+            self.work += mixed.price;
+            let mut truths = std::mem::take(&mut self.instance.truths);
+            truths.clear();
+            for (node, leaf) in &mixed.leaves {
+                truths.extend(self.truth_of(formula, leaf).map(|truth| (*node, truth)));
+            }
+            mixed.code.run(&mut self.slots);
+            let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
+            ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
+            self.instance.truths = truths;
         }
-        mixed.code.run(&mut self.slots);
-        let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
-        ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
-        self.instance.truths = truths;
+        self.judges[t] = judge;
+    }
+
+    /// A truth that has no code; `None`: nothing can be measured.
+    fn truth_of(&mut self, formula: &Formula, leaf: &Leaf) -> Option<Truth<f64>> {
+        match leaf {
+            Leaf::Path(_, holds) => Some(Truth::discrete(*holds)),
+            Leaf::Space(clear) => {
+                let (cost, holds) = self.lack_of_space(clear);
+                let margin = if holds { self.tolerances.contact } else { -cost };
+                Some(Truth { margin, holds, unit: Unit::Metre })
+            }
+            Leaf::Swing(owner) => Some(self.panels_open(*owner)),
+            Leaf::Evaluated(nodes) => self.evaluated(formula, nodes),
+        }
+    }
+
+    fn evaluated(&mut self, formula: &Formula, nodes: &[NodeId]) -> Option<Truth<f64>> {
+        self.follow();
+        let instance = &mut self.instance;
+        match instance.scratch.evaluate_cone(formula, nodes, instance.mirror.world()) {
+            Ok(Value::Truth(truth)) => Some(truth),
+            _ => None,
+        }
     }
 
     /// Whether something that moved may change what a term sees.
@@ -258,12 +284,7 @@ impl LocalSearch<'_> {
     fn span_of(&self, look: &Look) -> Option<Span> {
         match look {
             Look::Space(clear) => self.space_span(clear),
-            Look::Swing(i) => {
-                let reach = self.instance.world().object(ObjectId(*i as u32)).map_or(0.0, |thing| thing.body.reach());
-                let [x, y, z, ..] = self.inputs(*i);
-                let at = [x, y, z];
-                Some(Span { min: at.map(|c| c - reach), max: at.map(|c| c + reach) })
-            }
+            Look::Swing(i) => self.swing_span(*i),
             Look::Sight(a, b) => {
                 // A little more than the segment between the centres: what comes nearer than the tolerance counts.
                 let ends = [*a, *b].map(|i| {
@@ -281,7 +302,7 @@ impl LocalSearch<'_> {
     }
 
     /// Takes all paths for granted.
-    pub(super) fn trust_paths(&mut self) {
+    pub fn trust_paths(&mut self) {
         for at in 0..self.path_terms.len() {
             if let Judge::Mixed(mixed) = &mut self.judges[self.path_terms[at]] {
                 for (_, leaf) in &mut mixed.leaves {
@@ -294,7 +315,7 @@ impl LocalSearch<'_> {
     }
 
     /// Looks for the paths that terms ask for beside other things. Whether all of these terms hold that must.
-    pub(super) fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
+    pub fn find_paths(&mut self, late: &dyn Fn() -> bool) -> bool {
         let mut all = true;
         for at in 0..self.path_terms.len() {
             if late() {
@@ -308,11 +329,12 @@ impl LocalSearch<'_> {
     }
 
     /// The same of one term. Where it holds without them they are not looked for.
-    pub(super) fn find_paths_of(&mut self, t: usize) -> bool {
+    pub fn find_paths_of(&mut self, t: usize) -> bool {
         self.assume(t, |_| false);
         let mut found = self.mixed(t);
         if !found.1 {
             self.work += PATH;
+            self.follow();
             let formula = &self.frame.terms[t].formula;
             let instance = &mut self.instance;
             let mut holds = Vec::new();
@@ -335,7 +357,7 @@ impl LocalSearch<'_> {
     }
 
     /// Calls something while the paths that preferences ask for are those that there are.
-    pub(super) fn with_paths<T>(&mut self, ask: impl FnOnce(&Self) -> T) -> T {
+    pub fn with_paths<T>(&mut self, ask: impl FnOnce(&Self) -> T) -> T {
         let before = self.work;
         for at in 0..self.path_preferences.len() {
             self.find_paths_of(self.path_preferences[at]);
