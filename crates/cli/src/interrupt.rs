@@ -49,7 +49,7 @@ pub fn within(time: Option<Duration>) {
         while GENTLE.load(Ordering::SeqCst) > 0 {
             std::thread::sleep(PATIENCE);
         }
-        end(&format!("error: the time is over ({} s)", time.as_secs_f64()), FAILED);
+        end(&format!("error: the time limit was reached ({} s)", time.as_secs_f64()), FAILED);
     };
     let _ = std::thread::Builder::new().name("time".to_owned()).spawn(wait);
 }
