@@ -120,6 +120,7 @@ pub(super) fn organ(a: &Ask) -> Model {
     let white = Stuff(Finish::Plastic, 0xf7f5ee).surface();
     m.mesh.crisp(b.share(0.33..0.67, 0.0..1.0, 0.88..0.99).y(key..1.02 * key), &white);
     m.board(b.share(0.3..0.7, 0.0..1.0, 0.64..0.78).y(key..1.3 * key), &wood);
+    m.board(b.share(0.3..0.7, 0.0..1.0, 0.78..0.86).y(key..1.06 * key), &wood);
     m.mesh.crisp(b.share(0.33..0.67, 0.0..1.0, 0.78..0.86).y(1.06 * key..1.08 * key), &white);
     m.solid(b.share(0.35..0.65, 0.0..0.03, 0.86..0.99));
     for pedal in b.share(0.35..0.65, 0.01..0.03, 0.86..0.99).split(0, 7, 0.03) {

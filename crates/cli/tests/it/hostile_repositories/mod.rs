@@ -112,18 +112,25 @@ impl Repository {
         fs::File::create(self.at(path)).unwrap().set_len(size).unwrap();
     }
 
-    /// Everything outside of it: what is where, and what is in it.
+    /// Everything outside of it: what is where, and what is in it. Pages of the book that the server puts into the user's
+    /// cache are left out, if they are what the book says.
     fn outside(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+        let cache = self.around.path().join("home/.cache");
         let mut found = BTreeMap::new();
         let mut folders = vec![self.around.path().to_path_buf()];
         while let Some(folder) = folders.pop() {
             for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap()) {
-                let kind = entry.file_type().unwrap();
-                if kind.is_dir() && entry.path() != self.root() {
-                    folders.push(entry.path());
-                    found.insert(entry.path(), Vec::new());
+                let (path, kind) = (entry.path(), entry.file_type().unwrap());
+                let is_cached = path.starts_with(&cache);
+                if kind.is_dir() && path != self.root() {
+                    folders.push(path.clone());
+                    found.extend((!is_cached).then_some((path, Vec::new())));
                 } else if kind.is_file() {
-                    found.insert(entry.path(), fs::read(entry.path()).unwrap());
+                    let text = fs::read(&path).unwrap();
+                    let page = crate::support::root().join("spec/src/codes").join(entry.file_name());
+                    if !(is_cached && fs::read(page).is_ok_and(|page| page == text)) {
+                        found.insert(path, text);
+                    }
                 }
             }
         }
