@@ -52,7 +52,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
     }
     if understood.reading.nothing {
         return Err(
-            "nothing of the request was understood; say which room it is and what stands where in it".to_owned()
+            "nothing in the request was understood; say which objects are in which room".to_owned()
         );
     }
     let said = reader::summary(&understood.reading, &understood.program);
