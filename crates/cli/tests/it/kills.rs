@@ -127,7 +127,7 @@ impl Server {
     }
 
     fn solve(&mut self, uri: &str) {
-        let solve = json!({ "command": "scenelang.solve", "arguments": [{ "uri": uri }], "workDoneToken": "ours" });
+        let solve = json!({ "command": "scenelang.solveAnew", "arguments": [{ "uri": uri }], "workDoneToken": "ours" });
         self.ask(2, "workspace/executeCommand", &solve);
     }
 
