@@ -4,7 +4,7 @@ use super::floor::{Floor, Piece, Pose, Shape};
 use super::groups::Where;
 use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
-use super::slots::{Level, Slot, fences};
+use super::slots::{Level, Slot};
 use super::stand;
 use crate::draft::Source;
 use crate::names::{Names, words};
@@ -95,15 +95,6 @@ impl Building {
         }
     }
 
-    /// Adds a fence around something, in which nothing else stands.
-    fn enclose(&mut self, thing: usize, size: [f64; 3], frame: &Pose) {
-        for ([x, z], size) in fences(size) {
-            let at = frame.then(&Pose { x, z, ..Pose::default() });
-            self.shape.pieces.push(Piece { thing, at, size, flat: false, tall: false });
-        }
-        self.shape.free.push((frame.then(&Pose { y: 0.05, ..Pose::default() }), size));
-    }
-
     /// Adds a part that goes with each element of a thing of the group.
     pub fn add(
         &mut self,
@@ -131,10 +122,6 @@ impl Building {
             }
         }
         for frame in &frames {
-            if matches!(at, Where::Enclose(..)) {
-                self.enclose(new, size, frame);
-                continue;
-            }
             self.piece(new, noun, size, frame);
             if stand::is_easy(noun) {
                 let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };

@@ -10,7 +10,6 @@ mod choose;
 mod claim;
 mod daylight;
 mod drop;
-mod edge;
 mod even;
 mod extent;
 mod facing;
@@ -27,13 +26,11 @@ mod rows;
 mod seats;
 mod seek;
 mod slots;
-mod spread;
 mod stand;
 mod taste;
 mod tops;
-mod twin;
 
-use crate::brief::{Brief, Fact, Group, Number, Pattern, What};
+use crate::brief::{Brief, Fact, Number, Pattern, What};
 use crate::draft::Draft;
 pub use area::overfull;
 use number::{Scale, scale};
@@ -60,10 +57,6 @@ pub fn measure(brief: &mut Brief) {
             Scale::Usual => 1.0,
             Scale::Large => 1.4,
         };
-        if let Some(sides) = kind.bay.map(|bay| ward(bay, beds(brief, at).unwrap_or(kind.people as usize))) {
-            brief.rooms[at].usual = Some([sides[0], h, sides[1]]);
-            continue;
-        }
         let by = (area / (w * d)).sqrt();
         // Who looks at a screen across the room is not too far from it.
         let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Opposite(_)));
@@ -71,20 +64,6 @@ pub fn measure(brief: &mut Brief) {
         let is_deep = brief.rooms.len() == 1 && watched && d * by > deep;
         brief.rooms[at].usual = Some(if is_deep { [area / deep, h, deep] } else { [w * by, h, d * by] });
     }
-}
-
-/// How many beds are asked for in a room.
-fn beds(brief: &Brief, room: usize) -> Option<usize> {
-    let own = brief.things.iter().filter(|thing| thing.room == room && thing.group == Group::Bed);
-    let asked: usize = own.filter_map(|thing| thing.number.said()).sum();
-    Some(asked).filter(|n| *n > 0).or(brief.rooms[room].people)
-}
-
-/// Width and depth of a ward with so many beds: side by side at one wall, or at two that are opposite.
-fn ward([wide, one, two]: [f64; 3], beds: usize) -> [f64; 2] {
-    const IN_LINE: usize = 3;
-    let (columns, deep) = if beds <= IN_LINE { (beds, one) } else { (beds.div_ceil(2), two) };
-    [columns.max(1) as f64 * wide + 0.3, deep].map(|v| (v * 10.0).ceil() / 10.0)
 }
 
 /// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.

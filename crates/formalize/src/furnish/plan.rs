@@ -278,10 +278,6 @@ impl<'a> Plan<'a> {
         if self.claim(thing, part, wall, deep, taken) {
             return;
         }
-        // A fence is there only where it is asked for.
-        if matches!(part.at, Where::Enclose(..)) {
-            return;
-        }
         // One bin serves several.
         // In a run there is nothing at the sides.
         let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));

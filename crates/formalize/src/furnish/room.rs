@@ -10,7 +10,7 @@ use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
 use super::seek::Wall;
-use super::{asked, edge, even, gates, groups, place, stand, taste, tops};
+use super::{asked, even, gates, groups, place, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
@@ -20,13 +20,8 @@ const EYES: f64 = 1.5;
 
 /// Before a counter so much is free (metres).
 const SERVED: f64 = 1.15;
-/// What is narrower is a stand, and no counter.
-const STAND: f64 = 1.0;
 /// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
 const APART: [f64; 2] = [0.3, 0.12];
-
-/// In a run things are so far apart at least, where there is a choice.
-const TIGHT: f64 = 0.15;
 
 /// Lengths of what may be shorter than usual rather than lack its sink, its stove or its seats (metres).
 const SHORTER: [(&str, &[f64]); 4] = [
@@ -37,19 +32,10 @@ const SHORTER: [(&str, &[f64]); 4] = [
 ];
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
-/// What came of furnishing a room.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Furnished {
-    /// How much that matters found no room.
-    pub lacking: usize,
-    /// The part of the floor that nothing is near and nobody needs.
-    pub idle: f64,
-}
-
-/// Furnishes a room of its size with as much as one of `counted` square metres has.
-pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> Furnished {
+/// Furnishes a room of its size with as much as one of `counted` square metres has. How much that matters found no room.
+pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> usize {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
-    let Some(kind) = kind else { return Furnished::default() };
+    let Some(kind) = kind else { return 0 };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
@@ -114,13 +100,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         let few = match line.count {
             Count::Fixed(n) => n <= 3,
             // A bed and a desk for each of two or three.
-            Count::People(each) => {
-                plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0 || plan.tables(line).is_some()
-            }
+            Count::People(each) => plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0,
             Count::Area(_) => false,
         };
-        // A shop with a shelf less is a shop; who has no seat is missing.
-        let few = few || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
+        let few = few || matches!(line.place, Place::Rows(_));
         let matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
         if !early.contains(&line) {
             matter(&mut plan, line, matters);
@@ -135,10 +118,9 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         }
     }
     tops::settle(&mut plan);
-    let idle = plan.ground.as_ref().map_or(0.0, Floor::idle);
-    let furnished = Furnished { lacking: plan.lacking, idle };
+    let lacking = plan.lacking;
     keep_windows_free(plan.draft, at);
-    furnished
+    lacking
 }
 
 /// Whether things of a category are tables.
@@ -213,24 +195,6 @@ pub(super) fn in_row(
     row.borrow().get(before.len()).copied()
 }
 
-/// The next place of several that stand free, spread over the floor if there is room for all; `row` keeps all of them.
-pub(super) fn free(
-    choice: &Choice,
-    floor: &Floor,
-    shape: &Shape,
-    before: &[Pose],
-    (n, yaws): (usize, &[f64]),
-    row: &RefCell<Vec<Pose>>,
-) -> Option<Pose> {
-    if before.is_empty() {
-        row.replace(choice.spread(floor, shape, n, yaws).unwrap_or_default());
-    }
-    // Several are parallel to each other.
-    let first = before.first().map(|first| [first.yaw]);
-    let next = row.borrow().get(before.len()).copied();
-    next.or_else(|| choice.floor(floor, shape, before, first.as_ref().map_or(yaws, |yaw| &yaw[..])))
-}
-
 /// Where the wide door of the room is, if it has one.
 pub(super) fn gate(plan: &Plan) -> Option<Pose> {
     let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
@@ -258,13 +222,6 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
         _ => return Vec::new(),
     };
     let pass = 0.7;
-    if w < STAND {
-        // One person stands behind it, and the others before it.
-        return vec![
-            (at(0.0, 0.05, (d + pass) / 2.0), [w, 1.7, pass]),
-            (at(0.0, 0.05, -(d + pass) / 2.0), [w, 1.7, pass]),
-        ];
-    }
     vec![
         (at(0.0, 0.05, (d + SERVED) / 2.0), [w, 1.7, SERVED]),
         (at(pass / 2.0, 0.05, -(d + behind) / 2.0), [w + pass, 1.7, behind]),
@@ -298,7 +255,7 @@ fn inventory(plan: &mut Plan, line: &Line) {
     if plan.counted < line.least || closed || plan.is_furnished() || came_along(plan, line) {
         return;
     }
-    let people = plan.people.map_or(usual_people(plan), |n| n as f64);
+    let people = plan.people.map_or(plan.kind.people, |n| n as f64);
     let n = match line.count {
         Count::Fixed(n) => n,
         Count::Area(each) => (plan.counted / each).round() as usize,
@@ -307,20 +264,11 @@ fn inventory(plan: &mut Plan, line: &Line) {
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
         Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
-        Place::Edge => edge::railing(plan, line, &why),
         Place::Rows(toward) => {
             rows(plan, line.noun, n, *toward, (&why, None));
         }
         _ => single(plan, line, n, &why),
     }
-}
-
-/// For how many people a room is of which nobody says it: fewer in a small one, more in a large one.
-fn usual_people(plan: &Plan) -> f64 {
-    let [w, _, d] = plan.kind.size;
-    let is_free = plan.draft.rooms.len() == 1 && !plan.draft.rooms[plan.room].sized;
-    let share = if is_free { (plan.counted / (w * d)).clamp(0.5, 1.5) } else { 1.0 };
-    (plan.kind.people * share).round().max(1.0)
 }
 
 /// The size of a thing; a table is as long as the people need who sit at it.
@@ -400,15 +348,17 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
             anywhere.wall(floor, shape, before)
         }),
         Place::Corner => choice.corner(floor, shape, before),
-        Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
-        Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
+        // Several are parallel to each other.
+        Place::Floor => match before.first() {
+            Some(first) => choice.floor(floor, shape, before, &[first.yaw]),
+            None => choice.floor(floor, shape, before, &[0.0, 90.0]),
+        },
+        Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
         _ => near(line, floor, shape, nominal),
     };
     let run = line.place == Place::Run && n > 1;
-    let together = |n: usize, gap: f64| -> Vec<Pose> {
-        let n = if run { n } else { 1 };
-        (0..n).map(|i| Pose { x: i as f64 * (size[0] + gap), ..Pose::default() }).collect()
-    };
+    let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + line.gap), ..Pose::default() }).collect();
+    let frames: Vec<Pose> = if run { together(n) } else { vec![Pose::default()] };
     let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
     let mut add = |plan: &mut Plan, n: usize| {
         if !hung {
@@ -416,23 +366,15 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
         plan.add(line.noun, n, size, why)
     };
-    // A run that is too long is made tighter, and then shorter if nobody asked for the seats at it; what hangs comes nearer
-    // to others.
+    // A run that is too long is made shorter; what hangs comes nearer to others.
     let mut found = None;
-    let asked = plan.ground.is_some() && plan.tables(line).is_some();
-    let shortest = if run && !asked { 1 } else { n };
-    let tighter = if run && line.gap > TIGHT { vec![line.gap, TIGHT.max(0.4 * line.gap)] } else { vec![line.gap] };
-    let tries = (shortest..=n).rev().flat_map(|n| match hung {
-        true => APART.map(|apart| (n, line.gap, apart)).to_vec(),
-        false => tighter.iter().map(|gap| (n, *gap, 0.0)).collect(),
-    });
-    let mut gap = line.gap;
-    for (less, between, beside) in tries {
-        gap = between;
-        let frames = together(less, gap);
+    let shortest = if run { 1 } else { n };
+    let tries = (shortest..=n).rev().flat_map(|n| if hung { APART.map(|v| (n, v)).to_vec() } else { vec![(n, 0.0)] });
+    for (less, beside) in tries {
+        let frames = if run { frames[..less].to_vec() } else { frames.clone() };
         let mut free = kept(line, size, hung, beside);
         if run {
-            free.extend(ends(size, gap, less));
+            free.extend(ends(size, line.gap, less));
         }
         let root = Root { n: if run { 1 } else { n }, frames, wall, free, whole, seek: &seek };
         found = plan.place_group(&root, &mut add);
@@ -441,15 +383,10 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
     }
     let Some((thing, poses)) = found else { return false };
-    if let (Place::Opposite(_), Some(seen), Some(at)) = (&line.place, opposite_pose, poses.first()) {
-        // What is not straight across from it wants a room of another size.
-        let straight = (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0;
-        plan.lacking += usize::from(plan.matters && !straight);
-    }
     if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
         keep_view(plan, at, &seen);
     }
-    let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
+    let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
 }
@@ -546,8 +483,6 @@ struct Stood<'a> {
     poses: &'a [Pose],
     /// Where it should be.
     nominal: Pose,
-    /// Of several in a run: so far apart.
-    gap: f64,
     /// Whether it is on a wall, and how high.
     hung: bool,
     y: f64,
@@ -557,7 +492,7 @@ struct Stood<'a> {
 
 /// Says in the program where things of a line stand.
 fn tell(plan: &mut Plan, at: &Stood, why: &str) {
-    let Stood { line, thing, poses, nominal, gap, hung, y, opposite } = at;
+    let Stood { line, thing, poses, nominal, hung, y, opposite } = at;
     let (hung, y) = (*hung, *y);
     let size = plan.draft.things[*thing].size.unwrap_or_default();
     let rectangular = plan.draft.rooms[plan.room].outline.is_none();
@@ -580,7 +515,7 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Wall | Place::Hung => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run => {
-            let step = metres(size[0] + gap);
+            let step = metres(size[0] + line.gap);
             let first = format!("{name}[0]");
             plan.say(format!("assert {}{};", back(&first), used(&first)), why);
             format!(
@@ -597,13 +532,6 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) if n == 1 => {
             format!("assert {};", fixed(&at))
         }
-        Place::Before(..) | Place::Service(_) if poses.len() == n => {
-            let each = poses
-                .iter()
-                .enumerate()
-                .map(|(i, at)| place::absolute(&format!("{name}[{i}]"), &room, [at.x, at.y, at.z], at.yaw));
-            format!("assert {};", each.collect::<Vec<_>>().join(" and "))
-        }
         Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) => every(&|x| back(x)),
         Place::Opposite(_) => {
             let straight = |seen: &Pose| poses.first().is_none_or(|at| (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0);
@@ -617,7 +545,7 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
             }
             every(&|x| back(x))
         }
-        Place::Ceiling | Place::Edge | Place::Rows(_) => return,
+        Place::Ceiling | Place::Rows(_) => return,
     };
     plan.say(text, why);
     if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {
