@@ -216,11 +216,11 @@ mod tests {
 
     #[test]
     fn guesses_are_made_only_where_they_are_asked_for() {
-        let files = memory(&[("a.scene", "object lamp;;\nassert lapm.pos.x > 1;\nlamp.category <- \"lmap\";\n")]);
+        let files = memory(&[("a.scene", "object lamp;;\nassert lapm.pos.x > 1;\nlamp.category <- \"wardrob\";\n")]);
         let path = Path::new("a.scene");
         let text = |up_to| fix_all("a.scene", path, Options::default(), up_to, &files).files[0].text.clone();
-        assert_eq!(text(Applicability::Safe), "object lamp;\nassert lapm.pos.x > 1;\nlamp.category <- \"lmap\";\n");
-        assert_eq!(text(Applicability::Unsafe), "object lamp;\nassert lamp.pos.x > 1;\nlamp.category <- \"lamp\";\n");
+        assert_eq!(text(Applicability::Safe), "object lamp;\nassert lapm.pos.x > 1;\nlamp.category <- \"wardrob\";\n");
+        assert_eq!(text(Applicability::Unsafe), "object lamp;\nassert lamp.pos.x > 1;\nlamp.category <- \"wardrobe\";\n");
     }
 
     #[test]

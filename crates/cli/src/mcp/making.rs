@@ -51,9 +51,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
         return Err(call.late());
     }
     if understood.reading.nothing {
-        return Err(
-            "nothing in the request was understood; say which objects are in which room".to_owned()
-        );
+        return Err("nothing in the request was understood; say which objects are in which room".to_owned());
     }
     let said = reader::summary(&understood.reading, &understood.program);
     let mut out = json!({ "understood": format!("{} of {} clauses", said["understood"], said["clauses"]) });

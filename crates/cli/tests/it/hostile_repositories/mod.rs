@@ -127,8 +127,7 @@ impl Repository {
                     found.extend((!is_cached).then_some((path, Vec::new())));
                 } else if kind.is_file() {
                     let text = fs::read(&path).unwrap();
-                    let page = crate::support::root().join("spec/src/codes").join(entry.file_name());
-                    if !(is_cached && fs::read(page).is_ok_and(|page| page == text)) {
+                    if !(is_cached && is_page(&text)) {
                         found.insert(path, text);
                     }
                 }
@@ -204,6 +203,12 @@ const COMMANDS: &[&[&str]] = &[
     &["batch", "jobs.jsonl", "-o", "many"],
     &["solve", "room.scene", "-o", "out/room.layout.json"],
 ];
+
+/// Whether a text is a page of the book about a code, or the beginning of one: a server may be killed while it writes.
+fn is_page(text: &[u8]) -> bool {
+    let pages = fs::read_dir(crate::support::root().join("spec/src/codes")).unwrap();
+    pages.map(|page| fs::read(page.unwrap().path()).unwrap()).any(|page| page.starts_with(text))
+}
 
 /// Runs all commands and a server on the repository of a row.
 fn hold(name: &str) {
