@@ -241,9 +241,9 @@ fn of_word(text: &str, offset: u32) -> Option<(TextRange, String)> {
     let range = token.range.shifted(chunk.range.start);
     let written = text.get(range.bytes())?;
     if token.kind == Kind::Str {
-        let before = tokens.iter().filter(|t| t.range.end <= token.range.start && t.kind == Kind::Ident);
+        let mut before = tokens.iter().filter(|t| t.range.end <= token.range.start && t.kind == Kind::Ident);
         let word = |t: &Token| text.get(t.range.shifted(chunk.range.start).bytes());
-        let category = before.last().and_then(word) == Some("category");
+        let category = before.next_back().and_then(word) == Some("category");
         return category.then(|| (range, of_category(written.trim_matches('"'))));
     }
     keywords::says(written).map(|text| (range, text))

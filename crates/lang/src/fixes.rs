@@ -220,7 +220,10 @@ mod tests {
         let path = Path::new("a.scene");
         let text = |up_to| fix_all("a.scene", path, Options::default(), up_to, &files).files[0].text.clone();
         assert_eq!(text(Applicability::Safe), "object lamp;\nassert lapm.pos.x > 1;\nlamp.category <- \"wardrob\";\n");
-        assert_eq!(text(Applicability::Unsafe), "object lamp;\nassert lamp.pos.x > 1;\nlamp.category <- \"wardrobe\";\n");
+        assert_eq!(
+            text(Applicability::Unsafe),
+            "object lamp;\nassert lamp.pos.x > 1;\nlamp.category <- \"wardrobe\";\n"
+        );
     }
 
     #[test]

@@ -223,7 +223,7 @@ impl Evaluator {
 
 /// Doubles as Python takes them.
 fn bytes<'py>(py: Python<'py>, values: &[f64]) -> PyResult<Bound<'py, PyByteArray>> {
-    PyByteArray::new_with(py, values.len() * size_of::<f64>(), |out| {
+    PyByteArray::new_with(py, size_of_val(values), |out| {
         for (to, value) in out.chunks_exact_mut(size_of::<f64>()).zip(values) {
             to.copy_from_slice(&value.to_ne_bytes());
         }

@@ -75,7 +75,8 @@ pub(crate) fn look(dice: &mut Dice, name: &str) -> Look {
     };
     let [colour, material, feature] = [dice.chance(0.6), dice.chance(0.5), dice.chance(0.3)];
     // Each draw is made whether it counts or not, so that the stream of numbers does not depend on the noun.
-    let drawn = Look { colour: *dice.one(&COLOURS), material: *dice.one(materials), feature: *dice.one(features) };
+    let one = [&COLOURS[..], materials, features].map(|words| *dice.one(words));
+    let drawn = Look { colour: one[0], material: one[1], feature: one[2] };
     let some = |is: bool, word: &'static str| if is && !GROWS.contains(&last) { word } else { "" };
     Look {
         colour: some(colour, drawn.colour),

@@ -152,7 +152,7 @@ proptest! {
         // A category that the new layout does not know is a member like any other.
         let stays = |name: &str| new.object(name).is_some() && !new.categories.contains_key(name);
         let mut wanted = new.clone();
-        wanted.categories.extend(old.categories.clone().into_iter().filter(|(name, _)| stays(name)));
+        wanted.categories.extend(old.categories.into_iter().filter(|(name, _)| stays(name)));
         prop_assert_eq!(sorted(after.layout), sorted(wanted));
         let first = text.starts_with("{\n  \"first\": [1.50, {}],\n");
         prop_assert!(first, "{text}");
