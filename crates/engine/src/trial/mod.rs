@@ -257,15 +257,7 @@ impl<'a> Trial<'a> {
         let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
         let scope = frame.scope.as_ref();
-        let mut collide = vec![false; n * n];
-        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-            collide[i * n + j] = scope.is_some_and(|s| s.collide(ObjectId(i as u32), ObjectId(j as u32)));
-        }
-        let holds_inside = |id: ObjectId| {
-            let says = |&t: &usize| frame.terms[t].is_hard() && inside_of(&frame.terms[t].formula, id).is_some();
-            frame.index.of_object(id).iter().any(says)
-        };
-        let bounded = |id: ObjectId| scope.is_some_and(|s| s.bounds(id)) && !rooms.is_empty() && !holds_inside(id);
+        let bounded = |id: ObjectId| !rooms.is_empty() && setup::is_bounded(frame, id);
         let container = |id: ObjectId| if let Hold::Container(c) = frame.hold(id) { Some(c.0 as usize) } else { None };
         let rests = |id: ObjectId| scope.is_some_and(|s| s.support(id) == rules::Support::Rests);
         let mut trial = Self {
@@ -287,7 +279,7 @@ impl<'a> Trial<'a> {
             leaned: Vec::new(),
             asked: vec![false; n],
             span: vec![Span::default(); n],
-            collide,
+            collide: setup::collide(frame),
             rests: frame.objects().map(rests).collect(),
             bounded: frame.objects().map(bounded).collect(),
             floor,
@@ -340,12 +332,7 @@ impl<'a> Trial<'a> {
         trial.terms_of = (0..n).map(|i| trial.sorted_terms(i, true)).collect();
         trial.preferences_of = (0..n).map(|i| trial.sorted_terms(i, false)).collect();
         trial.know_variables();
-        for id in frame.objects() {
-            let domain = trial.yaws_of(world, id);
-            let told = frame.index.of_object(id).iter().any(|&t| matches!(trial.judges[t], Judge::Turn));
-            trial.turns.push(!frame.fixed(id).rot && !told);
-            trial.yaws.push(domain);
-        }
+        trial.know_turns(world);
         trial
     }
 

@@ -37,6 +37,16 @@ impl Trial<'_> {
         matches!(self.judges[t], Judge::Code(_) | Judge::Mixed(_) | Judge::Inside(..) | Judge::Clear(_))
     }
 
+    /// The turns that each object may have.
+    pub(super) fn know_turns(&mut self, world: &World<f64>) {
+        for id in self.frame.objects() {
+            let domain = self.yaws_of(world, id);
+            let told = self.frame.index.of_object(id).iter().any(|&t| matches!(self.judges[t], Judge::Turn));
+            self.turns.push(!self.frame.fixed(id).rot && !told);
+            self.yaws.push(domain);
+        }
+    }
+
     /// Quarter turns, and whatever turns its terms name, as far as the terms that speak of its turn alone allow them. Where
     /// they allow none, the evaluator judges them.
     pub(super) fn yaws_of(&mut self, world: &World<f64>, id: ObjectId) -> Vec<f64> {
@@ -102,6 +112,18 @@ fn yaws_that_hold(frame: &Frame<'_>, world: &World<f64>, id: ObjectId, terms: &[
         terms.iter().all(|t| holds(t, &mut scratch))
     });
     yaws
+}
+
+/// Whether P-BOUNDS speaks of an object, and no term says the same.
+pub(super) fn is_bounded(frame: &Frame<'_>, id: ObjectId) -> bool {
+    let says = |&t: &usize| frame.terms[t].is_hard() && inside_of(&frame.terms[t].formula, id).is_some();
+    frame.scope.as_ref().is_some_and(|scope| scope.bounds(id)) && !frame.index.of_object(id).iter().any(says)
+}
+
+/// Whether P-COLLIDE speaks of a pair: by the first and then the second.
+pub(super) fn collide(frame: &Frame<'_>) -> Vec<bool> {
+    let pairs = frame.objects().flat_map(|a| frame.objects().map(move |b| (a, b)));
+    pairs.map(|(a, b)| frame.scope.as_ref().is_some_and(|scope| scope.collide(a, b))).collect()
 }
 
 /// The object and the region of a term that says the one is in the other.

@@ -79,10 +79,12 @@ fn panels(joint: &Joint, moving: &Moving) -> Vec<Panel> {
         let around = moving.around(useful);
         return vec![Panel::new(around.min, around.max)];
     }
-    let steps = (useful / STEP).ceil();
+    // After a full turn it is where it was, whatever a file says.
+    let turn = useful.min(360.0);
+    let steps = (turn / STEP).ceil();
     let upright = joint.axis.x.abs() + joint.axis.z.abs() < UPRIGHT * joint.axis.norm();
     let pose = |step: f64| {
-        let angle = useful * step / steps;
+        let angle = turn * step / steps;
         if !upright {
             let around = convex::aabb(&moving.opened(angle));
             return Panel::new(around.min, around.max);
