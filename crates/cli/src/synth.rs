@@ -292,7 +292,7 @@ fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], fo
         ("assertions", summary.assertions),
         ("preferences", summary.preferences),
         ("physical rules", summary.physical),
-        ("pins", summary.pins),
+        ("assignments", summary.pins),
     ] {
         held.row([what.into(), tally.satisfied.to_string(), tally.total.to_string()]);
     }
