@@ -3,8 +3,10 @@
 mod bathroom;
 mod beds;
 mod care;
+mod cellar;
 mod decor;
 mod electronics;
+mod fences;
 mod fittings;
 mod kitchen;
 mod leisure;
@@ -62,6 +64,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("box", leisure::crate_box),
     ("cabinet", storage::cabinet),
     ("candle", lighting::candle),
+    ("cauldron", cellar::cauldron),
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
     ("camera_tripod", studio::camera_tripod),
@@ -148,6 +151,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("monitor", electronics::monitor),
     ("motorcycle", vehicles::motorcycle),
     ("office_chair", seating::office_chair),
+    ("organ", music::organ),
     ("ottoman", seating::ottoman),
     ("pallet", robots::pallet),
     ("pan", decor::pan),
@@ -207,6 +211,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("weight_bench", sport::weight_bench),
     ("wheelchair", seating::wheelchair),
     ("window", openings::window),
+    ("wine_rack", cellar::wine_rack),
     ("workbench", tables::workbench),
 ];
 

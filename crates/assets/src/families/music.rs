@@ -1,4 +1,4 @@
-//! What people play on: a drum kit, and strings on a stand.
+//! What people play on: a drum kit, strings on a stand, an organ.
 
 use crate::ask::Ask;
 use crate::block::{Block, block};
@@ -85,6 +85,46 @@ pub(super) fn strings(a: &Ask) -> Model {
     m.board(b.share(0.4..0.6, 0.91..1.0, 0.52..0.8), &face);
     for string in b.share(0.46..0.475, 0.18..0.93, 0.86..0.87).both_sides() {
         m.mesh.crisp(string, &stuff::STEEL.surface());
+    }
+    m
+}
+
+/// A case with pipes in towers and fields, and the console with two keyboards before it. Who plays sits at +z.
+pub(super) fn organ(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let wood = a.main(stuff::OAK);
+    let (dark, tin) = (shade(&wood, 0.6), Stuff(Finish::Metal, 0xced0d2).surface());
+    m.board(b.share(0.0..1.0, 0.0..0.36, 0.0..0.64), &wood);
+    for panel in b.share(0.03..0.97, 0.06..0.31, 0.64..0.65).split(0, 5, 0.06) {
+        m.mesh.crisp(panel, &shade(&wood, 1.15));
+    }
+    for (from, to, top) in
+        [(0.0, 0.22, 1.0), (0.22, 0.39, 0.84), (0.39, 0.61, 0.95), (0.61, 0.78, 0.84), (0.78, 1.0, 1.0)]
+    {
+        let field = b.share(from..to, 0.36..top, 0.02..0.62);
+        m.solid(field);
+        m.mesh.crisp(field.share(0.02..0.98, 0.0..1.0, 0.0..0.3), &dark);
+        for ledge in [field.share(0.0..1.0, 0.0..0.05, 0.0..1.0), field.share(0.0..1.0, 0.93..1.0, 0.0..1.0)] {
+            m.mesh.board(ledge, &wood);
+        }
+        for (i, pipe) in field.share(0.04..0.96, 0.05..0.93, 0.4..0.85).split(0, 5, 0.0).enumerate() {
+            // The longest is in the middle of its tower.
+            let shorter = 0.1 * (i as f64 - 2.0).abs() * pipe.size().y;
+            m.mesh.lathe(pipe.y(pipe.min.y..pipe.max.y - shorter), &[(0.25, 0.0), (0.95, 0.16), (0.95, 1.0)], 8, &tin);
+        }
+    }
+    let key = 0.76_f64.min(0.34 * a.h);
+    m.board(b.share(0.3..0.7, 0.0..1.0, 0.64..0.86).y(0.0..key), &wood);
+    m.board(b.share(0.3..0.7, 0.0..1.0, 0.86..1.0).y(0.86 * key..key), &wood);
+    let white = Stuff(Finish::Plastic, 0xf7f5ee).surface();
+    m.mesh.crisp(b.share(0.33..0.67, 0.0..1.0, 0.88..0.99).y(key..1.02 * key), &white);
+    m.board(b.share(0.3..0.7, 0.0..1.0, 0.64..0.78).y(key..1.3 * key), &wood);
+    m.board(b.share(0.3..0.7, 0.0..1.0, 0.78..0.86).y(key..1.06 * key), &wood);
+    m.mesh.crisp(b.share(0.33..0.67, 0.0..1.0, 0.78..0.86).y(1.06 * key..1.08 * key), &white);
+    m.solid(b.share(0.35..0.65, 0.0..0.03, 0.86..0.99));
+    for pedal in b.share(0.35..0.65, 0.01..0.03, 0.86..0.99).split(0, 7, 0.03) {
+        m.mesh.crisp(pedal, &dark);
     }
     m
 }

@@ -8,6 +8,9 @@ use crate::mesh::Surface;
 use crate::model::Model;
 use scenelang_layout::Vec3;
 
+/// A fence that is wider and deeper than this goes around something (metres).
+const DEEP: f64 = 1.0;
+
 /// Four strips along the edges of a face (normal z), `side` wide left and right, `top` above, `bottom` below.
 pub(super) fn frame(m: &mut Model, b: Block, side: f64, top: f64, bottom: f64, s: &Surface) {
     for strip in [b.x(b.min.x..b.min.x + side), b.x(b.max.x - side..b.max.x)] {
@@ -163,8 +166,12 @@ pub(super) fn blinds(a: &Ask) -> Model {
     m
 }
 
-/// Screens between places: panels on feet; railings and fences have bars, glass ones are clear.
+/// Screens between places: panels on feet; railings and fences have bars, glass ones are clear. A fence that is deep goes
+/// around something.
 pub(super) fn partition(a: &Ask) -> Model {
+    if a.d > DEEP && a.w > DEEP && a.says(&["fence", "cage"]) {
+        return super::fences::enclosure(a);
+    }
     let mut m = Model::default();
     let b = a.whole();
     let open = a.says(&["railing", "fence", "banister", "balustrade", "barrier"]);

@@ -248,8 +248,35 @@ pub(super) fn rug(a: &Ask) -> Model {
     m
 }
 
-/// A stand with three legs: easels, music stands, tripods, flip charts.
+/// A column on three feet with a desk for sheets, which leans back.
+fn music_stand(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let dark = a.main(stuff::BLACK_STEEL);
+    let t = 0.03_f64.min(0.08 * a.w).min(0.08 * a.d);
+    for foot in [b.share(0.0..1.0, 0.0..0.03, 0.0..0.14), b.share(0.44..0.56, 0.0..0.03, 0.14..1.0)] {
+        m.board(foot, &dark);
+    }
+    m.board(b.y(0.03 * a.h..0.74 * a.h).x(-t / 2.0..t / 2.0).z(-t / 2.0..t / 2.0), &dark);
+    let (low, front, back) = (0.72 * a.h, 0.3 * a.d, -0.2 * a.d);
+    let thin = 0.06 * a.d;
+    let lean = [(low, front), (low, front + thin), (a.h, back + thin), (a.h, back)];
+    m.extrude(0, &lean, b.min.x..b.max.x, &dark);
+    m.board(b.y(low - 0.02 * a.h..low).z(front..front + 3.0 * thin), &dark);
+    for sheet in b.x(b.min.x + 0.06 * a.w..-0.01 * a.w).both_sides() {
+        let at = |share: f64| (low + share * (a.h - low), front + share * (back - front) + thin);
+        let ((y, z), (up, away)) = (at(0.05), at(0.9));
+        let page = [(y, z), (y, z + 0.2 * thin), (up, away + 0.2 * thin), (up, away)];
+        m.mesh.extrude(0, &page, sheet.min.x..sheet.max.x, &stuff::PAPER.surface());
+    }
+    m
+}
+
+/// A stand with three legs and a picture on it: easels, tripods, flip charts; those for music have a column and a desk.
 pub(super) fn easel(a: &Ask) -> Model {
+    if a.says(&["music"]) {
+        return music_stand(a);
+    }
     let mut m = Model::default();
     let mut dice = a.dice();
     let main = a.main(stuff::OAK);

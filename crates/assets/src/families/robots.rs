@@ -114,8 +114,13 @@ pub(super) fn mobile_robot(a: &Ask) -> Model {
 pub(super) fn cart(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    let tools = a.says(&["tool", "drawer", "medical", "crash"]);
-    let main = a.main(if tools { stuff::RED } else { stuff::STEEL });
+    let medical = a.says(&["medical", "crash", "medicine", "medication"]);
+    let tools = medical || a.says(&["tool", "drawer"]);
+    let main = a.main(match () {
+        () if medical => stuff::WHITE,
+        () if tools => stuff::RED,
+        () => stuff::STEEL,
+    });
     let wheel = 0.11_f64.min(0.16 * a.h).min(0.4 * a.d).min(0.4 * a.w);
     let half = 0.5 * wheel;
     let place = block(
@@ -135,13 +140,14 @@ pub(super) fn cart(a: &Ask) -> Model {
         m.solid(b.y(wheel..a.h));
         let deep = 0.05 * a.d;
         m.mesh.board(b.y(wheel..a.h - 0.03 * a.h).z(b.min.z..b.max.z - deep), &main);
-        m.mesh.board(b.y(a.h - 0.03 * a.h..a.h), &stuff::RUBBER.surface());
+        let top = if medical { stuff::STEEL } else { stuff::RUBBER };
+        m.mesh.board(b.y(a.h - 0.03 * a.h..a.h), &top.surface());
         drawers(
             &mut m,
             b.inset(0.02 * a.w, 0.0, 0.0).y(wheel + 0.02 * a.h..a.h - 0.04 * a.h),
             pieces(a.h, 0.16, 2, 7),
             deep,
-            &shade(&main, 1.08),
+            &if medical { Stuff(Finish::Paint, 0x7fb2c9).surface() } else { shade(&main, 1.08) },
             &stuff::STEEL.surface(),
         );
         return m;

@@ -6,13 +6,15 @@ use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
-use super::room::{gate, in_row, kept, near, nominal, staffed};
+use super::room::{free, gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
-use super::{facing, groups, slots, stand};
+use super::{facing, groups, slots, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
 use std::cell::RefCell;
 
+/// So many counters stand near the door.
+const SERVED: usize = 4;
 /// So many of what nobody uses stand in corners.
 const CORNERS: usize = 4;
 
@@ -100,11 +102,12 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // A car stands in line with the gate.
     let gated = it.category.ends_with("car") && gate(plan).is_some();
     let has_place = |line: &&Line| special(&line.place) || gated;
-    let own_place = line.filter(|line| it.count == 1 && has_place(line) && !plan.is_placed(thing));
+    let several = |line: &&Line| matches!(line.place, Place::Service(_)) && it.count <= SERVED;
+    let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
     let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
     let has_back = stand::has_back(&it.category) && !apart;
     let is_on_floor = stand::on_floor(plan.draft, &it);
-    let pair = plan.ground.is_some() && facing::is_pair(plan, thing);
+    let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
     let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
     let aside = own.map_or_else(|| stand::is_aside(&it.category), |place| *place == Place::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
@@ -176,7 +179,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         false => &[0.0],
     };
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
-    let free = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
+    let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
@@ -196,7 +199,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                     choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
                 }
                 Like { at_wall: true, .. } if it.count <= 8 => choice.wall(floor, shape, before),
-                _ => choice.floor(floor, shape, before, yaws),
+                _ => free(choice, floor, shape, before, (it.count, yaws), &row),
             })
         }
     };
@@ -205,7 +208,18 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     {
         return true;
     }
-    let root = Root { n: it.count, frames: vec![Pose::default()], wall, free, whole: false, seek: &seek };
+    let lengthwise: &[f64] = &[0.0, 90.0];
+    if facing::is_pair_of_desks(plan, thing)
+        && facing::desks(plan, thing, &|floor, shape, before| choice.floor(floor, shape, before, lengthwise))
+    {
+        return true;
+    }
+    if twin::is_pair(plan, thing)
+        && twin::stand_up(plan, thing, &|floor, shape, _| twin::at_wall(floor, shape, size[2], &windows))
+    {
+        return true;
+    }
+    let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
     plan.lacking += usize::from(!placed);
     placed

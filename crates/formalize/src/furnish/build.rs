@@ -4,7 +4,7 @@ use super::floor::{Floor, Piece, Pose, Shape};
 use super::groups::Where;
 use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
-use super::slots::{Level, Slot};
+use super::slots::{Level, Slot, fences};
 use super::stand;
 use crate::draft::Source;
 use crate::names::{Names, words};
@@ -95,6 +95,15 @@ impl Building {
         }
     }
 
+    /// Adds a fence around something, in which nothing else stands.
+    fn enclose(&mut self, thing: usize, size: [f64; 3], frame: &Pose) {
+        for ([x, z], size) in fences(size) {
+            let at = frame.then(&Pose { x, z, ..Pose::default() });
+            self.shape.pieces.push(Piece { thing, at, size, flat: false, tall: false });
+        }
+        self.shape.free.push((frame.then(&Pose { y: 0.05, ..Pose::default() }), size));
+    }
+
     /// Adds a part that goes with each element of a thing of the group.
     pub fn add(
         &mut self,
@@ -122,6 +131,10 @@ impl Building {
             }
         }
         for frame in &frames {
+            if matches!(at, Where::Enclose(..)) {
+                self.enclose(new, size, frame);
+                continue;
+            }
             self.piece(new, noun, size, frame);
             if stand::is_easy(noun) {
                 let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };
@@ -146,7 +159,7 @@ impl Building {
 
     /// Whether the two elements of a thing look at each other.
     pub fn is_pair(&self, thing: usize) -> bool {
-        self.is_run(thing) && self.frames.get(&thing).is_some_and(|frames| frames[1].yaw == 180.0)
+        self.is_run(thing) && self.frames.get(&thing).is_some_and(|frames| frames[1].yaw == 180.0 && frames[1].z > 0.0)
     }
 
     /// The part that is left out next: the last that stands somewhere.
@@ -225,7 +238,11 @@ impl Plan<'_> {
             let placed = self.try_group(thing, root.n, root, &skip).is_some();
             self.ground.iter_mut().for_each(|ground| ground.narrow = false);
             if placed {
-                self.miss(&skip);
+                // Who works or eats at what is asked for has a seat there.
+                let seatless = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
+                self.lacking += usize::from(
+                    seatless && stand::group(&self.draft.things[thing].category) == crate::brief::Group::Table,
+                );
                 self.settle();
                 return true;
             }

@@ -27,8 +27,12 @@ pub struct Choice<'a> {
 const TOGETHER: f64 = 0.35;
 /// From the door to the middle of a counter (metres).
 const SERVED: f64 = 2.6;
+/// In mid-room it is so much farther from there (metres).
+const FREE: f64 = 2.6;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
+/// What patients lie on stands with one side at a wall.
+const EXAMS: [&str; 5] = ["exam table", "examination table", "examination couch", "exam bed", "examination bed"];
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
 /// So far beside the door's middle (metres).
@@ -40,7 +44,7 @@ impl Choice<'_> {
     }
 
     /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.
-    fn is_misplaced(&self, pose: &Pose) -> bool {
+    pub(super) fn is_misplaced(&self, pose: &Pose) -> bool {
         let beyond = |z: f64| Block::of(pose, self.size).high[2] > z + 0.1;
         stand::for_guests(self.noun) && self.staffed.is_some_and(beyond)
     }
@@ -81,9 +85,9 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
-        if self.is(&["bed"]) {
+        if self.is(&["bed"]) || self.is(&EXAMS) {
             // A narrow one lies along a wall, and its free side is its right one.
-            let narrow = self.size[0] < 1.15 && before.is_empty() && self.is(&ALONG);
+            let narrow = self.size[0] < 1.15 && before.is_empty() && (self.is(&ALONG) || self.is(&EXAMS));
             let to = |side: f64| side * along + length / 2.0 - self.size[0] / 2.0;
             // The other corner, where a window is in the way of this one.
             let to_corner = to(1.0).min(to(-1.0) + 0.3);
@@ -151,25 +155,36 @@ impl Choice<'_> {
         seek::best(floor, shape, places, &cost)
     }
 
-    /// The best place for a counter or a desk at which visitors are served: near the door and turned to it.
+    /// The best place for a counter or a desk at which visitors are served: near the door and turned to it, rather before a
+    /// wall than in mid-room.
     pub fn service(&self, floor: &Floor, shape: &Shape, behind: f64) -> Option<Pose> {
-        let places = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * behind).into_iter();
-        let cost = |pose: &Pose| {
+        let walls = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * behind).into_iter();
+        let free = seek::on_floor(floor.size, self.size, &[180.0, 90.0, 270.0]).into_iter();
+        let places = walls.map(|pose| (pose, 0.0)).chain(free.map(|pose| (pose, FREE)));
+        let cost = |pose: &Pose, free: f64| {
             let away = floor.away_from_door(pose);
             let ahead = floor.door_ahead(pose);
             // Who comes in stands before it, not beside it or behind.
             if ahead < 0.9 {
                 return None;
             }
-            let lit = Wall::behind(pose).is_some_and(|wall| self.windows.contains(&wall));
-            Some((away - SERVED).abs() + if lit { 0.5 } else { 0.0 })
+            let lit = Wall::behind(pose).is_some_and(|wall| free == 0.0 && self.windows.contains(&wall));
+            Some((away - SERVED).abs() + free + if lit { 0.5 } else { 0.0 })
         };
-        seek::best(floor, shape, places, &cost)
+        let mut best: Option<(f64, Pose)> = None;
+        for (pose, free) in places {
+            let Some(cost) = cost(&pose, free) else { continue };
+            let better = best.is_none_or(|(least, _)| cost < least);
+            if better && floor.fits(shape, &pose) && floor.leaves_ways(shape, &pose) {
+                best = Some((cost, pose));
+            }
+        }
+        best.map(|(_, pose)| pose)
     }
 
     /// The best corner.
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
-        let places = seek::in_corners(floor.size, self.size).into_iter();
+        let places = seek::in_corners(floor.size, self.size, floor.edge).into_iter();
         let cost = |pose: &Pose| {
             if self.is_misplaced(pose) {
                 return None;

@@ -18,6 +18,8 @@ const VISITOR: f64 = 0.4;
 /// Before an L-shaped desk or sofa, for what is said to look at it (metres).
 const FACING: f64 = 0.05;
 const SECOND: f64 = 0.25;
+/// What is fenced in is so near to its fence (metres).
+const WITHIN: f64 = 0.8;
 
 impl Plan<'_> {
     /// A part of a group that is asked for, and of which nothing else is said, stands where such a part does. Whether there
@@ -43,6 +45,11 @@ impl Plan<'_> {
                 && self.agrees(part, &self.draft.things[*i].name)
         });
         let Some(asked) = asked else { return false };
+        if let (Where::Enclose(beside, behind), Some(of)) = (&part.at, anchor.size)
+            && (wall == AtWall::Yes || !self.fence_in(asked, of, [*beside, *behind]))
+        {
+            return false;
+        }
         let it = self.draft.things[asked].clone();
         let (Some(of), Some(own)) = (anchor.size, it.size) else { return false };
         let each = it.count / anchor.count;
@@ -75,6 +82,9 @@ impl Plan<'_> {
         }
         taken.extend(places.iter().map(|slot| Taken::by(slot, own)));
         self.claimed.push(asked);
+        if matches!(part.at, Where::Enclose(..)) {
+            self.fenced(&anchor.name, &it.name);
+        }
         if let Some(group) = self.building.as_mut().filter(|_| stand::group(part.noun) == Group::Seat) {
             group.seated.push(thing);
         }
@@ -83,6 +93,28 @@ impl Plan<'_> {
         let name = if slots::in_corner(&part.at, &Sizes { of, own, round }) { CORNER_TABLE } else { part.noun };
         self.surround_as(name, asked, if flush { wall } else { AtWall::No }, deep + 1);
         true
+    }
+
+    /// What is said to be behind a fence that goes around it is near it on all sides.
+    fn fenced(&mut self, thing: &str, fence: &str) {
+        for statement in &mut self.draft.statements {
+            let named = words(&statement.text);
+            let both = named.contains(&thing) && named.contains(&fence);
+            if both && matches!(statement.source, Source::Stated(_)) && statement.text.contains("behind(") {
+                statement.text = format!("near({thing}, {fence}, {WITHIN})");
+            }
+        }
+    }
+
+    /// Makes a fence that is asked for as large as what it goes around needs. Whether it can be.
+    fn fence_in(&mut self, fence: usize, of: [f64; 3], [beside, behind]: [f64; 2]) -> bool {
+        let it = &mut self.draft.things[fence];
+        let Some([w, h, d]) = it.size.filter(|_| it.count == 1) else { return false };
+        let around = slots::enclosure(of, beside, behind, h);
+        if d < slots::THIN {
+            it.size = Some(around);
+        }
+        d < slots::THIN || w == around[0] && d == around[2]
     }
 
     /// Whether a thing is asked for and has no place yet, and nothing is said of where it is but in relation to `anchor`.
@@ -107,7 +139,8 @@ impl Plan<'_> {
                 "near" | "looksAt" | "facing" | "onFloor" => true,
                 "around" => around,
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
-                "behind" | "leftOf" | "rightOf" => spread,
+                "behind" => spread || matches!(part.at, Where::Enclose(..)),
+                "leftOf" | "rightOf" => spread,
                 "beside" => matches!(part.at, Where::Side(..) | Where::Sides(..)),
                 _ => false,
             })
@@ -219,9 +252,9 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
 
 /// Whether a part stands on the floor beside what it goes with, or is a television on its stand.
 fn is_claimed(part: &Part) -> bool {
-    use Where::{Around, Back, Front, LongSides, Row, Side, Sides, Top};
+    use Where::{Around, Back, Enclose, Front, LongSides, Row, Side, Sides, Top};
     match part.at {
-        Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | Around(..) | LongSides(..) => true,
+        Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | Around(..) | LongSides(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
         _ => false,
     }

@@ -1,8 +1,9 @@
 //! How large a room is whose size nobody gave: as its kind usually is, larger where something that matters finds no room,
-//! smaller where much of the floor would be empty.
+//! smaller where more of the floor is idle than in such rooms.
 
+use super::kinds;
 use super::number::{Scale, scale};
-use super::room::furnish_once;
+use super::room::{Furnished, furnish_once};
 use super::stand;
 use crate::brief::Brief;
 use crate::draft::{Draft, Thing};
@@ -10,17 +11,16 @@ use crate::draft::{Draft, Thing};
 /// How often a room grows in which something that matters finds no room, and by how much.
 const GROWN: usize = 5;
 const GROWTH: f64 = 1.07;
-/// How often each side of a room becomes shorter that has more floor than its furniture needs, and by how much.
-const SHRUNK: usize = 5;
-const SHRINKING: f64 = 0.95;
-/// The part of the floor that furniture covers in a room that is as full as such rooms are.
-const COVERED: f64 = 0.3;
+/// How often a room becomes smaller that has more floor than its furniture needs: as a whole, and then each side by so
+/// much.
+const HALVED: usize = 4;
+const SHRUNK: usize = 3;
+const SHRINKING: f64 = 0.94;
 /// A room keeps this part of the floor that such rooms usually have.
-const LEAST: f64 = 0.66;
-/// Where more than this is said of how things stand, floor is left for it.
+const LEAST: f64 = 0.42;
+/// Where more than this is said of how things stand, floor is left for it, and the room keeps this part of its size.
 const FACTS: usize = 2;
-/// What is lower than this covers no floor (metres).
-const FLAT: f64 = 0.05;
+const TOLD: f64 = 0.8;
 /// What is left of the longer wall beside the longest thing (metres).
 const BESIDE: f64 = 0.1;
 /// A room is no longer than so many times its width.
@@ -31,16 +31,23 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let room = &draft.rooms[at];
     let is_free = draft.rooms.len() == 1 && !room.sized && room.outline.is_none();
     // In a larger or smaller room as much is counted by area as in one of the usual size.
-    let counted = room.size[0] * room.size[2];
+    let area = room.size[0] * room.size[2];
+    let usual = brief.rooms.get(at).and_then(|room| room.usual).map_or(area, |[w, _, d]| w * d);
+    let counted = if is_free { usual.min(area) } else { area };
     let once = |draft: &mut Draft| furnish_once(draft, brief, at, closed, counted);
     let empty = draft.clone();
-    let mut lacking = once(draft);
-    if is_free && lacking > 0 {
-        lacking = grow(draft, empty.clone(), at, lacking, &once);
+    let mut furnished = once(draft);
+    if !is_free {
+        return;
     }
-    let told = brief.facts.len() > FACTS;
-    if is_free && lacking == 0 && !told && scale(brief, at) == Scale::Usual && !draft.outdoor {
-        shrink(draft, empty, at, LEAST * counted, &once);
+    if furnished.lacking > 0 {
+        furnished = grow(draft, empty.clone(), at, furnished, &once);
+    }
+    if scale(brief, at) != Scale::Large {
+        let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
+        let most = kind.map_or(1.0, |kind| kind.idle);
+        let least = if brief.facts.len() > FACTS { TOLD } else { LEAST } * counted;
+        shrink(draft, empty, at, (most, least), furnished, &once);
     }
 }
 
@@ -49,61 +56,89 @@ fn grow(
     draft: &mut Draft,
     mut empty: Draft,
     at: usize,
-    mut least: usize,
-    furnish: &impl Fn(&mut Draft) -> usize,
-) -> usize {
+    mut best: Furnished,
+    furnish: &impl Fn(&mut Draft) -> Furnished,
+) -> Furnished {
     for _ in 0..GROWN {
         for k in [0, 2] {
             empty.rooms[at].size[k] = (empty.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
         }
         let mut larger = empty.clone();
-        let lacking = furnish(&mut larger);
-        if lacking < least {
-            (least, *draft) = (lacking, larger);
+        let furnished = furnish(&mut larger);
+        if furnished.lacking < best.lacking {
+            (best, *draft) = (furnished, larger);
         }
-        if least == 0 {
+        if best.lacking == 0 {
             break;
         }
     }
-    least
+    best
 }
 
-/// Furnishes a room with much empty floor anew, with one side and then the other shorter, as long as there is room for all
-/// that it had.
-fn shrink(draft: &mut Draft, mut empty: Draft, at: usize, least: f64, furnish: &impl Fn(&mut Draft) -> usize) {
-    let mut size = draft.rooms[at].size;
-    let mut done = [false; 2];
+/// Furnishes a room of which more than `most` is idle anew and smaller, as long as there is room for all that stands in it, plants
+/// apart: first as a whole, then one side and the other.
+fn shrink(
+    draft: &mut Draft,
+    mut empty: Draft,
+    at: usize,
+    (most, least): (f64, f64),
+    mut now: Furnished,
+    furnish: &impl Fn(&mut Draft) -> Furnished,
+) {
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
+    let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
+        let [w, d] = [w, d].map(|v| (v * 10.0).round() / 10.0);
+        if w * d < least - 1e-9 || w.max(d) < longest || w.max(d) > LONG * w.min(d) {
+            return false;
+        }
+        let size = draft.rooms[at].size;
+        empty.rooms[at].size = [w, size[1], d];
+        let mut smaller = empty.clone();
+        let furnished = furnish(&mut smaller);
+        let mut standing =
+            draft.things.iter().filter(|thing| stand::on_floor(draft, thing) && thing.category != "plant");
+        let has_all = furnished.lacking <= now.lacking
+            && furnished.unreached <= now.unreached
+            && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
+        if has_all {
+            (*now, *draft) = (furnished, smaller);
+        }
+        has_all
+    };
+    // The part of its sides that the room keeps, and what was too small already.
+    let (mut kept, mut low) = (1.0, 0.0);
+    let [w, _, d] = draft.rooms[at].size;
+    for _ in 0..HALVED {
+        if now.idle <= most {
+            break;
+        }
+        // What is left if all idle floor went, or half-way to it.
+        let aim = (kept * (1.0 - (now.idle - most)).sqrt()).max((least / (w * d)).sqrt());
+        let next = if low > 0.0 { (kept + low) / 2.0 } else { aim };
+        if next > 0.98 * kept {
+            break;
+        }
+        if try_sides(&mut *draft, &mut now, [w * next, d * next]) {
+            kept = next;
+        } else {
+            low = next;
+        }
+    }
+    let mut done = [false; 2];
     for step in 0..2 * SHRUNK {
-        let k = 2 * (step % 2);
-        let side = (size[k] * SHRINKING * 10.0).floor() / 10.0;
-        let odd = size[2 - k] > LONG * side || size[2 - k] * side < least || side.max(size[2 - k]) < longest;
-        if covered(draft, at) >= COVERED || done[k / 2] || odd {
+        let k = step % 2;
+        if done[k] || now.idle <= most {
             continue;
         }
-        empty.rooms[at].size = size;
-        empty.rooms[at].size[k] = side;
-        let mut smaller = empty.clone();
-        let has_all = furnish(&mut smaller) == 0
-            && draft.things.iter().all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
-        if has_all {
-            (size[k], *draft) = (side, smaller);
-        } else {
-            done[k / 2] = true;
-        }
+        let [w, _, d] = draft.rooms[at].size;
+        let sides = if k == 0 { [w * SHRINKING, d] } else { [w, d * SHRINKING] };
+        done[k] = !try_sides(&mut *draft, &mut now, sides);
     }
 }
 
 /// How many things of a category there are.
 fn count(draft: &Draft, category: &str) -> usize {
-    draft.things.iter().filter(|thing| thing.category == category).map(|thing| thing.count).sum()
-}
-
-/// The part of the floor of a room that things stand on.
-fn covered(draft: &Draft, at: usize) -> f64 {
-    let stand = draft.things.iter().filter(|thing| thing.room == Some(at) && stand::on_floor(draft, thing));
-    let area = |thing: &Thing| thing.size.map_or(0.0, |[w, h, d]| if h < FLAT { 0.0 } else { w * d });
-    let [w, _, d] = draft.rooms[at].size;
-    stand.map(|thing| thing.count as f64 * area(thing)).sum::<f64>() / (w * d)
+    let like = |thing: &&Thing| thing.category == category;
+    draft.things.iter().filter(like).map(|thing| thing.count).sum()
 }

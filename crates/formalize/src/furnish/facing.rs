@@ -1,4 +1,4 @@
-//! Two sofas that are asked for and face each other stand across a low table, as one piece.
+//! Two sofas that are asked for and face each other stand across a low table, as one piece; two desks stand edge to edge.
 
 use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
@@ -11,6 +11,8 @@ use crate::names::words;
 
 /// Between the fronts of two seats that face each other, with a low table between them (metres).
 const ACROSS: f64 = 1.5;
+/// Between the edges of two desks (metres).
+const EDGE: f64 = 0.01;
 /// What is lower can stand there.
 const LOW: f64 = 0.6;
 /// The group of what stands around that table, and what is added where none is asked for.
@@ -31,6 +33,43 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
         .all(|s| s.text.contains(&facing) || s.text.contains("inside(") || s.text.contains("onFloor("));
     let faces = plan.draft.statements.iter().any(|s| s.text.contains(&facing));
     it.count == 2 && faces && only && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
+}
+
+/// Whether a thing is a pair of desks at which people sit face to face.
+pub fn is_pair_of_desks(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    let behind = format!("behind({}[2 * i], {}[", it.name, it.name);
+    let said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
+    let only = said
+        .filter(|s| matches!(s.source, Source::Stated(_)))
+        .all(|s| s.text.contains(&behind) || s.text.contains("inside(") || s.text.contains("onFloor("));
+    let faces = plan.draft.statements.iter().any(|s| s.text.contains(&behind) && s.text.contains(">= 175"));
+    it.count == 2 && faces && only && stand::group(&it.category) == Group::Table
+}
+
+/// Gives the two desks a place. Whether there is one.
+pub fn desks(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let Some([_, _, d]) = it.size else { return false };
+    let edge = d + EDGE;
+    let frames = vec![Pose::default(), Pose { z: -edge, yaw: 180.0, ..Pose::default() }];
+    let root = Root { n: 1, frames, wall: AtWall::No, free: Vec::new(), whole: false, seek };
+    if !plan.place_asked(thing, &root) {
+        return false;
+    }
+    off_walls(plan, &it.name);
+    let [first, second] = [0, 1].map(|i| format!("{}[{i}]", it.name));
+    let across = Slot { x: 0.0, z: -edge, level: Level::Floor, yaw: 180.0 };
+    plan.say(format!("assert {};", place::fixed(&second, &first, &across, 0.0, 0.0)), "they face each other");
+    true
+}
+
+/// What stands in mid-room is not wanted at a wall.
+fn off_walls(plan: &mut Plan, name: &str) {
+    let wall = format!("againstWall(a, {})", plan.room_name());
+    plan.draft
+        .statements
+        .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&wall) || !words(&s.text).contains(&name));
 }
 
 /// Gives the pair a place, its first one where `seek` finds one. Whether there is one.
@@ -57,10 +96,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     if !plan.place_asked(thing, &root) {
         return false;
     }
-    let wall = format!("againstWall(a, {})", plan.room_name());
-    plan.draft.statements.retain(|s| {
-        s.demand != Demand::Prefer || !s.text.contains(&wall) || !words(&s.text).contains(&it.name.as_str())
-    });
+    off_walls(plan, &it.name);
     let [first, second] = [0, 1].map(|i| format!("{}[{i}]", it.name));
     let across = Slot { x: 0.0, z: d + ACROSS, level: Level::Floor, yaw: 180.0 };
     plan.say(format!("assert {};", place::fixed(&second, &first, &across, 0.0, 0.0)), "they face each other");

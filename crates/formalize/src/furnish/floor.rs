@@ -17,6 +17,10 @@ const HALF_WAY: f64 = 0.40;
 const HEAD: f64 = 1.9;
 /// What lies flat and is longer is no doormat (metres).
 const MAT: f64 = 1.0;
+/// Half of what one needs to pass between things (metres).
+const PASS: f64 = 0.45;
+/// What is kept free higher up takes no floor (metres).
+const LOW: f64 = 0.5;
 
 /// A place and a turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -126,6 +130,8 @@ pub struct Floor {
     swing: Vec<Block>,
     /// Whether ways may be narrower: what is asked for in a small room stands there all the same.
     pub narrow: bool,
+    /// What stands along the edges of the floor is so thick.
+    pub edge: f64,
 }
 
 impl Floor {
@@ -141,6 +147,7 @@ impl Floor {
             flats: Vec::new(),
             swing: Vec::new(),
             narrow: false,
+            edge: 0.0,
         }
     }
 
@@ -278,16 +285,43 @@ impl Floor {
 
     /// Whether one still gets from the doors to everything when a group stands at a place.
     pub fn leaves_ways(&self, shape: &Shape, at: &Pose) -> bool {
-        if self.doors.is_empty() {
-            return true;
-        }
         let mut other = self.clone();
         other.take(shape, at);
         other.unreached() <= self.unreached()
     }
 
+    /// Whether one still gets from the doors to everything when such a group stands at each of these places.
+    pub fn leaves_ways_to_all(&self, shape: &Shape, places: &[Pose]) -> bool {
+        let mut other = self.clone();
+        places.iter().for_each(|at| other.take(shape, at));
+        other.unreached() <= self.unreached()
+    }
+
+    /// The part of the floor that nothing is near and nobody needs: farther than a passage from all that stands there, and
+    /// not kept free for its use.
+    pub fn idle(&self) -> f64 {
+        let (columns, rows) = self.cells();
+        let standing = |body: &&Block| body.low[1] < LOW && body.high[1] > 0.08;
+        let wider = |body: &Block| Block {
+            low: [body.low[0] - PASS, 0.0, body.low[2] - PASS],
+            high: [body.high[0] + PASS, 0.0, body.high[2] + PASS],
+        };
+        let near: Vec<Block> = self.bodies.iter().filter(standing).map(wider).collect();
+        let needed: Vec<&Block> = near.iter().chain(self.free.iter().filter(|block| block.low[1] < LOW)).collect();
+        let idle = (0..columns * rows).filter(|cell| {
+            let [x, z] = self.middle(cell % columns, cell / columns);
+            !needed
+                .iter()
+                .any(|block| (block.low[0]..block.high[0]).contains(&x) && (block.low[2]..block.high[2]).contains(&z))
+        });
+        idle.count() as f64 / ((columns * rows) as f64).max(1.0)
+    }
+
     /// How many things there is no way to.
-    fn unreached(&self) -> usize {
+    pub fn unreached(&self) -> usize {
+        if self.doors.is_empty() {
+            return 0;
+        }
         let (columns, rows) = self.cells();
         let reached = self.reached();
         let far = HALF_WAY + if self.narrow { 0.2 } else { 0.12 };

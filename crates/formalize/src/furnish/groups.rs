@@ -43,6 +43,8 @@ pub enum Where {
     Over,
     /// On the wall behind it, so far above its top.
     Above(f64, f64),
+    /// All around it, so far from its sides and its back: only what is asked for.
+    Enclose(f64, f64),
 }
 
 /// A part of a group.
@@ -123,6 +125,7 @@ fn part(line: &'static str) -> Option<Part> {
         "longsides" => Where::LongSides(n(0)? as usize, n(1)?),
         "under" => Where::Under(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
         "over" => Where::Over,
+        "enclose" => Where::Enclose(n(0)?, n(1)?),
         "above" => Where::Above(n(0)?, n(1).unwrap_or(0.0)),
         _ => return None,
     };

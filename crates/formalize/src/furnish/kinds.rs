@@ -44,6 +44,8 @@ pub enum Place {
     Hung,
     /// Under the ceiling, spread evenly.
     Ceiling,
+    /// Along the open edges of what is outdoors.
+    Edge,
 }
 
 /// A line of the inventory.
@@ -99,6 +101,8 @@ pub struct Kind {
     pub each: f64,
     /// How much of the floor furniture may take, with the places of who uses it.
     pub fill: f64,
+    /// The part of the floor that may be idle: nothing is near it, and nobody needs it.
+    pub idle: f64,
     /// Windows for each wall metre of a room with windows: how many in a room of the usual size.
     pub windows: usize,
     /// What the floor is made of, and its colour where the material does not tell.
@@ -117,6 +121,8 @@ pub struct Kind {
     pub eat: Option<Line>,
     /// Width and height of a wide door for cars and goods, beside the ordinary one.
     pub gate: Option<[f64; 2]>,
+    /// How wide the place of a bed is in a ward, and how deep a ward is with beds at one wall and at two.
+    pub bay: Option<[f64; 3]>,
     /// A second door, closed, to what such a room always has beside it: a bathroom.
     pub inner: Option<&'static str>,
     /// How its shelves and tables are dressed: `office`, `school`; empty: as at home.
@@ -124,6 +130,9 @@ pub struct Kind {
     /// What hangs at its windows.
     pub curtains: Option<Cover>,
 }
+
+/// The part of the floor that may be idle in a room, unless its kind says otherwise.
+const IDLE: f64 = 0.13;
 
 /// All kinds, in the order of the table.
 pub fn all() -> &'static [Kind] {
@@ -157,7 +166,7 @@ fn parse(text: &'static str) -> Vec<Kind> {
     let mut out: Vec<Kind> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
         if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-            out.push(Kind { name, fill: 0.5, wood: "oak", ..Kind::default() });
+            out.push(Kind { name, fill: 0.5, idle: IDLE, wood: "oak", ..Kind::default() });
             continue;
         }
         let Some(kind) = out.last_mut() else { continue };
@@ -185,6 +194,7 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
             }
         }
         "eat" => kind.eat = entry(value),
+        "bay" => kind.bay = numbers().try_into().ok(),
         "gate" => kind.gate = numbers().try_into().ok(),
         "inner" => kind.inner = Some(value),
         "dress" => kind.dress = value,
@@ -196,6 +206,7 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
             }
         }
         "home" => kind.home = numbers().try_into().ok(),
+        "idle" => kind.idle = value.parse().unwrap_or(kind.idle),
         "fill" => kind.fill = value.parse().unwrap_or(kind.fill),
         "windows" => kind.windows = value.parse().unwrap_or(0),
         "floor" => kind.floor = value.split_once(',').map_or((value, ""), |(a, b)| (a.trim(), b.trim())),
@@ -209,9 +220,9 @@ fn set(kind: &mut Kind, key: &str, value: &'static str) {
 
 /// `2 nightstand wall >=12`, `1/8 ceiling light ceiling`, `1p4 table rows`.
 fn entry(line: &'static str) -> Option<Line> {
-    const PLACES: [&str; 14] = [
+    const PLACES: [&str; 15] = [
         "wall", "run", "corner", "middle", "floor", "rows", "rowsaway", "back", "front", "before", "service",
-        "opposite", "hung", "ceiling",
+        "opposite", "hung", "ceiling", "edge",
     ];
     let words: Vec<&'static str> = line.split_whitespace().collect();
     let at = (1..words.len()).rev().find(|i| PLACES.contains(&words[*i]))?;
@@ -243,6 +254,7 @@ fn entry(line: &'static str) -> Option<Line> {
             Place::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
         }
         "hung" => Place::Hung,
+        "edge" => Place::Edge,
         _ => Place::Ceiling,
     };
     let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);

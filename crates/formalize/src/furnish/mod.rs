@@ -10,6 +10,7 @@ mod choose;
 mod claim;
 mod daylight;
 mod drop;
+mod edge;
 mod even;
 mod extent;
 mod facing;
@@ -26,11 +27,14 @@ mod rows;
 mod seats;
 mod seek;
 mod slots;
+mod spread;
 mod stand;
 mod taste;
 mod tops;
+mod twin;
+mod whom;
 
-use crate::brief::{Brief, Fact, Number, Pattern, What};
+use crate::brief::{Brief, Fact, Group, Number, Pattern, What};
 use crate::draft::Draft;
 pub use area::overfull;
 use number::{Scale, scale};
@@ -57,6 +61,10 @@ pub fn measure(brief: &mut Brief) {
             Scale::Usual => 1.0,
             Scale::Large => 1.4,
         };
+        if let Some(sides) = kind.bay.map(|bay| ward(bay, beds(brief, at).unwrap_or(kind.people as usize))) {
+            brief.rooms[at].usual = Some([sides[0], h, sides[1]]);
+            continue;
+        }
         let by = (area / (w * d)).sqrt();
         // Who looks at a screen across the room is not too far from it.
         let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Opposite(_)));
@@ -66,9 +74,24 @@ pub fn measure(brief: &mut Brief) {
     }
 }
 
+/// How many beds are asked for in a room.
+fn beds(brief: &Brief, room: usize) -> Option<usize> {
+    let own = brief.things.iter().filter(|thing| thing.room == room && thing.group == Group::Bed);
+    let asked: usize = own.filter_map(|thing| thing.number.said()).sum();
+    Some(asked).filter(|n| *n > 0).or(brief.rooms[room].people)
+}
+
+/// Width and depth of a ward with so many beds: side by side at one wall, or at two that are opposite.
+fn ward([wide, one, two]: [f64; 3], beds: usize) -> [f64; 2] {
+    const IN_LINE: usize = 3;
+    let (columns, deep) = if beds <= IN_LINE { (beds, one) } else { (beds.div_ceil(2), two) };
+    [columns.max(1) as f64 * wide + 0.3, deep].map(|v| (v * 10.0).ceil() / 10.0)
+}
+
 /// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
 pub fn refine(brief: &mut Brief) {
-    persons(brief);
+    whom::persons(brief);
+    whom::children(brief);
     named(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
@@ -133,27 +156,6 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
             Some((people / each).ceil().max(2.0) as usize)
         }
         _ => None,
-    }
-}
-
-/// Who a room is for is no thing in it: "a nursery for a newborn".
-fn persons(brief: &mut Brief) {
-    const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
-    let gone: Vec<usize> = (0..brief.things.len())
-        .filter(|at| {
-            let thing = &brief.things[*at];
-            let start = thing.source.at().start;
-            let before: Vec<&str> = brief.request.get(..start).unwrap_or("").split_whitespace().collect();
-            let article = brief.request.get(thing.source.at()).unwrap_or("").to_lowercase();
-            let said =
-                format!("{} {article}", before.iter().rev().take(2).rev().copied().collect::<Vec<_>>().join(" "));
-            let last = thing.words.last().map_or("", String::as_str);
-            let for_whom = FOR.iter().any(|f| said.to_lowercase().contains(&format!("{f} {last}")));
-            thing.part.is_none() && for_whom && scenelang_lang::nouns::noun(last).is_none()
-        })
-        .collect();
-    if !gone.is_empty() {
-        brief.remove(&gone);
     }
 }
 

@@ -135,7 +135,7 @@ impl<'a> Plan<'a> {
 
     /// Whether nothing of this name may be added: it is asked for or ruled out, or could be taken for that.
     pub fn is_closed(&self, noun: &str) -> bool {
-        self.only || self.is_said(noun)
+        self.only || self.is_said(noun) || self.closed.iter().any(|asked| stand::stands_in(noun, asked))
     }
 
     /// Whether something of this name is asked for or ruled out by its name.
@@ -276,6 +276,10 @@ impl<'a> Plan<'a> {
             return;
         }
         if self.claim(thing, part, wall, deep, taken) {
+            return;
+        }
+        // A fence is there only where it is asked for.
+        if matches!(part.at, Where::Enclose(..)) {
             return;
         }
         // One bin serves several.

@@ -10,7 +10,7 @@ use super::openings;
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{ceiling, rows};
 use super::seek::Wall;
-use super::{asked, even, gates, groups, place, stand, taste, tops};
+use super::{asked, edge, even, gates, groups, place, slots, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
@@ -20,8 +20,13 @@ const EYES: f64 = 1.5;
 
 /// Before a counter so much is free (metres).
 const SERVED: f64 = 1.15;
+/// What is narrower is a stand, and no counter.
+const STAND: f64 = 1.0;
 /// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
 const APART: [f64; 2] = [0.3, 0.12];
+
+/// In a run things are so far apart at least, where there is a choice.
+const TIGHT: f64 = 0.15;
 
 /// Lengths of what may be shorter than usual rather than lack its sink, its stove or its seats (metres).
 const SHORTER: [(&str, &[f64]); 4] = [
@@ -32,10 +37,21 @@ const SHORTER: [(&str, &[f64]); 4] = [
 ];
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
-/// Furnishes a room of its size with as much as one of `counted` square metres has. How much that matters found no room.
-pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> usize {
+/// What came of furnishing a room.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Furnished {
+    /// How much that matters found no room.
+    pub lacking: usize,
+    /// The part of the floor that nothing is near and nobody needs.
+    pub idle: f64,
+    /// How many things there is no way to.
+    pub unreached: usize,
+}
+
+/// Furnishes a room of its size with as much as one of `counted` square metres has.
+pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> Furnished {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
-    let Some(kind) = kind else { return 0 };
+    let Some(kind) = kind else { return Furnished::default() };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
         way_in(draft, at);
@@ -79,6 +95,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let (waiting, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
     // Many tables leave the place where such rooms have their counter.
     let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
+    // What stands at the walls of a kitchen leaves the middle for a table.
+    let at_walls = kind.lines.first().is_some_and(|line| matches!(line.place, Place::Wall | Place::Run));
+    let later = |at: &usize| at_walls && has_seats(&plan, &plan.draft.things[*at].category.replace('_', " "));
+    let (tables_later, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(later);
     let is_early = |line: &Line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_));
     let early: Vec<&Line> = kind.lines.iter().take(MATTER).filter(|line| is_early(line)).collect();
     let early = if asked.iter().any(many) { early } else { Vec::new() };
@@ -94,16 +114,22 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let eat = kind.eat.iter().filter(|_| home);
     for (i, line) in first.iter().chain(rest).enumerate() {
         if i == first.len() {
+            for thing in tables_later.iter().filter(|_| !crowd) {
+                asked::stand_up(&mut plan, *thing);
+            }
             eat.clone().for_each(|line| eat_at(&mut plan, line));
         }
         let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
         let few = match line.count {
             Count::Fixed(n) => n <= 3,
             // A bed and a desk for each of two or three.
-            Count::People(each) => plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0,
+            Count::People(each) => {
+                plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0 || plan.tables(line).is_some()
+            }
             Count::Area(_) => false,
         };
-        let few = few || matches!(line.place, Place::Rows(_));
+        // A shop with a shelf less is a shop; who has no seat is missing.
+        let few = few || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
         let matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
         if !early.contains(&line) {
             matter(&mut plan, line, matters);
@@ -118,9 +144,11 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         }
     }
     tops::settle(&mut plan);
-    let lacking = plan.lacking;
+    let idle = plan.ground.as_ref().map_or(0.0, Floor::idle);
+    let unreached = plan.ground.as_ref().map_or(0, Floor::unreached);
+    let furnished = Furnished { lacking: plan.lacking, idle, unreached };
     keep_windows_free(plan.draft, at);
-    lacking
+    furnished
 }
 
 /// Whether things of a category are tables.
@@ -136,6 +164,9 @@ fn matter(plan: &mut Plan, line: &Line, matters: bool) {
     let is_there = closed || came_along(plan, line);
     plan.lacking += usize::from(matters && !is_there && plan.draft.things.len() == things);
 }
+
+/// So many desks are those of a team.
+const TEAM: usize = 4;
 
 /// Adds what one eats at, if there is room for its seats, too.
 fn eat_at(plan: &mut Plan, line: &Line) {
@@ -195,6 +226,24 @@ pub(super) fn in_row(
     row.borrow().get(before.len()).copied()
 }
 
+/// The next place of several that stand free, spread over the floor if there is room for all; `row` keeps all of them.
+pub(super) fn free(
+    choice: &Choice,
+    floor: &Floor,
+    shape: &Shape,
+    before: &[Pose],
+    (n, yaws): (usize, &[f64]),
+    row: &RefCell<Vec<Pose>>,
+) -> Option<Pose> {
+    if before.is_empty() {
+        row.replace(choice.spread(floor, shape, n, yaws).unwrap_or_default());
+    }
+    // Several are parallel to each other.
+    let first = before.first().map(|first| [first.yaw]);
+    let next = row.borrow().get(before.len()).copied();
+    next.or_else(|| choice.floor(floor, shape, before, first.as_ref().map_or(yaws, |yaw| &yaw[..])))
+}
+
 /// Where the wide door of the room is, if it has one.
 pub(super) fn gate(plan: &Plan) -> Option<Pose> {
     let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
@@ -222,6 +271,13 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
         _ => return Vec::new(),
     };
     let pass = 0.7;
+    if w < STAND {
+        // One person stands behind it, and the others before it.
+        return vec![
+            (at(0.0, 0.05, (d + pass) / 2.0), [w, 1.7, pass]),
+            (at(0.0, 0.05, -(d + pass) / 2.0), [w, 1.7, pass]),
+        ];
+    }
     vec![
         (at(0.0, 0.05, (d + SERVED) / 2.0), [w, 1.7, SERVED]),
         (at(pass / 2.0, 0.05, -(d + behind) / 2.0), [w + pass, 1.7, behind]),
@@ -248,14 +304,27 @@ fn came_along(plan: &Plan, line: &Line) -> bool {
     line.count == Count::Fixed(1) && !hung && here.any(|t| t.category.replace('_', " ") == line.noun && with_another(t))
 }
 
+/// Whether people sit around such a thing.
+fn has_seats(plan: &Plan, noun: &str) -> bool {
+    let around = |part: &groups::Part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    stand::group(noun) == Group::Table && groups::of(noun, plan.kind.dress).iter().any(around)
+}
+
+/// Whether several tables for people are asked for: their number is what the request says, whatever they are called.
+fn several_tables(plan: &Plan) -> bool {
+    let mut asked = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count > 1);
+    asked.any(|t| matches!(t.source, Source::Stated(_)) && has_seats(plan, &t.category.replace('_', " ")))
+}
+
 /// Adds a line of the inventory.
 fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    if plan.counted < line.least || closed || plan.is_furnished() || came_along(plan, line) {
+    let seated = has_seats(plan, line.noun) && several_tables(plan);
+    if plan.counted < line.least || closed || seated || plan.is_furnished() || came_along(plan, line) {
         return;
     }
-    let people = plan.people.map_or(plan.kind.people, |n| n as f64);
+    let people = plan.people.map_or(usual_people(plan), |n| n as f64);
     let n = match line.count {
         Count::Fixed(n) => n,
         Count::Area(each) => (plan.counted / each).round() as usize,
@@ -264,11 +333,24 @@ fn inventory(plan: &mut Plan, line: &Line) {
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
         Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
+        Place::Edge => edge::railing(plan, line, &why),
         Place::Rows(toward) => {
             rows(plan, line.noun, n, *toward, (&why, None));
         }
+        // The desks of a team stand in groups, not one by one.
+        Place::Floor if n >= TEAM && line.noun.ends_with("desk") => {
+            rows(plan, line.noun, n, false, (&why, None));
+        }
         _ => single(plan, line, n, &why),
     }
+}
+
+/// For how many people a room is of which nobody says it: fewer in a small one, more in a large one.
+fn usual_people(plan: &Plan) -> f64 {
+    let [w, _, d] = plan.kind.size;
+    let is_free = plan.draft.rooms.len() == 1 && !plan.draft.rooms[plan.room].sized;
+    let share = if is_free { (plan.counted / (w * d)).clamp(0.5, 1.5) } else { 1.0 };
+    (plan.kind.people * share).round().max(1.0)
 }
 
 /// The size of a thing; a table is as long as the people need who sit at it.
@@ -280,6 +362,16 @@ fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
         let each_side = people.saturating_sub(2).div_ceil(2) as f64;
         let needed = each_side * (Plan::size(part.noun)[0] + 0.12) + 0.1;
         size[0] = size[0].max(needed.min(w.max(d) - 2.0));
+    }
+    // A bar is as long as the stools need that are asked for and stand at it.
+    let row = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Row(..)));
+    if let (Some(part), 1) = (row, n) {
+        let stools = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+        let stools = stools.filter(|t| matches!(t.source, Source::Stated(_)) && !stand::placed(plan.draft, &t.name));
+        let stools = stools.filter(|t| stand::counts_as(part.noun, &t.category.replace('_', " ")));
+        let needed = stools.map(|t| slots::row(t.count, t.size.map_or(0.4, |own| own[0]))).fold(0.0, f64::max);
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        size[0] = size[0].max((needed.min(w.max(d) - 2.0) * 100.0).ceil() / 100.0);
     }
     size
 }
@@ -348,17 +440,15 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
             anywhere.wall(floor, shape, before)
         }),
         Place::Corner => choice.corner(floor, shape, before),
-        // Several are parallel to each other.
-        Place::Floor => match before.first() {
-            Some(first) => choice.floor(floor, shape, before, &[first.yaw]),
-            None => choice.floor(floor, shape, before, &[0.0, 90.0]),
-        },
-        Place::Middle if n > 1 => choice.floor(floor, shape, before, &[0.0]),
+        Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
+        Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
         _ => near(line, floor, shape, nominal),
     };
     let run = line.place == Place::Run && n > 1;
-    let together = |n: usize| (0..n).map(|i| Pose { x: i as f64 * (size[0] + line.gap), ..Pose::default() }).collect();
-    let frames: Vec<Pose> = if run { together(n) } else { vec![Pose::default()] };
+    let together = |n: usize, gap: f64| -> Vec<Pose> {
+        let n = if run { n } else { 1 };
+        (0..n).map(|i| Pose { x: i as f64 * (size[0] + gap), ..Pose::default() }).collect()
+    };
     let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
     let mut add = |plan: &mut Plan, n: usize| {
         if !hung {
@@ -366,15 +456,23 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
         plan.add(line.noun, n, size, why)
     };
-    // A run that is too long is made shorter; what hangs comes nearer to others.
+    // A run that is too long is made tighter, and then shorter if nobody asked for the seats at it; what hangs comes nearer
+    // to others.
     let mut found = None;
-    let shortest = if run { 1 } else { n };
-    let tries = (shortest..=n).rev().flat_map(|n| if hung { APART.map(|v| (n, v)).to_vec() } else { vec![(n, 0.0)] });
-    for (less, beside) in tries {
-        let frames = if run { frames[..less].to_vec() } else { frames.clone() };
+    let asked = plan.ground.is_some() && plan.tables(line).is_some();
+    let shortest = if run && !asked { 1 } else { n };
+    let tighter = if run && line.gap > TIGHT { vec![line.gap, TIGHT.max(0.4 * line.gap)] } else { vec![line.gap] };
+    let tries = (shortest..=n).rev().flat_map(|n| match hung {
+        true => APART.map(|apart| (n, line.gap, apart)).to_vec(),
+        false => tighter.iter().map(|gap| (n, *gap, 0.0)).collect(),
+    });
+    let mut gap = line.gap;
+    for (less, between, beside) in tries {
+        gap = between;
+        let frames = together(less, gap);
         let mut free = kept(line, size, hung, beside);
         if run {
-            free.extend(ends(size, line.gap, less));
+            free.extend(ends(size, gap, less));
         }
         let root = Root { n: if run { 1 } else { n }, frames, wall, free, whole, seek: &seek };
         found = plan.place_group(&root, &mut add);
@@ -383,10 +481,15 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
     }
     let Some((thing, poses)) = found else { return false };
+    if let (Place::Opposite(_), Some(seen), Some(at)) = (&line.place, opposite_pose, poses.first()) {
+        // What is not straight across from it wants a room of another size.
+        let straight = (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0;
+        plan.lacking += usize::from(plan.matters && !straight);
+    }
     if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
         keep_view(plan, at, &seen);
     }
-    let at = Stood { line, thing, poses: &poses, nominal, hung, y, opposite: opposite.zip(opposite_pose) };
+    let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
 }
@@ -483,6 +586,8 @@ struct Stood<'a> {
     poses: &'a [Pose],
     /// Where it should be.
     nominal: Pose,
+    /// Of several in a run: so far apart.
+    gap: f64,
     /// Whether it is on a wall, and how high.
     hung: bool,
     y: f64,
@@ -492,7 +597,7 @@ struct Stood<'a> {
 
 /// Says in the program where things of a line stand.
 fn tell(plan: &mut Plan, at: &Stood, why: &str) {
-    let Stood { line, thing, poses, nominal, hung, y, opposite } = at;
+    let Stood { line, thing, poses, nominal, gap, hung, y, opposite } = at;
     let (hung, y) = (*hung, *y);
     let size = plan.draft.things[*thing].size.unwrap_or_default();
     let rectangular = plan.draft.rooms[plan.room].outline.is_none();
@@ -515,7 +620,7 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Wall | Place::Hung => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
         Place::Run => {
-            let step = metres(size[0] + line.gap);
+            let step = metres(size[0] + gap);
             let first = format!("{name}[0]");
             plan.say(format!("assert {}{};", back(&first), used(&first)), why);
             format!(
@@ -532,6 +637,13 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) if n == 1 => {
             format!("assert {};", fixed(&at))
         }
+        Place::Before(..) | Place::Service(_) if poses.len() == n => {
+            let each = poses
+                .iter()
+                .enumerate()
+                .map(|(i, at)| place::absolute(&format!("{name}[{i}]"), &room, [at.x, at.y, at.z], at.yaw));
+            format!("assert {};", each.collect::<Vec<_>>().join(" and "))
+        }
         Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) => every(&|x| back(x)),
         Place::Opposite(_) => {
             let straight = |seen: &Pose| poses.first().is_none_or(|at| (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0);
@@ -545,7 +657,7 @@ fn tell(plan: &mut Plan, at: &Stood, why: &str) {
             }
             every(&|x| back(x))
         }
-        Place::Ceiling | Place::Rows(_) => return,
+        Place::Ceiling | Place::Edge | Place::Rows(_) => return,
     };
     plan.say(text, why);
     if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {

@@ -175,6 +175,8 @@ const SINGLE: usize = 5;
 const AISLES: [f64; 2] = [1.85, 1.2];
 /// Between the backs of chairs of one table and those of the next.
 const TABLES: f64 = 0.9;
+/// Between the backs of chairs and the walls.
+const BESIDE_TABLES: f64 = 0.7;
 /// Between groups of desks.
 const DESKS: f64 = 1.25;
 /// Between seats beside each other, where they stand in rows, and the least between one row's backs and the next row.
@@ -206,14 +208,19 @@ fn grid(
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = AISLES[usize::from(size[0] < 2.0)];
     let table = stand::group(noun) == crate::brief::Group::Table;
-    let side = if rack { 1.0 } else { 0.9 };
+    let side = match () {
+        () if rack => 1.0,
+        () if table => BESIDE_TABLES,
+        () => 0.9,
+    };
     let counter = plan.kind.lines.iter().find_map(|line| match line.place {
         Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
         _ => None,
     });
     let ahead = match toward {
         true if flat => 1.3,
-        true => counter.unwrap_or(2.6).min(if counter.is_some() { 0.42 } else { 0.33 } * d),
+        // Behind what is kept free before a counter there is room for a line at least.
+        true => counter.map_or(2.6_f64.min(0.33 * d), |gap| gap.min((d - side - cell_d).max(0.42 * d))),
         false if rack => aisle_of_racks,
         false => side,
     } + farther;

@@ -140,12 +140,13 @@ pub fn on_walls(size: [f64; 3], shape: &Shape, depth: f64, y: f64) -> Vec<Pose> 
     out
 }
 
-/// Places in the corners, the back at either wall.
-pub fn in_corners(size: [f64; 3], of: [f64; 3]) -> Vec<Pose> {
+/// Places in the corners, the back at either wall, or at what stands along the edges.
+pub fn in_corners(size: [f64; 3], of: [f64; 3], edge: f64) -> Vec<Pose> {
     let mut out = Vec::new();
+    let beside = BESIDE + edge;
     for wall in Wall::ALL {
-        let end = wall.length(size) / 2.0 - of[0] / 2.0 - BESIDE;
-        out.extend([-end, end].map(|along| wall.place(size, along, of[2] / 2.0 + BESIDE)));
+        let end = wall.length(size) / 2.0 - of[0] / 2.0 - beside;
+        out.extend([-end, end].map(|along| wall.place(size, along, of[2] / 2.0 + beside)));
     }
     out
 }

@@ -115,7 +115,30 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Under(_, _, z) => vec![slot(0.0, z, Level::Floor, 0.0)],
         Where::Over => vec![slot(0.0, 0.0, Level::Ceiling, 0.0)],
         Where::Above(gap, x) => vec![slot(x * width / 2.0, (d - depth) / 2.0, Level::Above(height + gap), 0.0)],
+        Where::Enclose(_, behind) => vec![slot(0.0, (INSIDE - behind) / 2.0, Level::Floor, 0.0)],
     }
+}
+
+/// Who works at what is fenced in has so much room before it (metres).
+const INSIDE: f64 = 1.0;
+/// What is as deep is no single panel.
+pub const THIN: f64 = 0.5;
+/// The thickness of a fence, and the width of the way in through its front.
+const FENCE: f64 = 0.05;
+const GATE: f64 = 0.9;
+
+/// The size of a fence around a thing, as far from its sides and its back as is said.
+pub fn enclosure([w, h, d]: [f64; 3], beside: f64, behind: f64, high: f64) -> [f64; 3] {
+    [w + 2.0 * beside, high.max((h + 0.1).min(1.8)), d + behind + INSIDE]
+}
+
+/// What a fence of a size consists of, as place and size in its frame: the furniture library draws it so.
+pub fn fences([w, h, d]: [f64; 3]) -> Vec<([f64; 2], [f64; 3])> {
+    let (x, z) = ((w - FENCE) / 2.0, (d - FENCE) / 2.0);
+    let half = (w - GATE) / 2.0;
+    let side = |x: f64| ([x, 0.0], [FENCE, h, d - 2.0 * FENCE]);
+    let front = |sign: f64| ([sign * (w - half) / 2.0, z], [half, h, FENCE]);
+    vec![([0.0, -z], [w, h, FENCE]), side(-x), side(x), front(-1.0), front(1.0)]
 }
 
 /// Between the middles of seats in a row there is as much as a seat takes, or an elbow, and so much more (metres).

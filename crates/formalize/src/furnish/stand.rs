@@ -8,7 +8,9 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 44] = [
+const KIN: [&[&str]; 46] = [
+    &["checkout", "checkout counter", "sales counter", "cash desk", "cashier desk", "cashier counter", "checkout lane"],
+    &["safety fence", "fence", "safety cage", "cage", "guard fence"],
     &["toy box", "toy chest", "toy storage"],
     &["projector screen", "projection screen", "screen"],
     &["armchair", "reading chair", "lounge chair", "easy chair", "recliner", "club chair"],
@@ -62,6 +64,18 @@ const KIN: [&[&str]; 44] = [
     &["vase", "flowers", "bouquet"],
     &["curtain", "drape", "blind", "blinds"],
 ];
+
+/// What is not added where something else is asked for that serves as well.
+const INSTEAD: [(&str, &[&str]); 3] = [
+    ("bathtub", &["shower", "walk in shower", "shower cabin", "shower cubicle"]),
+    ("bed", &["daybed", "day bed", "futon", "sleeping bag", "hammock"]),
+    ("sofa", &["daybed", "day bed", "futon"]),
+];
+
+/// Whether something that is asked for stands in for another thing.
+pub fn stands_in(noun: &str, asked: &str) -> bool {
+    INSTEAD.iter().any(|(other, instead)| *other == noun && instead.contains(&asked))
+}
 
 /// Chairs that stand at no table.
 const EASY: [&str; 10] =

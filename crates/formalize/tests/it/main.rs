@@ -12,4 +12,5 @@ mod read;
 #[allow(dead_code, clippy::unwrap_used, reason = "it is the server of another crate's tests")]
 mod server;
 mod support;
+mod together;
 mod write;

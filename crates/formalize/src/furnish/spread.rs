@@ -1,0 +1,109 @@
+//! Several like things that stand free are spread evenly over the floor that is left: in lines and columns, as far from each
+//! other and from what is around them as there is room for.
+
+use super::choose::Choice;
+use super::floor::{Block, Floor, Pose, Shape};
+use super::seek;
+
+/// So much is free at the walls, and at least so much between two of them (metres).
+const WALLS: f64 = 0.6;
+const WAY: f64 = 0.6;
+/// So many distances from one to the next are tried, and so many places of the whole.
+const STEPS: usize = 4;
+const SHIFTS: i32 = 2;
+/// Of the arrangements so many are held against the ways.
+const TRIED: usize = 8;
+/// A wall is as good as something that is so much nearer (metres).
+const NEARER: f64 = 0.5;
+/// No more than this are spread, and no floor is emptier than this around a thing.
+const MOST: usize = 8;
+const FAR: f64 = 2.5;
+/// A metre off the middle is worth so much room.
+const OFF: f64 = 0.1;
+
+/// Places in a line: the first of them and the distance from each to the next.
+fn lines(length: f64, cell: f64, n: usize) -> Vec<(f64, f64)> {
+    let free = length - 2.0 * WALLS - cell;
+    let between = (n - 1) as f64;
+    if free < -1e-9 || n > 1 && free < between * (cell + WAY) {
+        return Vec::new();
+    }
+    let steps = if n > 1 { STEPS } else { 1 };
+    let mut out = Vec::new();
+    for i in 0..steps {
+        let (widest, least) = if n > 1 { (free / between, cell + WAY) } else { (0.0, 0.0) };
+        let step = widest - (widest - least) * i as f64 / STEPS as f64;
+        let slack = free - step * between;
+        for k in -SHIFTS..=SHIFTS {
+            out.push((slack * f64::from(k) / f64::from(2 * SHIFTS) - step * between / 2.0, step));
+            if slack < 0.05 {
+                break;
+            }
+        }
+    }
+    out
+}
+
+impl Choice<'_> {
+    /// The places of so many groups; none if there is no room for all of them.
+    pub fn spread(&self, floor: &Floor, shape: &Shape, n: usize, yaws: &[f64]) -> Option<Vec<Pose>> {
+        if !(2..=MOST).contains(&n) || self.near.is_some() {
+            return None;
+        }
+        let [w, _, d] = floor.size;
+        let mut found: Vec<(f64, Vec<Pose>)> = Vec::new();
+        for yaw in yaws {
+            let own = around(shape, *yaw);
+            let cell = [own.high[0] - own.low[0], own.high[2] - own.low[2]];
+            let off = [(own.low[0] + own.high[0]) / 2.0, (own.low[2] + own.high[2]) / 2.0];
+            for columns in 1..=n {
+                let rows = n.div_ceil(columns);
+                // No line is short by more than one.
+                if columns * rows - n > 1 {
+                    continue;
+                }
+                for (x, step_x) in lines(w, cell[0], columns) {
+                    for (z, step_z) in lines(d, cell[1], rows) {
+                        let at = |i: usize| Pose {
+                            x: x + step_x * (i % columns) as f64 - off[0],
+                            y: 0.0,
+                            z: z + step_z * (i / columns) as f64 - off[1],
+                            yaw: *yaw,
+                        };
+                        let places: Vec<Pose> = (0..n).map(at).collect();
+                        if places.iter().all(|at| floor.fits(shape, at) && !self.is_misplaced(at)) {
+                            let gap_x = if columns > 1 { step_x - cell[0] } else { FAR };
+                            let gap_z = if rows > 1 { step_z - cell[1] } else { FAR };
+                            // Of like arrangements the one about the middle.
+                            let middle = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / n as f64;
+                            let off = middle(|at| at.x).abs() + middle(|at| at.z).abs();
+                            let room = self.room(floor, shape, &places).min(gap_x).min(gap_z);
+                            found.push((room - OFF * off, places));
+                        }
+                    }
+                }
+            }
+        }
+        found.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        found.into_iter().take(TRIED).map(|(_, places)| places).find(|places| floor.leaves_ways_to_all(shape, places))
+    }
+
+    /// The least room around one of the places.
+    fn room(&self, floor: &Floor, shape: &Shape, places: &[Pose]) -> f64 {
+        let [w, _, d] = floor.size;
+        let own = |at: &Pose| {
+            let block = around(shape, at.yaw);
+            let to_walls = (w / 2.0 - (at.x + block.high[0]).max(-at.x - block.low[0]))
+                .min(d / 2.0 - (at.z + block.high[2]).max(-at.z - block.low[2]));
+            floor.room_around(shape, at).min(to_walls + NEARER)
+        };
+        places.iter().map(own).fold(FAR, f64::min)
+    }
+}
+
+/// What a group takes around its first thing when it is turned so.
+fn around(shape: &Shape, yaw: f64) -> Block {
+    let [left, right, back, front] = seek::reach(shape);
+    let middle = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
+    Block::of(&Pose { yaw, ..Pose::default() }.then(&middle), [left + right, 0.1, back + front])
+}

@@ -1,0 +1,141 @@
+//! Two beds for one that are asked for stand side by side, their heads at one wall, and what belongs to both between them:
+//! what is said to stand there, else a nightstand.
+
+use super::build::Root;
+use super::floor::{Floor, Piece, Pose, Shape};
+use super::plan::{AtWall, Plan};
+use super::slots::{Level, Slot};
+use super::stand::{self, counts_as};
+use super::{place, seek};
+use crate::brief::Group;
+use crate::draft::{Demand, Source};
+use crate::names::words;
+
+/// What is wider is a bed for two (metres).
+const NARROW: f64 = 1.3;
+/// Between two beds at least, and beside what stands there.
+const BETWEEN: f64 = 0.6;
+const BESIDE: f64 = 0.06;
+/// What stands between two beds is no deeper and no wider.
+const LARGEST: [f64; 2] = [1.4, 0.7];
+/// Beds of this name are not like others.
+const OTHER: [&str; 6] = ["hospital bed", "patient bed", "bunk bed", "loft bed", "dog bed", "flower bed"];
+const USUAL: &str = "nightstand";
+const WHY: &str = "two beds side by side share what is between them";
+
+/// Finds a place for a group, given those of the groups before it.
+type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
+
+/// Whether a thing is such a pair.
+pub fn is_pair(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    let noun = it.category.replace('_', " ");
+    let said = plan.draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+    let mut about = said.filter(|s| words(&s.text).contains(&it.name.as_str()));
+    let only = about
+        .all(|s| among(plan, &s.text, &it.name).is_some() || s.text.contains("inside(") || s.text.contains("onFloor("));
+    let asked = |t: &crate::draft::Thing| {
+        t.room == Some(plan.room) && t.count > 1 && counts_as(USUAL, &t.category.replace('_', " "))
+    };
+    it.count == 2
+        && only
+        && stand::group(&it.category) == Group::Bed
+        && it.size.is_some_and(|[w, ..]| w < NARROW)
+        && !OTHER.iter().any(|other| noun.ends_with(other))
+        && !plan.draft.things.iter().any(asked)
+}
+
+/// The thing that a statement says is between the two.
+fn among(plan: &Plan, text: &str, pair: &str) -> Option<usize> {
+    let code: String = text.split_whitespace().collect();
+    plan.draft.things.iter().position(|thing| {
+        let fits = thing.size.is_some_and(|[w, _, d]| w <= LARGEST[0] && d <= LARGEST[1]);
+        thing.count == 1
+            && fits
+            && [[0, 1], [1, 0]]
+                .iter()
+                .any(|[a, b]| code.contains(&format!("between({},{pair}[{a}],{pair}[{b}])", thing.name)))
+    })
+}
+
+/// Gives the pair a place, its first bed where `seek` finds one. Whether there is one.
+pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let Some([w, _, d]) = it.size else { return false };
+    let said = plan.draft.statements.iter().find_map(|s| among(plan, &s.text, &it.name));
+    let asked = said.or_else(|| {
+        (0..plan.draft.things.len()).find(|at| {
+            let other = &plan.draft.things[*at];
+            other.room == Some(plan.room)
+                && other.count == 1
+                && counts_as(USUAL, &other.category.replace('_', " "))
+                && !plan.claimed.contains(at)
+                && !stand::placed(plan.draft, &other.name)
+        })
+    });
+    let own = asked.and_then(|at| plan.draft.things[at].size).unwrap_or_else(|| Plan::size(USUAL));
+    let (apart, has) = (BETWEEN.max(own[0] + 2.0 * BESIDE), asked.is_some() || !plan.is_closed(USUAL));
+    let across = Slot { x: w + apart, z: 0.0, level: Level::Floor, yaw: 0.0 };
+    let middle = Slot { x: (w + apart) / 2.0, z: (own[2] - d) / 2.0, level: Level::Floor, yaw: 0.0 };
+    let frame = |slot: &Slot| Pose { x: slot.x, z: slot.z, ..Pose::default() };
+    let shared = Piece { thing: usize::MAX, at: frame(&middle), size: own, flat: false, tall: false };
+    let with_both = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+        let mut whole = shape.clone();
+        whole.pieces.extend(has.then_some(shared));
+        seek(floor, &whole, before)
+    };
+    let frames = vec![Pose::default(), frame(&across)];
+    let root = Root { n: 1, frames, wall: AtWall::Yes, free: Vec::new(), whole: false, seek: &with_both };
+    if !plan.place_asked(thing, &root) {
+        return false;
+    }
+    let [first, second] = [0, 1].map(|i| format!("{}[{i}]", it.name));
+    plan.say(format!("assert {};", place::fixed(&second, &first, &across, 0.0, 0.0)), WHY);
+    if has {
+        share(plan, asked, &it.name, &middle);
+    }
+    true
+}
+
+/// Puts between the two what they share.
+fn share(plan: &mut Plan, asked: Option<usize>, pair: &str, middle: &Slot) {
+    let at = asked.unwrap_or_else(|| plan.add(USUAL, 1, Plan::size(USUAL), WHY));
+    let (name, first) = (plan.draft.things[at].name.clone(), format!("{pair}[0]"));
+    plan.say(format!("assert {};", place::fixed(&name, &first, middle, 0.0, 0.0)), WHY);
+    plan.claimed.push(at);
+    // Between beds is beside both: their middles are not at the head.
+    let among = |text: &str| text.contains("between(") && words(text).contains(&name.as_str());
+    let wall = format!("againstWall({name}, ");
+    for statement in &mut plan.draft.statements {
+        if matches!(statement.source, Source::Stated(_)) && among(&statement.text) {
+            statement.text = format!("beside({name}, {pair}[0]) and beside({name}, {pair}[1])");
+        }
+    }
+    plan.draft.statements.retain(|s| !(s.demand == Demand::Prefer && s.text.contains(&wall)));
+    if let Some(from) = plan.place_in_room(&first) {
+        let pose = from.then(&Pose { x: middle.x, z: middle.z, ..Pose::default() });
+        plan.note_place(&name, &pose);
+        let size = plan.draft.things[at].size.unwrap_or_default();
+        let piece = Piece { thing: at, at: Pose::default(), size, flat: false, tall: false };
+        let shape = Shape { pieces: vec![piece], free: Vec::new() };
+        plan.ground.iter_mut().for_each(|ground| ground.take(&shape, &pose));
+    }
+    plan.surround(at, AtWall::Yes, 1);
+}
+
+/// The best place of the pair at a wall: as near to its middle as it can be, heads not under a window.
+pub fn at_wall(floor: &Floor, shape: &Shape, depth: f64, windows: &[seek::Wall]) -> Option<Pose> {
+    let [left, right, ..] = seek::reach(shape);
+    let places = seek::at_walls(floor.size, shape, depth).into_iter();
+    seek::best(floor, shape, places, &|pose| {
+        let wall = seek::Wall::behind(pose)?;
+        let middle = pose.then(&Pose { x: (right - left) / 2.0, ..Pose::default() });
+        let off = match wall {
+            seek::Wall::Back => middle.x.abs(),
+            seek::Wall::Front => middle.x.abs() + 1.0,
+            seek::Wall::Left | seek::Wall::Right => middle.z.abs() + 0.2,
+        };
+        let dark = if windows.contains(&wall) { 1.2 } else { 0.0 };
+        Some(off * 0.5 + dark + (1.6 - floor.away_from_door(pose)).max(0.0) * 0.3)
+    })
+}

@@ -1,0 +1,83 @@
+//! Whom a room is for: no thing in it, and, for children who share a bedroom, a room with a bed for each.
+
+use super::kinds;
+use crate::brief::{Brief, Group};
+
+const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
+/// Rooms with a bed for each child.
+const ROOMS: [&str; 3] = ["kids room", "teen room", "nursery"];
+/// Who does not share a bed.
+const CHILDREN: [&str; 12] = [
+    "sisters",
+    "brothers",
+    "siblings",
+    "twins",
+    "children",
+    "kids",
+    "boys",
+    "girls",
+    "toddlers",
+    "daughters",
+    "sons",
+    "teenagers",
+];
+const STUDENTS: [&str; 4] = ["students", "roommates", "flatmates", "teens"];
+const NUMBERS: [&str; 4] = ["two", "three", "four", "five"];
+/// So many words may stand between the number and who is meant: "two little boys".
+const BETWEEN: usize = 2;
+
+/// Who a room is for is no thing in it: "a nursery for a newborn".
+pub fn persons(brief: &mut Brief) {
+    let gone: Vec<usize> = (0..brief.things.len())
+        .filter(|at| {
+            let thing = &brief.things[*at];
+            let start = thing.source.at().start;
+            let before: Vec<&str> = brief.request.get(..start).unwrap_or("").split_whitespace().collect();
+            let article = brief.request.get(thing.source.at()).unwrap_or("").to_lowercase();
+            let said =
+                format!("{} {article}", before.iter().rev().take(2).rev().copied().collect::<Vec<_>>().join(" "));
+            let last = thing.words.last().map_or("", String::as_str);
+            let for_whom = FOR.iter().any(|f| said.to_lowercase().contains(&format!("{f} {last}")));
+            thing.part.is_none() && for_whom && scenelang_lang::nouns::noun(last).is_none()
+        })
+        .collect();
+    if !gone.is_empty() {
+        brief.remove(&gone);
+    }
+}
+
+/// A bedroom for several children has a bed for each: "a bedroom for two teenage sisters".
+pub fn children(brief: &mut Brief) {
+    let has_bed = brief.things.iter().any(|thing| thing.group == Group::Bed);
+    let [room] = &mut brief.rooms[..] else { return };
+    let kind = kinds::of(&room.name).map_or("", |kind| kind.name);
+    if has_bed || kind != "bedroom" && !ROOMS.contains(&kind) {
+        return;
+    }
+    let request = brief.request.to_lowercase();
+    let words: Vec<&str> =
+        request.split(|c: char| !c.is_alphanumeric() && c != '\'').filter(|w| !w.is_empty()).collect();
+    for (at, _) in words.iter().enumerate().filter(|(_, word)| **word == "for") {
+        let said = words.get(at + 1).copied().unwrap_or("");
+        let number = NUMBERS.iter().position(|number| *number == said).map(|i| i + 2);
+        let twins = said == "twins" || said == "twin";
+        let Some(n) = number.or_else(|| said.parse().ok()).or(twins.then_some(2)).filter(|n| (2..=5).contains(n))
+        else {
+            continue;
+        };
+        let whom = &words[at + 1..words.len().min(at + 3 + BETWEEN)];
+        let (child, student) = [&CHILDREN[..], &STUDENTS[..]].map(|list| whom.iter().any(|w| list.contains(w))).into();
+        let teen = whom.iter().any(|word| word.starts_with("teen"));
+        let name = match () {
+            () if teen => "teen room",
+            () if child => "kids room",
+            () if student => "dorm room",
+            () => continue,
+        };
+        if kind == "bedroom" {
+            name.clone_into(&mut room.name);
+        }
+        room.people = Some(n);
+        return;
+    }
+}

@@ -1,0 +1,194 @@
+//! What belongs together stands together and looks at its focus, in the places that a room is planned with; and rooms are no
+//! larger than what stands in them needs.
+
+use scenelang_formalize::draft::{Draft, OpeningKind};
+use scenelang_formalize::{Options, read};
+
+/// Where something is: middle of its base, turn, size.
+#[derive(Clone, Copy)]
+struct Place {
+    at: [f64; 3],
+    yaw: f64,
+    size: [f64; 3],
+}
+
+impl Place {
+    fn front(&self) -> [f64; 2] {
+        let (sin, cos) = self.yaw.to_radians().sin_cos();
+        [sin, cos]
+    }
+
+    /// Where a point is, seen from it: to its right and to its front.
+    fn see(&self, x: f64, z: f64) -> [f64; 2] {
+        let ([sin, cos], dx, dz) = (self.front(), x - self.at[0], z - self.at[2]);
+        [dx * cos - dz * sin, dx * sin + dz * cos]
+    }
+
+    /// How far a point is from its outline, seen from above.
+    fn gap(&self, x: f64, z: f64) -> f64 {
+        let [across, along] = self.see(x, z);
+        let out = |v: f64, size: f64| (v.abs() - size / 2.0).max(0.0);
+        out(across, self.size[0]).hypot(out(along, self.size[2]))
+    }
+}
+
+/// The places of all things whose category ends in these words.
+fn all(draft: &Draft, noun: &str) -> Vec<Place> {
+    let is = |category: &str| {
+        let category = category.replace('_', " ");
+        category == noun || category.ends_with(&format!(" {noun}"))
+    };
+    let mut out = Vec::new();
+    for thing in draft.things.iter().filter(|thing| is(&thing.category)) {
+        let element = |i: usize| match thing.count {
+            1 => thing.name.clone(),
+            _ => format!("{}[{i}]", thing.name),
+        };
+        for [x, y, z, yaw] in (0..thing.count).filter_map(|i| draft.place_of(&element(i))) {
+            out.push(Place { at: [x, y, z], yaw, size: thing.size.unwrap_or_default() });
+        }
+    }
+    out
+}
+
+fn doors(draft: &Draft) -> Vec<Place> {
+    let doors = draft.openings.iter().filter(|o| o.kind == OpeningKind::Door);
+    let placed = doors.filter_map(|o| Some((draft.place_of(&o.name)?, o.size)));
+    placed.map(|([x, y, z, yaw], size)| Place { at: [x, y, z], yaw, size }).collect()
+}
+
+fn faces(a: &Place, b: &Place) -> bool {
+    let [across, ahead] = a.see(b.at[0], b.at[2]);
+    ahead > 0.0 && across.abs() <= b.size[0].max(b.size[2]) / 2.0 + 0.5 * ahead
+}
+
+fn walled(draft: &Draft, it: &Place) -> bool {
+    let [sin, cos] = it.front();
+    let back = [it.at[0] - sin * it.size[2] / 2.0, it.at[2] - cos * it.size[2] / 2.0];
+    let [w, _, d] = draft.rooms[0].size;
+    (w / 2.0 - back[0].abs()).min(d / 2.0 - back[1].abs()) < 0.06
+}
+
+/// Whether a claim holds of a draft.
+fn holds(draft: &Draft, claim: &str) -> bool {
+    let words: Vec<&str> = claim.split(' ').collect();
+    let split = |word: &str| claim.split_once(&format!(" {word} "));
+    if let Some(most) = claim.strip_prefix("floor ") {
+        let [w, _, d] = draft.rooms[0].size;
+        return w * d <= most.parse::<f64>().unwrap();
+    }
+    if let (Ok(n), noun) = (words[0].parse::<usize>(), words[1..].join(" ")) {
+        let is = |category: &str| category.replace('_', " ") == noun;
+        return draft.things.iter().filter(|t| is(&t.category)).map(|t| t.count).sum::<usize>() == n;
+    }
+    if let Some((a, b)) = split("over") {
+        let above = all(draft, a);
+        let over = |b: &Place| above.iter().any(|a| a.at[1] > 0.7 && b.gap(a.at[0], a.at[2]) < 0.15);
+        let below = all(draft, b);
+        return !below.is_empty() && below.iter().all(over);
+    }
+    if let Some((a, "door")) = split("faces") {
+        let (own, doors) = (all(draft, a), doors(draft));
+        return !own.is_empty() && own.iter().all(|a| doors.iter().any(|door| a.see(door.at[0], door.at[2])[1] > 0.0));
+    }
+    if let Some((a, b)) = split("faces") {
+        let (own, other) = (all(draft, a), all(draft, b));
+        // What stands on its stand looks as that does.
+        let own = if own.is_empty() { all(draft, &format!("{a} stand")) } else { own };
+        let other = if other.is_empty() { all(draft, &format!("{b} stand")) } else { other };
+        return !own.is_empty() && own.iter().all(|a| other.iter().any(|b| faces(a, b)));
+    }
+    if let Some((a, b)) = split("between") {
+        let (own, pair) = (all(draft, a), all(draft, b));
+        let [first, second] = &pair[..] else { return false };
+        let amid = |it: &Place| {
+            let [to, other] = [first, second].map(|bed| bed.see(it.at[0], it.at[2])[0]);
+            to * other < 0.0 && to.abs() + other.abs() < 4.0
+        };
+        return own.iter().any(amid);
+    }
+    if let Some((a, b)) = split("around") {
+        let (own, inner) = (all(draft, a), all(draft, b));
+        return !inner.is_empty()
+            && inner.iter().all(|b| own.iter().any(|a| a.size[2] > b.size[2] && a.gap(b.at[0], b.at[2]) <= 0.0));
+    }
+    if let Some((a, far)) = split("by door") {
+        let far: f64 = far.parse().unwrap();
+        let doors = doors(draft);
+        return all(draft, a).iter().any(|a| doors.iter().any(|door| a.gap(door.at[0], door.at[2]) <= far));
+    }
+    if let Some(noun) = claim.strip_suffix(" alike") {
+        let own = all(draft, noun);
+        return own.len() > 1 && own.iter().all(|it| it.yaw == own[0].yaw);
+    }
+    if let Some(noun) = claim.strip_suffix(" walled") {
+        let own = all(draft, noun);
+        return !own.is_empty() && own.iter().all(|it| walled(draft, it));
+    }
+    panic!("no claim: {claim}");
+}
+
+#[test]
+fn what_belongs_together_stands_together() {
+    let mut wrong = Vec::new();
+    for line in include_str!("together.txt").lines().filter(|line| !line.starts_with('#')) {
+        let mut parts = line.split(" | ");
+        let request = parts.next().unwrap_or_default();
+        let draft = read(request, &Options::default()).draft;
+        wrong.extend(parts.filter(|claim| !holds(&draft, claim)).map(|claim| format!("{request} {claim}")));
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// What is near something that stands there: within this many metres.
+const NEAR: f64 = 0.75;
+/// Between two points that are looked at.
+const STEP: f64 = 0.1;
+
+/// The part of the floor of a room that is farther than a step from all that stands in it and from its doors.
+fn idle(draft: &Draft) -> f64 {
+    let [w, _, d] = draft.rooms[0].size;
+    let mut standing = doors(draft);
+    for thing in &draft.things {
+        let noun = thing.category.replace('_', " ");
+        standing.extend(all(draft, &noun).into_iter().filter(|it| it.at[1] < 0.3 && it.size[1] > 0.05));
+    }
+    let (columns, rows) = ((w / STEP) as usize, (d / STEP) as usize);
+    let point = |cell: usize| {
+        let (i, j) = (cell % columns, cell / columns);
+        [(i as f64 + 0.5) * STEP - w / 2.0, (j as f64 + 0.5) * STEP - d / 2.0]
+    };
+    let far = (0..columns * rows).map(point).filter(|[x, z]| standing.iter().all(|it| it.gap(*x, *z) > NEAR));
+    far.count() as f64 / (columns * rows) as f64
+}
+
+/// The kinds of rooms, and how much of their floor may be idle.
+fn kinds() -> Vec<(&'static str, f64)> {
+    let mut out: Vec<(&str, f64)> = Vec::new();
+    for line in include_str!("../../data/kinds.txt").lines() {
+        if let Some(name) = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
+            out.push((name, 0.13));
+        } else if let (Some(share), Some(last)) = (line.strip_prefix("idle: "), out.last_mut()) {
+            last.1 = share.parse().unwrap();
+        }
+    }
+    out
+}
+
+#[test]
+fn no_room_has_more_floor_than_it_needs() {
+    let mut wrong = Vec::new();
+    for (kind, most) in kinds().into_iter().filter(|(kind, _)| *kind != "room") {
+        let article = if kind.starts_with(['a', 'e', 'i', 'o']) { "An" } else { "A" };
+        let request = format!("{article} {kind}.");
+        let draft = read(&request, &Options::default()).draft;
+        if draft.rooms.len() != 1 {
+            continue;
+        }
+        let (share, [w, _, d]) = (idle(&draft), draft.rooms[0].size);
+        if share > most + 0.1 {
+            wrong.push(format!("{request} {:.0} % of {w} x {d} m", 100.0 * share));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
