@@ -28,6 +28,10 @@ const HOLLOW: [&str; 14] = [
     "vase", "basket", "bucket", "jar", "cooler", "crate", "hamper", "bin", "pot", "cup", "glass", "sink", "bathtub",
     "tub",
 ];
+/// Where things are on what they are usually in.
+const ON_TOP: [&str; 5] = ["on top", "edge", "rim", "ledge", "lid"];
+/// Plants are small where they are beside what stands on something.
+const PLANTS: [&str; 9] = ["plant", "succulent", "orchid", "fern", "cactus", "bonsai", "ivy", "herb", "aloe"];
 /// What nothing stands on: what is "on" it stands where it does.
 const THIN: [&str; 5] = ["monitor", "screen", "tv", "television", "keyboard"];
 /// No side of a thing that people stand something on is longer, if nothing is known of it (metres).
@@ -57,7 +61,9 @@ pub fn settle(brief: &mut Brief) {
                 if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
             }
             Rel::On
-                if shelved(brief, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(brief, *a)) =>
+                if shelved(brief, *b)
+                    && !ON_TOP.iter().any(|on| words.contains(on))
+                    && fact.of.iter().all(|a| shelvable(brief, *a)) =>
             {
                 Rel::In
             }
@@ -143,6 +149,15 @@ fn shelvable(brief: &Brief, a: usize) -> bool {
     !lamp && matches!(item.group, Group::Top | Group::Soft | Group::Wall | Group::Floor) && item.size[1].is_none()
 }
 
+/// Whether a plant is said to be small.
+fn is_small_plant(brief: &Brief, a: usize) -> bool {
+    let item = &brief.things[a];
+    let said = item.look.features.iter().chain(&item.words).any(|word| {
+        word.split(' ').any(|w| matches!(w, "small" | "tiny" | "little" | "mini" | "miniature" | "potted"))
+    });
+    said && last(brief, a, &PLANTS)
+}
+
 /// Of a small thing beside another small thing, or that has one beside it: on what that is on.
 fn beside(brief: &Brief, k: usize) -> Option<Fact> {
     let fact = &brief.facts[k];
@@ -157,7 +172,8 @@ fn beside(brief: &Brief, k: usize) -> Option<Fact> {
         brief.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
     };
     let group = |a: &usize| brief.things[*a].group;
-    let free = |list: &[usize]| list.iter().all(|a| group(a) == Group::Top && !placed(a));
+    let small = |a: &usize| group(a) == Group::Top || is_small_plant(brief, *a);
+    let free = |list: &[usize]| list.iter().all(|a| small(a) && !placed(a));
     let carried = |list: &[usize]| {
         let small = list.iter().filter(|b| matches!(group(b), Group::Top | Group::Screen));
         small.filter_map(|b| carrier(brief, *b)).next()

@@ -485,6 +485,21 @@ impl<'a> Reader<'a> {
             Some(other) if two && one(&of) => vec![*other, of[0]],
             _ => of,
         };
+        // "chairs in four rows of five": twenty of them.
+        if let (Pattern::Rows(rows), [item]) = (pattern, of.as_slice()) {
+            let words = &self.tokens[chunks[i].at.clone()];
+            let each = words.iter().position(|t| t.is("of")).and_then(|k| crate::read::number::count(&words[k + 1..]));
+            let item = &mut self.brief.things[*item];
+            if let (Some((each, _)), Number::Plural | Number::Unsaid) = (each, item.number)
+                && each.fract() == 0.0
+                && (1.0..=MOST_COUNT as f64).contains(&(rows as f64 * each))
+            {
+                item.number = Number::Exactly(rows * each as usize);
+            }
+        }
+        // "a shelf with a bowl and a jar side by side": all that the shelf has.
+        let listed = two && self.s.owned.len() > 1 && self.s.owned.ends_with(&of);
+        let of = if listed { self.s.owned.clone() } else { of };
         let soft = self.s.soft;
         self.state(&of, What::Pattern(pattern), soft, false);
         i + 1

@@ -221,9 +221,43 @@ impl Reader<'_> {
                 }
                 _ => of,
             };
+            let of_room = self.np(next - 1, end).is_some_and(|np| np.kind == Kind::Room);
+            if place == Place::Middle && which.is_empty() && !of_room && self.middle_of_carrier(&of) {
+                return;
+            }
             self.drop_usual(&of);
             self.at_place(&of, rel, place, &which);
         }
+    }
+
+    /// "On the table, a bowl is beside a centerpiece in the middle", "a table with a vase in the center": small things
+    /// are in the middle of what they are on. Whether that was said.
+    fn middle_of_carrier(&mut self, of: &[usize]) -> bool {
+        let group = |o: &usize| self.brief.things[*o].group;
+        if of.is_empty() || !of.iter().all(|o| group(o) == Group::Top) {
+            return false;
+        }
+        let owner = match &self.s.expect {
+            Expect::With(owner, Join::Usual | Join::On) => Some(owner),
+            _ => self.s.frame.as_ref(),
+        };
+        let carries = |list: &&Vec<usize>| list.len() == 1 && matches!(group(&list[0]), Group::Table | Group::Storage);
+        let Some(owner) = owner.filter(carries).cloned() else { return false };
+        let one = |o: usize| self.brief.count(o) == 1 && !self.brief.things[o].number.many();
+        let rel = if one(owner[0]) && of.len() == 1 && one(of[0]) { Rel::Centre } else { Rel::On };
+        let said = |f: &Fact| f.of == of && matches!(&f.what, What::Rel(Rel::On, to) if *to == owner);
+        if rel == Rel::Centre || !self.brief.facts.iter().any(said) {
+            self.drop_usual(of);
+            self.relate(of, rel, &owner);
+        }
+        true
+    }
+
+    /// Whether what was spoken of last are small things that stand on others.
+    fn is_small_thing(&self) -> bool {
+        let of = if self.near.is_empty() { &self.main } else { &self.near };
+        let new = |o: &usize| self.brief.things[*o].source.at().start >= self.s.at.start;
+        !of.is_empty() && of.iter().all(|o| self.brief.things[*o].group == Group::Top && new(o))
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
@@ -391,8 +425,9 @@ impl Reader<'_> {
         let mut next = k + 1;
         if matches!(self.piece(next, end), Some(Piece::Rel(Rel::Of))) {
             match self.np(next + 1, end).map(|n| (n.kind, n)) {
-                Some((Kind::Room, _)) => {
+                Some((Kind::Room, np)) => {
                     if let Some(room) = self.rooms.spoken.get(&(next + 1)).copied() {
+                        self.room_look(room, np);
                         self.s.rooms.push(room);
                         if !self.s.of_room {
                             self.enter(room);
@@ -413,6 +448,8 @@ impl Reader<'_> {
                         let rel = match place {
                             // "on the edge of the tub"
                             Place::Side if edge => Some(Rel::On),
+                            // "toys on the head of the bed"
+                            Place::Head | Place::Foot if said == Rel::On => Some(Rel::On),
                             Place::Side | Place::Head => Some(Rel::Beside),
                             Place::Foot | Place::Front => Some(Rel::InFrontOf),
                             Place::Back => Some(Rel::Behind),
@@ -428,8 +465,11 @@ impl Reader<'_> {
                                 self.s.turned = Some(Rel::Centre);
                             } else if let (Place::Side, Some(side)) = (place, of_length(&which)) {
                                 self.s.turned = Some(side);
-                            } else if matches!(said, Rel::At | Rel::In) {
+                            } else if matches!(said, Rel::At | Rel::In) && !self.is_small_thing() {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
+                            } else if matches!(said, Rel::At | Rel::In) {
+                                // "a vase at one end of the sideboard"
+                                self.s.turned = rel;
                             }
                             let both = matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each");
                             if both && of_length(&which).is_none() {

@@ -409,6 +409,8 @@ impl Reader<'_> {
             Nth::At(n) if n < all => Pick::Run(n, 1),
             Nth::At(_) => return None,
             Nth::Last => Pick::Last,
+            Nth::Middle if all > 2 => Pick::Run((all - 1) / 2, 1),
+            Nth::Middle => return None,
             Nth::Half => Pick::Half,
             Nth::Every(n) => Pick::Every(n),
             Nth::Some => return self.deal(i, of, count?),
@@ -591,6 +593,7 @@ impl Reader<'_> {
         if purpose && np.det == Det::None && np.count.is_none() && !np.many {
             return i + 1;
         }
+        self.kept_there(i, np);
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;
@@ -639,6 +642,21 @@ impl Reader<'_> {
             self.s.each = false;
         }
         k
+    }
+
+    /// "A shelf for controllers and headsets": that is where these are.
+    fn kept_there(&mut self, i: usize, np: &Np) {
+        let is_for = i > 1
+            && matches!(self.chunks[i - 1].piece, Piece::Word(_))
+            && self.tokens[self.chunks[i].at.start - 1].is("for")
+            && self.chunks[i - 2].np().is_some_and(|before| before.kind == Kind::Thing);
+        let small = np.many && matches!(np.det, Det::None | Det::Number) && np.group == Some(Group::Top);
+        if let ([keeper], true) = (self.near.as_slice(), is_for && small)
+            && matches!(self.brief.things[*keeper].group, Group::Storage | Group::Table)
+            && self.s.expect == Expect::Nothing
+        {
+            self.s.expect = Expect::With(self.near.clone(), Join::Usual);
+        }
     }
 
     /// Where a list goes on: after "and" or a comma, if a noun phrase follows that is a thing.

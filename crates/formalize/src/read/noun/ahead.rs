@@ -176,8 +176,10 @@ pub(super) fn half(rest: &[Token]) -> usize {
 pub(super) fn ordinal(word: &str) -> Option<Nth> {
     const WORDS: [&str; 10] =
         ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
-    if word == "last" {
-        return Some(Nth::Last);
+    match word {
+        "last" => return Some(Nth::Last),
+        "middle" => return Some(Nth::Middle),
+        _ => {}
     }
     WORDS.iter().position(|w| *w == word).map(Nth::At)
 }
