@@ -203,6 +203,10 @@ fn passes(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Three shelves. The middle one …": the middle shelf.
 fn that_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     const BACK: usize = 60;
+    const MIDDLE: [&str; 4] = ["one", "in", "the", "middle"];
+    if (0..MIDDLE.len()).all(|k| word(tokens, i + k) == MIDDLE[k]) && i > 0 && word(tokens, i - 1) == "the" {
+        put(tokens, i, i + MIDDLE.len(), &["middle", "one"]);
+    }
     let which = matches!(word(tokens, i), "first" | "second" | "third" | "fourth" | "fifth" | "last" | "middle");
     if !which || i == 0 || word(tokens, i - 1) != "the" || word(tokens, i + 1) != "one" {
         return false;
@@ -405,6 +409,7 @@ mod tests {
             ("we enter the cold room from the shop via a door", "a door leads from the shop to the cold room"),
             ("you get a sofa from the hall", "you get a sofa from the hall"),
             ("three shelves. the middle one holds a vase", "three shelves . the middle shelf holds a vase"),
+            ("three shelves. the one in the middle", "three shelves . the middle shelf"),
             ("the first one of all", "the first one of all"),
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),

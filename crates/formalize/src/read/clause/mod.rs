@@ -84,6 +84,8 @@ pub struct Reader<'a> {
     dealt: Option<(usize, usize)>,
     /// What the things of the sentence before were said to be on.
     carrier: Vec<usize>,
+    /// What several things form: "twelve desks, which form three blocks of four".
+    formed: Option<(String, usize)>,
     /// What something was said to be left or right of, in this sentence or the one before.
     side: Option<(Rel, Vec<usize>)>,
     s: Sentence,
@@ -200,6 +202,7 @@ impl<'a> Reader<'a> {
             recent: vec![],
             dealt: None,
             carrier: vec![],
+            formed: None,
             side: None,
             s: Sentence::default(),
         }

@@ -1,6 +1,10 @@
 //! Relations: what they are said of, what they are to, and places.
 
 use super::*;
+use scenelang_lang::library::usual_size;
+
+/// No side of what people put on something is longer (metres).
+const SMALL: f64 = 0.45;
 
 /// A relation that is read: where, and what it is said of.
 struct Said {
@@ -257,7 +261,14 @@ impl Reader<'_> {
     fn is_small_thing(&self) -> bool {
         let of = if self.near.is_empty() { &self.main } else { &self.near };
         let new = |o: &usize| self.brief.things[*o].source.at().start >= self.s.at.start;
-        !of.is_empty() && of.iter().all(|o| self.brief.things[*o].group == Group::Top && new(o))
+        let small = |o: &usize| {
+            let item = &self.brief.things[*o];
+            let size = usual_size(&item.name());
+            item.group == Group::Top
+                || item.is_small_plant()
+                || item.group == Group::Floor && size.is_some_and(|size| size.iter().all(|side| *side <= SMALL))
+        };
+        !of.is_empty() && of.iter().all(|o| small(o) && new(o))
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
@@ -287,6 +298,12 @@ impl Reader<'_> {
                 self.mark(k);
                 return Some((Lead::Items(items, false), k + 1));
             }
+        }
+        // "a lamp over every block", of those that the desks form
+        if let Some((_, of)) = self.formed.as_ref().filter(|(formed, _)| *formed == np.name()) {
+            let items = vec![*of];
+            self.mark(k);
+            return Some((Lead::Items(items, false), k + 1));
         }
         match np.kind {
             Kind::Thing => self.things_object(k, end, rel, np),
@@ -481,6 +498,12 @@ impl Reader<'_> {
                         }
                         next += 2;
                     }
+                }
+                // "in the middle of the wall": at the wall.
+                Some((Kind::Place(Place::Wall), np)) if matches!(place, Place::Middle | Place::End | Place::Side) => {
+                    self.mark(next);
+                    self.mark(next + 1);
+                    return (Lead::Place(Place::Wall, np.which.clone()), next + 2);
                 }
                 // "in the middle of it": of the room spoken of.
                 Some((Kind::Pronoun, np))

@@ -16,7 +16,7 @@ impl Reader<'_> {
             {
                 i + 1
             }
-            Kind::Thing => self.on_things(i, end),
+            Kind::Thing => self.forms(i, end, np).unwrap_or_else(|| self.on_things(i, end)),
             Kind::Room => {
                 self.on_room(i, end, np);
                 i + 1
@@ -57,6 +57,30 @@ impl Reader<'_> {
             }
             Kind::Place(place) => self.on_place_first(i, end, place, np),
         }
+    }
+
+    /// "Which form three blocks of four", and the blocks later on: the things that form them. The next chunk.
+    fn forms(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
+        const GROUPS: [&str; 6] = ["block", "cluster", "group", "pod", "bank", "set"];
+        let name = np.name();
+        if let Some((_, of)) = self.formed.as_ref().filter(|(formed, _)| *formed == name) {
+            self.main = vec![*of];
+            self.near = self.main.clone();
+            self.s.subject = true;
+            self.mark(i);
+            return Some(i + 1);
+        }
+        let n = np.count.filter(|n| *n > 1 && GROUPS.contains(&name.as_str()))?;
+        let of = matches!(self.piece(i + 1, end), Some(Piece::Rel(Rel::Of)));
+        let each = self.number_at(i + 2, end).filter(|_| of)?;
+        let [item] = self.main[..] else { return None };
+        let thing = &mut self.brief.things[item];
+        if thing.number == Number::Plural && n * each <= MOST_COUNT {
+            thing.number = Number::Exactly(n * each);
+        }
+        self.formed = Some((name, item));
+        (i..i + 3).for_each(|chunk| self.mark(chunk));
+        Some(i + 3)
     }
 
     /// A place with no relation before it: "the walls are white", "one corner".
@@ -333,6 +357,18 @@ impl Reader<'_> {
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
         let found = self.find(np);
+        // "workbenches with vices, one vice per bench": those.
+        let of_each = |f: &usize| {
+            let item = &self.brief.things[*f];
+            item.words == np.words && item.number.many() && item.source.at().start >= self.s.at.start
+        };
+        if np.count == Some(1)
+            && self.np(i + 1, self.s.chunks.end).is_some_and(|next| next.det == Det::Each)
+            && self.tokens[self.chunks[i + 1].at.start].is("per")
+            && let Some(known) = found.filter(of_each)
+        {
+            return Some(known);
+        }
         if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
             return Some(part);
         }
@@ -406,6 +442,9 @@ impl Reader<'_> {
         let of = found.filter(|f| self.brief.things[*f].number.many())?;
         let all = self.brief.count(of);
         let pick = match nth {
+            // "the first four desks"
+            Nth::At(0) if count.is_some_and(|n| n < all) => Pick::Run(0, count.unwrap_or(1).max(1)),
+            Nth::Last if count.is_some_and(|n| (1..all).contains(&n)) => Pick::Rest(all - count.unwrap_or(1)),
             Nth::At(n) if n < all => Pick::Run(n, 1),
             Nth::At(_) => return None,
             Nth::Last => Pick::Last,

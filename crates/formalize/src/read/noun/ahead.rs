@@ -186,6 +186,9 @@ pub(super) fn ordinal(word: &str) -> Option<Nth> {
 
 /// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
 pub(super) fn names_something(rest: &[Token]) -> bool {
+    // "the first four desks"
+    let counted = number::count(rest).map_or(0, |(_, n)| n);
+    let rest = &rest[counted.min(rest.len())..];
     rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
         Some(place) => place == Place::Row,
         None => before_noun(rest),
