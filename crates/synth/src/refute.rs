@@ -37,9 +37,17 @@ pub fn give_up_refuted(draft: &mut Draft, program: &Program, stop: &Stop, grown:
         return true;
     }
     let stated = Stated::new(draft, program);
-    let ranked = |c: usize| Some((stated.rank(draft, c)?, stated.of(c)?));
+    // That a thing stands on the floor of its room is given up last: without it, it may be anywhere.
+    let placed = |statement: usize| {
+        let statement = &draft.statements[statement];
+        statement.source.reason().is_some() && statement.text.contains("onFloor(")
+    };
+    let ranked = |c: usize| {
+        let statement = stated.of(c)?;
+        Some((!placed(statement), stated.rank(draft, c)?, statement))
+    };
     let willing = |set: &Contradiction| set.statements.iter().filter_map(|c| ranked(*c)).max();
-    let given_up: Vec<usize> = found.iter().filter_map(willing).map(|(_, statement)| statement).collect();
+    let given_up: Vec<usize> = found.iter().filter_map(willing).map(|(.., statement)| statement).collect();
     if draft.prefer(given_up, REASON) {
         return true;
     }
@@ -66,4 +74,95 @@ fn rooms_of(draft: &Draft, program: &Program, set: &Contradiction) -> Vec<usize>
         Owner::Object(_) => None,
     });
     regions.filter_map(|name| draft.rooms.iter().position(|room| room.name == name)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Tried, rehearse};
+    use scenelang_formalize::draft::{Demand, Source, Statement, Thing};
+    use scenelang_formalize::write::write;
+    use scenelang_formalize::{Options, read};
+    use scenelang_lang::compile_text;
+    use std::path::Path;
+
+    /// Whether anything was given up, and the draft after it.
+    fn given_up(mut draft: Draft) -> (bool, Draft) {
+        let text = write(&draft);
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &text, scenelang_lang::Options::default());
+        let program = compiled.program.expect("the draft compiles");
+        let mut grown = vec![0; draft.rooms.len()];
+        let any = give_up_refuted(&mut draft, &program, &Stop::default(), &mut grown);
+        (any, draft)
+    }
+
+    fn with(request: &str, statement: &str, source: Source) -> Draft {
+        let mut draft = read(request, &Options { literal: true }).draft;
+        draft.statements.push(Statement::new(statement, source));
+        draft
+    }
+
+    fn added() -> Source {
+        Source::Inferred("a room has one".to_owned())
+    }
+
+    const STUDY: &str = "A study, 4 by 3 m, with a desk and a bench.";
+
+    #[test]
+    fn what_is_proved_impossible_becomes_a_preference_and_is_noted() {
+        let (any, draft) = given_up(with(STUDY, "assert far(desk, bench, 6)", Source::Stated(0..7)));
+        assert!(any);
+        let statement = draft.statements.iter().find(|s| s.text.starts_with("far(")).unwrap();
+        assert_eq!((statement.demand, statement.relaxed), (Demand::Prefer, true));
+        assert!(draft.notes.iter().any(|note| note.reason == REASON), "{:?}", draft.notes);
+        let (again, _) = given_up(draft);
+        assert!(!again, "nothing else contradicts itself");
+    }
+
+    #[test]
+    fn what_was_added_is_left_out_before_anything_that_was_asked_for() {
+        let mut draft = with(STUDY, "assert far(statue, desk, 6)", added());
+        draft.things.push(Thing {
+            name: "statue".to_owned(),
+            category: "statue".to_owned(),
+            count: 1,
+            room: Some(0),
+            size: None,
+            look: Default::default(),
+            source: added(),
+        });
+        let asked = draft.things.len() - 1;
+        let (any, draft) = given_up(draft);
+        assert!(any && draft.things.len() == asked && draft.things.iter().all(|t| t.name != "statue"));
+        assert!(draft.statements.iter().all(|s| !s.relaxed), "{:?}", draft.statements);
+    }
+
+    #[test]
+    fn a_room_whose_size_nobody_gave_grows_before_anything_is_given_up() {
+        let draft = with("A study with a desk and a bench.", "assert far(desk, bench, 6)", Source::Stated(0..7));
+        let before = draft.rooms[0].size;
+        let (any, draft) = given_up(draft);
+        assert!(any && draft.rooms[0].size[0] > before[0], "{:?}", draft.rooms);
+        assert!(draft.statements.iter().all(|s| !s.relaxed), "{:?}", draft.statements);
+    }
+
+    /// Of what has a layout nothing is refuted.
+    #[test]
+    fn what_has_a_layout_stays_as_it_is() {
+        for request in [
+            "A study, 4 by 3 m, with a desk, a chair in front of the desk and a shelf against the wall.",
+            "A bedroom, 3 by 3 m, with a bed in the corner, a wardrobe against the wall and a lamp near the bed.",
+            "A hall, 6 by 4 m, with three benches at least 1 m apart and a piano in the corner.",
+            "A bathroom, 2.5 by 2 m, with a toilet, a sink against the wall and a mirror above the sink.",
+            "A kitchen, 4 by 3 m, with a table in the middle, four chairs around it and a lamp above the table.",
+            "An office, 5 by 4 m, with two desks facing each other, each with a monitor, and a plant beside the door.",
+        ] {
+            let mut draft = read(request, &Options { literal: true }).draft;
+            let before = draft.clone();
+            assert_eq!(rehearse(&mut draft, &Stop::default(), &mut |_| ()), Tried::Holds, "{request}");
+            assert_eq!(draft, before, "{request}");
+            let (any, after) = given_up(before.clone());
+            assert!(!any && after == before, "{request}");
+        }
+    }
 }
