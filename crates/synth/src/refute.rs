@@ -9,22 +9,24 @@ use scenelang_formalize::Draft;
 use scenelang_formalize::prefer::Stated;
 use scenelang_lang::program::{Owner, Pinned, Program};
 use scenelang_solve::Stop;
-use scenelang_verify::prove::{Contradiction, ProveOptions, WORK, prove};
+use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
 
 /// Why a statement became a preference.
 const REASON: &str = "it cannot hold together with the rest, so it is only a preference";
 
 /// Gives up part of each set of statements that is proved contradictory: what was added to the request first, then the
-/// size of a room that nobody gave, then the statement that is given up most willingly. Whether anything was given up.
-pub fn give_up_refuted(draft: &mut Draft, program: &Program, stop: &Stop, grown: &mut [usize]) -> bool {
+/// size of a room that nobody gave, then the statement that is given up most willingly. Whether anything was given up. `work` is what proofs may still take.
+pub fn give_up_refuted(draft: &mut Draft, program: &Program, stop: &Stop, grown: &mut [usize], work: &mut u64) -> bool {
     let options = ProveOptions {
-        work: WORK,
+        work: *work,
         redundant: false,
         usual: true,
         cancel: Some(stop.flag()),
         ..ProveOptions::default()
     };
-    let found = prove(program, &options).contradictions;
+    let findings = prove(program, &options);
+    *work = work.saturating_sub(findings.work_spent);
+    let found = findings.contradictions;
     if found.is_empty() {
         return false;
     }
@@ -84,6 +86,7 @@ mod tests {
     use scenelang_formalize::write::write;
     use scenelang_formalize::{Options, read};
     use scenelang_lang::compile_text;
+    use scenelang_verify::prove::WORK;
     use std::path::Path;
 
     /// Whether anything was given up, and the draft after it.
@@ -92,7 +95,8 @@ mod tests {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, scenelang_lang::Options::default());
         let program = compiled.program.expect("the draft compiles");
         let mut grown = vec![0; draft.rooms.len()];
-        let any = give_up_refuted(&mut draft, &program, &Stop::default(), &mut grown);
+        let mut work = WORK;
+        let any = give_up_refuted(&mut draft, &program, &Stop::default(), &mut grown, &mut work);
         (any, draft)
     }
 

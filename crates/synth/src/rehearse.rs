@@ -10,6 +10,7 @@ use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Vec3};
 use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, What, solve};
+use scenelang_verify::prove::WORK;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -110,11 +111,11 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
     let (mut spent, mut patience, mut left_out) = (0, 1, 0);
-    let mut proofs = 0;
-    while proofs < PROOFS && !stop.is_set() {
+    let (mut proofs, mut work) = (0, WORK);
+    while proofs < PROOFS && work > 0 && !stop.is_set() {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
-        if !give_up_refuted(draft, program, stop, &mut grown) {
+        if !give_up_refuted(draft, program, stop, &mut grown, &mut work) {
             break;
         }
         proofs += 1;

@@ -178,7 +178,7 @@ fn passes(tokens: &mut Vec<Token>, i: usize) -> bool {
     let find = |words: &[&str]| clause.iter().copied().find(|k| words.contains(&word(tokens, *k)));
     let (Some(from), Some(by)) = (find(&["from"]), find(&["through", "via", "by"])) else { return false };
     let to = find(&["to", "into"]);
-    let named = |from: usize, to: usize| (from < to && to - from <= 4).then(|| from..to);
+    let named = |from: usize, to: usize| (from < to && to - from <= 4).then_some(from..to);
     let (source, target) = match to {
         Some(to) if from < to => (named(from + 1, to), named(to + 1, by)),
         Some(to) => (named(from + 1, by), named(to + 1, from)),

@@ -169,10 +169,8 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         // "the sewing room": of its own, where it is said like one.
-        let own_name = base == "room"
-            && np.words.len() > 1
-            && (!out.rooms.is_empty() || sized(chunks, i))
-            && strong(chunks, i, false);
+        let told = !out.rooms.is_empty() || sized(chunks, i);
+        let own_name = base == "room" && np.words.len() > 1 && told && strong(chunks, i, false);
         if (kind.loose || base == "office building") && !own_name {
             loose.push((i, np.name()));
             continue;

@@ -462,17 +462,7 @@ impl Reader<'_> {
                         self.mark(next + 1);
                         let edge =
                             said == Rel::On && self.tokens[self.chunks[k].at.clone()].iter().any(|t| t.is("edge"));
-                        let rel = match place {
-                            // "on the edge of the tub"
-                            Place::Side if edge => Some(Rel::On),
-                            // "toys on the head of the bed"
-                            Place::Head | Place::Foot if said == Rel::On => Some(Rel::On),
-                            Place::Side | Place::Head => Some(Rel::Beside),
-                            Place::Foot | Place::Front => Some(Rel::InFrontOf),
-                            Place::Back => Some(Rel::Behind),
-                            Place::End | Place::Middle => Some(Rel::On),
-                            _ => None,
-                        };
+                        let rel = of_part(place, said, edge);
                         if rel.is_some() {
                             let carries = !matches!(
                                 self.brief.things[id].group,
@@ -746,6 +736,20 @@ impl Reader<'_> {
         }
         self.s.last = None;
     }
+}
+
+/// What a part of a thing that something is at makes of it: on the edge of the tub is on it.
+fn of_part(place: Place, said: Rel, edge: bool) -> Option<Rel> {
+    Some(match place {
+        Place::Side if edge => Rel::On,
+        // "toys on the head of the bed"
+        Place::Head | Place::Foot if said == Rel::On => Rel::On,
+        Place::Side | Place::Head => Rel::Beside,
+        Place::Foot | Place::Front => Rel::InFrontOf,
+        Place::Back => Rel::Behind,
+        Place::End | Place::Middle => Rel::On,
+        _ => return None,
+    })
 }
 
 /// The long or the short side of a thing, if that is said.
