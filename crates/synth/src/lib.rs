@@ -9,6 +9,7 @@ mod furnish;
 mod hold;
 mod manifest;
 mod output;
+mod refute;
 mod rehearse;
 
 pub use corridor::{

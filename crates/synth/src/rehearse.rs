@@ -2,13 +2,15 @@
 //! room can take, or mean something that the words did not. What the search finds in the way becomes a preference.
 
 use crate::furnish::furnish;
+use crate::refute::give_up_refuted;
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, arrange_rooms, overfull};
-use scenelang_lang::program::{ConstraintKind, ObjectId, Program};
+use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Vec3};
 use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, What, solve};
+use scenelang_verify::prove::WORK;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -17,6 +19,8 @@ use std::path::Path;
 const ROUNDS: usize = 12;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
 const TRIAL: [u64; 2] = [6_000_000, 400_000];
+/// How often what is proved impossible is given up before the first trial.
+const PROOFS: usize = 24;
 /// How much more a trial from nothing may take once there is a layout.
 const PATIENCE: u64 = 3;
 /// Work after which no other trial begins: some six seconds of it, where it is not interrupted.
@@ -107,6 +111,15 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
     let (mut spent, mut patience, mut left_out) = (0, 1, 0);
+    let (mut proofs, mut work) = (0, WORK);
+    while proofs < PROOFS && work > 0 && !stop.is_set() {
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
+        if !give_up_refuted(draft, program, stop, &mut grown, &mut work) {
+            break;
+        }
+        proofs += 1;
+    }
     for _ in 0..ROUNDS + PATIENT {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
@@ -202,7 +215,7 @@ fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
 }
 
 /// Some names, and those of what was added at a fixed place beside them: a nightstand is in the way of a corner for its bed.
-fn with_fixed(draft: &Draft, mut group: Vec<String>) -> Vec<String> {
+pub fn with_fixed(draft: &Draft, mut group: Vec<String>) -> Vec<String> {
     let of = |name: &str, text: &str| text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == name);
     let own = group.clone();
     for statement in draft.statements.iter().filter(|s| s.text.contains(".pos = ")) {
@@ -246,7 +259,7 @@ fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
 }
 
 /// Makes those of the rooms larger whose size nobody gave. Whether there were any.
-fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool {
+pub fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool {
     if draft.rooms.iter().any(|room| room.outline.is_some()) {
         return false;
     }
@@ -275,11 +288,17 @@ fn squeeze(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
     });
     let mut any = false;
     for constraint in violated.map(|c| &program.constraints[c]).filter(|c| c.kind == ConstraintKind::Assert) {
-        if let ([object], true) = (&constraint.formula.objects()[..], constraint.text.contains("clear(")) {
-            any |= draft.squeeze(&program.objects[object.0 as usize].name);
-        }
+        any |= squeeze_door(draft, program, constraint);
     }
     any
+}
+
+/// The same for a statement, where it is that a door opens freely.
+pub fn squeeze_door(draft: &mut Draft, program: &Program, constraint: &Constraint) -> bool {
+    match &constraint.formula.objects()[..] {
+        [object] if constraint.text.contains("clear(") => draft.squeeze(&program.objects[object.0 as usize].name),
+        _ => false,
+    }
 }
 
 /// Lets things out of their rooms where the search names that as what is in the way. Whether there was such a thing.
@@ -296,7 +315,7 @@ fn let_out(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
 }
 
 /// The name of an array, of a member of it.
-fn base(name: &str) -> &str {
+pub fn base(name: &str) -> &str {
     name.split('[').next().unwrap_or(name)
 }
 

@@ -2,6 +2,7 @@
 //! scores of hand-made layouts; the dataset, the published metrics and the baselines.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
+mod alike;
 mod correctness;
 mod dataset;
 mod requests;

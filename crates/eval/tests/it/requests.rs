@@ -41,7 +41,7 @@ fn ground_truth_is_well_formed() {
     let library: String =
         library.map(|e| fs::read_to_string(e.unwrap().path()).unwrap()).collect::<Vec<_>>().join("\n");
     let mut wrong = Vec::new();
-    for (path, text, e) in ["development", "aside", "last"].into_iter().flat_map(cases) {
+    for (path, text, e) in ["development", "aside", "last", "fresh"].into_iter().flat_map(cases) {
         let mut must = |is: bool, what: String| {
             if !is {
                 wrong.push(format!("{}: {what}", path.display()));

@@ -217,6 +217,14 @@ impl Thing {
         self.words.join(" ")
     }
 
+    /// Whether it is a plant that is said to be small.
+    pub fn is_small_plant(&self) -> bool {
+        const SMALL: [&str; 6] = ["small", "tiny", "little", "mini", "miniature", "potted"];
+        const PLANTS: [&str; 9] = ["plant", "succulent", "orchid", "fern", "cactus", "bonsai", "ivy", "herb", "aloe"];
+        let mut said = self.look.features.iter().chain(&self.words).flat_map(|words| words.split(' '));
+        said.any(|word| SMALL.contains(&word)) && self.words.last().is_some_and(|word| PLANTS.contains(&word.as_str()))
+    }
+
     /// Whether it is a door or a window.
     pub fn opening(&self) -> bool {
         matches!(self.group, Group::Door | Group::Window)

@@ -28,6 +28,10 @@ const HOLLOW: [&str; 14] = [
     "vase", "basket", "bucket", "jar", "cooler", "crate", "hamper", "bin", "pot", "cup", "glass", "sink", "bathtub",
     "tub",
 ];
+/// Where things are on what they are usually in.
+const ON_TOP: [&str; 4] = ["edge", "rim", "ledge", "lid"];
+/// Basins have a rim that things stand on.
+const BASINS: [&str; 4] = ["sink", "washbasin", "basin", "vanity"];
 /// What nothing stands on: what is "on" it stands where it does.
 const THIN: [&str; 5] = ["monitor", "screen", "tv", "television", "keyboard"];
 /// No side of a thing that people stand something on is longer, if nothing is known of it (metres).
@@ -52,20 +56,20 @@ pub fn settle(brief: &mut Brief) {
         let words = sentence(&brief.request, &fact.source.at()).to_lowercase();
         let top = fact.of.iter().all(|a| brief.things[*a].group == Group::Top);
         let new = match rel {
-            Rel::LeftOf | Rel::RightOf if top && brief.things[*b].group == Group::Table && on_side(&words) => {
+            Rel::LeftOf | Rel::RightOf
+                if top && has_top(brief, *b) && (on_side(&words) || carries_in(brief, *b, &fact.of, &words)) =>
+            {
                 added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
             }
-            Rel::On
-                if shelved(brief, *b) && !words.contains("on top") && fact.of.iter().all(|a| shelvable(brief, *a)) =>
-            {
-                Rel::In
-            }
-            Rel::On if last(brief, *b, &THIN) && !words.contains("on top") => {
+            Rel::On if shelved(brief, *b) && !on_top(&words) && fact.of.iter().all(|a| shelvable(brief, *a)) => Rel::In,
+            Rel::On if last(brief, *b, &THIN) && !on_top(&words) => {
                 let Some(c) = carrier(brief, *b).filter(|c| !fact.of.contains(c)) else { continue };
                 brief.facts[k].what = What::Rel(Rel::On, vec![c]);
                 continue;
             }
+            // "a desk with a laptop on it and a lamp beside it"
+            Rel::Beside if top && has_top(brief, *b) && carries_in(brief, *b, &fact.of, &words) => Rel::On,
             Rel::Centre => {
                 added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 continue;
@@ -81,6 +85,25 @@ pub fn settle(brief: &mut Brief) {
         let Some((at, fact)) = (0..brief.facts.len()).find_map(|k| Some((k + 1, beside(brief, k)?))) else { break };
         brief.facts.insert(at, fact);
     }
+}
+
+/// Whether words say that things are on what they are usually in.
+fn on_top(words: &str) -> bool {
+    words.contains("on top") || words.split(|c: char| !c.is_alphanumeric()).any(|word| ON_TOP.contains(&word))
+}
+
+/// Whether things stand on it rather than beside it, where they are small.
+fn has_top(brief: &Brief, b: usize) -> bool {
+    brief.things[b].group == Group::Table || last(brief, b, &BASINS)
+}
+
+/// Whether a sentence says of another small thing than these that it is on a thing.
+fn carries_in(brief: &Brief, b: usize, but: &[usize], words: &str) -> bool {
+    brief.facts.iter().filter(|f| !f.not && !f.of.iter().any(|a| but.contains(a))).any(|f| {
+        let on = matches!(&f.what, What::Rel(Rel::On | Rel::Centre | Rel::OnLeft | Rel::OnRight, to) if to == &[b]);
+        let small = || f.of.iter().all(|a| brief.things[*a].group == Group::Top);
+        on && small() && sentence(&brief.request, &f.source.at()).to_lowercase() == words
+    })
 }
 
 /// Whether words say that a thing lies on a side of another, rather than beside it.
@@ -111,7 +134,8 @@ fn is_small(brief: &Brief, a: usize) -> bool {
     brief.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
         What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
         What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
-            to.iter().all(|b| group(b) == Group::Top)
+            let carried = |b: &usize| brief.things[*b].is_small_plant() && carrier(brief, *b).is_some();
+            to.iter().all(|b| group(b) == Group::Top || carried(b))
         }
         _ => false,
     })
@@ -146,7 +170,10 @@ fn shelvable(brief: &Brief, a: usize) -> bool {
 /// Of a small thing beside another small thing, or that has one beside it: on what that is on.
 fn beside(brief: &Brief, k: usize) -> Option<Fact> {
     let fact = &brief.facts[k];
-    let What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) = &fact.what
+    let What::Rel(
+        Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind | Rel::Around,
+        to,
+    ) = &fact.what
     else {
         return None;
     };
@@ -157,10 +184,11 @@ fn beside(brief: &Brief, k: usize) -> Option<Fact> {
         brief.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
     };
     let group = |a: &usize| brief.things[*a].group;
-    let free = |list: &[usize]| list.iter().all(|a| group(a) == Group::Top && !placed(a));
+    let small = |a: &usize| group(a) == Group::Top || brief.things[*a].is_small_plant();
+    let free = |list: &[usize]| list.iter().all(|a| small(a) && !placed(a));
     let carried = |list: &[usize]| {
-        let small = list.iter().filter(|b| matches!(group(b), Group::Top | Group::Screen));
-        small.filter_map(|b| carrier(brief, *b)).next()
+        let stands = |b: &&usize| matches!(group(b), Group::Top | Group::Screen) || brief.things[**b].is_small_plant();
+        list.iter().filter(stands).find_map(|b| carrier(brief, *b))
     };
     let (of, on) = if fact.not {
         return None;

@@ -97,6 +97,8 @@ pub enum Nth {
     At(usize),
     /// "the last exit".
     Last,
+    /// "the middle exit".
+    Middle,
     /// As many as are counted: "two of the desks".
     Some,
     /// "half of the desks".

@@ -8,8 +8,10 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
-            [apart, seats, stools, sleepers, purpose, opposite, opens, extends, walls, distance];
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
+            apart, together, each_other, carried, passes, that_one, seats, stools, sleepers, purpose, opposite, opens,
+            extends, walls, distance,
+        ];
         let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
         i += 1;
     }
@@ -76,6 +78,147 @@ fn apart(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     put(tokens, first, than + 1, &["at", "least"]);
     tokens.drain(i..i + 2);
+    true
+}
+
+/// The tokens of a length that begins here: "2 m", "two metres", "a metre".
+fn length(tokens: &[Token], i: usize) -> Option<usize> {
+    super::number::length(tokens.get(i..)?).map(|(_, used)| used)
+}
+
+/// How many words say that it is among themselves: "each other", "one another".
+fn one_another(tokens: &[Token], i: usize) -> Option<usize> {
+    matches!((word(tokens, i), word(tokens, i + 1)), ("each", "other") | ("one", "another")).then_some(2)
+}
+
+/// "No closer than 2 m together", "not nearer to each other than 2 m": "at least 2 m apart".
+fn together(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "no" | "not" | "never") || !matches!(word(tokens, i + 1), "closer" | "nearer") {
+        return false;
+    }
+    let among = |k: usize| match word(tokens, k) {
+        "together" => Some(1),
+        "to" | "from" => one_another(tokens, k + 1).map(|n| n + 1),
+        _ => None,
+    };
+    let before = among(i + 2).unwrap_or(0);
+    let than = i + 2 + before;
+    if word(tokens, than) != "than" {
+        return false;
+    }
+    let Some(used) = length(tokens, than + 1) else { return false };
+    let end = than + 1 + used;
+    let after = among(end).unwrap_or(0);
+    if before + after == 0 {
+        return false;
+    }
+    let unit = tokens[end - 1].text.clone();
+    put(tokens, end - 1, end + after, &[unit.as_str(), "apart"]);
+    put(tokens, i, than + 1, &["at", "least"]);
+    true
+}
+
+/// "Two metres from one another": "two metres apart".
+fn each_other(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let away = usize::from(word(tokens, i) == "away");
+    if i == 0 || word(tokens, i + away) != "from" || super::number::unit(word(tokens, i - 1)).is_none() {
+        return false;
+    }
+    let Some(n) = one_another(tokens, i + away + 1) else { return false };
+    put(tokens, i, i + away + 1 + n, &["apart"]);
+    true
+}
+
+/// "A cabinet on which a radio is kept": "a cabinet with a radio on top".
+fn carried(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 10;
+    if word(tokens, i) != "on" || word(tokens, i + 1) != "which" {
+        return false;
+    }
+    let held = |k: &usize| {
+        matches!(
+            word(tokens, *k),
+            "kept"
+                | "placed"
+                | "displayed"
+                | "stored"
+                | "stand"
+                | "stands"
+                | "sit"
+                | "sits"
+                | "lie"
+                | "lies"
+                | "rest"
+                | "rests"
+        )
+    };
+    let within = (i + 3..i + FAR).take_while(|k| tokens.get(*k).is_some_and(|t| t.word() || t.is(",")));
+    let Some(last) = within.into_iter().find(held) else { return false };
+    let first = last - usize::from(matches!(word(tokens, last - 1), "is" | "are"));
+    put(tokens, first, last + 1, &["on", "top"]);
+    put(tokens, i, i + 2, &["with"]);
+    true
+}
+
+/// "You get from the hall to the kitchen through a wide door", "one enters the kitchen from the hall through a door":
+/// "a door leads from the hall to the kitchen".
+fn passes(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 14;
+    let who = matches!(word(tokens, i), "you" | "one" | "we" | "people" | "guests" | "they" | "everyone" | "i");
+    let enters = matches!(word(tokens, i + 1), "enter" | "enters" | "reach" | "reaches" | "access" | "accesses");
+    let goes = matches!(
+        word(tokens, i + 1),
+        "get" | "gets" | "go" | "goes" | "come" | "comes" | "walk" | "walks" | "pass" | "passes" | "step" | "steps"
+    );
+    if !who || !(enters || goes) {
+        return false;
+    }
+    let inside = |k: &usize| tokens.get(*k).is_some_and(Token::word);
+    let clause: Vec<usize> = (i + 2..i + 2 + FAR).take_while(inside).collect();
+    let find = |words: &[&str]| clause.iter().copied().find(|k| words.contains(&word(tokens, *k)));
+    let (Some(from), Some(by)) = (find(&["from"]), find(&["through", "via", "by"])) else { return false };
+    let to = find(&["to", "into"]);
+    let named = |from: usize, to: usize| (from < to && to - from <= 4).then_some(from..to);
+    let (source, target) = match to {
+        Some(to) if from < to => (named(from + 1, to), named(to + 1, by)),
+        Some(to) => (named(from + 1, by), named(to + 1, from)),
+        None if enters => (named(from + 1, by), named(i + 2, from)),
+        None => return false,
+    };
+    let (Some(source), Some(target)) = (source, target) else { return false };
+    let door: Vec<usize> = clause.iter().copied().filter(|k| *k > by).collect();
+    let is_door = |k: &usize| matches!(get().noun(&singular(word(tokens, *k))), Some(crate::brief::Group::Door));
+    let Some(last) = door.iter().copied().find(is_door) else { return false };
+    let text = |range: std::ops::Range<usize>| tokens[range].iter().map(|t| t.text.clone()).collect::<Vec<_>>();
+    let mut said = text(by + 1..last + 1);
+    said.extend(["leads".to_owned(), "from".to_owned()]);
+    said.extend(text(source));
+    said.push("to".to_owned());
+    said.extend(text(target));
+    let said: Vec<&str> = said.iter().map(String::as_str).collect();
+    put(tokens, i, last + 1, &said);
+    true
+}
+
+/// "Three shelves. The middle one …": the middle shelf.
+fn that_one(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const BACK: usize = 60;
+    const MIDDLE: [&str; 4] = ["one", "in", "the", "middle"];
+    if (0..MIDDLE.len()).all(|k| word(tokens, i + k) == MIDDLE[k]) && i > 0 && word(tokens, i - 1) == "the" {
+        put(tokens, i, i + MIDDLE.len(), &["middle", "one"]);
+    }
+    let which = matches!(word(tokens, i), "first" | "second" | "third" | "fourth" | "fifth" | "last" | "middle");
+    if !which || i == 0 || word(tokens, i - 1) != "the" || word(tokens, i + 1) != "one" {
+        return false;
+    }
+    let several = |t: &&Token| {
+        let one = singular(&t.text);
+        t.word() && !t.owner && one != t.text && get().noun(&one).is_some()
+    };
+    let Some(noun) = tokens[i.saturating_sub(BACK)..i].iter().rev().find(several).map(|t| singular(&t.text)) else {
+        return false;
+    };
+    put(tokens, i + 1, i + 2, &[noun.as_str()]);
     true
 }
 
@@ -253,6 +396,21 @@ mod tests {
             ("no two plants may be closer than 1 m.", "plants at least 1 m apart ."),
             ("No two desks are closer to each other than 0.9 m apart", "desks at least 0.9 m apart"),
             ("no two plants are closer than 1 m to the sofa", "no two plants are closer than 1 m to the sofa"),
+            ("desks no closer than 2.2 m together", "desks at least 2.2 m apart"),
+            ("tables no nearer to each other than two metres", "tables at least two metres apart"),
+            ("no closer than 2 m to the sofa", "no closer than 2 m to the sofa"),
+            ("they stand 3 m away from one another", "they stand 3 m apart"),
+            ("the lamps are 2 m from each end", "the lamps are 2 m from each end"),
+            ("a cabinet on which a radio and a clock are kept", "a cabinet with a radio and a clock on top"),
+            (
+                "you get from the hall into the kitchen through a wide door.",
+                "a wide door leads from the hall to the kitchen .",
+            ),
+            ("we enter the cold room from the shop via a door", "a door leads from the shop to the cold room"),
+            ("you get a sofa from the hall", "you get a sofa from the hall"),
+            ("three shelves. the middle one holds a vase", "three shelves . the middle shelf holds a vase"),
+            ("three shelves. the one in the middle", "three shelves . the middle shelf"),
+            ("the first one of all", "the first one of all"),
             ("a table that seats eight", "a table for eight"),
             ("a seating area", "a seating area"),
             ("distance desks to wall: 2 m", "distance between desks and wall : 2 m"),

@@ -169,7 +169,8 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         // "the sewing room": of its own, where it is said like one.
-        let own_name = base == "room" && np.words.len() > 1 && !out.rooms.is_empty() && strong(chunks, i, false);
+        let told = !out.rooms.is_empty() || sized(chunks, i);
+        let own_name = base == "room" && np.words.len() > 1 && told && strong(chunks, i, false);
         if (kind.loose || base == "office building") && !own_name {
             loose.push((i, np.name()));
             continue;
@@ -320,13 +321,7 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
     let beside = matches!(before, Some(Piece::Rel(r)) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::Between));
     let to = matches!(before, Some(Piece::Rel(Rel::To | Rel::In | Rel::From)));
     let led = to && matches!(before2, Some(Piece::Verb(Verb::Lead))) || matches!(before, Some(Piece::Verb(Verb::Lead)));
-    let sized = match after {
-        Some(Piece::Measure(m)) => m.values.len() > 1 || m.area,
-        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => {
-            matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty())
-        }
-        _ => false,
-    };
+    let sized = sized(chunks, i);
     let heading = start
         && matches!(
             after,
@@ -363,6 +358,18 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                 .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
                 .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
+}
+
+/// "The group room is 9 by 7 m": a size follows.
+fn sized(chunks: &[Chunk], i: usize) -> bool {
+    let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
+    match piece(i + 1) {
+        Some(Piece::Measure(m)) => m.values.len() > 1 || m.area,
+        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => {
+            matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty())
+        }
+        _ => false,
+    }
 }
 
 /// "A cosy bar.": nothing else is asked for.

@@ -165,9 +165,10 @@ fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
 
 /// Takes the names of who speaks out of a conversation, and what is said by those who answer; notes on the latter.
 pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
-    let mut labels = known(tokens);
-    if labels.is_empty() {
-        labels = others(tokens);
+    // Where only one of two names is known, the lines that begin with the other are turns, too.
+    let (mut labels, taking_turns) = (known(tokens), others(tokens));
+    if taking_turns.len() > labels.len() {
+        labels = taking_turns;
     }
     if labels.is_empty() {
         return Vec::new();
@@ -242,6 +243,7 @@ mod tests {
             ("Ann: a bed.\nBob: Where is the lamp?\nAnn: It hangs.\nBob: Bye.", "a bed . the lamp hangs .", 2),
             ("Jo: a bed.\nAl: What goes beside it?\nJo: A rug.\nAl: ok", "a bed . beside it is a rug .", 2),
             ("Jo: a hall, a bar.\nAl: And the kitchen?\nJo: A hob.\nAl: ok", "a hall , a bar . kitchen : a hob .", 2),
+            ("Rep: Hi.\nClient: a bed.\nRep: Mirrors?\nClient: No.", "a bed . no .", 2),
             ("Bed: oak\nDesk: pine\nBed: big", "bed : oak desk : pine bed : big", 0),
         ] {
             let mut tokens = tokens(text, 100).0;

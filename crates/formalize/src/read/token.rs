@@ -209,10 +209,43 @@ fn word(rest: &str) -> (usize, String, bool) {
     }
 }
 
+/// "it's made of oak", "they're white": a pronoun and its verb.
+fn contracted(word: Token) -> Vec<Token> {
+    let Some((pronoun, verb)) = word.text.split_once('\'') else { return vec![word] };
+    let whole = match (pronoun, verb) {
+        ("it" | "that", "s") => "is",
+        ("they" | "these" | "those", "re") => "are",
+        _ => return vec![word],
+    };
+    let end = (word.at.start + pronoun.len()).min(word.at.end);
+    let part = |text: &str, at| Token { kind: Kind::Word, text: text.to_owned(), at, ..word.clone() };
+    vec![part(pronoun, word.at.start..end), part(whole, end..word.at.end)]
+}
+
+/// "8-foot-long": the unit, and which side of a thing is so long. Other words stay whole.
+fn unit_and_side(word: Token) -> Vec<Token> {
+    const SIDES: [&str; 7] = ["long", "wide", "deep", "high", "tall", "diameter", "across"];
+    let mut parts: Vec<&str> = word.text.split('-').collect();
+    let sided = parts.pop().is_some_and(|side| SIDES.contains(&side));
+    let [.., unit] = parts[..] else { return vec![word] };
+    // Lower case may be longer than what was written; then the word stays whole.
+    if !sided || parts.len() > 2 || super::number::unit(unit).is_none() || word.at.len() != word.text.len() {
+        return vec![word];
+    }
+    let end = word.text.rfind('-').unwrap_or(0);
+    let part = |from: usize, to: usize| Token {
+        kind: Kind::Word,
+        text: word.text[from..to].to_owned(),
+        at: word.at.start + from..word.at.start + to,
+        ..word.clone()
+    };
+    vec![part(0, end), part(end + 1, word.text.len())]
+}
+
 /// "two-metre" and "90-cm" are two words: the number, and what it counts.
 fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
-    let mut tokens = tokens.into_iter().peekable();
+    let mut tokens = tokens.into_iter().flat_map(contracted).flat_map(unit_and_side).peekable();
     while let Some(t) = tokens.next() {
         let number_before = out.last().is_some_and(|b| matches!(b.kind, Kind::Number(_)) && b.at.end == t.at.start);
         if t.kind == Kind::Sign('-')
@@ -290,7 +323,11 @@ mod tests {
             ("two-metre counter", "two|metre|counter"),
             ("twenty-four height-adjustable desks", "twenty-four|height-adjustable|desks"),
             ("- a sofa\n- a lamp", "|a|sofa|\n||a|lamp"),
-            ("90-cm-wide", "90|cm-wide"),
+            ("90-cm-wide", "90|cm|wide"),
+            ("three 8-foot-long benches", "three|8|foot|long|benches"),
+            ("a two-metre-high shelf", "a|two|metre|high|shelf"),
+            ("a floor-length curtain, life-long", "a|floor-length|curtain|,|life-long"),
+            ("it's red, they're 2 m high, let's", "it|is|red|,|they|are|2|m|high|,|let's"),
             ("a nook w/ a chair", "a|nook|with|a|chair"),
             ("its longer side, longer than it", "its|long|side|,|longer|than|it"),
         ] {

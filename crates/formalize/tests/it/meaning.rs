@@ -112,6 +112,22 @@ fn feet_and_metres() {
     }
 }
 
+/// "a three-metre-long bench" is "a 3 m long bench", and one bench.
+#[test]
+fn units_with_hyphens() {
+    const WORDS: [&str; 5] = ["two", "three", "four", "five", "six"];
+    let mut dice = Dice(9);
+    for case in 0..CASES {
+        let (k, [a, b]) = (dice.upto(WORDS.len()), dice.furniture());
+        let side = ["long", "wide", "deep", "high"][dice.upto(4)];
+        let unit = ["metre", "foot"][dice.upto(2)];
+        let of = |size: String| format!("A hall with a {size} {a} and a {b}.");
+        let plain = of(format!("{} {unit} {side}", k + 2));
+        let number = [WORDS[k].to_owned(), (k + 2).to_string()][dice.upto(2)].clone();
+        same(case, &of(format!("{number}-{unit}-{side}")), &plain);
+    }
+}
+
 #[test]
 fn left_and_right_in_a_mirror() {
     let swapped = |text: &str, [a, b]: [&str; 2]| text.replace(a, "\u{1}").replace(b, a).replace('\u{1}', b);

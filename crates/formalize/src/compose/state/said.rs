@@ -40,7 +40,9 @@ impl Named<'_> {
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
         match rel {
             Rel::On => {
-                if matches!(gb, Group::Wall | Group::Door | Group::Window) {
+                // A shelf on a wall has a top.
+                let shelf = self.brief.things[b].words.last().is_some_and(|w| w == "shelf" || w == "ledge");
+                if matches!(gb, Group::Wall | Group::Door | Group::Window) && !shelf {
                     // On a door, on a window: as near as it can be.
                     out.push(format!("{verb} {};", pairs(&far(0.3))));
                 } else {

@@ -68,6 +68,22 @@ impl Reader<'_> {
         self.recent.iter().rev().find(|i| !own.contains(i)).map(|i| vec![*i]).unwrap_or_default()
     }
 
+    /// "On the desk a monitor stands, a lamp to its left": of the monitor, not of the desk that both are on.
+    fn on_the_same(&self, object: Vec<usize>) -> Vec<usize> {
+        let group = |o: &usize| self.brief.things[*o].group;
+        let framed = self.s.frame.as_ref().is_some_and(|frame| *frame == object);
+        if !framed || !self.near.iter().all(|o| group(o) == Group::Top) {
+            return object;
+        }
+        let on = |o: &&usize| {
+            let says = |f: &Fact| f.of.contains(o) && matches!(&f.what, What::Rel(Rel::On, to) if *to == object);
+            !self.near.contains(o)
+                && matches!(group(o), Group::Top | Group::Screen)
+                && self.brief.facts.iter().any(says)
+        };
+        self.recent.iter().rev().find(on).map_or(object.clone(), |o| vec![*o])
+    }
+
     /// "to its left", "on top", "between them".
     pub(super) fn on_its(&mut self, i: usize, end: usize, rel: Rel) {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
@@ -93,6 +109,8 @@ impl Reader<'_> {
         let object = if own { self.them() } else { self.its(i, end, rel) };
         let alone = !text.iter().any(|w| matches!(*w, "it" | "them" | "its" | "their"));
         let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
+        let object =
+            if matches!(rel, Rel::LeftOf | Rel::RightOf | Rel::Beside) { self.on_the_same(object) } else { object };
         if object.is_empty() {
             return;
         }

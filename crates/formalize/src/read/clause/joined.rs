@@ -128,4 +128,43 @@ impl Reader<'_> {
         }
         said
     }
+
+    /// "Which form three blocks of four", and the blocks later on: the things that form them. The next chunk.
+    pub(super) fn forms(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
+        const GROUPS: [&str; 6] = ["block", "cluster", "group", "pod", "bank", "set"];
+        let name = np.name();
+        if let Some((_, of)) = self.formed.as_ref().filter(|(formed, _)| *formed == name) {
+            self.main = vec![*of];
+            self.near = self.main.clone();
+            self.s.subject = true;
+            self.mark(i);
+            return Some(i + 1);
+        }
+        let n = np.count.filter(|n| *n > 1 && GROUPS.contains(&name.as_str()))?;
+        let of = matches!(self.piece(i + 1, end), Some(Piece::Rel(Rel::Of)));
+        let each = self.number_at(i + 2, end).filter(|_| of)?;
+        let [item] = self.main[..] else { return None };
+        let thing = &mut self.brief.things[item];
+        if thing.number == Number::Plural && n * each <= MOST_COUNT {
+            thing.number = Number::Exactly(n * each);
+        }
+        self.formed = Some((name, item));
+        (i..i + 3).for_each(|chunk| self.mark(chunk));
+        Some(i + 3)
+    }
+
+    /// "A shelf for controllers and headsets": that is where these are.
+    pub(super) fn kept_there(&mut self, i: usize, np: &Np) {
+        let is_for = i > 1
+            && matches!(self.chunks[i - 1].piece, Piece::Word(_))
+            && self.tokens[self.chunks[i].at.start - 1].is("for")
+            && self.chunks[i - 2].np().is_some_and(|before| before.kind == Kind::Thing);
+        let small = np.many && matches!(np.det, Det::None | Det::Number) && np.group == Some(Group::Top);
+        if let ([keeper], true) = (self.near.as_slice(), is_for && small)
+            && matches!(self.brief.things[*keeper].group, Group::Storage | Group::Table)
+            && self.s.expect == Expect::Nothing
+        {
+            self.s.expect = Expect::With(self.near.clone(), Join::Usual);
+        }
+    }
 }

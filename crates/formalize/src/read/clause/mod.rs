@@ -84,6 +84,8 @@ pub struct Reader<'a> {
     dealt: Option<(usize, usize)>,
     /// What the things of the sentence before were said to be on.
     carrier: Vec<usize>,
+    /// What several things form: "twelve desks, which form three blocks of four".
+    formed: Option<(String, usize)>,
     /// What something was said to be left or right of, in this sentence or the one before.
     side: Option<(Rel, Vec<usize>)>,
     s: Sentence,
@@ -200,6 +202,7 @@ impl<'a> Reader<'a> {
             recent: vec![],
             dealt: None,
             carrier: vec![],
+            formed: None,
             side: None,
             s: Sentence::default(),
         }
@@ -485,6 +488,21 @@ impl<'a> Reader<'a> {
             Some(other) if two && one(&of) => vec![*other, of[0]],
             _ => of,
         };
+        // "chairs in four rows of five": twenty of them.
+        if let (Pattern::Rows(rows), [item]) = (pattern, of.as_slice()) {
+            let words = &self.tokens[chunks[i].at.clone()];
+            let each = words.iter().position(|t| t.is("of")).and_then(|k| crate::read::number::count(&words[k + 1..]));
+            let item = &mut self.brief.things[*item];
+            if let (Some((each, _)), Number::Plural | Number::Unsaid) = (each, item.number)
+                && each.fract() == 0.0
+                && (1.0..=MOST_COUNT as f64).contains(&(rows as f64 * each))
+            {
+                item.number = Number::Exactly(rows * each as usize);
+            }
+        }
+        // "a shelf with a bowl and a jar side by side": all that the shelf has.
+        let listed = two && self.s.owned.len() > 1 && self.s.owned.ends_with(&of);
+        let of = if listed { self.s.owned.clone() } else { of };
         let soft = self.s.soft;
         self.state(&of, What::Pattern(pattern), soft, false);
         i + 1

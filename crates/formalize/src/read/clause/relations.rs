@@ -1,6 +1,10 @@
 //! Relations: what they are said of, what they are to, and places.
 
 use super::*;
+use scenelang_lang::library::usual_size;
+
+/// No side of what people put on something is longer (metres).
+const SMALL: f64 = 0.45;
 
 /// A relation that is read: where, and what it is said of.
 struct Said {
@@ -221,9 +225,50 @@ impl Reader<'_> {
                 }
                 _ => of,
             };
+            let of_room = self.np(next - 1, end).is_some_and(|np| np.kind == Kind::Room);
+            if place == Place::Middle && which.is_empty() && !of_room && self.middle_of_carrier(&of) {
+                return;
+            }
             self.drop_usual(&of);
             self.at_place(&of, rel, place, &which);
         }
+    }
+
+    /// "On the table, a bowl is beside a centerpiece in the middle", "a table with a vase in the center": small things
+    /// are in the middle of what they are on. Whether that was said.
+    fn middle_of_carrier(&mut self, of: &[usize]) -> bool {
+        let group = |o: &usize| self.brief.things[*o].group;
+        if of.is_empty() || !of.iter().all(|o| group(o) == Group::Top) {
+            return false;
+        }
+        let owner = match &self.s.expect {
+            Expect::With(owner, Join::Usual | Join::On) => Some(owner),
+            _ => self.s.frame.as_ref(),
+        };
+        let carries = |list: &&Vec<usize>| list.len() == 1 && matches!(group(&list[0]), Group::Table | Group::Storage);
+        let Some(owner) = owner.filter(carries).cloned() else { return false };
+        let one = |o: usize| self.brief.count(o) == 1 && !self.brief.things[o].number.many();
+        let rel = if one(owner[0]) && of.len() == 1 && one(of[0]) { Rel::Centre } else { Rel::On };
+        let said = |f: &Fact| f.of == of && matches!(&f.what, What::Rel(Rel::On, to) if *to == owner);
+        if rel == Rel::Centre || !self.brief.facts.iter().any(said) {
+            self.drop_usual(of);
+            self.relate(of, rel, &owner);
+        }
+        true
+    }
+
+    /// Whether what was spoken of last are small things that stand on others.
+    fn is_small_thing(&self) -> bool {
+        let of = if self.near.is_empty() { &self.main } else { &self.near };
+        let new = |o: &usize| self.brief.things[*o].source.at().start >= self.s.at.start;
+        let small = |o: &usize| {
+            let item = &self.brief.things[*o];
+            let size = usual_size(&item.name());
+            item.group == Group::Top
+                || item.is_small_plant()
+                || item.group == Group::Floor && size.is_some_and(|size| size.iter().all(|side| *side <= SMALL))
+        };
+        !of.is_empty() && of.iter().all(|o| small(o) && new(o))
     }
 
     /// What a relation speaks of, and the next chunk. Rooms change what the sentence is about.
@@ -253,6 +298,12 @@ impl Reader<'_> {
                 self.mark(k);
                 return Some((Lead::Items(items, false), k + 1));
             }
+        }
+        // "a lamp over every block", of those that the desks form
+        if let Some((_, of)) = self.formed.as_ref().filter(|(formed, _)| *formed == np.name()) {
+            let items = vec![*of];
+            self.mark(k);
+            return Some((Lead::Items(items, false), k + 1));
         }
         match np.kind {
             Kind::Thing => self.things_object(k, end, rel, np),
@@ -391,8 +442,9 @@ impl Reader<'_> {
         let mut next = k + 1;
         if matches!(self.piece(next, end), Some(Piece::Rel(Rel::Of))) {
             match self.np(next + 1, end).map(|n| (n.kind, n)) {
-                Some((Kind::Room, _)) => {
+                Some((Kind::Room, np)) => {
                     if let Some(room) = self.rooms.spoken.get(&(next + 1)).copied() {
+                        self.room_look(room, np);
                         self.s.rooms.push(room);
                         if !self.s.of_room {
                             self.enter(room);
@@ -410,15 +462,7 @@ impl Reader<'_> {
                         self.mark(next + 1);
                         let edge =
                             said == Rel::On && self.tokens[self.chunks[k].at.clone()].iter().any(|t| t.is("edge"));
-                        let rel = match place {
-                            // "on the edge of the tub"
-                            Place::Side if edge => Some(Rel::On),
-                            Place::Side | Place::Head => Some(Rel::Beside),
-                            Place::Foot | Place::Front => Some(Rel::InFrontOf),
-                            Place::Back => Some(Rel::Behind),
-                            Place::End | Place::Middle => Some(Rel::On),
-                            _ => None,
-                        };
+                        let rel = of_part(place, said, edge);
                         if rel.is_some() {
                             let carries = !matches!(
                                 self.brief.things[id].group,
@@ -428,8 +472,11 @@ impl Reader<'_> {
                                 self.s.turned = Some(Rel::Centre);
                             } else if let (Place::Side, Some(side)) = (place, of_length(&which)) {
                                 self.s.turned = Some(side);
-                            } else if matches!(said, Rel::At | Rel::In) {
+                            } else if matches!(said, Rel::At | Rel::In) && !self.is_small_thing() {
                                 self.s.turned = rel.map(|r| if r == Rel::On { Rel::Beside } else { r });
+                            } else if matches!(said, Rel::At | Rel::In) {
+                                // "a vase at one end of the sideboard"
+                                self.s.turned = rel;
                             }
                             let both = matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each");
                             if both && of_length(&which).is_none() {
@@ -441,6 +488,12 @@ impl Reader<'_> {
                         }
                         next += 2;
                     }
+                }
+                // "in the middle of the wall": at the wall.
+                Some((Kind::Place(Place::Wall), np)) if matches!(place, Place::Middle | Place::End | Place::Side) => {
+                    self.mark(next);
+                    self.mark(next + 1);
+                    return (Lead::Place(Place::Wall, np.which.clone()), next + 2);
                 }
                 // "in the middle of it": of the room spoken of.
                 Some((Kind::Pronoun, np))
@@ -683,6 +736,20 @@ impl Reader<'_> {
         }
         self.s.last = None;
     }
+}
+
+/// What a part of a thing that something is at makes of it: on the edge of the tub is on it.
+fn of_part(place: Place, said: Rel, edge: bool) -> Option<Rel> {
+    Some(match place {
+        Place::Side if edge => Rel::On,
+        // "toys on the head of the bed"
+        Place::Head | Place::Foot if said == Rel::On => Rel::On,
+        Place::Side | Place::Head => Rel::Beside,
+        Place::Foot | Place::Front => Rel::InFrontOf,
+        Place::Back => Rel::Behind,
+        Place::End | Place::Middle => Rel::On,
+        _ => return None,
+    })
 }
 
 /// The long or the short side of a thing, if that is said.

@@ -105,6 +105,9 @@ impl Reader<'_> {
     /// "near a cabinet, which stands opposite the window": of the cabinet, where it was named right before.
     pub(super) fn relative(&mut self, i: usize, end: usize) -> bool {
         let word = &self.tokens[self.chunks[i].at.start];
+        if word.is("where") {
+            return self.where_it_is(i, end);
+        }
         let which = word.is("which") || word.is("that");
         let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
         let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
@@ -115,6 +118,29 @@ impl Reader<'_> {
         self.near = vec![last];
         self.s.expect = Expect::Nothing;
         self.s.subject = true;
+        true
+    }
+
+    /// "The stool faces the bench, where a laptop stands": small things are on what was named last.
+    fn where_it_is(&mut self, i: usize, end: usize) -> bool {
+        let small = |np: &Np| {
+            let fresh = matches!(np.det, Det::Indefinite | Det::Number | Det::None);
+            np.kind == Kind::Thing && fresh && np.group == Some(Group::Top)
+        };
+        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
+        let named = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)).filter(|np| np.kind == Kind::Thing);
+        let carries = |o: &usize| {
+            let item = &self.brief.things[*o];
+            matches!(item.group, Group::Table | Group::Storage | Group::Bed | Group::Seat)
+                && named.is_some_and(|np| np.words == item.words)
+        };
+        let Some(on) = self.recent.last().copied().filter(carries) else { return false };
+        if !self.np(i + 1, end).is_some_and(small) {
+            return false;
+        }
+        self.s.lead = vec![(Rel::On, Lead::Items(vec![on], false))];
+        self.s.expect = Expect::Nothing;
+        (self.s.subject, self.s.verb) = (false, false);
         true
     }
 }

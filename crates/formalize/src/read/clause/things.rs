@@ -16,7 +16,7 @@ impl Reader<'_> {
             {
                 i + 1
             }
-            Kind::Thing => self.on_things(i, end),
+            Kind::Thing => self.forms(i, end, np).unwrap_or_else(|| self.on_things(i, end)),
             Kind::Room => {
                 self.on_room(i, end, np);
                 i + 1
@@ -333,6 +333,18 @@ impl Reader<'_> {
     /// Whether a noun phrase brings in something new, or which thing it speaks of again.
     pub(super) fn resolve(&mut self, i: usize, np: &Np, object: bool) -> Option<usize> {
         let found = self.find(np);
+        // "workbenches with vices, one vice per bench": those.
+        let of_each = |f: &usize| {
+            let item = &self.brief.things[*f];
+            item.words == np.words && item.number.many() && item.source.at().start >= self.s.at.start
+        };
+        if np.count == Some(1)
+            && self.np(i + 1, self.s.chunks.end).is_some_and(|next| next.det == Det::Each)
+            && self.tokens[self.chunks[i + 1].at.start].is("per")
+            && let Some(known) = found.filter(of_each)
+        {
+            return Some(known);
+        }
         if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
             return Some(part);
         }
@@ -406,9 +418,14 @@ impl Reader<'_> {
         let of = found.filter(|f| self.brief.things[*f].number.many())?;
         let all = self.brief.count(of);
         let pick = match nth {
+            // "the first four desks"
+            Nth::At(0) if count.is_some_and(|n| n < all) => Pick::Run(0, count.unwrap_or(1).max(1)),
+            Nth::Last if count.is_some_and(|n| (1..all).contains(&n)) => Pick::Rest(all - count.unwrap_or(1)),
             Nth::At(n) if n < all => Pick::Run(n, 1),
             Nth::At(_) => return None,
             Nth::Last => Pick::Last,
+            Nth::Middle if all > 2 => Pick::Run((all - 1) / 2, 1),
+            Nth::Middle => return None,
             Nth::Half => Pick::Half,
             Nth::Every(n) => Pick::Every(n),
             Nth::Some => return self.deal(i, of, count?),
@@ -591,6 +608,7 @@ impl Reader<'_> {
         if purpose && np.det == Det::None && np.count.is_none() && !np.many {
             return i + 1;
         }
+        self.kept_there(i, np);
         let mut group: Vec<usize> = Vec::new();
         let mut k = i;
         let mut each = np.det == Det::Each;

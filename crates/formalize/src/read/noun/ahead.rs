@@ -176,14 +176,19 @@ pub(super) fn half(rest: &[Token]) -> usize {
 pub(super) fn ordinal(word: &str) -> Option<Nth> {
     const WORDS: [&str; 10] =
         ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
-    if word == "last" {
-        return Some(Nth::Last);
+    match word {
+        "last" => return Some(Nth::Last),
+        "middle" => return Some(Nth::Middle),
+        _ => {}
     }
     WORDS.iter().position(|w| *w == word).map(Nth::At)
 }
 
 /// Whether a noun comes that an ordinal counts: not "the first floor", "the second of May".
 pub(super) fn names_something(rest: &[Token]) -> bool {
+    // "the first four desks"
+    let counted = number::count(rest).map_or(0, |(_, n)| n);
+    let rest = &rest[counted.min(rest.len())..];
     rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
         Some(place) => place == Place::Row,
         None => before_noun(rest),

@@ -109,7 +109,9 @@ impl Scan<'_> {
     }
 
     fn size(&mut self, _: &str) -> Option<Step> {
-        let here = self.nouns.is_empty() && self.used > self.owner_end.min(self.start);
+        // "a two metre long table": after its article, too.
+        let begun = self.begun || self.used > self.owner_end.min(self.start);
+        let here = self.nouns.is_empty() && begun;
         (here && self.measured()).then_some(Step::Go)
     }
 
@@ -163,6 +165,9 @@ impl Scan<'_> {
     /// The longest noun of the tables that begins here.
     fn noun_of_the_tables(&mut self, _: &str) -> Option<Step> {
         let (used, here) = (self.used, self.from(self.used));
+        if self.text(used) == "side" && self.text(used + 1) == "by" && self.text(used + 2) == "side" {
+            return Some(Step::Stop);
+        }
         let mut table = longest_noun(here);
         // "a fern plant stands near the window": not two plant stands.
         if let Some((_, n)) = &table
