@@ -101,7 +101,9 @@ impl Span {
 
     /// Whether two share more than a face.
     pub fn meets(&self, other: &Self) -> bool {
-        (0..3).all(|k| self.min[k] < other.max[k] - TOUCHING && other.min[k] < self.max[k] - TOUCHING)
+        let on = |k: usize| (self.min[k] < other.max[k] - TOUCHING) & (other.min[k] < self.max[k] - TOUCHING);
+        // Most are apart on the floor; to look at both axes at once is faster than to decide after each.
+        on(0) & on(2) && on(1)
     }
 }
 
@@ -161,6 +163,8 @@ pub struct Trial<'a> {
     doorway: f64,
     /// Paths that are planned together.
     pub groups: Vec<PathGroup>,
+    /// Where there is floor for paths, as last worked out.
+    floors: Vec<paths::Floor>,
     /// By object: how much more is walked round it, since it proved unwilling to get out of the way.
     pub reluctance: Vec<f64>,
     /// Terms that depend on whatever stands around.
@@ -308,6 +312,7 @@ impl<'a> Trial<'a> {
             follows,
             walks: judges.iter().enumerate().filter_map(walks).collect(),
             groups,
+            floors: Vec::new(),
             away: vec![false; n],
             away_count: 0,
             moved: Vec::new(),

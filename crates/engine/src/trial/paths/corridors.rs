@@ -40,6 +40,9 @@ impl Trial<'_> {
             return group.targets.iter().map(|goals| none(goals)).collect();
         };
         self.work += WORK * grid.count() as u64;
+        let floor = self.floor_of_cells(&grid, radius);
+        let cost = self.cost_of_cells(&grid, radius, &floor);
+        self.floors.push(floor);
         let group = &self.groups[index];
         let from = self.around(&grid, group.from, near, radius);
         let mut ends: Vec<End> = Vec::new();
@@ -49,7 +52,6 @@ impl Trial<'_> {
             }
         }
         ends.sort_unstable();
-        let cost = self.cost_of_cells(&grid, radius);
         let tree = grid.tree(&cost, &from, &ends, group.targets.len());
         // Where exactly a corridor begins or ends in a cell.
         let touch = |j: usize, cell: usize| self.flat(j).away(grid.middle(cell), near);
@@ -66,10 +68,7 @@ impl Trial<'_> {
             cells.reverse();
             cells.iter().for_each(|&c| used[c] = true);
             let first = grid.middle(cells[0]);
-            let joins = steps.iter().map(|step| on_step(step, first)).min_by(|a, b| {
-                let far = |p: &[f64; 2]| (p[0] - first[0]).powi(2) + (p[1] - first[1]).powi(2);
-                far(a).total_cmp(&far(b))
-            });
+            let joins = nearest(&steps, first);
             let is_rooted = tree.before(cells[0]).is_none();
             let root = touch(group.from, cells[0]);
             let mut path: Vec<[f64; 2]> = vec![if is_rooted { root } else { joins.unwrap_or(root) }];
@@ -95,11 +94,21 @@ impl Trial<'_> {
         cells
     }
 
+    /// What it costs to walk through each cell where nothing stands, per metre; infinite where there is no floor. Rooms do not
+    /// change, and doors hardly ever, so it is worked out once.
+    fn floor_of_cells(&mut self, grid: &Grid, radius: f64) -> Floor {
+        let doors = self.door_places();
+        self.floors.retain(|floor| floor.doors == doors);
+        if let Some(at) = self.floors.iter().position(|floor| floor.radius == radius) {
+            return self.floors.swap_remove(at);
+        }
+        let floor = |c: usize| if self.is_floor(grid.middle(c), radius, grid.cell) { 1.0 } else { f64::INFINITY };
+        Floor { radius, doors, cost: (0..grid.count()).map(floor).collect() }
+    }
+
     /// What it costs to walk through each cell, per metre; infinite where there is no floor.
-    fn cost_of_cells(&self, grid: &Grid, radius: f64) -> Vec<f64> {
-        let mut cost: Vec<f64> = (0..grid.count())
-            .map(|c| if self.is_floor(grid.middle(c), radius, grid.cell) { 1.0 } else { f64::INFINITY })
-            .collect();
+    fn cost_of_cells(&self, grid: &Grid, radius: f64, floor: &Floor) -> Vec<f64> {
+        let mut cost = floor.cost.clone();
         for j in (0..self.count()).filter(|&j| self.is_in_the_way(j)) {
             let flat = self.flat(j);
             let [base, per] = if self.is_movable(j) { DETOUR } else { [BARRED; 2] };
@@ -200,6 +209,12 @@ fn simplified(path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     }
 }
 
+/// The point of some segments that is nearest to a point.
+fn nearest(steps: &[Flat], p: [f64; 2]) -> Option<[f64; 2]> {
+    let far = |q: &[f64; 2]| (q[0] - p[0]).powi(2) + (q[1] - p[1]).powi(2);
+    steps.iter().map(|step| on_step(step, p)).min_by(|a, b| far(a).total_cmp(&far(b)))
+}
+
 /// A segment as a rectangle without width.
 pub(super) fn step(from: [f64; 2], to: [f64; 2]) -> Flat {
     let along = [to[0] - from[0], to[1] - from[1]];
@@ -212,6 +227,14 @@ pub(super) fn step(from: [f64; 2], to: [f64; 2]) -> Flat {
 fn on_step(step: &Flat, p: [f64; 2]) -> [f64; 2] {
     let [_, v] = step.local(p);
     step.point([0.0, v.clamp(-step.half[1], step.half[1])])
+}
+
+/// Where there is floor for a disc of a radius, with doors where they are.
+#[derive(Clone, Debug)]
+pub(in crate::trial) struct Floor {
+    radius: f64,
+    doors: Vec<[f64; 3]>,
+    cost: Vec<f64>,
 }
 
 /// Square cells over all rooms.
@@ -276,14 +299,16 @@ impl Grid {
         ends.iter().for_each(|end| is_end[end.cell] = true);
         let mut found = vec![false; targets];
         let mut open = BinaryHeap::new();
-        // Costs as whole micrometres: they can be compared, and are alike on every machine.
-        let whole = |metres: f64| (metres * 1e6) as u64;
+        // Costs as whole micrometres, then the cell, in one number: they are compared fast, and alike on every machine.
+        let bits = usize::BITS - cost.len().leading_zeros();
+        let key = |metres: f64, c: usize| ((metres * 1e6) as u64).min(u64::MAX >> bits) << bits | c as u64;
         for &c in from.iter().filter(|&&c| cost[c].is_finite()) {
             far[c] = 0.0;
-            open.push(Reverse((0, c)));
+            open.push(Reverse(key(0.0, c)));
         }
-        while let Some(Reverse((key, c))) = open.pop() {
-            if key > whole(far[c]) {
+        while let Some(Reverse(least)) = open.pop() {
+            let c = (least & ((1 << bits) - 1)) as usize;
+            if least > key(far[c], c) {
                 continue;
             }
             if is_end[c] {
@@ -309,7 +334,7 @@ impl Grid {
                 if there < far[next] {
                     far[next] = there;
                     tree.before[next] = c as u32;
-                    open.push(Reverse((whole(there), next)));
+                    open.push(Reverse(key(there, next)));
                 }
             }
         }

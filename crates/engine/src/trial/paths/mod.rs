@@ -12,6 +12,7 @@ mod plans;
 use super::{Inputs, Moved, Span, Trial};
 use crate::penalty;
 pub(super) use asked::Asked;
+pub(super) use corridors::Floor;
 use corridors::NEAR;
 use group::Branch;
 pub use group::PathGroup;
