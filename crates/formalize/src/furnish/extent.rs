@@ -17,7 +17,7 @@ const HALVED: usize = 4;
 const SHRUNK: usize = 3;
 const SHRINKING: f64 = 0.94;
 /// A room keeps this part of the floor that such rooms usually have.
-const LEAST: f64 = 0.42;
+const LEAST: f64 = 0.6;
 /// Where more than this is said of how things stand, floor is left for it, and the room keeps this part of its size.
 const FACTS: usize = 2;
 const TOLD: f64 = 0.8;
@@ -40,18 +40,21 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     if !is_free {
         return;
     }
-    if furnished.lacking > 0 {
+    if furnished.wants() != (0, 0) {
         furnished = grow(draft, empty.clone(), at, furnished, &once);
     }
-    if scale(brief, at) != Scale::Large {
-        let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
+    let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
+    // A ward is as large as its beds need.
+    let is_ward = kind.is_some_and(|kind| kind.bay.is_some());
+    if scale(brief, at) != Scale::Large && !is_ward {
         let most = kind.map_or(1.0, |kind| kind.idle);
         let least = if brief.facts.len() > FACTS { TOLD } else { LEAST } * counted;
         shrink(draft, empty, at, (most, least), furnished, &once);
     }
 }
 
-/// Furnishes a room in which so much is lacking anew, larger and larger, and takes the smallest that lacks the least.
+/// Furnishes a room in which something is lacking or cannot be reached anew, larger and larger, and takes the smallest that lacks
+/// the least.
 fn grow(
     draft: &mut Draft,
     mut empty: Draft,
@@ -65,10 +68,10 @@ fn grow(
         }
         let mut larger = empty.clone();
         let furnished = furnish(&mut larger);
-        if furnished.lacking < best.lacking {
+        if furnished.wants() < best.wants() {
             (best, *draft) = (furnished, larger);
         }
-        if best.lacking == 0 {
+        if best.wants() == (0, 0) {
             break;
         }
     }
@@ -98,7 +101,7 @@ fn shrink(
         let furnished = furnish(&mut smaller);
         let mut standing =
             draft.things.iter().filter(|thing| stand::on_floor(draft, thing) && thing.category != "plant");
-        let has_all = furnished.lacking <= now.lacking
+        let has_all = furnished.wants() <= now.wants()
             && furnished.unreached <= now.unreached
             && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
         if has_all {

@@ -7,7 +7,7 @@ use super::daylight::{add_windows, keep_windows_free, way_in, window_walls};
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::openings;
-use super::plan::{AtWall, Plan, metres};
+use super::plan::{AtWall, Plan, for_people, metres};
 use super::rows::{ceiling, rows};
 use super::seek::Wall;
 use super::{asked, edge, even, gates, groups, place, slots, stand, taste, tops};
@@ -46,6 +46,13 @@ pub struct Furnished {
     pub idle: f64,
     /// How many things there is no way to.
     pub unreached: usize,
+}
+
+impl Furnished {
+    /// What a larger room may mend.
+    pub fn wants(&self) -> (usize, usize) {
+        (self.lacking, self.unreached)
+    }
 }
 
 /// Furnishes a room of its size with as much as one of `counted` square metres has.
@@ -105,7 +112,9 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     for line in &early {
         matter(&mut plan, line, true);
     }
-    for thing in asked.iter().chain(&with_asked).filter(|_| !crowd) {
+    let (with_first, with_later) =
+        if tables_later.is_empty() { (with_asked, Vec::new()) } else { (Vec::new(), with_asked) };
+    for thing in asked.iter().chain(&with_first).filter(|_| !crowd) {
         asked::stand_up(&mut plan, *thing);
     }
     let eats = |room: &crate::draft::Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
@@ -114,7 +123,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let eat = kind.eat.iter().filter(|_| home);
     for (i, line) in first.iter().chain(rest).enumerate() {
         if i == first.len() {
-            for thing in tables_later.iter().filter(|_| !crowd) {
+            for thing in tables_later.iter().chain(&with_later).filter(|_| !crowd) {
                 asked::stand_up(&mut plan, *thing);
             }
             eat.clone().for_each(|line| eat_at(&mut plan, line));
@@ -144,11 +153,23 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         }
     }
     tops::settle(&mut plan);
+    plan.lacking += seats_apart(&plan, &waiting);
     let idle = plan.ground.as_ref().map_or(0.0, Floor::idle);
     let unreached = plan.ground.as_ref().map_or(0, Floor::unreached);
     let furnished = Furnished { lacking: plan.lacking, idle, unreached };
     keep_windows_free(plan.draft, at);
     furnished
+}
+
+/// How many kinds of seats have no place at the table that they belong to: they want a larger room.
+fn seats_apart(plan: &Plan, waiting: &[usize]) -> usize {
+    let apart = |at: &usize| {
+        let thing = &plan.draft.things[*at];
+        let belongs = for_people(&thing.source) || waiting.contains(at);
+        let is_seat = stand::group(&thing.category) == Group::Seat;
+        thing.room == Some(plan.room) && is_seat && belongs && !plan.claimed.contains(at)
+    };
+    (0..plan.draft.things.len()).filter(apart).count()
 }
 
 /// Whether things of a category are tables.
@@ -354,7 +375,7 @@ fn usual_people(plan: &Plan) -> f64 {
 }
 
 /// The size of a thing; a table is as long as the people need who sit at it.
-fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
+fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
     let seats = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
     if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
@@ -378,7 +399,7 @@ fn for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
 
 /// Things at walls, in corners, in the middle.
 fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
-    let mut size = for_people(plan, line.noun, n);
+    let mut size = size_for_people(plan, line.noun, n);
     // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
     let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
     let known = plan.ground.is_some();
@@ -388,7 +409,9 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         }
         size[0] = *width;
     }
-    single_of(plan, line, n, why, size, false);
+    // A table that nobody can sit at is left out, unless the room is nothing without it.
+    let whole = known && !plan.matters && has_seats(plan, line.noun);
+    single_of(plan, line, n, why, size, whole);
 }
 
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.

@@ -1,5 +1,4 @@
-//! What belongs together stands together and looks at its focus, in the places that a room is planned with; and rooms are no
-//! larger than what stands in them needs.
+//! What belongs together stands together and looks at its focus, in the places that a room is planned with.
 
 use scenelang_formalize::draft::{Draft, OpeningKind};
 use scenelang_formalize::{Options, read};
@@ -136,59 +135,6 @@ fn what_belongs_together_stands_together() {
         let request = parts.next().unwrap_or_default();
         let draft = read(request, &Options::default()).draft;
         wrong.extend(parts.filter(|claim| !holds(&draft, claim)).map(|claim| format!("{request} {claim}")));
-    }
-    assert!(wrong.is_empty(), "{wrong:#?}");
-}
-
-/// What is near something that stands there: within this many metres.
-const NEAR: f64 = 0.75;
-/// Between two points that are looked at.
-const STEP: f64 = 0.1;
-
-/// The part of the floor of a room that is farther than a step from all that stands in it and from its doors.
-fn idle(draft: &Draft) -> f64 {
-    let [w, _, d] = draft.rooms[0].size;
-    let mut standing = doors(draft);
-    for thing in &draft.things {
-        let noun = thing.category.replace('_', " ");
-        standing.extend(all(draft, &noun).into_iter().filter(|it| it.at[1] < 0.3 && it.size[1] > 0.05));
-    }
-    let (columns, rows) = ((w / STEP) as usize, (d / STEP) as usize);
-    let point = |cell: usize| {
-        let (i, j) = (cell % columns, cell / columns);
-        [(i as f64 + 0.5) * STEP - w / 2.0, (j as f64 + 0.5) * STEP - d / 2.0]
-    };
-    let far = (0..columns * rows).map(point).filter(|[x, z]| standing.iter().all(|it| it.gap(*x, *z) > NEAR));
-    far.count() as f64 / (columns * rows) as f64
-}
-
-/// The kinds of rooms, and how much of their floor may be idle.
-fn kinds() -> Vec<(&'static str, f64)> {
-    let mut out: Vec<(&str, f64)> = Vec::new();
-    for line in include_str!("../../data/kinds.txt").lines() {
-        if let Some(name) = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
-            out.push((name, 0.13));
-        } else if let (Some(share), Some(last)) = (line.strip_prefix("idle: "), out.last_mut()) {
-            last.1 = share.parse().unwrap();
-        }
-    }
-    out
-}
-
-#[test]
-fn no_room_has_more_floor_than_it_needs() {
-    let mut wrong = Vec::new();
-    for (kind, most) in kinds().into_iter().filter(|(kind, _)| *kind != "room") {
-        let article = if kind.starts_with(['a', 'e', 'i', 'o']) { "An" } else { "A" };
-        let request = format!("{article} {kind}.");
-        let draft = read(&request, &Options::default()).draft;
-        if draft.rooms.len() != 1 {
-            continue;
-        }
-        let (share, [w, _, d]) = (idle(&draft), draft.rooms[0].size);
-        if share > most + 0.1 {
-            wrong.push(format!("{request} {:.0} % of {w} x {d} m", 100.0 * share));
-        }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
