@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 
 /// How often a group is put together anew with less.
 const ATTEMPTS: usize = 9;
+/// Nothing else stands on these.
+const MATS: [&str; 4] = ["exercise mat", "yoga mat", "gym mat", "play mat"];
 /// What is higher stands before no window (metres).
 const TALL: f64 = 1.1;
 /// Behind a chair this much is free to pull it out.
@@ -75,6 +77,9 @@ impl Building {
         };
         if at.y > 0.3 {
             return;
+        }
+        if flat && MATS.iter().any(|mat| noun.ends_with(mat)) {
+            keep(0.0, 0.0, [w, 1.0, d]);
         }
         if let Some(depth) = stand::access(noun) {
             keep(0.0, d / 2.0 + depth / 2.0, [w, 1.7, depth]);

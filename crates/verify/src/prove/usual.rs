@@ -157,6 +157,8 @@ const OTHER: &[&str] = &[
     "speaking",
     "presentation",
     "presenter",
+    "host",
+    "hostess",
     "ping",
     "tennis",
     "ironing",
