@@ -128,18 +128,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
             }
             eat.clone().for_each(|line| eat_at(&mut plan, line));
         }
-        let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
-        let few = match line.count {
-            Count::Fixed(n) => n <= 3,
-            // A bed and a desk for each of two or three.
-            Count::People(each) => {
-                plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0 || plan.tables(line).is_some()
-            }
-            Count::Area(_) => false,
-        };
-        // A shop with a shelf less is a shop; who has no seat is missing.
-        let few = few || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
-        let matters = i < MATTER && stands && few && line.least == 0.0 && !plan.is_furnished();
+        let matters = i < MATTER && is_essential(&plan, line);
         if !early.contains(&line) {
             matter(&mut plan, line, matters);
         }
@@ -159,6 +148,22 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let furnished = Furnished { lacking: plan.lacking, idle, unreached };
     keep_windows_free(plan.draft, at);
     furnished
+}
+
+/// Whether such a room is not complete without a line of its inventory.
+fn is_essential(plan: &Plan, line: &Line) -> bool {
+    let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
+    let few = match line.count {
+        Count::Fixed(n) => n <= 3,
+        // A bed and a desk for each of two or three.
+        Count::People(each) => {
+            plan.people.map_or(plan.kind.people, |n| n as f64) / each <= 3.0 || plan.tables(line).is_some()
+        }
+        Count::Area(_) => false,
+    };
+    // A shop with a shelf less is a shop; who has no seat is missing.
+    let few = few || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
+    stands && few && line.least == 0.0 && !plan.is_furnished()
 }
 
 /// How many kinds of seats have no place at the table that they belong to: they want a larger room.
@@ -414,6 +419,13 @@ fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     single_of(plan, line, n, why, size, whole);
 }
 
+/// The name of the thing that a line's thing looks at from across the room.
+fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
+    let Place::Opposite(other) = &line.place else { return None };
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
+    here.find(|t| t.category.replace('_', " ").ends_with(other.as_str())).map(|t| t.name.clone())
+}
+
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
 fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
     let hung = line.place == Place::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
@@ -427,17 +439,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     let height = plan.draft.rooms[plan.room].size[1];
     let under_ceiling = (height - size[1] - 0.1).max(0.3);
     let y = if hung { (EYES - size[1] / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling) } else { 0.0 };
-    let opposite = match &line.place {
-        Place::Opposite(other) => plan
-            .draft
-            .things
-            .iter()
-            .find(|t| {
-                t.room == Some(plan.room) && t.count == 1 && t.category.replace('_', " ").ends_with(other.as_str())
-            })
-            .map(|t| t.name.clone()),
-        _ => None,
-    };
+    let opposite = opposite_of(plan, line);
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
     let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
     let windows = window_walls(plan);

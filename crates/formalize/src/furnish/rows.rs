@@ -191,6 +191,12 @@ const PEWS: (f64, f64) = (1.1, 0.36);
 const EXHIBITED: [&str; 4] = ["sculpture", "statue", "pedestal", "plinth"];
 const EXHIBITS: f64 = 2.2;
 
+/// The distance from one to the next of so many, if they are spread over what is free.
+fn step(free: f64, cell: f64, count: usize, least: f64, spread: f64) -> f64 {
+    let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
+    most.min(cell + least.max(0.35 * cell).max(spread)).max(most.min(cell + least))
+}
+
 /// Places in columns and lines that look to the back of the room or away from it, and so much farther from there than
 /// usual.
 fn grid(
@@ -272,10 +278,6 @@ fn grid(
         EXHIBITS
     } else {
         0.0
-    };
-    let step = |free: f64, cell: f64, count: usize, least: f64, spread: f64| {
-        let most = if count > 1 { (free - cell) / (count - 1) as f64 } else { 0.0 };
-        most.min(cell + least.max(0.35 * cell).max(spread)).max(most.min(cell + least))
     };
     let step_x = if rack || alone { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
     let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });
