@@ -15,7 +15,8 @@ use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
 const REASON: &str = "it cannot hold together with the rest, so it is only a preference";
 
 /// Gives up part of each set of statements that is proved contradictory: what was added to the request first, then the
-/// size of a room that nobody gave, then the statement that is given up most willingly. Whether anything was given up. `work` is what proofs may still take.
+/// size of a room that nobody gave, then the statement that is given up most willingly. Whether anything was given up.
+/// `work` is what proofs may still take.
 pub fn give_up_refuted(draft: &mut Draft, program: &Program, stop: &Stop, grown: &mut [usize], work: &mut u64) -> bool {
     let options = ProveOptions {
         work: *work,

@@ -31,8 +31,6 @@ const SERVED: f64 = 2.6;
 const FREE: f64 = 2.6;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
-/// What patients lie on stands with one side at a wall.
-const EXAMS: [&str; 5] = ["exam table", "examination table", "examination couch", "exam bed", "examination bed"];
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
 /// So far beside the door's middle (metres).
@@ -85,9 +83,9 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
-        if self.is(&["bed"]) || self.is(&EXAMS) {
+        if self.is(&["bed"]) {
             // A narrow one lies along a wall, and its free side is its right one.
-            let narrow = self.size[0] < 1.15 && before.is_empty() && (self.is(&ALONG) || self.is(&EXAMS));
+            let narrow = self.size[0] < 1.15 && before.is_empty() && self.is(&ALONG);
             let to = |side: f64| side * along + length / 2.0 - self.size[0] / 2.0;
             // The other corner, where a window is in the way of this one.
             let to_corner = to(1.0).min(to(-1.0) + 0.3);

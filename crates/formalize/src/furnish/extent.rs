@@ -101,7 +101,7 @@ fn shrink(
         let furnished = furnish(&mut smaller);
         let mut standing =
             draft.things.iter().filter(|thing| stand::on_floor(draft, thing) && thing.category != "plant");
-        let has_all = furnished.wants() <= now.wants()
+        let has_all = furnished.lacking <= now.lacking
             && furnished.unreached <= now.unreached
             && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
         if has_all {

@@ -27,24 +27,28 @@ type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let facing = format!("facing({}[2 * i], {}[", it.name, it.name);
-    let said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
-    let only = said
-        .filter(|s| matches!(s.source, Source::Stated(_)))
-        .all(|s| s.text.contains(&facing) || s.text.contains("inside(") || s.text.contains("onFloor("));
-    let faces = plan.draft.statements.iter().any(|s| s.text.contains(&facing));
-    it.count == 2 && faces && only && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
+    is_two(plan, thing, &facing, "") && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
 }
 
 /// Whether a thing is a pair of desks at which people sit face to face.
 pub fn is_pair_of_desks(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let behind = format!("behind({}[2 * i], {}[", it.name, it.name);
-    let said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
-    let only = said
-        .filter(|s| matches!(s.source, Source::Stated(_)))
-        .all(|s| s.text.contains(&behind) || s.text.contains("inside(") || s.text.contains("onFloor("));
-    let faces = plan.draft.statements.iter().any(|s| s.text.contains(&behind) && s.text.contains(">= 175"));
-    it.count == 2 && faces && only && stand::group(&it.category) == Group::Table
+    is_two(plan, thing, &behind, ">= 175") && stand::group(&it.category) == Group::Table
+}
+
+/// Whether a thing is two of which a statement with these words speaks, and nothing else is said of where they are.
+fn is_two(plan: &Plan, thing: usize, relation: &str, more: &str) -> bool {
+    let it = &plan.draft.things[thing];
+    let mut said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
+    let only = said.all(|s| {
+        !matches!(s.source, Source::Stated(_))
+            || s.text.contains(relation)
+            || s.text.contains("inside(")
+            || s.text.contains("onFloor(")
+    });
+    let related = plan.draft.statements.iter().any(|s| s.text.contains(relation) && s.text.contains(more));
+    it.count == 2 && related && only
 }
 
 /// Gives the two desks a place. Whether there is one.

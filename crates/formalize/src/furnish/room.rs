@@ -15,6 +15,8 @@ use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
 
+/// So many desks are those of a team.
+const TEAM: usize = 4;
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
 
@@ -190,9 +192,6 @@ fn matter(plan: &mut Plan, line: &Line, matters: bool) {
     let is_there = closed || came_along(plan, line);
     plan.lacking += usize::from(matters && !is_there && plan.draft.things.len() == things);
 }
-
-/// So many desks are those of a team.
-const TEAM: usize = 4;
 
 /// Adds what one eats at, if there is room for its seats, too.
 fn eat_at(plan: &mut Plan, line: &Line) {

@@ -163,9 +163,7 @@ fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Op
     };
     let steps = |free: f64| (0..=(free / STEP) as usize).map(move |i| i as f64 * STEP - free / 2.0);
     let mut tries: Vec<[f64; 2]> = steps(free_w).flat_map(|x| steps(free_d).map(move |z| [x, z])).collect();
-    // Several stand side by side: two screens, none behind the other.
-    let deep = if count > 1 { 6.0 } else { 2.0 };
-    let far = |[x, z]: [f64; 2]| (x.abs() - wanted[0]).abs() + deep * (z - wanted[1]).abs();
+    let far = |[x, z]: [f64; 2]| (x.abs() - wanted[0]).abs() + 2.0 * (z - wanted[1]).abs();
     tries.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
     let mut taken: Vec<Taken> = plan.loads.iter().filter(|(on, _)| *on == of).map(|(_, taken)| *taken).collect();
     let mut out = Vec::new();

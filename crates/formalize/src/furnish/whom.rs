@@ -3,6 +3,7 @@
 use super::kinds;
 use crate::brief::{Brief, Group};
 
+/// What comes before who a room is for.
 const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
 /// Rooms with a bed for each child.
 const ROOMS: [&str; 3] = ["kids room", "teen room", "nursery"];
@@ -38,7 +39,11 @@ pub fn persons(brief: &mut Brief) {
                 format!("{} {article}", before.iter().rev().take(2).rev().copied().collect::<Vec<_>>().join(" "));
             let last = thing.words.last().map_or("", String::as_str);
             let for_whom = FOR.iter().any(|f| said.to_lowercase().contains(&format!("{f} {last}")));
-            thing.part.is_none() && for_whom && scenelang_lang::nouns::noun(last).is_none()
+            // "For two little boys".
+            let near = before.iter().rev().take(BETWEEN).copied().chain(article.split_whitespace());
+            let for_children = CHILDREN.iter().any(|child| child.strip_suffix('s') == Some(last))
+                && near.into_iter().any(|word| word.eq_ignore_ascii_case("for"));
+            thing.part.is_none() && (for_whom && scenelang_lang::nouns::noun(last).is_none() || for_children)
         })
         .collect();
     if !gone.is_empty() {
@@ -66,6 +71,10 @@ pub fn children(brief: &mut Brief) {
             continue;
         };
         let whom = &words[at + 1..words.len().min(at + 3 + BETWEEN)];
+        // "For 4 year old boys": an age.
+        if whom.get(1).is_some_and(|word| word.starts_with("year") || word.starts_with("month")) {
+            continue;
+        }
         let (child, student) = [&CHILDREN[..], &STUDENTS[..]].map(|list| whom.iter().any(|w| list.contains(w))).into();
         let teen = whom.iter().any(|word| word.starts_with("teen"));
         let name = match () {
