@@ -1,6 +1,8 @@
-//! What people lie back in: chairs of dentists, tattooists and beauticians, and loungers in the sun.
+//! What cares for people and their clothes: chairs of dentists, tattooists and beauticians, loungers in the sun, stands for
+//! drips, racks for washing.
 
 use crate::ask::Ask;
+use crate::block::block;
 use crate::looks::{Finish, Stuff, stuff};
 use crate::model::Model;
 
@@ -47,5 +49,51 @@ pub(super) fn lounger(a: &Ask) -> Model {
         m.cushion(b.share(0.1..0.9, low..low + 0.25, far - 0.06..far), &cloth);
     }
     m.surface = Some((flat + 0.12) * a.h);
+    m
+}
+
+/// A pole on a round base with a hook to each side and a bag on them.
+pub(super) fn iv_stand(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let steel = a.main(stuff::STEEL);
+    let bag = stuff::GLASS.surface();
+    let foot = 0.07_f64.min(0.1 * a.h);
+    m.lathe(b.y(0.0..foot), &[(0.96, 0.0), (1.0, 0.4), (0.5, 0.8), (0.2, 1.0)], &steel);
+    let r = 0.014_f64.min(0.1 * a.w).min(0.1 * a.d);
+    m.drum(block(-r..r, foot..a.h - r, -r..r), &steel);
+    m.board(b.share(0.15..0.85, 0.0..1.0, 0.45..0.55).y(a.h - r..a.h).z(-r..r), &steel);
+    let hangs = b.y(0.84 * a.h..a.h - r).z(-2.0 * r..2.0 * r);
+    m.cushion(hangs.x(0.16 * a.w..0.34 * a.w), &bag);
+    m.cushion(hangs.x(-0.34 * a.w..-0.16 * a.w), &bag);
+    // A pump on the pole.
+    m.board(b.share(0.35..0.65, 0.5..0.62, 0.5..0.7).z(r..0.22 * a.d), &stuff::GRAY_PLASTIC.surface());
+    m
+}
+
+/// Two frames with bars between them, cloths over some of the bars.
+pub(super) fn drying_rack(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::STEEL);
+    let cloths = [stuff::LINEN.surface(), stuff::CLOTH.surface(), a.second(stuff::SHEET)];
+    let t = 0.02_f64.min(0.05 * a.w).min(0.05 * a.d);
+    for side in b.x(b.min.x..b.min.x + t).both_sides() {
+        m.board(side.z(b.min.z..b.min.z + t).y(0.0..a.h - t), &main);
+        m.board(side.z(b.max.z - t..b.max.z).y(0.0..a.h - t), &main);
+        m.board(side.y(a.h - t..a.h), &main);
+    }
+    let bars = 7;
+    for i in 0..bars {
+        let z = b.min.z + t / 2.0 + (a.d - t) * f64::from(i) / f64::from(bars - 1);
+        let bar = b.inset(t, 0.0, 0.0).y(a.h - 0.85 * t..a.h - 0.15 * t).z(z - 0.35 * t..z + 0.35 * t);
+        m.board(bar, &main);
+        if i % 2 == 1 {
+            let wide = 0.3 + 0.06 * f64::from(i % 3);
+            let from = if i % 4 == 1 { 0.06 } else { 0.9 - wide };
+            let cloth = b.share(from..from + wide, 0.0..1.0, 0.0..1.0).y(0.45 * a.h..a.h - t);
+            m.board(cloth.z(z - 0.3 * t..z + 0.3 * t), &cloths[(i / 2) as usize % cloths.len()]);
+        }
+    }
     m
 }

@@ -24,10 +24,11 @@ pub const SUN: Vec3 = Vec3::new(-0.35, -0.85, 0.4);
 const AZIMUTHS: [f64; 8] = [215.0, 145.0, 325.0, 35.0, 235.0, 125.0, 305.0, 55.0];
 /// What is no farther than this from a wall is in it or hangs on it, metres.
 const ON_WALL: f64 = 0.1;
-/// What it is worth to see all that hangs on walls; all fronts are worth 1.
+/// What it is worth to see all fronts, and all that hangs on walls; a picture that is filled half is worth 1 less.
+const FRONTS: f64 = 2.0;
 const WALLS: f64 = 0.8;
-/// A door says less than a screen or a picture of the same size.
-const DOOR: f64 = 0.3;
+/// A door or a window says less than a screen or a picture of the same size.
+const OPENING: f64 = 0.3;
 /// What is taller hides what stands behind it, metres.
 const TALL: f64 = 1.2;
 /// A face of less counts for nothing (square metres).
@@ -53,7 +54,7 @@ impl View {
         // Fronts count, what hangs on walls that are cut away is lost, and the picture should be filled.
         let value = |v: &Self| {
             let way = (v.eye - v.target).normalize();
-            fronts_seen(scene, way) - WALLS * lost(&hung, way) - (distance(v) / nearest - 1.0)
+            FRONTS * fronts_seen(scene, way) - WALLS * lost(&hung, way) - (distance(v) / nearest - 1.0)
         };
         views.into_iter().reduce(|best, v| if value(&v) > value(&best) + 1e-6 { v } else { best }).unwrap_or(views[0])
     }
@@ -167,7 +168,7 @@ fn hung(scene: &Scene) -> Vec<(f64, Vec2)> {
     };
     let of = |o: &Object| {
         let (from, to) = walls().find(|(from, to)| hangs_on(o, *from, *to))?;
-        let weight = if o.family == "door" { DOOR } else { 1.0 };
+        let weight = if matches!(o.family.as_str(), "door" | "window") { OPENING } else { 1.0 };
         Some((weight * o.place.scale.x * o.place.scale.y, outward(from, to)))
     };
     scene.objects.iter().filter_map(of).collect()

@@ -6,7 +6,7 @@ use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
-use super::room::{free, gate, in_row, kept, near, nominal, staffed};
+use super::room::{counter_length, free, gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
 use super::{facing, groups, slots, stand, twin};
 use crate::brief::{Brief, Group};
@@ -45,7 +45,18 @@ pub fn rounded(plan: &mut Plan, brief: &Brief) {
 pub fn lengthened(plan: &mut Plan, brief: &Brief) {
     for at in 0..plan.draft.things.len() {
         let thing = &plan.draft.things[at];
+        let lines = plan.kind.lines.iter();
+        let like = lines.filter(|line| stand::counts_as(line.noun, &thing.category.replace('_', " ")));
+        let counter = like.map(|line| counter_length(plan, line)).fold(0.0, f64::max);
         let sized = brief.things.iter().any(|t| t.source == thing.source && t.size.iter().any(Option::is_some));
+        if !sized
+            && thing.room == Some(plan.room)
+            && thing.count == 1
+            && let Some(size) = plan.draft.things[at].size.as_mut()
+        {
+            size[0] = size[0].max(counter);
+        }
+        let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
         let is_round = stand::round(&thing.category, &thing.look.features);
         let (Some(size), true) = (thing.size, is_table && !is_round && !sized && thing.count == 1) else { continue };
@@ -114,8 +125,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     if !at_wall_like && !aside && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
-    let like =
-        Like { line: own_place, at_wall: has_back || at_wall_like, in_run: matches!(own, Some(Place::Run)), aside };
+    let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun) && !plan.is_placed(thing);
+    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside };
     if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);

@@ -21,6 +21,11 @@ const TALL: f64 = 1.1;
 const PULL: f64 = 0.36;
 /// Before a seat that belongs to no table this much is free.
 const FEET: f64 = 0.4;
+/// Beyond a table before a sofa this much is free, and so much wider.
+const PASS: f64 = 0.5;
+const ASIDE: f64 = 0.4;
+/// Behind the belt of a treadmill this much is free.
+const FALL: f64 = 0.9;
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
@@ -83,6 +88,14 @@ impl Building {
         }
         if let Some(depth) = stand::access(noun) {
             keep(0.0, d / 2.0 + depth / 2.0, [w, 1.7, depth]);
+        }
+        if noun.ends_with("treadmill") {
+            // Who falls off it falls behind it.
+            keep(0.0, (d + FALL) / 2.0, [w, 1.0, FALL]);
+        }
+        if noun.ends_with("coffee table") {
+            // One walks past it on the side away from the sofa.
+            keep(0.0, -(d + PASS) / 2.0, [w + 2.0 * ASIDE, 1.0, PASS]);
         }
         if let Some(depth) = stand::played_at(noun) {
             for side in [-1.0, 1.0] {

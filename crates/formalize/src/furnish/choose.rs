@@ -17,16 +17,27 @@ pub struct Choice<'a> {
     pub looks_at: Option<Pose>,
     /// Whether it must look at it straight.
     pub strictly: bool,
-    /// Where the part of the room begins, towards its back, that is for those who work behind a counter.
-    pub staffed: Option<f64>,
+    /// The part of the room that is for those who work behind a counter.
+    pub staffed: Option<Staff>,
     /// What it stands or hangs near: its place.
     pub near: Option<Pose>,
 }
 
+/// The part of a room for those who work behind a counter.
+#[derive(Clone, Copy, Debug)]
+pub enum Staff {
+    /// All that is farther to the back of the room than this z.
+    Beyond(f64),
+    /// Around and behind the place of one who works at a desk that visitors come to.
+    Around(Block),
+}
+
 /// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
 const TOGETHER: f64 = 0.35;
-/// From the door to the middle of a counter (metres).
-const SERVED: f64 = 2.6;
+/// From the door to the middle of a counter, and of a stand for one person (metres).
+const SERVED: [f64; 2] = [2.6, 1.3];
+/// What stands on its own has at least so much beside it, where there is a choice (metres).
+const ALONE: f64 = 0.3;
 /// In mid-room it is so much farther from there (metres).
 const FREE: f64 = 2.6;
 /// Beds that lie along a wall.
@@ -43,8 +54,12 @@ impl Choice<'_> {
 
     /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.
     pub(super) fn is_misplaced(&self, pose: &Pose) -> bool {
-        let beyond = |z: f64| Block::of(pose, self.size).high[2] > z + 0.1;
-        stand::for_guests(self.noun) && self.staffed.is_some_and(beyond)
+        let own = || Block::of(&Pose { y: 0.0, ..*pose }, self.size);
+        stand::for_guests(self.noun)
+            && self.staffed.is_some_and(|staff| match staff {
+                Staff::Beyond(z) => own().high[2] > z + 0.1,
+                Staff::Around(block) => own().meets(&block),
+            })
     }
 
     /// How far it is from what it stands near.
@@ -78,7 +93,10 @@ impl Choice<'_> {
         if self.is_misplaced(pose) {
             return None;
         }
-        if self.staffed.is_some() && wall == Wall::Back && stand::group(self.noun) != crate::brief::Group::Storage {
+        if matches!(self.staffed, Some(Staff::Beyond(_)))
+            && wall == Wall::Back
+            && stand::group(self.noun) != crate::brief::Group::Storage
+        {
             cost += 1.0;
         }
         cost += self.to_near(pose) * 0.8;
@@ -100,6 +118,9 @@ impl Choice<'_> {
         } else if self.looks_at.is_none() {
             let to_end = length / 2.0 - along.abs() - seek::reach(shape)[0].max(seek::reach(shape)[1]);
             cost += to_end.max(0.0).min(floor.room_around(shape, pose)).min(2.0) * 0.2;
+        }
+        if !stand::lines_up(self.noun) && before.is_empty() {
+            cost += (ALONE - floor.room_around(shape, pose)).max(0.0) * 3.0;
         }
         // Several of a kind stand at one wall, evenly.
         if let Some(last) = before.last() {
@@ -156,6 +177,7 @@ impl Choice<'_> {
     /// The best place for a counter or a desk at which visitors are served: near the door and turned to it, rather before a
     /// wall than in mid-room.
     pub fn service(&self, floor: &Floor, shape: &Shape, behind: f64) -> Option<Pose> {
+        let served = SERVED[usize::from(self.size[0] < 1.0)];
         let walls = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * behind).into_iter();
         let free = seek::on_floor(floor.size, self.size, &[180.0, 90.0, 270.0]).into_iter();
         let places = walls.map(|pose| (pose, 0.0)).chain(free.map(|pose| (pose, FREE)));
@@ -167,7 +189,7 @@ impl Choice<'_> {
                 return None;
             }
             let lit = Wall::behind(pose).is_some_and(|wall| free == 0.0 && self.windows.contains(&wall));
-            Some((away - SERVED).abs() + free + if lit { 0.5 } else { 0.0 })
+            Some((away - served).abs() + free + if lit { 0.5 } else { 0.0 })
         };
         let mut best: Option<(f64, Pose)> = None;
         for (pose, free) in places {
@@ -187,7 +209,7 @@ impl Choice<'_> {
             if self.is_misplaced(pose) {
                 return None;
             }
-            let guest = self.staffed.is_some() && stand::for_guests(self.noun);
+            let guest = matches!(self.staffed, Some(Staff::Beyond(_))) && stand::for_guests(self.noun);
             let front = if pose.z < 0.0 && !guest { 0.5 } else { 0.0 };
             // Who sits in a corner has the light of a window.
             let lit = self.windows.iter().any(|wall| match wall {

@@ -17,22 +17,29 @@ const BED: f64 = 1.2;
 /// From one place that is tried to the next.
 const STEP: f64 = 0.1;
 
-/// Places for so many groups of a depth, evenly at one wall, else at two opposite ones; none if there is no room for all.
-pub fn places(floor: &Floor, shape: &Shape, n: usize, depth: f64, windows: &[Wall]) -> Option<Vec<Pose>> {
+/// Places for so many groups of a depth, evenly at one wall, else at two opposite ones; none if there is no room for all. `is_close`:
+/// with no more between them than is needed.
+pub fn places(
+    floor: &Floor,
+    shape: &Shape,
+    n: usize,
+    (depth, is_close): (f64, bool),
+    windows: &[Wall],
+) -> Option<Vec<Pose>> {
     let mut walls = Wall::ALL;
     walls.sort_by_key(|wall| windows.contains(wall));
     for wall in walls {
-        if let Some(found) = row(floor, shape, n, depth, wall) {
+        if let Some(found) = row(floor, shape, n, (depth, is_close), wall) {
             return Some(found);
         }
     }
     for wall in [Wall::Left, Wall::Back] {
         let (first, second) = (n.div_ceil(2), n / 2);
         for (one, other) in [(first, second), (second, first)] {
-            let Some(mut found) = row(floor, shape, one, depth, wall) else { continue };
+            let Some(mut found) = row(floor, shape, one, (depth, is_close), wall) else { continue };
             let mut left = floor.clone();
             found.iter().for_each(|at| left.take(shape, at));
-            if let Some(more) = row(&left, shape, other, depth, wall.across()) {
+            if let Some(more) = row(&left, shape, other, (depth, is_close), wall.across()) {
                 found.extend(more);
                 return Some(found);
             }
@@ -42,7 +49,7 @@ pub fn places(floor: &Floor, shape: &Shape, n: usize, depth: f64, windows: &[Wal
 }
 
 /// A row at one wall, as near to its middle as it fits.
-fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option<Vec<Pose>> {
+fn row(floor: &Floor, shape: &Shape, n: usize, (depth, is_close): (f64, bool), wall: Wall) -> Option<Vec<Pose>> {
     let [left, right, back, _] = seek::reach(shape);
     let (each, length) = (left + right, wall.length(floor.size) - 0.04);
     let rest = length - n as f64 * each;
@@ -50,6 +57,7 @@ fn row(floor: &Floor, shape: &Shape, n: usize, depth: f64, wall: Wall) -> Option
         return (n == 0).then(Vec::new);
     }
     let [most, least] = match each {
+        _ if is_close => [SHARED, 0.0],
         _ if each > OWN || depth < BED => [MORE, 0.0],
         _ if each < NARROW => BETWEEN,
         _ => [SHARED, 0.0],

@@ -16,7 +16,7 @@ use scenelang_lang::nouns;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for; what stands on shelves
 /// and tables ends before the inventory does.
-const MOST: usize = 140;
+const MOST: usize = 220;
 const INVENTORY: f64 = 1.6;
 /// Of several rooms each has its share of so many, and of so many more for each room.
 const SHARED: [usize; 2] = [60, 30];
@@ -290,10 +290,11 @@ impl<'a> Plan<'a> {
         }
         // Two rugs of one room lie on each other sooner or later.
         let rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
-        // And a table whose place is asked for does not keep away from the walls for the sake of one.
+        // No rug lies on tiles. A table whose place is asked for does not keep away from the walls for the sake of one.
         let bound =
             stand::group(&category) == Group::Table && stand::placed(self.draft, &self.draft.things[thing].name);
-        if noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
+        let washed = noun.ends_with("rug") && self.kind.floor.0 == "tile";
+        if washed || noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
             return;
         }
         let seat = stand::group(noun) == Group::Seat;
@@ -301,8 +302,9 @@ impl<'a> Plan<'a> {
             .building
             .as_ref()
             .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
-        // One easy chair is enough for several cribs.
-        let shared = noun == "bin" && anchors > 2 || stand::is_easy(noun) && anchors > 1;
+        // One easy chair is enough for several cribs, one basket and one dryer for several washing machines.
+        let for_all = stand::is_easy(noun) || matches!(noun, "laundry basket" | "dryer");
+        let shared = noun == "bin" && anchors > 2 || for_all && anchors > 1;
         if left_out || self.is_closed(noun) || self.is_full() || shared {
             return;
         }

@@ -2,9 +2,9 @@
 //! inventory of its kind as far as there is room.
 
 use super::build::Root;
-use super::choose::{self, Choice};
+use super::choose::{self, Choice, Staff};
 use super::daylight::{add_windows, keep_windows_free, way_in, window_walls};
-use super::floor::{Floor, Pose, Shape};
+use super::floor::{Block, Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::plan::{AtWall, Plan, for_people, metres};
@@ -22,6 +22,8 @@ const EYES: f64 = 1.5;
 
 /// Before a counter so much is free (metres).
 const SERVED: f64 = 1.15;
+/// A counter before the wall at the back takes this part of the room's width, in rooms that are wider than usual.
+const COUNTER: f64 = 0.26;
 /// What is narrower is a stand, and no counter.
 const STAND: f64 = 1.0;
 /// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
@@ -37,6 +39,8 @@ const SHORTER: [(&str, &[f64]); 4] = [
     ("dining table", &[1.2, 0.9]),
     ("kitchen table", &[0.9]),
 ];
+/// Where many books are asked for there are so many bookcases.
+const BOOKCASES: usize = 3;
 /// So many lines of an inventory matter: a room without them is not what it is called.
 const MATTER: usize = 4;
 /// What came of furnishing a room.
@@ -205,13 +209,24 @@ fn eat_at(plan: &mut Plan, line: &Line) {
     }
 }
 
-/// Where the part of a room begins, towards its back, in which someone works behind a counter; `None`: nobody does.
-pub(super) fn staffed(plan: &Plan) -> Option<f64> {
-    let [_, _, depth] = plan.draft.rooms[plan.room].size;
+/// The part of a room in which someone works behind a counter; `None`: nobody does.
+pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
+    /// Beside a desk that visitors come to so much is for who works there, and as much more behind the chair (metres).
+    const BESIDE: f64 = 0.9;
+    const BEHIND: f64 = 0.3;
+    let [_, height, depth] = plan.draft.rooms[plan.room].size;
     plan.kind.lines.iter().find_map(|line| match line.place {
         Place::Before(gap, 180.0) => {
             let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
-            Some(near_to(plan, line.noun).map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0))
+            let at = near_to(plan, line.noun);
+            Some(Staff::Beyond(at.map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0)))
+        }
+        Place::Service(gap) if Plan::size(line.noun)[0] >= STAND => {
+            let at = near_to(plan, line.noun)?;
+            let [wide, _, deep] = Plan::size(line.noun);
+            let behind = Pose { z: -(gap + BEHIND) / 2.0, ..Pose::default() };
+            let size = [wide + 2.0 * BESIDE, height, deep + gap + BEHIND];
+            Some(Staff::Around(Block::of(&at.then(&behind), size)))
         }
         _ => None,
     })
@@ -246,7 +261,10 @@ pub(super) fn in_row(
         return None;
     }
     if before.is_empty() {
-        row.replace(even::places(floor, shape, n, choice.size[2], choice.windows).unwrap_or_default());
+        row.replace(
+            even::places(floor, shape, n, (choice.size[2], stand::is_unit(choice.noun)), choice.windows)
+                .unwrap_or_default(),
+        );
     }
     row.borrow().get(before.len()).copied()
 }
@@ -299,8 +317,8 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
     if w < STAND {
         // One person stands behind it, and the others before it.
         return vec![
-            (at(0.0, 0.05, (d + pass) / 2.0), [w, 1.7, pass]),
-            (at(0.0, 0.05, -(d + pass) / 2.0), [w, 1.7, pass]),
+            (at(0.0, 0.05, (d + pass) / 2.0), [w + pass, 1.7, pass]),
+            (at(0.0, 0.05, -(d + pass) / 2.0), [w + pass, 1.7, pass]),
         ];
     }
     vec![
@@ -351,6 +369,7 @@ fn inventory(plan: &mut Plan, line: &Line) {
     }
     let people = plan.people.map_or(usual_people(plan), |n| n as f64);
     let n = match line.count {
+        Count::Fixed(n) if line.noun == "bookshelf" && has_books(plan) => n.max(BOOKCASES),
         Count::Fixed(n) => n,
         Count::Area(each) => (plan.counted / each).round() as usize,
         Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
@@ -370,12 +389,25 @@ fn inventory(plan: &mut Plan, line: &Line) {
     }
 }
 
+/// Whether books are asked for, of which nobody says how many: "lots of books".
+fn has_books(plan: &Plan) -> bool {
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    here.any(|t| t.count > 1 && t.category == "book" && matches!(t.source, Source::Stated(_)))
+}
+
 /// For how many people a room is of which nobody says it: fewer in a small one, more in a large one.
 fn usual_people(plan: &Plan) -> f64 {
     let [w, _, d] = plan.kind.size;
     let is_free = plan.draft.rooms.len() == 1 && !plan.draft.rooms[plan.room].sized;
     let share = if is_free { (plan.counted / (w * d)).clamp(0.5, 1.5) } else { 1.0 };
     (plan.kind.people * share).round().max(1.0)
+}
+
+/// How long a counter before the wall at the back is at least, in metres; 0 for anything else.
+pub(super) fn counter_length(plan: &Plan, line: &Line) -> f64 {
+    let is_counter = matches!(line.place, Place::Before(_, 180.0)) && line.noun.ends_with("counter");
+    let length = COUNTER * plan.draft.rooms[plan.room].size[0];
+    if is_counter { (length * 10.0).round() / 10.0 } else { 0.0 }
 }
 
 /// The size of a thing; a table is as long as the people need who sit at it.
@@ -404,6 +436,7 @@ fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
 /// Things at walls, in corners, in the middle.
 fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let mut size = size_for_people(plan, line.noun, n);
+    size[0] = size[0].max(counter_length(plan, line));
     // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
     let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
     let known = plan.ground.is_some();

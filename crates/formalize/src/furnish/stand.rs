@@ -114,6 +114,54 @@ const GUESTS: [&str; 24] = [
     "water dispenser",
 ];
 
+/// What stands side by side without a gap: cupboards, shelves, machines of a kitchen.
+pub fn lines_up(noun: &str) -> bool {
+    const UNITS: [&str; 21] = [
+        "bin",
+        "board",
+        "cart",
+        "counter",
+        "dishwasher",
+        "dryer",
+        "freezer",
+        "fridge",
+        "kitchenette",
+        "nightstand",
+        "oven",
+        "piano",
+        "plant",
+        "rack",
+        "safe",
+        "sink",
+        "stove",
+        "table",
+        "toilet",
+        "washbasin",
+        "machine",
+    ];
+    let last = noun.rsplit(' ').next().unwrap_or(noun);
+    group(noun) == Group::Storage || UNITS.contains(&last)
+}
+
+/// Of which several stand side by side in one row.
+pub fn is_unit(noun: &str) -> bool {
+    const UNITS: [&str; 12] = [
+        "washing machine",
+        "dryer",
+        "locker",
+        "vending machine",
+        "arcade machine",
+        "fridge",
+        "freezer",
+        "washbasin",
+        "urinal",
+        "slot machine",
+        "pinball machine",
+        "display fridge",
+    ];
+    UNITS.iter().any(|unit| noun == *unit || noun.ends_with(&format!(" {unit}")))
+}
+
 /// Whether guests use a thing of this name.
 pub fn for_guests(noun: &str) -> bool {
     let is = |guest: &&str| noun == *guest || noun.ends_with(&format!(" {guest}"));

@@ -62,7 +62,7 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 15] = [
+const NOT_WOODEN: [&str; 14] = [
     "office chair",
     "desk chair",
     "lab bench",
@@ -74,11 +74,13 @@ const NOT_WOODEN: [&str; 15] = [
     "weight bench",
     "dumbbell rack",
     "tool chest",
-    "tool cabinet",
     "hospital bed",
     "music stand",
     "server rack",
 ];
+
+/// What is made of steel wherever it stands.
+const STEEL: [&str; 4] = ["tool cabinet", "control cabinet", "electrical cabinet", "safety cabinet"];
 
 /// The look of something of a kind of room; `turn` goes through the colours.
 pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
@@ -87,6 +89,8 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
     let colored = COLORED.iter().any(|c| *c == noun || *c == last);
     if colored && !kind.colors.is_empty() {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
+    } else if STEEL.contains(&noun) {
+        look.material = Some("steel".to_owned());
     } else if WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun) {
         look.material = Some(kind.wood.to_owned());
     }

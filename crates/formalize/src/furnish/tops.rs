@@ -167,6 +167,13 @@ fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Op
     tries.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
     let mut taken: Vec<Taken> = plan.loads.iter().filter(|(on, _)| *on == of).map(|(_, taken)| *taken).collect();
     let mut out = Vec::new();
+    // Several stand side by side before they stand one behind the other.
+    if count > 1
+        && let Some(row) = side_by_side(own, [free_w, free_d], wanted[1], count, yaw)
+        && !row.iter().any(|slot| taken.iter().any(|other| Taken::by(slot, own).meets(other)))
+    {
+        return Some(row);
+    }
     for [x, z] in tries {
         let slot = Slot { x, z, level: Level::Top, yaw };
         if out.len() < count && !taken.iter().any(|other| Taken::by(&slot, own).meets(other)) {
@@ -175,6 +182,17 @@ fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Op
         }
     }
     (out.len() == count).then_some(out)
+}
+
+/// So many in a row about the middle of a top, at a depth; `None` if the row is too long.
+fn side_by_side(own: [f64; 3], [free_w, free_d]: [f64; 2], z: f64, count: usize, yaw: f64) -> Option<Vec<Slot>> {
+    const APART: f64 = 0.02;
+    const MOST: f64 = 0.1;
+    let between = (count - 1) as f64;
+    let step = (own[0] + MOST).min(free_w / between);
+    let z = z.clamp(-free_d / 2.0, free_d / 2.0);
+    let slots = (0..count).map(|i| Slot { x: step * (i as f64 - between / 2.0), z, level: Level::Top, yaw });
+    (step >= own[0] + APART).then(|| slots.collect())
 }
 
 /// What carries things of this name.

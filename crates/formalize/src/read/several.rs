@@ -103,6 +103,7 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
     if is_home(&np.name()) && matches!(np.det, Det::Indefinite | Det::Own) && out.container.is_none() && head <= 2 {
         out.container = Some(head);
     }
+    let container_name = np.name();
     let has = |c: &Chunk| matches!(c.piece, Piece::With | Piece::Verb(Verb::Have) | Piece::Colon);
     let Some(with) = (head + 1..at.end).find(|i| has(&chunks[*i])) else { return };
     if (head + 1..with).any(|i| matches!(chunks[i].np(), Some(np) if np.kind == Kind::Thing)) {
@@ -125,7 +126,9 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
             continue;
         }
         // What may be a thing as well is one, unless there are rooms of that kind.
-        if np.group.is_some() && crate::furnish::kinds::of(&np.name()).is_none() {
+        if np.group.is_some()
+            && (crate::furnish::kinds::of(&np.name()).is_none() || is_furniture(&container_name, &np.name()))
+        {
             continue;
         }
         let owned = owned(chunks, tokens, i);
@@ -142,6 +145,12 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
         out.container = Some(head);
     }
     out.rooms.extend(rooms);
+}
+
+/// Whether such a room has things of this name in it: a clothes shop its fitting rooms.
+fn is_furniture(room: &str, noun: &str) -> bool {
+    let kind = crate::furnish::kinds::of(room);
+    kind.is_some_and(|kind| kind.lines.iter().any(|line| line.noun == noun))
 }
 
 /// "each with its own bathroom", "with an en-suite bathroom".
