@@ -84,6 +84,10 @@ impl Ask {
     pub fn has_color(&self) -> bool {
         !self.colors.is_empty()
     }
+    /// Dice that roll differently for each set of words, too: two pictures of one name and two styles differ.
+    pub fn varied(&self) -> Dice {
+        Dice::new(self.seed ^ hash(&self.words.join(" ")).rotate_left(7))
+    }
     /// The object's own dice: the same name rolls the same.
     pub fn dice(&self) -> Dice {
         Dice::new(self.seed)

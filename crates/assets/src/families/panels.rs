@@ -110,7 +110,15 @@ pub(super) fn picture(a: &Ask) -> Model {
         }
         return m;
     }
-    const SETS: [[u32; 4]; 5] = [
+    const STYLES: [&str; 5] = ["landscape", "seascape", "abstract", "geometric", "botanical"];
+    let style = STYLES.into_iter().find(|style| a.says(&[style]));
+    if style.is_some() {
+        dice = a.varied();
+    }
+    const SETS: [[u32; 4]; 8] = [
+        [0x7a8b6f, 0xd9c9a3, 0xf2eee4, 0xb07d56],
+        [0x53707f, 0xe6c9b3, 0xeef0ee, 0x9b5d4a],
+        [0x2b2d34, 0xd6b26a, 0xf3f0ea, 0x8c8f94],
         [0x24415f, 0xe0a458, 0xd8e2dc, 0xb5523b],
         [0x2f5d50, 0xe9d8a6, 0xca6702, 0x94a89a],
         [0x3d405b, 0xf2cc8f, 0x81b29a, 0xe07a5f],
@@ -120,12 +128,38 @@ pub(super) fn picture(a: &Ask) -> Model {
     let colors = *dice.pick(&SETS);
     let field = |hex: u32| Stuff(Finish::Paper, hex).surface();
     m.mesh.crisp(art.z(layer(0)), &field(colors[2]));
-    match *dice.pick(&[0, 0, 1, 2]) {
-        0 => landscape(&mut m, art, [layer(1), layer(2)], &mut dice, &colors.map(field)),
-        1 => fields(&mut m, art, [layer(1), layer(2)], &mut dice, &colors.map(field)),
-        _ => discs(&mut m, art, layer(1), &mut dice, &colors.map(field)),
+    let layers = [layer(1), layer(2)];
+    let colors = colors.map(field);
+    match style.unwrap_or_else(|| *dice.pick::<&str>(&["landscape", "landscape", "abstract", "geometric"])) {
+        "landscape" | "seascape" => landscape(&mut m, art, layers, &mut dice, &colors),
+        "abstract" => fields(&mut m, art, layers, &mut dice, &colors),
+        "botanical" => leaves(&mut m, art, layers, &mut dice, &colors),
+        _ => discs(&mut m, art, layer(1), &mut dice, &colors),
     }
     m
+}
+
+/// A stem with leaves at both sides.
+fn leaves(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
+    let s = art.size();
+    let stem = 0.012 * s.x.min(s.y);
+    m.mesh.crisp(art.x(-stem..stem).y(art.min.y + 0.12 * s.y..art.min.y + 0.86 * s.y).z(near), &colors[3]);
+    let pairs = 4;
+    for k in 0..pairs {
+        let y = art.min.y + (0.22 + 0.16 * f64::from(k)) * s.y;
+        let long = (0.34 - 0.05 * f64::from(k)) * s.x.min(s.y) * dice.between(0.9, 1.1);
+        for side in [-1.0, 1.0] {
+            let tip = (side * long, y + 0.45 * long);
+            let middle = (side * 0.55 * long, y + 0.05 * long);
+            let upper = (side * 0.4 * long, y + 0.42 * long);
+            let mut leaf = vec![(side * 2.0 * stem, y), middle, tip, upper];
+            // Corners run counter-clockwise.
+            if side < 0.0 {
+                leaf.reverse();
+            }
+            m.mesh.extrude(2, &leaf, nearer.clone(), &colors[0]);
+        }
+    }
 }
 
 /// Twenty corners of a circle.

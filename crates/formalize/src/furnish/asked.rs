@@ -181,6 +181,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         strictly: false,
         staffed: staffed(plan),
         near: None,
+        beds: &[],
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
     let central = says(&format!("centeredIn({},", it.name));
@@ -219,6 +220,11 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     {
         return true;
     }
+    if facing::is_couple(plan, thing)
+        && facing::in_corner(plan, thing, &|floor, shape, before| choice.in_corner(floor, shape, before))
+    {
+        return true;
+    }
     let lengthwise: &[f64] = &[0.0, 90.0];
     if facing::is_pair_of_desks(plan, thing)
         && facing::desks(plan, thing, &|floor, shape, before| choice.floor(floor, shape, before, lengthwise))
@@ -232,7 +238,14 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     }
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
-    plan.lacking += usize::from(!placed);
+    // Several tables that stand where there is a gap want a larger room.
+    let is_scattered = it.count > 1
+        && row.borrow().is_empty()
+        && stand::group(&it.category) == Group::Table
+        && groups::of(&noun, plan.kind.dress)
+            .iter()
+            .any(|part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..)));
+    plan.lacking += usize::from(!placed || is_scattered);
     placed
 }
 

@@ -175,9 +175,9 @@ impl Building {
             && self.frames.get(&thing).is_some_and(|frames| frames.len() > 1)
     }
 
-    /// Whether the two elements of a thing look at each other.
+    /// Whether the two elements of a thing look at each other, or at the same table from two sides.
     pub fn is_pair(&self, thing: usize) -> bool {
-        self.is_run(thing) && self.frames.get(&thing).is_some_and(|frames| frames[1].yaw == 180.0 && frames[1].z > 0.0)
+        self.is_run(thing) && self.frames.get(&thing).is_some_and(|frames| frames[1].yaw != 0.0 && frames[1].z > 0.0)
     }
 
     /// The part that is left out next: the last that stands somewhere.

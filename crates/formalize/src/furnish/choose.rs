@@ -21,6 +21,8 @@ pub struct Choice<'a> {
     pub staffed: Option<Staff>,
     /// What it stands or hangs near: its place.
     pub near: Option<Pose>,
+    /// Where the beds of the room are, above whose heads no screen hangs.
+    pub beds: &'a [Pose],
 }
 
 /// The part of a room for those who work behind a counter.
@@ -38,12 +40,17 @@ const TOGETHER: f64 = 0.35;
 const SERVED: [f64; 2] = [2.6, 1.3];
 /// What stands on its own has at least so much beside it, where there is a choice (metres).
 const ALONE: f64 = 0.3;
+/// A screen is over the head of a bed whose middle is no farther from it along the wall, and into the room (metres).
+const BESIDE_BED: f64 = 1.2;
+const LONG_BED: f64 = 1.8;
 /// In mid-room it is so much farther from there (metres).
 const FREE: f64 = 2.6;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
+/// What stands beside the door.
+const LEFT_AT_DOOR: [&str; 6] = ["bin", "coat rack", "coat stand", "umbrella stand", "shoe rack", "shopping basket"];
 /// So far beside the door's middle (metres).
 const BESIDE_DOOR: f64 = 1.3;
 
@@ -128,7 +135,8 @@ impl Choice<'_> {
             let apart = (last.x - pose.x).hypot(last.z - pose.z) - self.size[0];
             cost += (apart - TOGETHER).abs().min(2.0) * 0.25;
         }
-        Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * 0.3)
+        let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.7 };
+        Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * by_door)
     }
 
     /// The best place at a wall.
@@ -137,11 +145,31 @@ impl Choice<'_> {
         seek::best(floor, shape, places, &|pose| self.at_wall(floor, shape, pose, before))
     }
 
+    /// The best place at a wall for a group whose left or right end is at the next wall.
+    pub fn in_corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
+        let [left, right, ..] = seek::reach(shape);
+        let ends = |wall: Wall| {
+            let half = wall.length(floor.size) / 2.0;
+            [left + seek::BEHIND - half, half - right - seek::BEHIND].map(|along| (wall, along))
+        };
+        let places = Wall::ALL.into_iter().flat_map(ends);
+        let places = places.map(|(wall, along)| wall.place(floor.size, along, self.size[2] / 2.0 + seek::BEHIND));
+        seek::best(floor, shape, places, &|pose| self.at_wall(floor, shape, pose, before))
+    }
+
     /// The best place on a wall, its lower edge at a height; `on`: at this wall only.
     pub fn hung(&self, floor: &Floor, shape: &Shape, before: &[Pose], y: f64) -> Option<Pose> {
         let places = seek::on_walls(floor.size, shape, self.size[2], y).into_iter();
+        let is_over = |pose: &Pose, bed: &Pose| {
+            let [dx, dz] = [(bed.x - pose.x).abs(), (bed.z - pose.z).abs()];
+            let along = if matches!(Wall::behind(pose), Some(Wall::Back | Wall::Front)) { dx } else { dz };
+            bed.yaw == pose.yaw && dx.max(dz) < LONG_BED && along < BESIDE_BED
+        };
         let cost = |pose: &Pose| {
             let wall = Wall::behind(pose)?;
+            if self.is(&["tv"]) && self.beds.iter().any(|bed| is_over(pose, bed)) {
+                return None;
+            }
             // In the middle of what is free of the wall, with some of it free at both sides.
             let [left, right] = floor.stretch(pose, self.size);
             let mut cost = (left - right).abs().min(2.0) * 0.15
@@ -219,7 +247,9 @@ impl Choice<'_> {
                 Wall::Right => pose.x > 0.0,
             });
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
-            let door = (2.0 - floor.away_from_door(pose)).max(0.0) * 0.4;
+            // Behind a door nothing is seen but what one leaves there.
+            let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.9 };
+            let door = (2.0 - floor.away_from_door(pose)).max(0.0) * by_door;
             Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8)
         };
         seek::best(floor, shape, places, &cost)

@@ -1,4 +1,5 @@
-//! Two sofas that are asked for and face each other stand across a low table, as one piece; two desks stand edge to edge.
+//! Two sofas that are asked for stand around a low table as one piece: across it where they are said to face each other, else
+//! in a corner; two desks stand edge to edge.
 
 use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
@@ -11,6 +12,8 @@ use crate::names::words;
 
 /// Between the fronts of two seats that face each other, with a low table between them (metres).
 const ACROSS: f64 = 1.5;
+/// The back of a sofa is so near to its wall (metres).
+const NEAR: f64 = 0.06;
 /// Between the edges of two desks (metres).
 const EDGE: f64 = 0.01;
 /// What is lower can stand there.
@@ -20,6 +23,12 @@ const BETWEEN: &str = "facing table";
 const TABLE: &str = "coffee table";
 const WHY: &str = "who sits face to face has a low table between";
 
+/// Between two sofas in a corner, and from the wall behind the first to the side of the second (metres).
+const CORNER: f64 = 0.12;
+const ASIDE: f64 = 0.6;
+/// Between a sofa and the low table before it (metres).
+const REACH: f64 = 0.42;
+
 /// Finds a place for a group, given those of the groups before it.
 type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 
@@ -28,6 +37,55 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let facing = format!("facing({}[2 * i], {}[", it.name, it.name);
     is_two(plan, thing, &facing, "") && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
+}
+
+/// Whether a thing is two sofas of which nothing is said.
+pub fn is_couple(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    let is_sofa = ["sofa", "couch", "loveseat", "settee"].iter().any(|sofa| it.category.ends_with(sofa));
+    let of_it = |s: &&crate::draft::Statement| words(&s.text).contains(&it.name.as_str());
+    let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(");
+    let said = plan.draft.statements.iter().filter(of_it);
+    let mut said = said.filter(|s| matches!(s.source, Source::Stated(_)) && is_about(&s.text));
+    let l_shaped = it.look.features.iter().any(|feature| feature.contains("shaped"));
+    it.count == 2 && is_sofa && !l_shaped && !it.category.contains("corner") && said.next().is_none()
+}
+
+/// Gives two sofas a place in a corner, at right angles, the first one where `seek` finds one. Whether there is one.
+pub fn in_corner(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let Some([w, _, d]) = it.size else { return false };
+    let low = Plan::size(TABLE);
+    let middle = d / 2.0 + REACH + low[2] / 2.0;
+    [-1.0, 1.0].into_iter().any(|side| {
+        let beside = side * (w / 2.0 + CORNER + d / 2.0);
+        let second = Pose { x: beside, z: ASIDE - d / 2.0 + w / 2.0, yaw: -side * 90.0, y: 0.0 };
+        let frames = vec![Pose::default(), second];
+        let before = Pose { z: middle, yaw: 180.0, ..Pose::default() };
+        let free = vec![(Pose { y: 0.05, ..before }, [w.min(low[0] + 0.9), 1.0, low[2]])];
+        // The back of the second is at a wall, too.
+        let at_both = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+            let pose = seek(floor, shape, before)?;
+            let other = pose.then(&second);
+            let wall = super::seek::Wall::behind(&other)?;
+            let off = match wall {
+                super::seek::Wall::Back => floor.size[2] / 2.0 - other.z,
+                super::seek::Wall::Front => floor.size[2] / 2.0 + other.z,
+                super::seek::Wall::Left => floor.size[0] / 2.0 + other.x,
+                super::seek::Wall::Right => floor.size[0] / 2.0 - other.x,
+            };
+            (off - d / 2.0 < NEAR).then_some(pose)
+        };
+        let root = Root { n: 1, frames, wall: AtWall::No, free, whole: false, seek: &at_both };
+        if !plan.place_asked(thing, &root) {
+            return false;
+        }
+        let [first, other] = [0, 1].map(|i| format!("{}[{i}]", it.name));
+        let slot = Slot { x: second.x, z: second.z, level: Level::Floor, yaw: second.yaw.rem_euclid(360.0) };
+        plan.say(format!("assert {};", place::fixed(&other, &first, &slot, 0.0, 0.0)), "two sofas make a corner");
+        table(plan, &first, middle);
+        true
+    })
 }
 
 /// Whether a thing is a pair of desks at which people sit face to face.

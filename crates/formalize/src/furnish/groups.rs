@@ -165,7 +165,8 @@ mod tests {
             for line in &kind.lines {
                 let lies = |part: &&Part| matches!(part.at, Where::Top(..) | Where::Board(..));
                 for part in of(line.noun, kind.dress).iter().filter(lies) {
-                    let set = ["cafe table", "altar", "candle stand"].contains(&line.noun) || kind.dress == "food";
+                    let set = ["cafe table", "altar", "candle stand"].contains(&line.noun)
+                        || ["food", "pizza", "wine"].contains(&kind.dress);
                     let allowed = set && ["vase", "candle"].contains(&part.noun)
                         || kind.dress == "library" && part.noun == "table lamp";
                     if !allowed && HOMELY.contains(&part.noun) {

@@ -84,8 +84,10 @@ fn beds(brief: &Brief, room: usize) -> Option<usize> {
 /// Width and depth of a ward with so many beds: side by side at one wall, or at two that are opposite.
 fn ward([wide, one, two]: [f64; 3], beds: usize) -> [f64; 2] {
     const IN_LINE: usize = 3;
-    let (columns, deep) = if beds <= IN_LINE { (beds, one) } else { (beds.div_ceil(2), two) };
-    [columns.max(1) as f64 * wide + 0.3, deep].map(|v| (v * 10.0).ceil() / 10.0)
+    // In the wall of the second row is the door.
+    const DOOR: f64 = 1.2;
+    let (columns, deep, door) = if beds <= IN_LINE { (beds, one, 0.0) } else { (beds.div_ceil(2), two, DOOR) };
+    [columns.max(1) as f64 * wide + 0.3 + door, deep].map(|v| (v * 10.0).ceil() / 10.0)
 }
 
 /// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
@@ -129,6 +131,9 @@ pub fn refine(brief: &mut Brief) {
         if let Some((at, name)) = thing {
             brief.things[at].words = name.split(' ').map(str::to_owned).collect();
             brief.things[at].last = brief.things[at].words.len();
+            if let Some((_, group)) = crate::read::lexicon::get().noun_ending(&brief.things[at].words) {
+                brief.things[at].group = group;
+            }
         }
     }
 }

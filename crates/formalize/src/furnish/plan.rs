@@ -198,11 +198,17 @@ impl<'a> Plan<'a> {
 
     /// Adds a thing, or several like ones; its index among the things.
     pub fn add(&mut self, noun: &str, count: usize, size: [f64; 3], why: &str) -> usize {
-        let look = taste::look(self.kind, noun, self.turn);
-        self.turn += usize::from(look.color.is_some());
+        let mut look = taste::look(self.kind, noun, self.turn);
+        let category = noun.replace(' ', "_");
+        let mut like = self.draft.things.iter().filter(|t| t.room == Some(self.room) && t.category == category);
+        match like.find_map(|t| t.look.color.clone().filter(|_| matches!(t.source, Source::Inferred(_)))) {
+            // Chairs of one kind have one colour.
+            Some(color) if look.color.is_some() && stand::group(noun) == Group::Seat => look.color = Some(color),
+            _ => self.turn += usize::from(look.color.is_some() || !look.features.is_empty()),
+        }
         self.draft.things.push(Thing {
             name: self.names.take(&identifier(noun, "thing")),
-            category: noun.replace(' ', "_"),
+            category,
             count,
             room: Some(self.room),
             size: Some(size.map(|v| (v * 1000.0).round() / 1000.0)),

@@ -16,7 +16,7 @@ use crate::draft::{Draft, Source, Thing};
 use std::cell::RefCell;
 
 /// So many desks are those of a team.
-const TEAM: usize = 4;
+pub(super) const TEAM: usize = 3;
 /// How high things on walls are looked at.
 const EYES: f64 = 1.5;
 
@@ -39,6 +39,8 @@ const SHORTER: [(&str, &[f64]); 4] = [
     ("dining table", &[1.2, 0.9]),
     ("kitchen table", &[0.9]),
 ];
+/// So much of the floor a place to eat takes (square metres).
+const EATING: f64 = 8.0;
 /// Where many books are asked for there are so many bookcases.
 const BOOKCASES: usize = 3;
 /// So many lines of an inventory matter: a room without them is not what it is called.
@@ -86,6 +88,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         || draft.outdoor;
     let room = &mut draft.rooms[at];
     taste::surfaces(kind, &mut room.floor, &mut room.walls);
+    for thing in &asked {
+        let it = &mut draft.things[*thing];
+        taste::dressed(kind, &it.category, &mut it.look);
+    }
     let mut plan = Plan::new(draft, at, kind, closed.to_vec(), brief.rooms[at].people);
     (plan.only, plan.counted) = (brief.rooms[at].only, counted);
     if !windows {
@@ -110,7 +116,12 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
     // What stands at the walls of a kitchen leaves the middle for a table.
     let at_walls = kind.lines.first().is_some_and(|line| matches!(line.place, Place::Wall | Place::Run));
-    let later = |at: &usize| at_walls && has_seats(&plan, &plan.draft.things[*at].category.replace('_', " "));
+    // The same of the desks of an office, which has one for each.
+    let at_desks = kind.lines.first().is_some_and(|line| {
+        matches!(line.count, Count::People(_)) && line.noun.ends_with("desk") && plan.people.is_some_and(|n| n >= TEAM)
+    });
+    let later =
+        |at: &usize| (at_walls || at_desks) && has_seats(&plan, &plan.draft.things[*at].category.replace('_', " "));
     let (tables_later, asked): (Vec<usize>, Vec<usize>) = asked.into_iter().partition(later);
     let is_early = |line: &Line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_));
     let early: Vec<&Line> = kind.lines.iter().take(MATTER).filter(|line| is_early(line)).collect();
@@ -127,8 +138,14 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
     let (first, rest) = kind.lines.split_at(kind.lines.len().min(2));
     let eat = kind.eat.iter().filter(|_| home);
+    // Where one eats in the room, too, its armchairs do not come first.
+    let all = plan.counted;
+    if eat.clone().next().is_some() {
+        plan.counted -= EATING;
+    }
     for (i, line) in first.iter().chain(rest).enumerate() {
         if i == first.len() {
+            plan.counted = all;
             for thing in tables_later.iter().chain(&with_later).filter(|_| !crowd) {
                 asked::stand_up(&mut plan, *thing);
             }
@@ -168,7 +185,8 @@ fn is_essential(plan: &Plan, line: &Line) -> bool {
         Count::Area(_) => false,
     };
     // A shop with a shelf less is a shop; who has no seat is missing.
-    let few = few || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
+    let seats = matches!(line.place, Place::Floor) && matches!(line.count, Count::People(_));
+    let few = few || seats || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
     stands && few && line.least == 0.0 && !plan.is_furnished()
 }
 
@@ -246,6 +264,15 @@ fn watched_from(plan: &Plan) -> Option<Pose> {
     let first = *places.first().filter(|first| places.iter().all(|p| p.yaw == first.yaw))?;
     let mean = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / places.len() as f64;
     Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
+}
+
+/// Where the beds of the room are.
+fn beds(plan: &Plan) -> Vec<Pose> {
+    let beds =
+        plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && stand::group(&t.category) == Group::Bed);
+    let names =
+        beds.flat_map(|t| (0..t.count).map(|i| if t.count > 1 { format!("{}[{i}]", t.name) } else { t.name.clone() }));
+    names.filter_map(|name| plan.place_in_room(&name)).collect()
 }
 
 /// The next place of several beds, or of what stands in a run, side by side; `row` keeps all of them.
@@ -367,6 +394,11 @@ fn inventory(plan: &mut Plan, line: &Line) {
     if plan.counted < line.least || closed || seated || plan.is_furnished() || came_along(plan, line) {
         return;
     }
+    // No one screen is seen from beds at opposite walls.
+    let several_ways = |beds: &[Pose]| beds.iter().any(|bed| bed.yaw != beds[0].yaw);
+    if line.noun == "tv" && several_ways(&beds(plan)) {
+        return;
+    }
     let people = plan.people.map_or(usual_people(plan), |n| n as f64);
     let n = match line.count {
         Count::Fixed(n) if line.noun == "bookshelf" && has_books(plan) => n.max(BOOKCASES),
@@ -475,6 +507,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
     let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
     let windows = window_walls(plan);
+    let beds = if line.noun.ends_with("tv") { beds(plan) } else { Vec::new() };
     let choice = Choice {
         noun: line.noun,
         size,
@@ -483,6 +516,7 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         strictly: opposite_pose.is_some(),
         staffed: staffed(plan),
         near: near_to(plan, line.by),
+        beds: &beds,
     };
     let nominal = nominal(plan, line, size, y);
     let row = RefCell::new(Vec::new());
@@ -538,6 +572,9 @@ fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], 
         }
     }
     let Some((thing, poses)) = found else { return false };
+    // Several tables that stand where there is a gap want a larger room.
+    let is_scattered = line.place == Place::Floor && poses.len() > 1 && row.borrow().is_empty();
+    plan.lacking += usize::from(plan.matters && is_scattered && has_seats(plan, line.noun));
     if let (Place::Opposite(_), Some(seen), Some(at)) = (&line.place, opposite_pose, poses.first()) {
         // What is not straight across from it wants a room of another size.
         let straight = (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0;

@@ -4,6 +4,7 @@ use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
 use super::kinds::Place;
 use super::plan::{AtWall, Plan, metres};
+use super::room::TEAM;
 use super::{groups, place, stand};
 
 /// So many lights at most.
@@ -92,9 +93,11 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let [left, right, back, front] = reach;
     let (cell_w, cell_d) = (left + right, back + front);
     let flat = size[1] < 0.05;
-    let facing = !toward && n >= 4 && noun.ends_with("desk");
+    let facing = !toward && n >= TEAM && noun.ends_with("desk");
     let places = if facing { pairs([w, d], size, front, n) } else { None };
     let matters = plan.matters || asked.is_some();
+    // A team that finds no room for its groups of desks wants a larger one.
+    plan.lacking += usize::from(matters && facing && places.is_none() && asked.is_none());
     let is_table = stand::group(noun) == crate::brief::Group::Table;
     let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..1] };
     let tries = more.iter().filter_map(|more| {
@@ -107,7 +110,14 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
             let cell = [cell_w, size[1].max(0.9), cell_d];
             let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
             let shape = Shape { pieces: vec![piece], free: Vec::new() };
-            places.retain(|at| ground.fits(&shape, at));
+            let is_free = |at: &Pose| ground.fits(&shape, at);
+            let piece = Piece { size: [cell_w + 2.0 * ROUND, cell[1], cell_d + 2.0 * ROUND], ..piece };
+            let wider = Shape { pieces: vec![piece], free: Vec::new() };
+            // Tables with seats at both sides move aside together for what stands there already.
+            if is_table && back > size[2] / 2.0 + SEATED {
+                places = shifted(&places, &|at| ground.fits(&wider, at));
+            }
+            places.retain(is_free);
         }
         Some(places)
     });
@@ -117,7 +127,8 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
         return false;
     };
     let n = places.len();
-    plan.lacking += usize::from(matters && n < wanted);
+    let is_crowded = is_table && back > size[2] / 2.0 + SEATED && crowded(&places, [cell_w, cell_d]);
+    plan.lacking += usize::from(matters && (n < wanted || is_crowded));
     if n == 0 || asked.is_some() && n < wanted {
         return false;
     }
@@ -141,6 +152,40 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
         plan.surround(thing, AtWall::No, 0);
     }
     true
+}
+
+/// The same places, all moved so that as many as possible are free, and no farther than needed.
+fn shifted(places: &[Pose], is_free: &dyn Fn(&Pose) -> bool) -> Vec<Pose> {
+    const STEP: f64 = 0.25;
+    const FAR: i32 = 5;
+    let moved = |(x, z): (i32, i32)| -> Vec<Pose> {
+        let by = |at: &Pose| Pose { x: at.x + STEP * f64::from(x), z: at.z + STEP * f64::from(z), ..*at };
+        places.iter().map(by).collect()
+    };
+    let mut shifts: Vec<(i32, i32)> = (-FAR..=FAR).flat_map(|x| (-2..=2).map(move |z| (x, z))).collect();
+    shifts.sort_by_key(|(x, z)| (x.abs() + z.abs(), *x, *z));
+    let free = |places: &[Pose]| places.iter().filter(|at| is_free(at)).count();
+    let mut best = (free(places), places.to_vec());
+    for shift in shifts {
+        if best.0 == places.len() {
+            break;
+        }
+        let next = moved(shift);
+        let n = free(&next);
+        if n > best.0 {
+            best = (n, next);
+        }
+    }
+    best.1
+}
+
+/// Whether lines of tables are so near that chairs of two of them meet back to back.
+fn crowded(places: &[Pose], cell: [f64; 2]) -> bool {
+    let gap = |a: &Pose, b: &Pose| {
+        let cell = if (a.yaw / 90.0).round() as i64 % 2 == 0 { cell } else { [cell[1], cell[0]] };
+        ((a.x - b.x).abs() - cell[0]).max((a.z - b.z).abs() - cell[1])
+    };
+    places.iter().enumerate().any(|(i, a)| places[..i].iter().any(|b| gap(a, b) < BACKS))
 }
 
 /// Tables with chairs at two of their sides, a quarter turned, where they would otherwise stand in a single line.
@@ -175,6 +220,11 @@ const SINGLE: usize = 5;
 const AISLES: [f64; 2] = [1.85, 1.2];
 /// Between the backs of chairs of one table and those of the next.
 const TABLES: f64 = 0.9;
+/// What reaches farther from a table than this is a chair at it; chairs have this much between their backs (metres).
+const SEATED: f64 = 0.3;
+/// Around what is moved aside there is so much free.
+const ROUND: f64 = 0.3;
+const BACKS: f64 = 0.4;
 /// Between the backs of chairs and the walls.
 const BESIDE_TABLES: f64 = 0.7;
 /// Between groups of desks.

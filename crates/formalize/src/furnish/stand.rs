@@ -8,7 +8,8 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 46] = [
+const KIN: [&[&str]; 47] = [
+    &["cubicle curtain", "privacy curtain", "bed curtain"],
     &["checkout", "checkout counter", "sales counter", "cash desk", "cashier desk", "cashier counter", "checkout lane"],
     &["safety fence", "fence", "safety cage", "cage", "guard fence"],
     &["toy box", "toy chest", "toy storage"],

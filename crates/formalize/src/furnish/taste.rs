@@ -82,10 +82,18 @@ const NOT_WOODEN: [&str; 14] = [
 /// What is made of steel wherever it stands.
 const STEEL: [&str; 4] = ["tool cabinet", "control cabinet", "electrical cabinet", "safety cabinet"];
 
+/// What pictures show, in turn.
+const SHOWN: [&str; 5] = ["abstract", "botanical", "landscape", "geometric", "seascape"];
+
 /// The look of something of a kind of room; `turn` goes through the colours.
 pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
     let last = noun.rsplit(' ').next().unwrap_or(noun);
     let mut look = Look::default();
+    if noun == "picture" {
+        // Another kind of room begins with another.
+        let first: usize = kind.name.bytes().map(usize::from).sum();
+        look.features.push(SHOWN[(first + turn) % SHOWN.len()].to_owned());
+    }
     let colored = COLORED.iter().any(|c| *c == noun || *c == last);
     if colored && !kind.colors.is_empty() {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
@@ -95,6 +103,13 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
         look.material = Some(kind.wood.to_owned());
     }
     look
+}
+
+/// What is asked for and of which no look is said is made of the wood of the room.
+pub fn dressed(kind: &Kind, category: &str, look: &mut Look) {
+    if look.color.is_none() && look.material.is_none() {
+        look.material = self::look(kind, &category.replace('_', " "), 0).material;
+    }
 }
 
 /// The floor and the walls of a room of a kind, as far as nothing is said of them.
