@@ -92,8 +92,11 @@ impl Local {
         let mut found = Vec::new();
         for hit in hits {
             if published && hit.score < least {
-                let file = &entries[hit.entry].file;
-                remarks.push(Remark::new(Why::Score, format!("{file}: it scores {:.3}, less than {least}", hit.score)));
+                if found.is_empty() {
+                    let file = &entries[hit.entry].file;
+                    let say = format!("{file}: it scores {:.3}, less than {least}", hit.score);
+                    remarks.push(Remark::new(Why::Score, say));
+                }
                 break;
             }
             match self.model(hit.entry) {
