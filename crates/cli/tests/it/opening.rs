@@ -72,14 +72,18 @@ struct Room {
     light: Vec<String>,
 }
 
-/// Furniture as the library makes it.
+/// Furniture as the library makes it, as large as something of it opens.
 fn made(dice: &mut Dice, (category, features): (&str, &str), factor: f64) -> Placement {
     let usual = usual_size(category).map_or(Vec3::new(0.6, 0.9, 0.5), Vec3::from);
-    let size = usual.map(|extent| extent * between(dice, 1.0 - factor, 1.0 + factor));
-    let asset = furnish(&Request { name: "it", category, features, size: Some(size), ..Request::default() });
-    assert!(!asset.joints.is_empty(), "{category} ({features}) has nothing that opens");
-    let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
-    Placement { pos, rot, scale: size, parts: asset.parts, surface: asset.surface, joints: asset.joints }
+    for _ in 0..100 {
+        let size = usual.map(|extent| extent * between(dice, 1.0 - factor, 1.0 + factor));
+        let asset = furnish(&Request { name: "it", category, features, size: Some(size), ..Request::default() });
+        if !asset.joints.is_empty() {
+            let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
+            return Placement { pos, rot, scale: size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
+        }
+    }
+    panic!("{category} ({features}) has nothing that opens");
 }
 
 /// Something in the way: a box or an upright post.
