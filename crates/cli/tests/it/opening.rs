@@ -80,7 +80,14 @@ fn made(dice: &mut Dice, (category, features): (&str, &str), factor: f64) -> Pla
         let asset = furnish(&Request { name: "it", category, features, size: Some(size), ..Request::default() });
         if !asset.joints.is_empty() {
             let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
-            return Placement { pos, rot, scale: size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
+            return Placement {
+                pos,
+                rot,
+                scale: size,
+                parts: asset.parts,
+                surface: asset.surface,
+                joints: asset.joints,
+            };
         }
     }
     panic!("{category} ({features}) has nothing that opens");
