@@ -125,6 +125,7 @@ codes! {
     E0703 "the model refers to other files"
     E0704 "the model has no geometry"
     E0705 "the model card cannot be used"
+    E0706 "the features cannot be used"
 
     W0101 "stray semicolon"
     W0102 "arrow inside an expression"

@@ -2,6 +2,7 @@
 
 use crate::card::Card;
 use crate::faults::{Fault, beyond, fault, unreadable};
+use crate::features::{self, Features};
 use crate::model::{Axes, Model};
 use crate::{glb, limits, obj, objathor};
 use scenelang_base::door::Door;
@@ -19,6 +20,8 @@ pub struct Catalogue {
     pub entries: Vec<Entry>,
     /// What cannot be used, in the order of the names.
     pub refused: Vec<Refused>,
+    /// What the models look like and are called, in vectors, where the folder has them.
+    pub features: Option<Features>,
 }
 
 /// A model of a catalogue.
@@ -50,6 +53,16 @@ enum Kind {
     Objathor,
 }
 
+impl Entry {
+    /// What features call it: the name of an object of objathor, else the file.
+    pub fn name(&self) -> &str {
+        match self.kind {
+            Kind::Objathor => self.file.split('/').nth(1).unwrap_or(&self.file),
+            Kind::Glb | Kind::Obj => &self.file,
+        }
+    }
+}
+
 impl Catalogue {
     /// Opens a folder. Each GLB and OBJ file is read once, so that what cannot be used is known; those of objathor are
     /// not, since what is known of them stands in one file.
@@ -77,7 +90,8 @@ impl Catalogue {
     /// The models by their names and cards; none is read.
     pub(crate) fn list(folder: &Path) -> Result<Self, Fault> {
         let door = Door::within(folder);
-        let mut catalogue = Self { folder: folder.to_owned(), door, entries: Vec::new(), refused: Vec::new() };
+        let mut catalogue =
+            Self { folder: folder.to_owned(), door, entries: Vec::new(), refused: Vec::new(), features: None };
         if let Some(annotations) = objathor::annotations(folder, &catalogue.door) {
             let (objects, wrong) = objathor::objects(folder, annotations, &catalogue.door)?;
             let entry =
@@ -93,7 +107,23 @@ impl Catalogue {
         if catalogue.entries.is_empty() && catalogue.refused.is_empty() {
             return Err(fault(codes::E0001, "there is no .glb and no .obj file in it"));
         }
+        catalogue.look();
         Ok(catalogue)
+    }
+
+    /// Reads the features. Without them, and where they cannot be used, words decide.
+    fn look(&mut self) {
+        let file = || format!("{}/", features::FOLDER);
+        match Features::open(&self.folder, &self.door) {
+            Ok(features) => self.features = features,
+            Err(finding) => self.refused.push(Refused { file: file(), finding: *finding }),
+        }
+        let Some(features) = &self.features else { return };
+        let missing = self.entries.iter().filter(|entry| !features.has(entry.name())).count();
+        if missing > 0 {
+            let say = format!("{missing} of {} models have no features and are not found by them", self.entries.len());
+            self.refused.push(Refused { file: file(), finding: *features::broken(say) });
+        }
     }
 
     /// Adds a file with its card.

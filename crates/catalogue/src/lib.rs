@@ -6,6 +6,7 @@
 //! of the layout (left-handed, y up; origin in the middle of the bottom face; front to +z), like the furniture of
 //! `scenelang_assets`, and made of convex parts.
 //!
+//! Models are searched by words or, where a folder has features that were computed before, by the published score.
 //! Which of them an object gets is decided by a [`Chain`] of providers: folders, generators, the furniture library, a box.
 //!
 //! Absent here: textures (a material is its plain colour), programs, and usual sizes.
@@ -14,11 +15,13 @@ mod card;
 mod check;
 mod cut;
 mod faults;
+mod features;
 mod folder;
 mod glb;
 mod import;
 pub mod limits;
 mod model;
+mod npy;
 mod obj;
 mod objathor;
 mod pieces;
@@ -28,6 +31,7 @@ mod search;
 
 pub use card::Card;
 pub use check::{Checked, check};
+pub use features::{Features, LAMBDA_SEMANTIC, LAMBDA_VISUAL, TAU, published_score};
 pub use folder::{Catalogue, Entry, Refused};
 pub use import::{Imported, Kept, import};
 pub use model::{Model, Origin};

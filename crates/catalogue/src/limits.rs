@@ -18,3 +18,5 @@ pub const EXTENT: f64 = 10_000.0;
 pub const MODELS: usize = 200_000;
 /// Folders are at most so deep in each other.
 pub const FOLDERS: usize = 16;
+/// An array of features is at most so large (bytes).
+pub const FEATURES: usize = 512 << 20;

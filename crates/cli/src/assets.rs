@@ -1,15 +1,18 @@
 //! `scenelang assets`: what things will look like, from the furniture library and from a folder of the user's own models.
 
-use crate::args::{AssetsCheck, AssetsFormat, AssetsImport, AssetsList, AssetsSearch, Plain};
+use crate::args::{AssetsCheck, AssetsFormat, AssetsImport, AssetsList, AssetsQueries, AssetsSearch, Plain};
 use crate::replace::{self, May};
+use crate::solve::color_err;
 use crate::table::Table;
-use crate::{FAILED, FINDINGS, GOOD, out};
+use crate::{FAILED, FINDINGS, GOOD, input, out};
 use scenelang_assets::family_of;
+use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, Severity, SourceMap, plain};
 use scenelang_catalogue::{
-    Catalogue, Checked as Found, Entry, Hit, Imported, Index, check as look_at, import as read_all,
+    Catalogue, Checked as Found, Entry, Hit, Imported, Index, Query, check as look_at, import as read_all,
 };
 use scenelang_export::OutFile;
+use scenelang_lang::compile_main;
 use scenelang_lang::library::usual_size;
 use scenelang_layout::Vec3;
 use scenelang_verify::report::{self, diagnostics};
@@ -27,7 +30,11 @@ pub fn search(args: &AssetsSearch) -> u8 {
         Err(code) => return code,
     };
     let entries = catalogue.as_ref().map_or(&[][..], |c| c.entries.as_slice());
-    let hits = Index::of(entries).search(&args.words, wanted, usize::from(args.most));
+    // Words that features were computed for are judged by them.
+    let features = catalogue.as_ref().and_then(|c| c.features.as_ref());
+    let published = features.and_then(|f| f.search(entries, &args.words, usize::from(args.most)));
+    let by = if published.is_some() { "features" } else { "words" };
+    let hits = published.unwrap_or_else(|| Index::of(entries).search(&args.words, wanted, usize::from(args.most)));
     match args.format {
         Plain::Json => {
             let model = |hit: &Hit| {
@@ -38,6 +45,7 @@ pub fn search(args: &AssetsSearch) -> u8 {
             let found = json!({
                 "format": "scenelang.assets/1",
                 "words": args.words,
+                "by": by,
                 "size": wanted.map(|s| [s.x, s.y, s.z]),
                 "library": { "family": family, "size": usual },
                 "models": hits.iter().map(model).collect::<Vec<_>>(),
@@ -188,6 +196,34 @@ pub fn import(args: &AssetsImport) -> u8 {
         }
     }
     if good == imported.len() { GOOD } else { FAILED }
+}
+
+/// What a program asks providers for, each text once.
+pub fn queries(args: &AssetsQueries) -> u8 {
+    let mut texts: Vec<String> = Vec::new();
+    for file in &args.files {
+        let read = match input::read(file) {
+            Ok((sources, main)) => compile_main(main, scenelang_lang::Options::default(), &Door::of(file), sources),
+            Err(message) => {
+                eprintln!("error: {message}");
+                return FAILED;
+            }
+        };
+        let Some(program) = &read.program else {
+            eprint!("{}", diagnostics(&read.diagnostics, &read.sources, color_err()));
+            return FAILED;
+        };
+        for text in scenelang_synth::queries(program).iter().map(Query::published) {
+            if !texts.contains(&text) {
+                texts.push(text);
+            }
+        }
+    }
+    match args.format {
+        Plain::Json => out::show(&format!("{}\n", json!(texts))),
+        Plain::Text => out::show(&texts.iter().map(|text| format!("{}\n", plain::line(text))).collect::<String>()),
+    }
+    GOOD
 }
 
 /// A finding for people: a line that says what it is, and one for each thing to do.

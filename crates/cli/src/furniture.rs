@@ -44,7 +44,7 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
         return Ok(None);
     }
     let usual = Source::NAMES.map(|(_, source)| source);
-    let least = workspace.least.or(own.least).unwrap_or(0.0);
+    let least = workspace.least.or(own.least);
     let mut providers: Vec<Box<dyn AssetProvider>> = Vec::new();
     for source in order.map_or(&usual[..], Vec::as_slice) {
         match source {
@@ -102,7 +102,8 @@ fn generator(given: &Furniture, workspace: &Assets, own: &Assets, offline: bool)
         None => allowed,
     };
     let most = if offline { 0 } else { usize::try_from(most).unwrap_or(usize::MAX) };
-    let bounds = Bounds { timeout, most, kept: cache_folder("assets"), stop: interrupt::asked };
+    let kept = workspace.cache.or(own.cache).unwrap_or(true).then(|| cache_folder("assets")).flatten();
+    let bounds = Bounds { timeout, most, kept, stop: interrupt::asked };
     Ok(Some((maker, bounds)))
 }
 

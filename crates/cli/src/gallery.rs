@@ -11,6 +11,7 @@ use scenelang_base::fs::write_set;
 use scenelang_export::{ExportError, Scene, SceneInput, picture};
 use scenelang_lang::library::usual_size;
 use scenelang_lang::{Compiled, compile_text};
+use scenelang_layout::convex;
 use scenelang_layout::{Convex, Layout, Moving, Part, Placement, Vec3, rotation};
 use std::fmt::Write;
 use std::path::Path;
@@ -110,11 +111,12 @@ fn drawn(noun: &str, asset: &Asset, open: bool) -> Result<Vec<u8>, ExportError> 
     else {
         return Err(ExportError::Format("gallery", "its program does not compile".into()));
     };
+    let (parts, scale) = if open { opened(asset) } else { (asset.parts.clone(), asset.size) };
     let placement = Placement {
         pos: Vec3::zeros(),
         rot: Vec3::zeros(),
-        scale: asset.size,
-        parts: if open { opened(asset) } else { asset.parts.clone() },
+        scale,
+        parts,
         surface: asset.surface,
         joints: if open { Vec::new() } else { asset.joints.clone() },
     };
@@ -131,17 +133,43 @@ fn drawn(noun: &str, asset: &Asset, open: bool) -> Result<Vec<u8>, ExportError> 
     picture::png(&scene.map_err(|e| ExportError::Format("gallery", e.to_string()))?, PICTURE)
 }
 
-/// Its parts with all that opens as far open as it is of use.
-fn opened(asset: &Asset) -> Vec<Part> {
-    let mut parts = asset.parts.clone();
+/// Its parts with all that opens as far open as it is of use, and the size of the box around them, on which they stand.
+fn opened(asset: &Asset) -> (Vec<Part>, Vec3) {
+    let mut bodies: Vec<Convex> = asset.parts.iter().filter_map(Convex::from_part).collect();
+    if bodies.len() < asset.parts.len() {
+        // Parts without a volume: indices would mean others.
+        return (asset.parts.clone(), asset.size);
+    }
     for joint in &asset.joints {
-        let bodies: Vec<Option<Convex>> = joint.parts.iter().map(|&i| Convex::from_part(asset.parts.get(i)?)).collect();
-        let known: Vec<usize> = joint.parts.iter().zip(&bodies).filter(|(_, b)| b.is_some()).map(|(&i, _)| i).collect();
+        let known: Vec<usize> = joint.parts.iter().copied().filter(|&i| i < bodies.len()).collect();
         let still = rotation::matrix(Vec3::zeros());
-        let moving = Moving::new(joint, bodies.iter().flatten(), &still, &Vec3::zeros());
+        let moving = Moving::new(joint, known.iter().map(|&i| &bodies[i]), &still, &Vec3::zeros());
         for (i, body) in known.into_iter().zip(moving.opened(joint.useful.unwrap_or(joint.limits[1]))) {
-            parts[i] = Part::Hull { points: body.vertices().to_vec() };
+            bodies[i] = body;
         }
     }
-    parts
+    let around = convex::aabb(&bodies);
+    let middle = (around.min + around.max) / 2.0;
+    let base = Vec3::new(middle.x, around.min.y, middle.z);
+    let hull = |body: &Convex| Part::Hull { points: body.vertices().iter().map(|v| v - base).collect() };
+    (bodies.iter().map(hull).collect(), around.max - around.min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parts that do not fill the box of their object do not count, and the box would be drawn.
+    #[test]
+    fn what_stands_open_fills_a_box_that_is_deeper() {
+        for category in ["fridge", "wardrobe", "door", "window"] {
+            let size = usual_size(category).map(Vec3::from);
+            let asset = furnish(&Request { name: "it", category, size, ..Request::default() });
+            let (parts, scale) = opened(&asset);
+            assert!(scale.z > asset.size.z + 0.3, "{category}: {scale:?}");
+            let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
+            let placement = Placement { pos, rot, scale, parts, surface: None, joints: Vec::new() };
+            assert!(convex::parts_fill_box(&placement), "{category}");
+        }
+    }
 }

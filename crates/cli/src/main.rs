@@ -88,6 +88,7 @@ fn main() -> ExitCode {
         Command::Assets(Assets::List(args)) => assets::list(&args),
         Command::Assets(Assets::Check(args)) => assets::check(&args),
         Command::Assets(Assets::Import(args)) => assets::import(&args),
+        Command::Assets(Assets::Queries(args)) => assets::queries(&args),
         Command::Assets(Assets::Gallery(args)) => gallery::run(&args),
         Command::Syntax(args) => inspect::syntax(&args),
         Command::Hir(args) => inspect::hir(&args),

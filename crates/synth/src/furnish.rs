@@ -92,8 +92,7 @@ pub fn furnish_from(
     let before = |object: &Object| known.iter().find(|(name, _)| *name == object.name).map(|(_, p)| p);
     let mut chosen = chain.map_or_else(BTreeMap::new, |chain| {
         let wanted = |(i, object): (usize, &Object)| {
-            let built_in = family_of(&object.category, &object.name).is_some_and(|family| BUILT_IN.contains(&family));
-            (!built_in).then(|| (i, query(object, sizes[i], before(object).map(|p| p.scale))))
+            (!is_built_in(object)).then(|| (i, query(object, sizes[i], before(object).map(|p| p.scale))))
         };
         let (ids, queries): (Vec<usize>, Vec<Query>) = program.objects.iter().enumerate().filter_map(wanted).unzip();
         ids.into_iter().zip(chain.choose(&queries, say)).collect()
@@ -152,6 +151,15 @@ pub fn furnish_from(
 }
 
 /// What a provider is asked for an object.
+/// What providers are asked for by a program, in its order; sizes are left open.
+pub fn queries(program: &Program) -> Vec<Query> {
+    program.objects.iter().filter(|object| !is_built_in(object)).map(|object| query(object, None, None)).collect()
+}
+
+fn is_built_in(object: &Object) -> bool {
+    family_of(&object.category, &object.name).is_some_and(|family| BUILT_IN.contains(&family))
+}
+
 fn query(object: &Object, size: Option<Vec3>, before: Option<Vec3>) -> Query {
     let what = what_of(object);
     Query {

@@ -16,7 +16,7 @@ pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
     solve_with, too_large,
 };
-pub use furnish::{Chosen, Furnished, asset_of, furnish, furnish_from};
+pub use furnish::{Chosen, Furnished, asset_of, furnish, furnish_from, queries};
 pub use hold::Hold;
 pub use manifest::{manifest, told};
 pub use output::{own_files, scene};

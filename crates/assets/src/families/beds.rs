@@ -6,6 +6,9 @@ use crate::looks::{Finish, is, shade, stuff, woody};
 use crate::mesh::Surface;
 use crate::model::Model;
 
+/// A canopy is higher than this (metres).
+const CANOPY: f64 = 1.3;
+
 /// A made bed inside `b`, up to `top`: mattress, blanket from the foot to two thirds, pillows.
 fn bedding(m: &mut Model, b: Block, cover: &Surface) {
     let size = b.size();
@@ -38,7 +41,11 @@ pub(super) fn bed(a: &Ask) -> Model {
         return hospital(a);
     }
     let mut m = Model::default();
-    let b = a.whole();
+    let whole = a.whole();
+    // The bed itself stands between the posts of a canopy.
+    let post = 0.06_f64.min(0.1 * a.w);
+    let canopy = a.says(&["canopy", "poster"]) && a.h > CANOPY;
+    let b = if canopy { whole.inset(post, 0.0, post).y(0.0..0.5 * a.h) } else { whole };
     let frame = a.main(stuff::OAK);
     // A colour that is not a wood's is meant for the cloth.
     let wooden = is(&frame, Finish::Wood) && woody(frame.color);
@@ -77,7 +84,26 @@ pub(super) fn bed(a: &Ask) -> Model {
     let mattress = body.inset(0.03 * a.w, 0.0, 0.0).y(rail..top).z(body.min.z..b.max.z - 0.015 * a.d);
     bedding(&mut m, mattress, &cover);
     pillows(&mut m, mattress, 0.12_f64.min(0.6 * (a.h - top)), &stuff::SHEET.surface());
+    if canopy {
+        canopied(&mut m, whole, post, [&frame, &cover]);
+    }
     m
+}
+
+/// Four posts that carry beams and a cloth.
+fn canopied(m: &mut Model, b: Block, post: f64, [frame, cloth]: [&Surface; 2]) {
+    let top = b.max.y;
+    for corner in b.x(b.min.x..b.min.x + post).z(b.min.z..b.min.z + post).four_corners() {
+        m.board(corner, frame);
+    }
+    let beams = b.y(top - post..top);
+    let across = beams.x(b.min.x + post..b.max.x - post);
+    let along = beams.z(b.min.z + post..b.max.z - post);
+    m.board(across.z(b.min.z..b.min.z + post), frame);
+    m.board(across.z(b.max.z - post..b.max.z), frame);
+    m.board(along.x(b.min.x..b.min.x + post), frame);
+    m.board(along.x(b.max.x - post..b.max.x), frame);
+    m.board(across.z(along.min.z..along.max.z).y(top - 0.6 * post..top - 0.4 * post), cloth);
 }
 
 /// A bed of a ward: a high steel frame on castors, panels at head and foot, a rail along each side.

@@ -68,6 +68,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
     ("camera_tripod", studio::camera_tripod),
+    ("telescope", studio::telescope),
     ("car", vehicles::car),
     ("chair", seating::chair),
     ("chandelier", lighting::chandelier),

@@ -112,6 +112,14 @@ impl Model {
         }
     }
 
+    /// A casement of a window: a leaf that nobody has to be able to open.
+    pub(super) fn casement(&mut self, b: Block, hung: Hung) {
+        self.leaf("casement", b, hung);
+        if let Some(joint) = self.joints.last_mut() {
+            joint.useful = None;
+        }
+    }
+
     /// The part that was added last is a lid, which turns up about the upper edge of its back.
     pub(super) fn lid(&mut self, name: &str, b: Block) {
         self.joint(name, Motion::Hinge, [-Vec3::x(), Vec3::new(b.min.x, b.max.y, b.min.z)], UP, 1);

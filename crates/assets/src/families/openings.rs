@@ -1,6 +1,6 @@
 //! What sits in walls or divides rooms: doors, windows, curtains, blinds, partitions, stairs, pillars.
 
-use super::moving::Hung;
+use super::moving::{Hung, MOST};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, is, shade, stuff};
@@ -97,23 +97,40 @@ pub(super) fn door(a: &Ask) -> Model {
     m
 }
 
-/// Glass in a frame with bars, and a sill.
+/// Glass in a frame with bars, and a sill. Its casements open to its front, unless it is one that slides or does not open;
+/// nobody demands that they do.
 pub(super) fn window(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    m.solid(b);
     let main = a.main(stuff::WHITE);
     let main = if is(&main, Finish::Glass) { stuff::BLACK_STEEL.surface() } else { main };
     let side = 0.06_f64.min(0.1 * a.w).min(0.1 * a.h);
     let sill = 0.035_f64.min(0.06 * a.h);
     m.mesh.board(b.y(0.0..sill), &main);
     let hole = b.y(sill..a.h);
-    frame(&mut m, hole.z(b.min.z..b.max.z - 0.2 * a.d), side, side, side, &main);
+    let casing = hole.z(b.min.z..b.max.z - 0.2 * a.d);
+    frame(&mut m, casing, side, side, side, &main);
     let inner = hole.inset(side, side, 0.0).z(-0.3 * a.d..0.15 * a.d);
     let columns = pieces(a.w, 0.75, 1, 8);
     let rows = if a.h > 1.9 { 2 } else { 1 };
-    for column in inner.split(0, columns, 0.004) {
+    let fixed =
+        a.says(&["sliding", "sash", "fixed", "skylight", "shop", "display", "curtain"]) || columns * rows > MOST;
+    if fixed {
+        m.solid(b);
+    } else {
+        m.solid(b.y(0.0..sill));
+        for jamb in casing.x(b.min.x..b.min.x + side).both_sides() {
+            m.solid(jamb);
+        }
+        let rails = casing.inset(side, 0.0, 0.0);
+        m.solid(rails.y(sill..sill + side));
+        m.solid(rails.y(a.h - side..a.h));
+    }
+    for (i, column) in inner.split(0, columns, 0.004).enumerate() {
         for pane in column.split(1, rows, 0.004) {
+            if !fixed {
+                m.casement(pane, if i % 2 == 1 { Hung::Right } else { Hung::Left });
+            }
             let bar = 0.045_f64.min(0.12 * pane.size().x).min(0.12 * pane.size().y);
             frame(&mut m, pane, bar, bar, bar, &main);
             m.mesh.crisp(pane.inset(bar, bar, 0.4 * pane.size().z), &stuff::GLASS.surface());

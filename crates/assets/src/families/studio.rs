@@ -1,4 +1,4 @@
-//! What stands in studios: a camera on its tripod, a soft light, a backdrop, a mixing desk.
+//! What stands in studios: a camera on its tripod, a telescope, a soft light, a backdrop, a mixing desk.
 
 use crate::ask::Ask;
 use crate::block::block;
@@ -30,6 +30,39 @@ pub(super) fn camera_tripod(a: &Ask) -> Model {
     let lens = block(c.x - r..c.x + r, c.y - r..c.y + r, camera.max.z..camera.max.z + 0.16 * a.d);
     m.disc(2, lens, &metal);
     m.mesh.disc(2, lens.inset(0.25 * r, 0.25 * r, 0.0).z(lens.max.z..lens.max.z + 0.01 * a.d), &stuff::GLASS.surface());
+    m
+}
+
+/// A telescope on three legs: a long tube that rises to the front, with its eyepiece low at the back.
+pub(super) fn telescope(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let tube = a.main(stuff::WHITE);
+    let metal = stuff::BLACK_STEEL.surface();
+    let neck = 0.66 * a.h;
+    tripod(&mut m, a, neck, &metal);
+    let r = (0.09 * a.h).min(0.2 * a.w).min(0.2 * a.d);
+    let fork = block(-0.5 * r..0.5 * r, neck..0.76 * a.h, -0.5 * r..0.5 * r);
+    m.board(fork, &metal);
+    // Seen from the side: the upper end is at the top and the front of the box, the eyepiece at its back.
+    let (back, front) = (-a.d / 2.0, a.d / 2.0);
+    let low = 0.72 * a.h;
+    let tail = back + 0.12 * a.d;
+    let rise = (a.h - 2.0 * r - low) / (front - tail);
+    let at = |z: f64| low + rise * (z - tail);
+    let hood = front - 0.16 * a.d;
+    let body = [
+        (at(tail) + 0.2 * r, tail),
+        (at(hood) + 0.2 * r, hood),
+        (at(hood) + 1.8 * r, hood),
+        (at(tail) + 1.8 * r, tail),
+    ];
+    m.extrude(0, &body, -0.8 * r..0.8 * r, &tube);
+    let end = [(at(hood), hood), (at(front), front), (a.h, front), (at(hood) + 2.0 * r, hood)];
+    m.extrude(0, &end, -r..r, &metal);
+    let lens = block(-0.7 * r..0.7 * r, at(front) + 0.3 * r..a.h - 0.3 * r, front - 0.002 * a.d..front);
+    m.mesh.disc(2, lens, &stuff::GLASS.surface());
+    let eye = block(-0.35 * r..0.35 * r, at(tail) + 0.5 * r..at(tail) + 1.2 * r, back..tail);
+    m.board(eye, &metal);
     m
 }
 

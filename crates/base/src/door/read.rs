@@ -6,8 +6,9 @@ use std::path::Path;
 
 /// Larger files are not read (bytes).
 pub const MOST: u64 = 64 << 20;
-/// The same for GLB files, which hold meshes and pictures.
-const MOST_MESH: u64 = 512 << 20;
+/// The same for files of numbers: GLB, which holds meshes and pictures, and the arrays of NumPy.
+const MOST_NUMBERS: u64 = 512 << 20;
+const NUMBERS: [&str; 2] = ["glb", "npy"];
 
 /// The bytes of a regular file; `path` has no links in it.
 pub fn regular(path: &Path) -> io::Result<Vec<u8>> {
@@ -17,8 +18,8 @@ pub fn regular(path: &Path) -> io::Result<Vec<u8>> {
     // What was looked at may have been replaced; what is open is what is read.
     let data = file.metadata()?;
     refuse(&data)?;
-    let mesh = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb"));
-    let most = if mesh { MOST_MESH } else { MOST };
+    let numbers = path.extension().is_some_and(|e| NUMBERS.iter().any(|known| e.eq_ignore_ascii_case(known)));
+    let most = if numbers { MOST_NUMBERS } else { MOST };
     let large = || io::Error::new(ErrorKind::FileTooLarge, format!("more than {} MB is not read", most >> 20));
     if data.len() > most {
         return Err(large());

@@ -46,6 +46,21 @@ impl Query {
         if features.is_empty() { said.join(" ") } else { format!("{}, {features}", said.join(" ")) }
     }
 
+    /// The published form of the query, which features are computed for: "a 3D model of a red office chair made with oak that
+    /// is with armrests". What was not said is left out.
+    pub fn published(&self) -> String {
+        let noun = words(&self.what).join(" ");
+        let kind: Vec<&str> = [self.color.trim(), &noun].into_iter().filter(|t| !t.is_empty()).collect();
+        let mut text = format!("a 3D model of a {}", kind.join(" "));
+        for (before, said) in [(" made with ", self.material.trim()), (" that is ", self.features.trim())] {
+            if !said.is_empty() {
+                text += before;
+                text += said;
+            }
+        }
+        text
+    }
+
     /// The extents that are demanded or usual.
     pub fn wanted(&self) -> Option<Vec3> {
         self.size.or(self.usual)

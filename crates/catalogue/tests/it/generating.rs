@@ -130,6 +130,45 @@ fn who_takes_too_long_is_ended_and_so_is_everything_when_somebody_says_so() {
 }
 
 #[test]
+fn what_is_kept_is_noticed_to_be_damaged_and_made_again() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("made.glb"), block(1.0, 2.0, 1.0).glb()).unwrap();
+    let script = "echo x >> $1/asked; cat $1/made.glb";
+    let (kept, chair) = (folder.path().join("kept"), query("chair", [0.5, 0.9, 0.5]));
+    let asked = || fs::read_to_string(folder.path().join("asked")).unwrap().lines().count();
+    let again = || {
+        let reply = ask(&shell(script, folder.path(), bounds(&kept, 9)), std::slice::from_ref(&chair)).remove(0);
+        assert!(reply.given.is_some(), "{reply:?}");
+        asked()
+    };
+    let file = || {
+        let inner = fs::read_dir(&kept).unwrap().next().unwrap().unwrap().path();
+        fs::read_dir(inner).unwrap().next().unwrap().unwrap().path()
+    };
+    assert_eq!((again(), again()), (1, 1));
+    let good = fs::read(file()).unwrap();
+    // A bit of a coordinate, the end, the sum, everything: none of it is taken for the model.
+    let mut bit = good.clone();
+    let last = bit.len() - 160;
+    bit[last] ^= 1;
+    let mut sum = good.clone();
+    sum[0] ^= 1;
+    let damages = [bit, good[..good.len() - 1].to_vec(), sum, Vec::new()];
+    for (i, damaged) in damages.into_iter().enumerate() {
+        fs::write(file(), damaged).unwrap();
+        assert_eq!(again(), i + 2, "it is made again");
+        assert_eq!(fs::read(file()).unwrap(), good, "and kept as it was");
+        assert_eq!(again(), i + 2);
+    }
+    // Nowhere, nothing is kept.
+    let nowhere = || Bounds { kept: None, ..bounds(&kept, 9) };
+    for _ in 0..2 {
+        assert!(ask(&shell(script, folder.path(), nowhere()), std::slice::from_ref(&chair))[0].given.is_some());
+    }
+    assert_eq!(asked(), 7);
+}
+
+#[test]
 fn the_budget_is_for_the_first_ones() {
     let folder = tempdir().unwrap();
     fs::write(folder.path().join("made.glb"), block(1.0, 2.0, 1.0).glb()).unwrap();

@@ -10,3 +10,4 @@ mod providing;
 mod reading;
 mod searching;
 mod serving;
+mod similar;

@@ -1,9 +1,12 @@
 //! The chain of providers: who is asked, what is given at which size, and why the ones before passed.
 
 use crate::made::{block, usual, write};
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use scenelang_catalogue::{AssetProvider, Boxed, Chain, Choice, Library, Local, Query, Why};
 use scenelang_layout::{Aabb, Convex, Vec3};
 use serde_json::{Value, json};
+use std::io::Read;
 use tempfile::{TempDir, tempdir};
 
 /// A query for a thing of a category.
@@ -29,7 +32,7 @@ fn shop() -> TempDir {
 }
 
 fn chain(folder: &TempDir, least: f64) -> Chain {
-    let local = Local::open(folder.path(), "models", least).unwrap();
+    let local = Local::open(folder.path(), "models", Some(least)).unwrap();
     Chain::new(vec![Box::new(local), Box::new(Library)])
 }
 
@@ -137,6 +140,34 @@ fn a_file_that_cannot_be_used_is_told_and_the_next_one_is() {
         assert_eq!(choice.passed[0].1.code.map(|code| code.as_str().to_owned()).as_deref(), Some(code), "{what}");
         assert_eq!(choice.passed[0].1.why, Why::Broken);
     }
+}
+
+/// Packed, it is a few kilobytes; unpacked, more than is read.
+#[test]
+fn what_unpacks_without_end_is_told_and_the_next_one_is_used() {
+    let packed = |bytes: &mut dyn Read| {
+        let mut out = GzEncoder::new(Vec::new(), Compression::fast());
+        std::io::copy(bytes, &mut out).unwrap();
+        out.finish().unwrap()
+    };
+    let bomb = packed(&mut std::io::repeat(b' ').take(300 << 20));
+    assert!(bomb.len() < 4 << 20, "{}", bomb.len());
+    let folder = tempdir().unwrap();
+    write(folder.path(), "assets/aa/aa.json.gz", &bomb, &Value::Null);
+    let all = |second: Value| json!({ "aa": { "category": "chair", "description": "chair chair" }, "bb": second });
+    let save = |all: Value| std::fs::write(folder.path().join("annotations.json"), all.to_string()).unwrap();
+    save(all(json!({ "category": "lamp" })));
+    assert_eq!(told(&one(&chain(&folder, 0.0), query("chair", None))), "library:chair [models broken]");
+    let mesh = block(0.5, 0.9, 0.5);
+    let corners: Vec<Value> = mesh.positions.iter().map(|[x, y, z]| json!({ "x": -x, "y": y, "z": z })).collect();
+    let triangles: Vec<u32> = mesh.indices.chunks_exact(3).flat_map(|t| [t[0], t[2], t[1]]).collect();
+    let asset = json!({ "vertices": corners, "triangles": triangles });
+    let asset = packed(&mut asset.to_string().as_bytes());
+    write(folder.path(), "assets/bb/bb.json.gz", &asset, &Value::Null);
+    save(all(json!({ "category": "chair", "description": "a chair of another kind" })));
+    let choice = one(&chain(&folder, 0.0), query("chair", None));
+    assert_eq!(told(&choice), "models:assets/bb/bb.json.gz [models broken]");
+    assert_eq!(choice.passed[0].1.code.map(|code| code.as_str().to_owned()).as_deref(), Some("E0702"));
 }
 
 #[test]

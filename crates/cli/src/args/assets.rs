@@ -15,6 +15,8 @@ pub enum Assets {
     Check(AssetsCheck),
     /// Normalise the unit, base and front of the models in a folder, and write them with their cards as a catalogue
     Import(AssetsImport),
+    /// Print the queries of a program in their published form, for which features of models can be computed
+    Queries(AssetsQueries),
     /// Write a web page that shows every family of the furniture library in three sizes, closed and open
     Gallery(AssetsGallery),
 }
@@ -73,6 +75,17 @@ pub struct AssetsImport {
     #[arg(long)]
     pub force: bool,
     /// The output format
+    #[arg(long, value_enum, default_value_t = Plain::Text)]
+    pub format: Plain,
+}
+
+/// `scenelang assets queries`
+#[derive(ClapArgs, Debug)]
+pub struct AssetsQueries {
+    /// The programs
+    #[arg(value_name = "FILE.scene", required = true)]
+    pub files: Vec<PathBuf>,
+    /// The output format; json is the file `queries.json` of features
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }

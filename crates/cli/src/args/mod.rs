@@ -6,7 +6,9 @@ mod many;
 mod mcp;
 mod measure;
 
-pub use assets::{Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsSearch, Furniture};
+pub use assets::{
+    Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsQueries, AssetsSearch, Furniture,
+};
 pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
 pub use mcp::Mcp;

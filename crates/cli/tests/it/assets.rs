@@ -1,7 +1,8 @@
 //! `scenelang assets` over folders of models that the tests write.
 
-use crate::support::{fits, root, scenelang};
+use crate::support::{fits, read_json, root, scenelang};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use tempfile::{TempDir, tempdir};
@@ -122,4 +123,21 @@ fn the_book_lists_the_commands() {
     for command in ["assets search", "assets list", "assets check"] {
         assert!(page.contains(&format!("scenelang {command}")), "{command}");
     }
+}
+
+/// What requests speak of is drawn, or stands here.
+#[test]
+fn nouns_of_requests_are_drawn() {
+    let folder = root().join("tests/requests/development");
+    let mut nouns = BTreeSet::new();
+    for entry in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+        if entry.to_string_lossy().ends_with(".expect.json") {
+            let expected = read_json(&entry);
+            nouns
+                .extend(expected["objects"].as_array().unwrap().iter().map(|o| o["name"].as_str().unwrap().to_owned()));
+        }
+    }
+    let missing: Vec<&String> = nouns.iter().filter(|noun| scenelang_assets::family_of(noun, "").is_none()).collect();
+    println!("{} of {} nouns are drawn; not: {missing:?}", nouns.len() - missing.len(), nouns.len());
+    assert!(nouns.len() > 100 && 20 * missing.len() <= nouns.len(), "{missing:?} of {}", nouns.len());
 }

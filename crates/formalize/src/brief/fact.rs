@@ -192,6 +192,8 @@ pub enum Pattern {
     LeftToRight,
     /// One on the other.
     Stacked,
+    /// Each with room for its doors, drawers and lids.
+    Opens,
 }
 
 /// How a measure binds.

@@ -93,6 +93,7 @@ fn fixed_phrases() -> &'static Phrases<Piece> {
             "faceToFace" => Piece::Pattern(Pattern::FaceToFace),
             "leftToRight" => Piece::Pattern(Pattern::LeftToRight),
             "stacked" => Piece::Pattern(Pattern::Stacked),
+            "opens" => Piece::Pattern(Pattern::Opens),
             "and" => Piece::And,
             "with" => Piece::With,
             "soft" => Piece::Soft,

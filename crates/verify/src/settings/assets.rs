@@ -6,7 +6,7 @@ use super::{Reader, place_of, unknown};
 use toml_edit::Item;
 
 /// What `[assets]` of a workspace may have, in the order of the book.
-const KEYS: [&str; 5] = ["order", "folders", "least", "timeout", "max_models"];
+const KEYS: [&str; 6] = ["order", "folders", "least", "timeout", "max_models", "cache"];
 /// What the user's own may have besides.
 const OWN: [&str; 3] = ["generator", "command", "url"];
 /// Lists are not longer.
@@ -52,6 +52,8 @@ pub struct Assets {
     pub timeout: Option<f64>,
     /// How many models are made in one run at most.
     pub max_models: Option<u64>,
+    /// Whether models that were made are kept.
+    pub cache: Option<bool>,
 }
 
 impl Reader {
@@ -64,6 +66,10 @@ impl Reader {
                 "least" => self.settings.assets.least = self.between(key, item, 0.0..=1e6),
                 "timeout" => self.settings.assets.timeout = self.between(key, item, 1.0..=WAIT),
                 "max_models" => self.settings.assets.max_models = self.count(key, item, 0.0..=MODELS),
+                "cache" => match item.as_bool() {
+                    Some(cache) => self.settings.assets.cache = Some(cache),
+                    None => self.wrong(key, item, "true or false"),
+                },
                 "generator" if self.own => {
                     self.settings.assets.generator = self.text(key, item, "the name of a generator")
                 }
@@ -137,12 +143,13 @@ mod tests {
     #[test]
     fn a_workspace_names_folders_and_no_program() {
         let read = |text: &str| read(text, FileId(0)).map(|s| s.assets).map_err(|found| found[0].message.clone());
-        let text = "[assets]\norder = [\"library\", \"local\"]\nfolders = [\"models\"]\nleast = 0.5\nmax_models = 3";
+        let text = "[assets]\norder = [\"library\", \"local\"]\nfolders = [\"models\"]\nleast = 0.5\nmax_models = 3\ncache = false";
         let wanted = Assets {
             order: Some(vec![Source::Library, Source::Local]),
             folders: vec!["models".to_owned()],
             least: Some(0.5),
             max_models: Some(3),
+            cache: Some(false),
             ..Assets::default()
         };
         assert_eq!(read(text), Ok(wanted));
@@ -152,6 +159,7 @@ mod tests {
             ("[assets]\nfolders = \"a\"", "`folders` takes a list of folders, of at most 64 strings"),
             ("[assets]\norder = [\"box\"]", "there is no provider `box`; there are local, generator, library"),
             ("[assets]\norder = [\"local\", \"local\"]", "`order` names \"local\" twice"),
+            ("[assets]\ncache = 1", "`cache` takes true or false, not a number"),
             ("[assets]\nleast = -1", "`least` takes a number from 0 to 1000000"),
             (
                 "[assets]\napi_key = \"sk\"",

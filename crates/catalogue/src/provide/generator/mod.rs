@@ -32,6 +32,8 @@ use std::time::{Duration, Instant};
 const AT_ONCE: usize = 4;
 /// How often it is looked whether somebody wants to end it.
 const LOOK: Duration = Duration::from_millis(50);
+/// A sum in words has so many bytes.
+const SUM: usize = 64;
 /// How much of what somebody says goes into a remark (characters).
 const SAID: usize = 200;
 
@@ -129,23 +131,25 @@ impl Generator {
         Self { maker, bounds }
     }
 
-    /// The file in which the model of an order is kept.
+    /// The file in which the model of an order is kept: the sum of a GLB file, and the file.
     fn file(&self, key: &str) -> Option<PathBuf> {
         let folder = self.bounds.kept.as_ref()?;
-        Some(folder.join(&key[..2]).join(format!("{}.glb", &key[2..])))
+        Some(folder.join(&key[..2]).join(format!("{}.model", &key[2..])))
     }
 
+    /// The model of an order, if it is kept. What was damaged is as good as nothing, and is made and kept again.
     fn kept(&self, key: &str) -> Option<Vec<u8>> {
         let folder = self.bounds.kept.as_ref()?;
         let bytes = Door::within(folder).read(&self.file(key)?).ok()?;
-        // What was damaged is as good as nothing.
-        glb::read(&bytes).is_ok().then_some(bytes)
+        let (own, model) = bytes.split_at_checked(SUM)?;
+        (own == sum(&[model]).as_bytes()).then(|| model.to_vec())
     }
 
     fn keep(&self, key: &str, bytes: &[u8]) {
         if let (Some(folder), Some(file)) = (&self.bounds.kept, self.file(key)) {
+            let kept = [sum(&[bytes]).as_bytes(), bytes].concat();
             // It is there for the next time; this time goes on without.
-            let _ = Door::within(folder).write(&file, bytes);
+            let _ = Door::within(folder).write(&file, &kept);
         }
     }
 

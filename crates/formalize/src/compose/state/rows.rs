@@ -6,11 +6,43 @@ use crate::brief::{Group, Op, Pattern, Place, Rel, What};
 use crate::compose::grid::{self, Grid};
 use crate::write::number;
 
+/// What furniture has doors, drawers or lids, by its last word: of other things nothing opens, whatever a request says.
+const OPENING: [&str; 24] = [
+    "armoire",
+    "cabinet",
+    "chest",
+    "closet",
+    "credenza",
+    "cupboard",
+    "desk",
+    "dishwasher",
+    "drawers",
+    "dresser",
+    "dryer",
+    "freezer",
+    "fridge",
+    "locker",
+    "microwave",
+    "nightstand",
+    "oven",
+    "refrigerator",
+    "sideboard",
+    "stove",
+    "toilet",
+    "vitrine",
+    "wardrobe",
+    "washer",
+];
+
 impl Named<'_> {
     pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
         let of = self.name(a);
         let n = self.counts[a];
         let elements = self.elements(a);
+        if pattern == Pattern::Opens {
+            let opens = self.brief.things[a].words.last().is_some_and(|word| OPENING.contains(&word.as_str()));
+            return opens.then(|| self.all(a, |x| format!("opens({x})")));
+        }
         // Who works at desks that face each other sits at their outer sides.
         let desks = self.brief.things[a].words.last().is_some_and(|w| w == "desk" || w == "workstation");
         let pattern = if desks && pattern == Pattern::FaceToFace { Pattern::BackToBack } else { pattern };
@@ -78,6 +110,7 @@ impl Named<'_> {
                 n / 2
             ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
+            Pattern::Opens => return None,
         })
     }
 

@@ -1,0 +1,194 @@
+//! The published score of retrieval, from features that a user has computed before: vectors of CLIP for views of the models
+//! and of Sentence-BERT for their descriptions, and vectors of both for the queries.
+//!
+//! The score is (λv · visual + λt · semantic) / (λv + λt) with λv = 100 and λt = 1. Both similarities are cosines brought to
+//! 0…1, (1 + cos) / 2; of several views of a model the one that fits best counts, as in Holodeck. No network and no model is
+//! used here: where a query has no vectors, there is no such score.
+
+use crate::faults::{Fault, fault};
+use crate::folder::Entry;
+use crate::npy::{self, Array};
+use crate::search::Hit;
+use rustc_hash::FxHashMap;
+use scenelang_base::codes;
+use scenelang_base::door::Door;
+use std::path::Path;
+
+/// The weights of both similarities.
+pub const LAMBDA_VISUAL: f64 = 100.0;
+/// See [`LAMBDA_VISUAL`].
+pub const LAMBDA_SEMANTIC: f64 = 1.0;
+/// Models that score less are not used: the published threshold.
+pub const TAU: f64 = 0.652;
+
+/// The folder of features below that of the models, and its files.
+pub(crate) const FOLDER: &str = "features";
+const NAMES: &str = "names.json";
+const QUERIES: &str = "queries.json";
+const ARRAYS: [&str; 4] = ["clip_models.npy", "sbert_models.npy", "clip_queries.npy", "sbert_queries.npy"];
+
+/// Vectors of the models of a folder and of queries.
+#[derive(Debug)]
+pub struct Features {
+    /// The row of a model by its name.
+    models: FxHashMap<String, usize>,
+    /// The row of a query by its text.
+    queries: FxHashMap<String, usize>,
+    clip: Vectors,
+    sbert: Vectors,
+    clip_asked: Vectors,
+    sbert_asked: Vectors,
+}
+
+/// Rows of unit vectors, `views` for each model or query.
+#[derive(Debug)]
+struct Vectors {
+    views: usize,
+    width: usize,
+    numbers: Vec<f32>,
+}
+
+/// The published score of two similarities.
+pub fn published_score(visual: f64, semantic: f64) -> f64 {
+    (LAMBDA_VISUAL * visual + LAMBDA_SEMANTIC * semantic) / (LAMBDA_VISUAL + LAMBDA_SEMANTIC)
+}
+
+/// A fault of the features.
+pub(crate) fn broken(message: impl Into<String>) -> Fault {
+    fault(codes::E0706, message)
+}
+
+/// Features beyond the limits.
+pub(crate) use crate::faults::beyond;
+
+impl Features {
+    /// The features below a folder of models; `None` where there are none.
+    ///
+    /// # Errors
+    /// A file is missing, is not what it should be, does not fit the others, or goes beyond the limits.
+    pub(crate) fn open(folder: &Path, door: &Door) -> Result<Option<Self>, Fault> {
+        let folder = folder.join(FOLDER);
+        if ![NAMES, QUERIES].iter().chain(&ARRAYS).any(|name| door.is_file(&folder.join(name))) {
+            return Ok(None);
+        }
+        let bytes = |name: &str| {
+            door.read(&folder.join(name)).map_err(|e| {
+                let mut fault = crate::faults::unreadable(&e);
+                fault.message = format!("{FOLDER}/{name}: {}", fault.message);
+                fault
+            })
+        };
+        let rows = |name: &str| -> Result<FxHashMap<String, usize>, Fault> {
+            let list: Vec<String> = serde_json::from_slice(&bytes(name)?)
+                .map_err(|e| broken(format!("{FOLDER}/{name}: it is no list of texts: {e}")))?;
+            let count = list.len();
+            let rows: FxHashMap<String, usize> = list.into_iter().enumerate().map(|(i, text)| (text, i)).collect();
+            if rows.len() < count {
+                return Err(broken(format!("{FOLDER}/{name}: a text stands in it twice")));
+            }
+            Ok(rows)
+        };
+        let (models, queries) = (rows(NAMES)?, rows(QUERIES)?);
+        let vectors = |name: &str, rows: &FxHashMap<String, usize>| {
+            Vectors::of(npy::read(&bytes(name)?, &format!("{FOLDER}/{name}"))?, rows.len(), name)
+        };
+        let found = Self {
+            clip: vectors(ARRAYS[0], &models)?,
+            sbert: vectors(ARRAYS[1], &models)?,
+            clip_asked: vectors(ARRAYS[2], &queries)?,
+            sbert_asked: vectors(ARRAYS[3], &queries)?,
+            models,
+            queries,
+        };
+        for (a, b, names) in [(&found.clip, &found.clip_asked, [0, 2]), (&found.sbert, &found.sbert_asked, [1, 3])] {
+            let [a_name, b_name] = names.map(|i| ARRAYS[i]);
+            if a.width != b.width {
+                let say = format!("vectors of {a_name} have {} numbers, those of {b_name} {}", a.width, b.width);
+                return Err(broken(format!("{FOLDER}/: {say}; both must be of the same network")));
+            }
+        }
+        Ok(Some(found))
+    }
+
+    /// Whether there are vectors for a query.
+    pub fn knows(&self, query: &str) -> bool {
+        self.queries.contains_key(query)
+    }
+
+    /// Whether there are vectors for a model.
+    pub fn has(&self, model: &str) -> bool {
+        self.models.contains_key(model)
+    }
+
+    /// The models of a catalogue that fit a query best, at most so many, with the published score; of equal ones, those that
+    /// come first. `None` where there are no vectors for the query.
+    pub fn search(&self, entries: &[Entry], query: &str, most: usize) -> Option<Vec<Hit>> {
+        self.queries.get(query)?;
+        let hit = |(entry, of): (usize, &Entry)| Some(Hit { entry, score: self.score(query, of.name())? });
+        let mut hits: Vec<Hit> = entries.iter().enumerate().filter_map(hit).collect();
+        hits.sort_by(|a, b| b.score.total_cmp(&a.score).then(a.entry.cmp(&b.entry)));
+        hits.truncate(most);
+        Some(hits)
+    }
+
+    /// The published score of a model, from 0 to 1; `None` where there are no vectors for it or for the query.
+    pub fn score(&self, query: &str, model: &str) -> Option<f64> {
+        let (query, model) = (*self.queries.get(query)?, *self.models.get(model)?);
+        let visual = self.clip.nearest(model, self.clip_asked.row(query));
+        let semantic = self.sbert.nearest(model, self.sbert_asked.row(query));
+        Some(published_score(visual, semantic))
+    }
+}
+
+impl Vectors {
+    /// The vectors of an array of so many models or queries, each of length 1.
+    fn of(array: Array, rows: usize, name: &str) -> Result<Self, Fault> {
+        let Array { shape, mut numbers } = array;
+        let (views, width) = match shape[..] {
+            [_, width] => (1, width),
+            [_, views, width] => (views, width),
+            _ => return Err(broken(format!("{FOLDER}/{name}: it has one extent; it is a row of numbers for each"))),
+        };
+        if shape[0] != rows {
+            let list = if name.ends_with("queries.npy") { QUERIES } else { NAMES };
+            return Err(broken(format!("{FOLDER}/{name}: it has {} rows, {FOLDER}/{list} {rows} texts", shape[0])));
+        }
+        if views > 1 && name.ends_with("queries.npy") {
+            return Err(broken(format!("{FOLDER}/{name}: a query has one vector, not {views}")));
+        }
+        for (at, vector) in numbers.chunks_exact_mut(width).enumerate() {
+            let length = vector.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt();
+            if length < f64::from(f32::MIN_POSITIVE) {
+                return Err(broken(format!("{FOLDER}/{name}: row {} is a vector of zeros", at / views)));
+            }
+            vector.iter_mut().for_each(|x| *x = (f64::from(*x) / length) as f32);
+        }
+        Ok(Self { views, width, numbers })
+    }
+
+    fn row(&self, row: usize) -> &[f32] {
+        let size = self.views * self.width;
+        &self.numbers[row * size..][..size]
+    }
+
+    /// The greatest similarity of the views of a row to a vector, from 0 to 1.
+    fn nearest(&self, row: usize, to: &[f32]) -> f64 {
+        let cosines = self.row(row).chunks_exact(self.width).map(|view| f64::from(dot(view, to)));
+        let best = cosines.fold(f64::NEG_INFINITY, f64::max);
+        ((1.0 + best) / 2.0).clamp(0.0, 1.0)
+    }
+}
+
+/// A sum of products, in sixteen sums that a processor makes side by side.
+fn dot(a: &[f32], b: &[f32]) -> f32 {
+    const LANES: usize = 16;
+    let mut sums = [0.0_f32; LANES];
+    let (left, right) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f32 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in left.zip(right) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    sums.iter().sum::<f32>() + rest
+}
