@@ -9,6 +9,7 @@
 mod apart;
 mod ask;
 mod block;
+mod contrast;
 mod families;
 mod lexicon;
 mod lights;
@@ -20,9 +21,10 @@ pub mod textures;
 mod unwrap;
 mod words;
 
+pub use contrast::{difference, stand_out};
 pub use lexicon::{categories, families, family_of};
 pub use lights::Light;
-pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall};
+pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall, toned};
 pub use mesh::{Group, Mesh, Surface};
 pub use words::words;
 

@@ -149,6 +149,20 @@ pub fn covering(color: &str, material: &str, usual_color: &str, usual_material: 
     surface(finish, colors(color).first().copied().unwrap_or(own))
 }
 
+/// A floor of a material in no particular colour: paler than furniture of the same wood, and darker than white things.
+pub fn toned(s: &Surface) -> Surface {
+    let toward = |target: f32, by: f32| s.color.map(|c| c + (target - c) * by);
+    if is(s, Finish::Wood) {
+        surface(Finish::Wood, toward(1.0, 0.3))
+    } else if is(s, Finish::Ceramic) {
+        surface(Finish::Ceramic, toward(0.0, 0.13))
+    } else if is(s, Finish::Stone) {
+        surface(Finish::Stone, toward(0.0, 0.1))
+    } else {
+        s.clone()
+    }
+}
+
 /// A surface as it covers a floor: wood is laid in boards, ceramic in tiles.
 pub fn on_floor(s: &Surface) -> Surface {
     laid(s, &[(Finish::Wood, Finish::Boards), (Finish::Ceramic, Finish::Tiles)])
@@ -165,9 +179,13 @@ fn laid(s: &Surface, table: &[(Finish, Finish)]) -> Surface {
 
 /// The same finish, darker (< 1) or towards white (> 1).
 pub(crate) fn shade(s: &Surface, by: f32) -> Surface {
-    let color = s.color.map(|c| if by <= 1.0 { c * by } else { 1.0 - (1.0 - c) / by });
-    let finish = FINISHES.iter().find(|f| s.name.starts_with(f.1) && s.name.as_bytes().get(f.1.len()) == Some(&b'-'));
-    surface(finish.map_or(Finish::Paint, |f| f.0), color)
+    let finish = FINISHES.iter().find(|f| is(s, f.0));
+    surface(finish.map_or(Finish::Paint, |f| f.0), tinted_by(s.color, by))
+}
+
+/// A colour, darker (< 1) or towards white (> 1).
+pub(crate) fn tinted_by(color: Rgb, by: f32) -> Rgb {
+    color.map(|c| if by <= 1.0 { c * by } else { 1.0 - (1.0 - c) / by })
 }
 
 /// Whether a colour could be that of bare wood: brown to cream, not too vivid.

@@ -4,7 +4,9 @@
 use crate::geometry::{bounds, corners, triangles};
 use crate::nouns::{families, sizes};
 use scenelang_assets::textures::Texture;
-use scenelang_assets::{Asset, Group, Request, furnish};
+use scenelang_assets::{
+    Asset, Group, Request, covering, difference, furnish, material_names, on_floor, stand_out, toned,
+};
 use scenelang_layout::Vec3;
 
 /// Factors of the usual size.
@@ -281,4 +283,54 @@ fn lamps_give_light_from_where_they_shine() {
         assert!(inside && light.lumens > 100.0 && light.color[0] > 0.5, "{noun}: {light:?}");
     }
     assert!(furnish(&Request { category: "monitor", ..Request::default() }).lights.is_empty());
+}
+
+/// Materials that floors are made of.
+const FLOORS: [&str; 18] = [
+    "oak",
+    "walnut",
+    "pine",
+    "maple",
+    "birch",
+    "bamboo",
+    "cork",
+    "parquet",
+    "laminate",
+    "tile",
+    "terracotta",
+    "marble",
+    "slate",
+    "concrete",
+    "limestone",
+    "carpet",
+    "linoleum",
+    "vinyl",
+];
+
+#[test]
+fn things_of_no_particular_colour_stand_out_against_every_floor() {
+    let mut bad = Vec::new();
+    for family in families() {
+        let noun = family.replace('_', " ");
+        let asset = furnish(&Request { name: "it", category: &noun, size: Some(sizes()[&noun]), ..Request::default() });
+        for material in FLOORS {
+            assert!(material_names().any(|m| m == material), "{material}");
+            let floor = on_floor(&toned(&covering("", material, "", "oak"))).color;
+            let mut mesh = asset.mesh.clone();
+            stand_out(&mut mesh, floor);
+            // More than half of what is seen differs; glass and mirrors show other things.
+            let (mut clear, mut all) = (0.0, 0.0);
+            let shows_itself = |g: &&Group| g.surface.opacity >= 1.0 && !g.surface.name.starts_with("mirror-");
+            for group in mesh.groups.iter().filter(shows_itself) {
+                let one = scenelang_assets::Mesh::from(vec![group.clone()]);
+                let area: f64 = triangles(&one).map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum();
+                all += area;
+                clear += if difference(group.surface.color, floor) > 8.0 { area } else { 0.0 };
+            }
+            if clear < 0.5 * all {
+                bad.push(format!("{noun} on {material}: {:.2}", clear / all));
+            }
+        }
+    }
+    report(&bad);
 }

@@ -4,7 +4,7 @@ use super::dress::{Dresser, Wardrobe};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
 use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, weight};
 use crate::names::Stems;
-use scenelang_assets::{Light, Mesh};
+use scenelang_assets::{Light, Mesh, Surface};
 use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::program::{self, Program};
 use scenelang_layout::{Aabb, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
@@ -66,8 +66,9 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     let regions = regions(input)?;
     let mut stems = Stems::default();
     let mut objects = Vec::with_capacity(input.program.objects.len());
+    let floors = floors(&regions, input.program);
     for (id, declared) in input.program.objects.iter().enumerate() {
-        objects.push(object((input, own), id, declared, &regions, &mut wardrobe, &mut stems)?);
+        objects.push(object((input, own), id, declared, (&regions, &floors), &mut wardrobe, &mut stems)?);
     }
     for object in &mut objects {
         object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
@@ -176,14 +177,17 @@ fn object(
     (input, own): (&SceneInput<'_>, Looks<'_>),
     id: usize,
     declared: &program::Object,
-    regions: &[Region],
+    (regions, floors): (&[Region], &[Surface]),
     wardrobe: &mut Wardrobe,
     stems: &mut Stems,
 ) -> Result<Object, BuildError> {
     let name = declared.name.to_string();
     let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
     let solid = convex::local_solid(place, Geometry::Parts);
-    let dressed = wardrobe.furnish(declared, place, &solid, own(&name));
+    // A zone lies on the floor of its room, and is declared after it or before.
+    let under = regions.iter().zip(floors).filter(|(r, _)| r.prism.polygon.contains(place.pos.xz()));
+    let floor = under.max_by_key(|(r, _)| r.kind == RegionKind::Zone).map(|(_, floor)| floor);
+    let dressed = wardrobe.furnish(declared, place, &solid, own(&name), floor);
     let looks = weight::looks(&solid, &dressed.mesh);
     let weights: Vec<f64> =
         solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
@@ -220,6 +224,11 @@ fn object(
         violated: false,
         name,
     })
+}
+
+/// The floor of each region.
+fn floors(regions: &[Region], program: &Program) -> Vec<Surface> {
+    regions.iter().zip(&program.regions).map(|(region, declared)| Dresser::of(declared, region.kind).floor()).collect()
 }
 
 /// Pairs of objects that the program lets overlap, as far as they are near each other.
