@@ -11,7 +11,7 @@ const ALIKE: f64 = 30.0;
 const STEPS: [f32; 10] = [0.85, 1.2, 0.75, 1.4, 0.65, 1.7, 0.55, 2.2, 0.45, 3.0];
 
 /// Shades what most of a mesh looks like until most of it stands out against a floor of this colour. Glass, mirrors, lamps
-/// and plants stay as they are.
+/// and plants stay as they are, and what is white, such as a bathtub, stays white.
 pub fn stand_out(mesh: &mut Mesh, floor: [f32; 3]) {
     for _ in 0..mesh.groups.len() {
         let Some(lost) = lost(mesh, floor) else { return };
@@ -31,10 +31,15 @@ fn lost(mesh: &Mesh, floor: [f32; 3]) -> Option<&Group> {
     let own = |g: &&Group| !["glass", "mirror", "leaf", "water", "screen", "glow", "soil"].contains(&finish(g));
     let areas: Vec<(&Group, f64)> = mesh.groups.iter().filter(own).map(|g| (g, area(g))).collect();
     let (near, far): (Vec<_>, Vec<_>) =
-        areas.into_iter().partition(|(g, _)| difference(g.surface.color, floor) < LEAST);
+        areas.into_iter().partition(|(g, _)| !is_white(g.surface.color) && difference(g.surface.color, floor) < LEAST);
     let sum = |of: &[(&Group, f64)]| of.iter().map(|(_, area)| area).sum::<f64>();
     let most = near.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(g, _)| *g);
     most.filter(|_| sum(&near) > 0.8 * sum(&far))
+}
+
+fn is_white(color: Rgb) -> bool {
+    let [lightness, a, b] = lab(color);
+    lightness > 92.0 && a.hypot(b) < 6.0
 }
 
 fn finish(group: &Group) -> &str {

@@ -152,8 +152,14 @@ pub fn covering(color: &str, material: &str, usual_color: &str, usual_material: 
 /// A floor of a material in no particular colour: paler than furniture of the same wood, and darker than white things.
 pub fn toned(s: &Surface) -> Surface {
     let toward = |target: f32, by: f32| s.color.map(|c| c + (target - c) * by);
-    if is(s, Finish::Wood) {
+    let is_dark = s.color[0] < 0.6;
+    if is(s, Finish::Wood) && is_dark {
+        // White would take the colour out of it.
+        surface(Finish::Wood, s.color.map(|c| 1.35 * c))
+    } else if is(s, Finish::Wood) {
         surface(Finish::Wood, toward(1.0, 0.3))
+    } else if is(s, Finish::Plastic) {
+        surface(Finish::Plastic, toward(0.0, 0.13))
     } else if is(s, Finish::Ceramic) {
         surface(Finish::Ceramic, toward(0.0, 0.13))
     } else if is(s, Finish::Stone) {

@@ -104,7 +104,7 @@ impl Mesh {
             self.groups.len() - 1
         })
     }
-    /// Moves faces of different primitives that lie in one plane apart, see [`crate::apart`].
+    /// Moves faces of different primitives that lie in one plane apart.
     pub(crate) fn apart(mut self) -> Self {
         let end = |at: usize| {
             let Solid { group, .. } = self.solids[at];
@@ -116,7 +116,7 @@ impl Mesh {
         apart(&mut self.groups, &pieces);
         self
     }
-    /// Gives every vertex of the groups that have none its place on the material, see [`crate::unwrap`].
+    /// Gives every vertex of the groups that have none its place on the material.
     pub fn unwrapped(mut self) -> Self {
         let solids = std::mem::take(&mut self.solids);
         for (at, group) in self.groups.iter_mut().enumerate().filter(|(_, g)| g.uvs.len() != g.positions.len()) {

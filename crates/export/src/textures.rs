@@ -92,3 +92,35 @@ fn encoded(
     writer.finish().map_err(wrong)?;
     Ok(out)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_sets_together_are_small_and_every_picture_is_as_large_as_it_says() {
+        let mut bytes = 0;
+        for texture in Texture::all() {
+            let [width, height] = texture.pixels().size.map(|n| n as u32);
+            let glossy = gloss(texture, 0.5, 0.4).unwrap();
+            for picture in [color(texture).unwrap(), normal(texture).unwrap(), roughness(texture).unwrap(), glossy] {
+                let reader = png::Decoder::new(std::io::Cursor::new(&picture)).read_info().unwrap();
+                assert_eq!(reader.info().size(), (width, height), "{texture:?}");
+                bytes += picture.len();
+            }
+        }
+        assert!(bytes < 1_500_000, "{bytes}");
+    }
+
+    #[test]
+    fn the_first_row_of_a_picture_is_the_uppermost() {
+        let pixels = Texture::Wood.pixels();
+        let [width, height] = pixels.size;
+        let picture = normal(Texture::Wood).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&picture)).read_info().unwrap();
+        let mut read = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut read).unwrap();
+        let last: Vec<u8> = pixels.normal[(height - 1) * width..].concat();
+        assert_eq!(read[..3 * width], last[..]);
+    }
+}

@@ -6,7 +6,7 @@ use std::f32::consts::TAU;
 
 /// A plain weave of threads 4 mm wide, none like the other.
 pub(super) fn weave(u: f32, v: f32) -> Texel {
-    const THREADS: f32 = 48.0;
+    const THREADS: f32 = 24.0;
     let (x, y) = (u * THREADS, v * THREADS);
     let (i, j) = (x as u32, y as u32);
     let over = (i + j).is_multiple_of(2);
@@ -17,9 +17,9 @@ pub(super) fn weave(u: f32, v: f32) -> Texel {
         4.0 * t * (1.0 - t)
     };
     let height = bow(across).sqrt() * (0.55 + 0.45 * bow(along));
-    let spun = noise(u, v, 96, 96, 5);
+    let spun = noise(u, v, 48, 48, 5);
     let worn = clouds(u, v, 3, 3, 3, 21);
-    let light = 0.8 + 0.14 * height + 0.05 * (thread - 0.5) + 0.05 * (spun - 0.5) + 0.04 * (worn - 0.5);
+    let light = 0.8 + 0.14 * height + 0.05 * (thread - 0.5) + 0.05 * (spun - 0.5) + 0.02 * (worn - 0.5);
     Texel { light: light.min(1.0), height: 0.0009 * height, rough: 0.94 }
 }
 
@@ -37,10 +37,10 @@ pub(super) fn leather(u: f32, v: f32) -> Texel {
 
 /// Tufts of a short pile.
 pub(super) fn carpet(u: f32, v: f32) -> Texel {
-    let [near, _] = scattered(u, v, 80, 61);
+    let [near, _] = scattered(u, v, 40, 61);
     let tuft = 1.0 - near.min(1.0);
     let walked = clouds(u, v, 3, 3, 3, 71);
-    Texel { light: 0.76 + 0.16 * tuft + 0.16 * (walked - 0.5), height: 0.002 * tuft, rough: 1.0 }
+    Texel { light: 0.76 + 0.16 * tuft + 0.05 * (walked - 0.5), height: 0.002 * tuft, rough: 1.0 }
 }
 
 /// Fibres in all directions.

@@ -17,7 +17,7 @@ pub(super) fn stone(u: f32, v: f32) -> Texel {
     let bent = clouds(u, v, 2, 2, 4, 33);
     // A vein is where slow noise passes through its middle.
     let vein = (1.0 - (bent - 0.5).abs() * 28.0).max(0.0) * noise(u, v, 3, 3, 44);
-    let speck = (noise(u, v, 128, 128, 55) - 0.7).max(0.0);
+    let speck = (noise(u, v, 64, 64, 55) - 0.7).max(0.0);
     Texel {
         light: 0.88 + 0.26 * (cloud - 0.5) - 0.12 * vein - 0.16 * speck,
         height: 0.0002 * cloud,
@@ -39,8 +39,8 @@ pub(super) fn tiles(u: f32, v: f32) -> Texel {
     let joint = ((JOINT / 2.0 + pixel / 2.0 - within) / pixel).clamp(0.0, 1.0);
     let bevel = (1.0 - (within - JOINT / 2.0) / 0.004).clamp(0.0, 1.0);
     let fired = cell(x as u32, y as u32, 25);
-    let glaze = clouds(u, v, 4, 4, 3, 65);
-    let light = 0.94 + 0.03 * (fired - 0.5) + 0.05 * (glaze - 0.5);
+    let glaze = noise(u, v, 4, 4, 65);
+    let light = 0.94 + 0.03 * (fired - 0.5) + 0.03 * (glaze - 0.5);
     Texel { light: light * (1.0 - 0.4 * joint), height: -0.0012 * bevel * bevel, rough: 0.45 + 0.5 * joint }
 }
 

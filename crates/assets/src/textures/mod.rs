@@ -139,15 +139,15 @@ impl Texture {
     fn recipe(self) -> Recipe {
         let of = |size, tile, warm, texel| Recipe { size, tile, warm, texel };
         match self {
-            Self::Wood => of([256, 256], [0.6, 2.0], [0.06, 0.16], wood::wood),
+            Self::Wood => of([256, 128], [0.6, 2.0], [0.06, 0.16], wood::wood),
             Self::Boards => of([512, 256], [1.68, 4.2], [0.05, 0.13], wood::boards),
-            Self::Weave => of([256, 256], [0.2, 0.2], [0.0, 0.0], cloth::weave),
+            Self::Weave => of([128, 128], [0.1, 0.1], [0.0, 0.0], cloth::weave),
             Self::Leather => of([128, 128], [0.12, 0.12], [0.02, 0.04], cloth::leather),
             Self::Metal => of([128, 128], [0.2, 0.8], [0.0, 0.0], hard::metal),
-            Self::Stone => of([256, 256], [0.9, 0.9], [0.02, 0.05], hard::stone),
+            Self::Stone => of([128, 128], [0.8, 0.8], [0.02, 0.05], hard::stone),
             Self::Tiles => of([256, 256], [0.8, 0.8], [0.01, 0.03], hard::tiles),
             Self::Plaster => of([128, 128], [0.6, 0.6], [0.0, 0.0], hard::plaster),
-            Self::Carpet => of([256, 256], [0.4, 0.4], [0.0, 0.0], cloth::carpet),
+            Self::Carpet => of([128, 128], [0.2, 0.2], [0.0, 0.0], cloth::carpet),
             Self::Paper => of([128, 128], [0.3, 0.3], [0.01, 0.03], cloth::paper),
             Self::Plant => of([128, 128], [0.15, 0.15], [0.0, 0.05], cloth::leaf),
         }
