@@ -2,7 +2,7 @@
 //
 // A glTF is right-handed and the layout left-handed: x changes sign between them, nothing else does.
 
-import { Box3, type BufferGeometry, EdgesGeometry, Light, LineBasicMaterial, LineSegments, MathUtils, Matrix4, Mesh, type Object3D, Vector3 } from "three";
+import { Box3, type BufferGeometry, EdgesGeometry, Light, LineBasicMaterial, LineSegments, MathUtils, Matrix4, Mesh, type Object3D, PointLight, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import type { SceneData, SceneObject, Triple } from "./data.js";
 
@@ -28,6 +28,10 @@ export interface Model {
 const EDGE_ANGLE = 35;
 /** A mesh of more triangles than this was modelled finely; its edges would be noise. */
 const MOST_EDGED = 4000;
+
+/** Of the candelas of a lamp so much beside the page's own sun and sky; and how many lamps are lit, as each costs time. */
+const LAMP_BRIGHTNESS = 0.012;
+const MOST_LAMPS = 12;
 
 export interface RegionNode {
   readonly region: string;
@@ -77,8 +81,10 @@ export async function loadModel(base64: string): Promise<Model> {
       node.receiveShadow = true;
     }
   });
-  // The file is lit for viewers that have no light of their own.
-  for (const light of lights) light.removeFromParent();
+  // The file is lit for viewers that have no light of their own; of its lights those of lamps stay.
+  const lamps = lights.filter((light): light is PointLight => light instanceof PointLight && belongsTo(light, new Set(objects.values())));
+  for (const light of lights) if (!lamps.slice(0, MOST_LAMPS).includes(light as PointLight)) light.removeFromParent();
+  for (const light of lamps) light.intensity *= LAMP_BRIGHTNESS;
   const ink = new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.22, depthWrite: false, toneMapped: false });
   const edges = new Map<BufferGeometry, EdgesGeometry>();
   for (const mesh of [...objects.values()].flatMap(meshesOf)) {
@@ -95,6 +101,11 @@ function drawEdges(mesh: Mesh, ink: LineBasicMaterial, known: Map<BufferGeometry
   const edges = known.get(mesh.geometry) ?? new EdgesGeometry(mesh.geometry, EDGE_ANGLE);
   known.set(mesh.geometry, edges);
   mesh.add(new LineSegments(edges, ink));
+}
+
+function belongsTo(node: Object3D, owners: ReadonlySet<Object3D>): boolean {
+  for (let at: Object3D | null = node; at !== null; at = at.parent) if (owners.has(at)) return true;
+  return false;
 }
 
 function trianglesOf({ geometry }: Mesh): number {

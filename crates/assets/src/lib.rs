@@ -6,18 +6,25 @@
 //!
 //! Absent here: usual sizes (the language has them), placement, files.
 
+mod apart;
 mod ask;
 mod block;
+mod contrast;
 mod families;
 mod lexicon;
+mod lights;
 mod looks;
 mod mesh;
 mod model;
 mod shapes;
+pub mod textures;
+mod unwrap;
 mod words;
 
+pub use contrast::{difference, stand_out};
 pub use lexicon::{categories, families, family_of};
-pub use looks::{color_names, color_of, covering, material_names};
+pub use lights::Light;
+pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall, toned};
 pub use mesh::{Group, Mesh, Surface};
 pub use words::words;
 
@@ -57,6 +64,8 @@ pub struct Asset {
     pub joints: Vec<Joint>,
     /// What is seen.
     pub mesh: Mesh,
+    /// What light it gives, if it is a lamp.
+    pub lights: Vec<Light>,
     /// What to call it: the category, or the name.
     pub label: String,
 }
@@ -76,7 +85,8 @@ pub fn furnish(request: &Request<'_>) -> Asset {
         parts: model.parts,
         surface: model.surface,
         joints: model.joints,
-        mesh: model.mesh,
+        lights: lights::lights(family, &model.mesh),
+        mesh: model.mesh.apart().unwrapped(),
         label: label.trim().to_owned(),
     }
 }

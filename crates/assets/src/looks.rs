@@ -37,6 +37,12 @@ pub(crate) enum Finish {
     Glow,
     /// A lit display.
     Screen,
+    /// A wall as it is finished.
+    Plaster,
+    /// Wood laid as a floor.
+    Boards,
+    /// Ceramic laid on floors and walls.
+    Tiles,
 }
 
 /// Name, roughness, metalness, opacity. Metal is kept half-way: viewers without surroundings to reflect show it black.
@@ -65,6 +71,9 @@ const FINISHES: &[(Finish, &str, f32, f32, f32)] = &[
     (Finish::Water, "water", 0.05, 0.0, 0.55),
     (Finish::Glow, "glow", 0.6, 0.0, 1.0),
     (Finish::Screen, "screen", 0.2, 0.0, 1.0),
+    (Finish::Plaster, "plaster", 0.9, 0.0, 1.0),
+    (Finish::Boards, "boards", 0.55, 0.0, 1.0),
+    (Finish::Tiles, "tiles", 0.22, 0.0, 1.0),
 ];
 
 /// A finish and a colour (0xrrggbb).
@@ -130,7 +139,7 @@ pub(crate) fn surface(finish: Finish, color: Rgb) -> Surface {
     Surface { name: format!("{name}-{r:02x}{g:02x}{b:02x}"), color, roughness, metallic, emissive, opacity }
 }
 
-/// The surface of a floor or a wall: the colour and material that the texts name, else the usual ones.
+/// The surface of a colour and a material as texts name them, else the usual ones.
 pub fn covering(color: &str, material: &str, usual_color: &str, usual_material: &str) -> Surface {
     let usual = materials(usual_material).first().map_or(Finish::Paint, |m| m.0);
     let (finish, own) = materials(material)
@@ -140,11 +149,49 @@ pub fn covering(color: &str, material: &str, usual_color: &str, usual_material: 
     surface(finish, colors(color).first().copied().unwrap_or(own))
 }
 
+/// A floor of a material in no particular colour: paler than furniture of the same wood, and darker than white things.
+pub fn toned(s: &Surface) -> Surface {
+    let toward = |target: f32, by: f32| s.color.map(|c| c + (target - c) * by);
+    let is_dark = s.color[0] < 0.6;
+    if is(s, Finish::Wood) && is_dark {
+        // White would take the colour out of it.
+        surface(Finish::Wood, s.color.map(|c| 1.35 * c))
+    } else if is(s, Finish::Wood) {
+        surface(Finish::Wood, toward(1.0, 0.3))
+    } else if is(s, Finish::Plastic) {
+        surface(Finish::Plastic, toward(0.0, 0.13))
+    } else if is(s, Finish::Ceramic) {
+        surface(Finish::Ceramic, toward(0.0, 0.13))
+    } else if is(s, Finish::Stone) {
+        surface(Finish::Stone, toward(0.0, 0.1))
+    } else {
+        s.clone()
+    }
+}
+
+/// A surface as it covers a floor: wood is laid in boards, ceramic in tiles.
+pub fn on_floor(s: &Surface) -> Surface {
+    laid(s, &[(Finish::Wood, Finish::Boards), (Finish::Ceramic, Finish::Tiles)])
+}
+
+/// A surface as it covers a wall: ceramic is laid in tiles, and what is painted is plaster.
+pub fn on_wall(s: &Surface) -> Surface {
+    laid(s, &[(Finish::Ceramic, Finish::Tiles), (Finish::Paint, Finish::Plaster)])
+}
+
+fn laid(s: &Surface, table: &[(Finish, Finish)]) -> Surface {
+    table.iter().find(|(from, _)| is(s, *from)).map_or_else(|| s.clone(), |(_, to)| surface(*to, s.color))
+}
+
 /// The same finish, darker (< 1) or towards white (> 1).
 pub(crate) fn shade(s: &Surface, by: f32) -> Surface {
-    let color = s.color.map(|c| if by <= 1.0 { c * by } else { 1.0 - (1.0 - c) / by });
-    let finish = FINISHES.iter().find(|f| s.name.starts_with(f.1) && s.name.as_bytes().get(f.1.len()) == Some(&b'-'));
-    surface(finish.map_or(Finish::Paint, |f| f.0), color)
+    let finish = FINISHES.iter().find(|f| is(s, f.0));
+    surface(finish.map_or(Finish::Paint, |f| f.0), tinted_by(s.color, by))
+}
+
+/// A colour, darker (< 1) or towards white (> 1).
+pub(crate) fn tinted_by(color: Rgb, by: f32) -> Rgb {
+    color.map(|c| if by <= 1.0 { c * by } else { 1.0 - (1.0 - c) / by })
 }
 
 /// Whether a colour could be that of bare wood: brown to cream, not too vivid.

@@ -4,7 +4,9 @@
 //! by the usual formula, points out of the solid: seen from outside it runs clockwise, as Unity wants it. To write a
 //! right-handed file, mirror x (positions and normals) and swap two indices of each triangle. Each primitive is closed.
 
+use crate::apart::{Piece, apart};
 use crate::block::Block;
+use crate::unwrap::unwrap;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use scenelang_layout::Vec3;
 
@@ -34,6 +36,8 @@ pub struct Group {
     pub positions: Vec<[f32; 3]>,
     /// Unit normals, one per vertex, outward.
     pub normals: Vec<[f32; 3]>,
+    /// Where on its material each vertex is, metres; the grain runs along the second axis. Empty where nobody said.
+    pub uvs: Vec<[f32; 2]>,
     /// Three per triangle.
     pub indices: Vec<u32>,
 }
@@ -43,6 +47,23 @@ pub struct Group {
 pub struct Mesh {
     /// In order of first use.
     pub groups: Vec<Group>,
+    /// The primitives that are still to be unwrapped, in the order in which they were drawn.
+    solids: Vec<Solid>,
+}
+
+/// A primitive within a group: from its first index to that of the next of the same group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Solid {
+    group: usize,
+    first: usize,
+    /// From the axes that it was drawn along to those of the mesh.
+    turn: UnitQuaternion<f64>,
+}
+
+impl From<Vec<Group>> for Mesh {
+    fn from(groups: Vec<Group>) -> Self {
+        Self { groups, solids: Vec::new() }
+    }
 }
 
 impl Mesh {
@@ -56,18 +77,56 @@ impl Mesh {
     pub fn triangles(&self) -> usize {
         self.groups.iter().map(|g| g.indices.len() / 3).sum()
     }
-    /// The group of a surface, made on first use.
+    /// The group of a surface, made on first use; a new primitive begins in it.
     pub(crate) fn group(&mut self, surface: &Surface) -> &mut Group {
-        let at = self.groups.iter().position(|g| g.surface.name == surface.name).unwrap_or_else(|| {
+        let at = self.find(surface);
+        let first = self.groups[at].indices.len();
+        self.solids.push(Solid { group: at, first, turn: UnitQuaternion::identity() });
+        &mut self.groups[at]
+    }
+    /// The primitive drawn last lies along a direction.
+    pub(crate) fn lies_along(&mut self, way: Vec3) {
+        if let Some(solid) = self.solids.last_mut()
+            && let Some(turn) = UnitQuaternion::rotation_between(&Vec3::y(), &way)
+        {
+            solid.turn = turn;
+        }
+    }
+    fn find(&mut self, surface: &Surface) -> usize {
+        self.groups.iter().position(|g| g.surface.name == surface.name).unwrap_or_else(|| {
             self.groups.push(Group {
                 surface: surface.clone(),
                 positions: Vec::new(),
                 normals: Vec::new(),
+                uvs: Vec::new(),
                 indices: Vec::new(),
             });
             self.groups.len() - 1
-        });
-        &mut self.groups[at]
+        })
+    }
+    /// Moves faces of different primitives that lie in one plane apart.
+    pub(crate) fn apart(mut self) -> Self {
+        let end = |at: usize| {
+            let Solid { group, .. } = self.solids[at];
+            let next = self.solids[at + 1..].iter().find(|s| s.group == group);
+            next.map_or(self.groups[group].indices.len(), |s| s.first)
+        };
+        let piece = |(at, s): (usize, &Solid)| Piece { group: s.group, indices: s.first..end(at) };
+        let pieces: Vec<Piece> = self.solids.iter().enumerate().map(piece).collect();
+        apart(&mut self.groups, &pieces);
+        self
+    }
+    /// Gives every vertex of the groups that have none its place on the material.
+    pub fn unwrapped(mut self) -> Self {
+        let solids = std::mem::take(&mut self.solids);
+        for (at, group) in self.groups.iter_mut().enumerate().filter(|(_, g)| g.uvs.len() != g.positions.len()) {
+            let mut own: Vec<_> = solids.iter().filter(|s| s.group == at).map(|s| (s.first, s.turn)).collect();
+            if own.first().is_none_or(|(first, _)| *first > 0) {
+                own.insert(0, (0, UnitQuaternion::identity()));
+            }
+            unwrap(group, &own);
+        }
+        self
     }
     /// Draws something about the origin, then turns it (degrees about x, z, y in this order, as in the language) and
     /// moves the origin to `at`.
@@ -79,6 +138,7 @@ impl Mesh {
         let mut sub = Self::default();
         draw(&mut sub);
         sub.map(|p| frame.transform_point(&p.into()).coords, |n| frame.transform_vector(&n));
+        sub.solids.iter_mut().for_each(|s| s.turn = turn * s.turn);
         self.append(sub);
     }
     /// Draws something of any size, then stretches it to fill a box.
@@ -99,8 +159,17 @@ impl Mesh {
         }
     }
     fn append(&mut self, other: Self) {
-        for from in other.groups {
-            let to = self.group(&from.surface);
+        let mut to = Vec::with_capacity(other.groups.len());
+        for from in &other.groups {
+            let at = self.find(&from.surface);
+            to.push((at, self.groups[at].indices.len()));
+        }
+        self.solids.extend(other.solids.iter().map(|s| {
+            let (group, first) = to[s.group];
+            Solid { group, first: first + s.first, turn: s.turn }
+        }));
+        for (from, (at, _)) in other.groups.into_iter().zip(to) {
+            let to = &mut self.groups[at];
             let base = to.positions.len() as u32;
             to.positions.extend(from.positions);
             to.normals.extend(from.normals);
@@ -143,7 +212,7 @@ impl Group {
     }
 }
 
-fn wide(p: [f32; 3]) -> Vec3 {
+pub(crate) fn wide(p: [f32; 3]) -> Vec3 {
     Vec3::new(p[0].into(), p[1].into(), p[2].into())
 }
 

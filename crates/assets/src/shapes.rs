@@ -106,6 +106,10 @@ impl Mesh {
     pub(crate) fn ball(&mut self, b: Block, s: &Surface) {
         self.lathe(b, &sphere(8), 16, s);
     }
+    /// A ball of fewer faces, for small ones in numbers.
+    pub(crate) fn bead(&mut self, b: Block, s: &Surface) {
+        self.lathe(b, &sphere(6), 12, s);
+    }
     /// A profile turned about the upright axis of the box. Points are (radius, height), both as fractions of the box, from
     /// the bottom outside up (and, for a vessel, down again inside); open ends are closed by a disc. `sides` is a multiple
     /// of four, so that the extents are exact.
@@ -195,6 +199,9 @@ impl Mesh {
         start.reverse();
         group.facet(&start);
         group.facet(&end);
+        if let [(from, ..), (to, ..)] = path {
+            self.lies_along(to - from);
+        }
     }
     /// A round bar from one point to another.
     pub(crate) fn rod(&mut self, from: Vec3, to: Vec3, radius: f64, s: &Surface) {

@@ -154,7 +154,8 @@ fn mesh(patches: &[Patch]) -> Mesh {
         let known = out.groups.iter().position(|g| g.surface.name == patch.surface.name);
         let at = known.unwrap_or_else(|| {
             let surface = patch.surface.clone();
-            out.groups.push(Group { surface, positions: Vec::new(), normals: Vec::new(), indices: Vec::new() });
+            let (positions, normals, uvs, indices) = Default::default();
+            out.groups.push(Group { surface, positions, normals, uvs, indices });
             out.groups.len() - 1
         });
         add(&mut out.groups[at], patch);

@@ -4,10 +4,12 @@
 
 use crate::geometry::frame::{mirrored, mirrored_quaternion};
 use crate::geometry::mesh::Group;
+use crate::geometry::tangent::tangents;
 use crate::scene::{Role, Shell, view};
-use crate::{ExportError, Exporter, OutFile, Scene};
+use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use nalgebra::UnitQuaternion;
 use scenelang_assets::Surface;
+use scenelang_assets::textures::Texture;
 use scenelang_layout::Vec3;
 use serde_json::{Map, Value, json};
 
@@ -30,8 +32,7 @@ const UNSIGNED_INT: u32 = 5125;
 const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
 
-/// Luminous intensity of a room's lamp, candela; of the sun, lux. Modest, for viewers that take them literally.
-const LAMP: f64 = 30.0;
+/// Of the sun, lux: modest, for viewers that take it literally.
 const SUN: f64 = 1.5;
 
 /// The whole file.
@@ -40,6 +41,7 @@ const SUN: f64 = 1.5;
 /// More than 4 GB of geometry.
 pub fn bytes(scene: &Scene) -> Result<Vec<u8>, ExportError> {
     let mut writer = Writer::default();
+    writer.textures(scene)?;
     writer.scene(scene);
     writer.finish()
 }
@@ -56,12 +58,37 @@ struct Writer<'a> {
     used: Vec<usize>,
     /// Meshes written so far: equal ones are written once.
     written: Vec<&'a [Group]>,
-    /// Positions, normals, short indices, long indices.
-    views: [Vec<u8>; 4],
+    /// Positions, normals, places on materials, tangents, short indices, long indices.
+    views: [Vec<u8>; KINDS.len()],
+    /// The kinds of textures of the document.
+    textures: Vec<Texture>,
+    /// Their pictures, as many for each as [`PICTURES`] has names.
+    images: Vec<Vec<u8>>,
     root: Map<String, Value>,
 }
 
+/// What the buffer views of geometry hold: the target, and the bytes of a vertex.
+const KINDS: [(u32, Option<usize>); 6] = [
+    (VERTICES, Some(12)),
+    (VERTICES, Some(12)),
+    (VERTICES, Some(8)),
+    (VERTICES, Some(16)),
+    (INDICES, None),
+    (INDICES, None),
+];
+/// The pictures of a texture.
+const PICTURES: [&str; 3] = ["color", "normal", "roughness"];
+
 impl<'a> Writer<'a> {
+    /// A set of pictures for each kind of texture.
+    fn textures(&mut self, scene: &Scene) -> Result<(), ExportError> {
+        self.textures = textures::used(scene);
+        for &texture in &self.textures {
+            self.images.extend([textures::color(texture)?, textures::normal(texture)?, textures::roughness(texture)?]);
+        }
+        Ok(())
+    }
+
     fn scene(&mut self, scene: &'a Scene) {
         for object in &scene.objects {
             let extras = json!({ "id": object.name, "category": object.category, "label": object.label });
@@ -81,10 +108,21 @@ impl<'a> Writer<'a> {
             let turn = UnitQuaternion::rotation_between(&-Vec3::z(), &mirrored(view::SUN));
             node["rotation"] = json!(turn.map_or([0.0, 0.0, 0.0, 1.0], |q| [q.i, q.j, q.k, q.w]));
         });
+        let mut hanging = Vec::new();
         for lamp in &scene.lamps {
-            let light =
-                json!({ "type": "point", "intensity": LAMP, "range": rounded(lamp.range), "color": [1.0, 0.96, 0.9] });
-            self.light(&lamp.name, light, |node| node["translation"] = triple(mirrored(lamp.pos)));
+            let light = json!({
+                "type": "point", "intensity": rounded(lamp.candela), "range": rounded(lamp.range),
+                "color": lamp.color.map(|c| rounded(linear(c))),
+            });
+            // What belongs to a thing is moved with it.
+            let object = lamp.object.and_then(|index| scene.objects.get(index).zip(Some(index)));
+            let pos = object.map_or(lamp.pos, |(o, _)| o.axes.transpose() * (lamp.pos - o.place.pos));
+            self.light(&lamp.name, light, |node| node["translation"] = triple(mirrored(pos)));
+            if let Some((_, index)) = object {
+                let number = self.nodes.len() - 1;
+                self.nodes[index]["children"] = json!([number]);
+                hanging.push(number);
+            }
         }
         let mut own = json!({
             "version": env!("CARGO_PKG_VERSION"), "spec": scene.main_text(), "layout": scene.layout_text,
@@ -93,7 +131,7 @@ impl<'a> Writer<'a> {
             own["imports"] = imports;
         }
         let extras = json!({ "scenelang": own });
-        let all: Vec<usize> = (0..self.nodes.len()).collect();
+        let all: Vec<usize> = (0..self.nodes.len()).filter(|n| !hanging.contains(n)).collect();
         self.root.insert("scenes".into(), json!([{ "name": scene.name, "nodes": all, "extras": extras }]));
     }
 
@@ -138,9 +176,12 @@ impl<'a> Writer<'a> {
         for (view, vectors) in [(0, &group.positions), (1, &group.normals)] {
             self.views[view].extend(vectors.iter().copied().flat_map(mirror).flat_map(f32::to_le_bytes));
         }
+        let surface = &scene.surfaces[group.surface];
+        let texture = Texture::of(surface);
+        let place = texture.map(|texture| self.places(group, texture));
         // 65535 restarts a strip, so that many vertices already need long indices.
         let short = group.positions.len() < 0xffff;
-        let (view, component) = if short { (2, UNSIGNED_SHORT) } else { (3, UNSIGNED_INT) };
+        let (view, component) = if short { (4, UNSIGNED_SHORT) } else { (5, UNSIGNED_INT) };
         let indices = self.accessor(view, component, "SCALAR", group.indices.len());
         for t in group.indices.chunks_exact(3) {
             for i in [t[0], t[2], t[1]] {
@@ -148,11 +189,26 @@ impl<'a> Writer<'a> {
                 self.views[view].extend_from_slice(if short { &bytes[..2] } else { &bytes });
             }
         }
-        json!({
-            "attributes": { "POSITION": position, "NORMAL": normal },
-            "indices": indices,
-            "material": self.material(group.surface, &scene.surfaces[group.surface]),
-        })
+        let mut attributes = json!({ "POSITION": position, "NORMAL": normal });
+        if let Some([place, tangent]) = place {
+            attributes["TEXCOORD_0"] = json!(place);
+            attributes["TANGENT"] = json!(tangent);
+        }
+        json!({ "attributes": attributes, "indices": indices, "material": self.material(group.surface, surface) })
+    }
+
+    /// Where on its texture each vertex is, and which way the texture runs there: the numbers of two accessors.
+    fn places(&mut self, group: &Group, texture: Texture) -> [usize; 2] {
+        let place = self.accessor(2, FLOAT, "VEC2", group.uvs.len());
+        // In tiles, and downwards.
+        let [width, height] = texture.pixels().tile.map(|metres| metres as f32);
+        let tiles = group.uvs.iter().flat_map(|[u, v]| [u / width, 0.0 - v / height]);
+        self.views[2].extend(tiles.flat_map(f32::to_le_bytes));
+        let tangent = self.accessor(3, FLOAT, "VEC4", group.uvs.len());
+        // In a mirror the other side is the right one.
+        let mirror = |([x, y, z], side): ([f32; 3], f32)| [0.0 - x, y, z, -side];
+        self.views[3].extend(tangents(group).into_iter().flat_map(mirror).flat_map(f32::to_le_bytes));
+        [place, tangent]
     }
 
     /// An accessor at the end of a view; the view's number is that of its kind until [`Self::finish`].
@@ -165,8 +221,10 @@ impl<'a> Writer<'a> {
 
     fn material(&mut self, index: usize, surface: &Surface) -> usize {
         self.used.iter().position(|&u| u == index).unwrap_or_else(|| {
+            let texture = Texture::of(surface);
+            let number = texture.and_then(|texture| self.textures.iter().position(|t| *t == texture));
             self.used.push(index);
-            self.materials.push(material(surface));
+            self.materials.push(material(surface, texture.zip(number)));
             self.used.len() - 1
         })
     }
@@ -174,18 +232,31 @@ impl<'a> Writer<'a> {
     fn finish(mut self) -> Result<Vec<u8>, ExportError> {
         let mut binary = Vec::new();
         let mut buffer_views = Vec::new();
-        let mut number = [0; 4];
+        let mut number = [0; KINDS.len()];
+        let mut add = |bytes: &[u8]| {
+            let entry = json!({ "buffer": 0, "byteOffset": binary.len(), "byteLength": bytes.len() });
+            binary.extend_from_slice(bytes);
+            binary.resize(binary.len().next_multiple_of(4), 0);
+            entry
+        };
         for (kind, view) in self.views.iter().enumerate().filter(|(_, v)| !v.is_empty()) {
             number[kind] = buffer_views.len();
-            let mut entry = json!({ "buffer": 0, "byteOffset": binary.len(), "byteLength": view.len() });
-            entry["target"] = json!(if kind < 2 { VERTICES } else { INDICES });
-            if kind < 2 {
-                entry["byteStride"] = json!(12);
+            let mut entry = add(view);
+            let (target, stride) = KINDS[kind];
+            entry["target"] = json!(target);
+            if let Some(stride) = stride {
+                entry["byteStride"] = json!(stride);
             }
             buffer_views.push(entry);
-            binary.extend_from_slice(view);
-            binary.resize(binary.len().next_multiple_of(4), 0);
         }
+        let mut images = Vec::new();
+        for (i, image) in self.images.iter().enumerate() {
+            let name = format!("{}_{}", self.textures[i / PICTURES.len()].name(), PICTURES[i % PICTURES.len()]);
+            images.push(json!({ "name": name, "mimeType": "image/png", "bufferView": buffer_views.len() }));
+            buffer_views.push(add(image));
+        }
+        let all: Vec<Value> = (0..images.len()).map(|source| json!({ "sampler": 0, "source": source })).collect();
+        let samplers = if images.is_empty() { Vec::new() } else { vec![sampler()] };
         for accessor in &mut self.accessors {
             let kind = accessor["bufferView"].as_u64().unwrap_or_default() as usize;
             accessor["bufferView"] = json!(number[kind]);
@@ -204,6 +275,9 @@ impl<'a> Writer<'a> {
             ("materials", self.materials),
             ("accessors", self.accessors),
             ("bufferViews", buffer_views),
+            ("images", images),
+            ("samplers", samplers),
+            ("textures", all),
         ] {
             if !values.is_empty() {
                 root.insert(key.into(), Value::Array(values));
@@ -253,16 +327,34 @@ fn shell_extras(shell: &Shell) -> Value {
     }
 }
 
-fn material(surface: &Surface) -> Value {
-    let [r, g, b] = surface.color.map(|c| rounded(linear(c)));
+/// Smooth near and far, and without an end.
+fn sampler() -> Value {
+    const LINEAR: u32 = 9729;
+    const LINEAR_MIPMAP_LINEAR: u32 = 9987;
+    json!({ "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR })
+}
+
+/// A material; `texture` is a kind, and its number in the document.
+fn material(surface: &Surface, texture: Option<(Texture, usize)>) -> Value {
+    let color = surface.color.map(|c| linear(c) as f32);
+    let pixels = texture.map(|(texture, _)| texture.pixels());
+    let factor = pixels.map_or(color, |p| p.factor(color));
+    let roughness = pixels.map_or(surface.roughness, |p| textures::rough_factor(p, surface.roughness));
+    let [r, g, b] = factor.map(|c| rounded(c.into()));
     let mut out = json!({
         "name": surface.name,
         "pbrMetallicRoughness": {
             "baseColorFactor": [r, g, b, rounded(surface.opacity.into())],
             "metallicFactor": rounded(surface.metallic.into()),
-            "roughnessFactor": rounded(surface.roughness.into()),
+            "roughnessFactor": rounded(roughness.into()),
         },
     });
+    if let Some((_, number)) = texture {
+        let of = |picture: usize| json!({ "index": number * PICTURES.len() + picture });
+        out["pbrMetallicRoughness"]["baseColorTexture"] = of(0);
+        out["normalTexture"] = of(1);
+        out["pbrMetallicRoughness"]["metallicRoughnessTexture"] = of(2);
+    }
     if surface.opacity < 1.0 {
         out["alphaMode"] = json!("BLEND");
     }

@@ -22,6 +22,7 @@ pub mod plan;
 pub mod preview;
 pub mod scene;
 pub mod sdf;
+mod textures;
 pub mod unity;
 pub mod urdf;
 pub mod usd;

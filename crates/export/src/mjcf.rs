@@ -173,13 +173,15 @@ fn assets(xml: &mut Xml, scene: &Scene, physics: &Physics<'_>) -> Meshes {
 
 fn lights(xml: &mut Xml, scene: &Scene) {
     let sun = spaced(FRAME.point(view::SUN.normalize()).iter().copied());
-    // Shadows of a sun would fall from the ceiling.
-    let shine = [("diffuse", "0.4 0.4 0.4"), ("specular", "0.1 0.1 0.1"), ("castshadow", "false")];
-    let mut light = |own: [Attribute<'_>; 3]| xml.empty("light", &[&own[..], &shine].concat());
-    light([("name", "sun"), ("directional", "true"), ("dir", &sun)]);
+    // All lamps together are as bright as a few; shadows of a sun would fall from the ceiling.
+    let each = number((0.4 * (3.0 / scene.lamps.len().max(1) as f64).min(1.0) * 1e3).round() / 1e3);
+    let each = format!("{each} {each} {each}");
+    let shine = [("specular", "0.1 0.1 0.1"), ("castshadow", "false")];
+    let mut light = |own: [Attribute<'_>; 4]| xml.empty("light", &[&own[..], &shine].concat());
+    light([("name", "sun"), ("directional", "true"), ("dir", &sun), ("diffuse", "0.4 0.4 0.4")]);
     for lamp in &scene.lamps {
         let pos = spaced(FRAME.point(lamp.pos).iter().copied());
-        light([("name", &lamp.name), ("pos", &pos), ("dir", "0 0 -1")]);
+        light([("name", &lamp.name), ("pos", &pos), ("dir", "0 0 -1"), ("diffuse", &each)]);
     }
 }
 

@@ -76,6 +76,11 @@ fn material(out: &mut String, name: &str, surface: &Surface) {
     let _ = writeln!(out, "Pr {}\nPm {}\nillum 2", surface.roughness, surface.metallic);
 }
 
+/// Metres to a tenth of a millimetre: what is finer is not seen on a material.
+pub(crate) fn to_tenths(metres: f32) -> f32 {
+    (metres * 1e4).round() / 1e4
+}
+
 /// The text of a mesh as it grows.
 pub(crate) struct Mesh<'a> {
     out: String,
@@ -103,10 +108,14 @@ impl<'a> Mesh<'a> {
         for group in groups.iter().filter(|g| !g.indices.is_empty()) {
             self.vectors("v", group.positions.iter().map(|p| turned(p) + pos));
             self.vectors("vn", group.normals.iter().map(turned));
+            for uv in &group.uvs {
+                let [u, v] = uv.map(to_tenths);
+                let _ = writeln!(self.out, "vt {u} {v}");
+            }
             let _ = writeln!(self.out, "usemtl {}", self.materials.0[group.surface]);
             for t in group.indices.chunks_exact(3) {
                 let [a, b, c] = [t[0], t[2], t[1]].map(|i| i as usize + self.count + 1);
-                let _ = writeln!(self.out, "f {a}//{a} {b}//{b} {c}//{c}");
+                let _ = writeln!(self.out, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}");
             }
             self.count += group.positions.len();
         }

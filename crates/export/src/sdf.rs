@@ -7,7 +7,7 @@ use crate::geometry::frame::Frame;
 use crate::geometry::mesh::Group;
 use crate::loss::Lost;
 use crate::names::{Identifiers, Stems};
-use crate::numbers::{number, spaced};
+use crate::numbers::{coarse, number, spaced};
 use crate::obj::{Materials, Mesh};
 use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Joint, Physics, Shape};
 use crate::scene::view;
@@ -86,7 +86,8 @@ fn lights(xml: &mut Xml, scene: &Scene, names: &mut Identifiers) {
         xml.begin("light", &[("name", &names.take(&lamp.name)), ("type", "point")]);
         xml.text("cast_shadows", "false");
         xml.text("pose", &pose(&lamp.pos, &Matrix3::identity()));
-        xml.text("diffuse", "0.8 0.77 0.72 1");
+        let [r, g, b] = lamp.color.map(|c| coarse(0.8 * c));
+        xml.text("diffuse", &format!("{r} {g} {b} 1"));
         xml.text("specular", "0.1 0.1 0.1 1");
         xml.begin("attenuation", &[]);
         xml.text("range", &number(lamp.range));

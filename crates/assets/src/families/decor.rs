@@ -260,13 +260,13 @@ pub(super) fn bottle(a: &Ask) -> Model {
     m.solid_drum(b);
     m.mesh.lathe(
         b.y(0.0..0.93 * a.h),
-        &[(0.92, 0.0), (1.0, 0.03), (1.0, 0.58), (0.9, 0.68), (0.42, 0.82), (0.36, 0.88), (0.36, 1.0)],
+        &[(0.9, 0.0), (0.98, 0.03), (0.98, 0.58), (0.88, 0.68), (0.42, 0.82), (0.36, 0.88), (0.36, 1.0)],
         24,
         &main,
     );
     m.mesh.drum(b.inset(0.29 * a.w, 0.0, 0.29 * a.d).y(0.92 * a.h..a.h), &a.second(stuff::DARK_PLASTIC));
-    let label = b.inset(-0.002 * a.w, 0.0, -0.002 * a.d).y(0.2 * a.h..0.5 * a.h);
-    m.mesh.lathe(label.inset(0.003 * a.w, 0.0, 0.003 * a.d), &[(1.0, 0.0), (1.0, 1.0)], 24, &stuff::PAPER.surface());
+    // The label is outermost.
+    m.mesh.lathe(b.y(0.2 * a.h..0.5 * a.h), &[(1.0, 0.0), (1.0, 1.0)], 24, &stuff::PAPER.surface());
     m
 }
 

@@ -144,10 +144,11 @@ pub(super) fn stove(a: &Ask) -> Model {
             m.mesh.lathe(
                 at(r),
                 &[(1.0, 0.6), (1.0, 1.0), (0.82, 1.0), (0.82, 0.6)],
-                24,
+                16,
                 &stuff::GRAY_PLASTIC.surface(),
             );
-            m.mesh.drum(at(0.4 * r).y(top..a.h - 0.1 * (a.h - top)), &stuff::GRAY_PLASTIC.surface());
+            let cap = at(0.4 * r).y(top..a.h - 0.1 * (a.h - top));
+            m.mesh.lathe(cap, &[(1.0, 0.0), (1.0, 1.0)], 16, &stuff::GRAY_PLASTIC.surface());
         }
     }
     let face = b.inset(0.002, 0.0, 0.0).z(b.max.z - deep..b.max.z);

@@ -267,7 +267,7 @@ pub(super) fn radiator(a: &Ask) -> Model {
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     m.solid(b);
-    let n = pieces(a.w, 0.06, 3, 40);
+    let n = pieces(a.w, 0.06, 3, 27);
     for fin in b.y(0.0..a.h).split(0, n, 0.012) {
         m.mesh.rounded(fin, 0.4 * fin.size().x, 2, &main);
     }

@@ -177,8 +177,8 @@ pub(super) fn chandelier(a: &Ask) -> Model {
             let at = |r: f64, y: f64| Vec3::new(cos * r, y, sin * r);
             mesh.tube(&[at(0.05, 0.2), at(0.4, 0.0), at(0.8, 0.1), at(0.92, 0.35)], 0.025, &main);
             let c = at(0.92, 0.0);
-            mesh.drum(about(0.08, 0.32, 0.38).moved(c.x, 0.0, c.z), &main);
-            mesh.ball(about(0.06, 0.38, 0.72).moved(c.x, 0.0, c.z), &light);
+            mesh.lathe(about(0.08, 0.32, 0.38).moved(c.x, 0.0, c.z), &[(1.0, 0.0), (1.0, 1.0)], 12, &main);
+            mesh.bead(about(0.06, 0.38, 0.72).moved(c.x, 0.0, c.z), &light);
         }
     });
     m

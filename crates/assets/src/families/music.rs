@@ -10,11 +10,12 @@ use crate::model::Model;
 fn drum(m: &mut Model, b: Block, shell: &Surface) {
     let (skin, hoop) = (stuff::SHEET.surface(), stuff::CHROME.surface());
     m.solid_drum(b);
-    m.mesh.drum(b.share(0.02..0.98, 0.1..0.9, 0.02..0.98), shell);
+    let mut ring = |b: Block, s: &Surface| m.mesh.lathe(b, &[(1.0, 0.0), (1.0, 1.0)], 24, s);
+    ring(b.share(0.02..0.98, 0.1..0.9, 0.02..0.98), shell);
     for rim in [b.share(0.0..1.0, 0.0..0.12, 0.0..1.0), b.share(0.0..1.0, 0.86..0.98, 0.0..1.0)] {
-        m.mesh.drum(rim, &hoop);
+        ring(rim, &hoop);
     }
-    m.mesh.drum(b.share(0.04..0.96, 0.96..1.0, 0.04..0.96), &skin);
+    ring(b.share(0.04..0.96, 0.96..1.0, 0.04..0.96), &skin);
 }
 
 /// A bass drum on its side, two toms over it, a floor tom, a snare, and three cymbals. The drummer sits at -z.

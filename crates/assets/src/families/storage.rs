@@ -449,7 +449,7 @@ pub(super) fn display_case(a: &Ask) -> Model {
             let size = place.size();
             let high = highest * (0.6 + 0.4 * dice.unit());
             let thing = place.inset(0.28 * size.x, 0.0, 0.3 * size.z).y(board..board + high);
-            m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 2, &dice.pick(goods).surface());
+            m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 1, &dice.pick(goods).surface());
         }
     }
     m

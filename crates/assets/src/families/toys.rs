@@ -31,9 +31,9 @@ pub(super) fn teddy(a: &Ask) -> Model {
     m.mesh.ball(tail, &fur);
     m.mesh.ball(b.share(0.3..0.7, 0.1..0.46, 0.6..0.86), &light);
     m.mesh.ball(b.share(0.36..0.64, 0.55..0.74, 0.68..0.92), &light);
-    m.mesh.ball(b.share(0.45..0.55, 0.67..0.74, 0.84..0.94), &dark);
+    m.mesh.bead(b.share(0.45..0.55, 0.67..0.74, 0.84..0.94), &dark);
     for eye in b.share(0.34..0.41, 0.73..0.79, 0.72..0.8).both_sides() {
-        m.mesh.ball(eye, &dark);
+        m.mesh.bead(eye, &dark);
     }
     m
 }

@@ -2,5 +2,6 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod geometry;
+mod looks;
 mod nouns;
 mod shapes;

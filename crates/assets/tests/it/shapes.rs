@@ -421,7 +421,7 @@ fn colours_and_materials_are_as_asked() {
         let mut area: BTreeMap<bool, f64> = BTreeMap::new();
         for g in &asset.mesh.groups {
             let hit = g.surface.color.iter().zip(want).all(|(a, b)| (a - b).abs() < 0.01);
-            let one = scenelang_assets::Mesh { groups: vec![g.clone()] };
+            let one = scenelang_assets::Mesh::from(vec![g.clone()]);
             *area.entry(hit).or_default() +=
                 triangles(&one).map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum::<f64>();
         }

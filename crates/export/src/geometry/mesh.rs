@@ -17,6 +17,8 @@ pub struct Group {
     pub positions: Vec<[f32; 3]>,
     /// Unit normals, one for each corner.
     pub normals: Vec<[f32; 3]>,
+    /// Where on its material each corner is, metres; grain runs along the second axis.
+    pub uvs: Vec<[f32; 2]>,
     /// Three for each triangle.
     pub indices: Vec<u32>,
 }
@@ -32,6 +34,10 @@ impl Group {
         let first = self.positions.len() as u32;
         self.positions.extend(corners.iter().map(narrow));
         self.normals.extend(std::iter::repeat_n(narrow(normal), corners.len()));
+        // Faces in one plane have one origin, so that nothing breaks where they meet; the second axis runs up.
+        let across = normal.cross(&Vec3::y()).try_normalize(1e-6).unwrap_or_else(Vec3::x);
+        let up = if normal.y.abs() > 1.0 - 1e-9 { Vec3::z() } else { across.cross(normal) };
+        self.uvs.extend(corners.iter().map(|p| [p.dot(&across) as f32, p.dot(&up) as f32]));
         let forward = (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).dot(normal) > 0.0;
         for i in 2..corners.len() as u32 {
             let (b, c) = if forward { (i - 1, i) } else { (i, i - 1) };

@@ -5,3 +5,4 @@
 pub mod frame;
 pub mod mesh;
 pub mod polygon;
+pub mod tangent;

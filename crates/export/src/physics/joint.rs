@@ -126,6 +126,7 @@ fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<Group> {
                 let first = out.positions.len() as u32;
                 out.positions.extend(corners);
                 out.normals.extend(indices.iter().map(|&i| group.normals[i as usize]));
+                out.uvs.extend(indices.iter().map(|&i| group.uvs[i as usize]));
                 out.indices.extend([first, first + 1, first + 2]);
             }
         }

@@ -6,6 +6,7 @@ use super::stage::{Look, Stage, Triangle};
 use crate::scene::View;
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
+use std::array::from_fn;
 use std::ops::Range;
 
 /// Samples per pixel along each axis.
@@ -40,12 +41,11 @@ pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usiz
         let mut light: Vec<[f32; 3]> = (fine.start * width..fine.end * width)
             .map(|at| {
                 let [x, y] = [at % width, at / width];
-                if buffer.look[at] == NOTHING {
+                let Some(triangle) = opaque.get(buffer.shown[at] as usize) else {
                     return backdrop(stage, &lens, x, y);
-                }
-                let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
-                let look = &stage.looks[buffer.look[at] as usize];
-                shade(look, place, buffer.normal[at], lens.eye, &sun, corners.at(x, y))
+                };
+                let spot = Spot::at(&lens, [x, y], buffer.depth[at], buffer.normal[at]);
+                shade(&Matter::of(stage, triangle, &spot, &lens), &spot, lens.eye, &sun, corners.at(x, y))
             })
             .collect();
         for triangle in &clear {
@@ -59,13 +59,17 @@ pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usiz
 /// A pale sheet that darkens where the building stands on it.
 fn backdrop(stage: &Stage, lens: &Lens, x: usize, y: usize) -> [f32; 3] {
     let t = y as f32 / lens.size[1] as f32;
-    let sheet: [f32; 3] = std::array::from_fn(|i| BACKDROP[0][i] + (BACKDROP[1][i] - BACKDROP[0][i]) * t);
+    let sheet: [f32; 3] = from_fn(|i| BACKDROP[0][i] + (BACKDROP[1][i] - BACKDROP[0][i]) * t);
     let way = sub(lens.world([x as f32 + 0.5, y as f32 + 0.5], 1.0), lens.eye);
     if way[1] >= -1e-3 {
         return sheet;
     }
     let far = (stage.ground - lens.eye[1]) / way[1];
     let away = stage.distance_to_footprint([lens.eye[0] + way[0] * far, lens.eye[2] + way[2] * far]);
+    // Farther away it is not seen.
+    if away > 6.0 {
+        return sheet;
+    }
     let dim = 1.0 - 0.2 * (-away / 0.16).exp() - 0.1 * (-away / 0.8).exp();
     sheet.map(|v| v * dim)
 }
@@ -82,7 +86,7 @@ fn camera(view: &View, size: [usize; 2]) -> Lens {
 }
 
 fn rows(axes: &Matrix3<f64>) -> [[f32; 3]; 3] {
-    std::array::from_fn(|k| narrow(axes.column(k).into()))
+    from_fn(|k| narrow(axes.column(k).into()))
 }
 
 fn narrow(v: Vec3) -> [f32; 3] {
@@ -112,13 +116,13 @@ impl Sun {
         let casters: Vec<&Triangle> = stage.triangles.iter().filter(|t| t.shadow).collect();
         let (mut lo, mut hi) = ([f32::MAX; 3], [f32::MIN; 3]);
         for p in casters.iter().flat_map(|t| t.points).map(|p| lens.seen(p)) {
-            lo = std::array::from_fn(|i| lo[i].min(p[i]));
-            hi = std::array::from_fn(|i| hi[i].max(p[i]));
+            lo = from_fn(|i| lo[i].min(p[i]));
+            hi = from_fn(|i| hi[i].max(p[i]));
         }
         if lo[0] <= hi[0] {
-            let middle: [f32; 3] = std::array::from_fn(|i| (lo[i] + hi[i]) / 2.0);
+            let middle: [f32; 3] = from_fn(|i| (lo[i] + hi[i]) / 2.0);
             let [r, u, f] = lens.axes;
-            lens.eye = std::array::from_fn(|i| r[i] * middle[0] + u[i] * middle[1] + f[i] * middle[2]);
+            lens.eye = from_fn(|i| r[i] * middle[0] + u[i] * middle[1] + f[i] * middle[2]);
             lens.zoom = (SHADOW as f32 - 16.0) / (hi[0] - lo[0]).max(hi[1] - lo[1]).max(0.1);
         }
         let depths = depths(&lens, &casters, threads);
@@ -130,7 +134,7 @@ impl Sun {
         // A little off the surface, more so where it is grazed, lest it shade itself.
         let slant = 1.0 - dot(normal, self.way).clamp(0.0, 1.0);
         let off = 0.006 + 0.02 * slant;
-        let eye = self.lens.seen(std::array::from_fn(|i| place[i] + normal[i] * off));
+        let eye = self.lens.seen(from_fn(|i| place[i] + normal[i] * off));
         let [x, y] = self.lens.pixel(eye);
         let mut open = 0.0;
         let mut all = 0.0;
@@ -147,24 +151,73 @@ impl Sun {
     }
 }
 
+/// A place that is seen.
+struct Spot {
+    place: [f32; 3],
+    normal: [f32; 3],
+    /// How large a pixel is there, metres.
+    size: f32,
+}
+
+impl Spot {
+    fn at(lens: &Lens, [x, y]: [usize; 2], depth: f32, normal: [f32; 3]) -> Self {
+        let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], depth);
+        Self { place, normal, size: depth / lens.focal }
+    }
+}
+
+/// What is there, its texture looked up.
+struct Matter {
+    color: [f32; 3],
+    glow: [f32; 3],
+    roughness: f32,
+    metallic: f32,
+    normal: [f32; 3],
+}
+
+impl Matter {
+    fn of(stage: &Stage, triangle: &Triangle, spot: &Spot, lens: &Lens) -> Self {
+        let &Look { color, glow, roughness, metallic, cloth, .. } = &stage.looks[usize::from(triangle.look)];
+        let plain = Self { color, glow, roughness, metallic, normal: spot.normal };
+        let Some(cloth) = cloth else { return plain };
+        let at = triangle.weave.map(|[x, y, z, shift]| dot([x, y, z], spot.place) + shift);
+        // What is seen at a slant is seen from farther away in one direction.
+        let slant = dot(spot.normal, unit(sub(lens.eye, spot.place))).abs().max(0.1);
+        let sample = cloth.sample(at, spot.size / slant.sqrt());
+        let along = triangle.weave.map(|[x, y, z, _]| unit([x, y, z]));
+        let bent = from_fn(|i| spot.normal[i] + along[0][i] * sample.lean[0] + along[1][i] * sample.lean[1]);
+        Self {
+            color: from_fn(|i| color[i] * sample.color[i]),
+            roughness: roughness * sample.rough,
+            normal: unit(bent),
+            ..plain
+        }
+    }
+}
+
 /// What leaves a surface towards the eye.
-fn shade(look: &Look, place: [f32; 3], normal: [f32; 3], eye: [f32; 3], sun: &Sun, open: f32) -> [f32; 3] {
+fn shade(matter: &Matter, spot: &Spot, eye: [f32; 3], sun: &Sun, open: f32) -> [f32; 3] {
+    let normal = matter.normal;
     let facing = dot(normal, sun.way).max(0.0);
-    let direct = if facing > 0.0 { facing * sun.seen_from(place, normal) } else { 0.0 };
+    let direct = if facing > 0.0 { facing * sun.seen_from(spot.place, spot.normal) } else { 0.0 };
     let filled = dot(normal, sun.fill).max(0.0);
     let up = normal[1] * 0.5 + 0.5;
-    let way = unit(sub(eye, place));
-    let half = unit(std::array::from_fn(|i| way[i] + sun.way[i]));
-    let sharp = 4.0 + 120.0 * (1.0 - look.roughness).powi(3);
-    let gloss = (1.0 - look.roughness).powi(2) * 0.9 * dot(normal, half).max(0.0).powf(sharp) * direct;
+    let way = unit(sub(eye, spot.place));
+    let half = unit(from_fn(|i| way[i] + sun.way[i]));
+    let smooth = (1.0 - matter.roughness).powi(2) * 0.9 * direct;
+    // What is dull has no lights to speak of.
+    let gloss = if smooth > 0.003 {
+        smooth * dot(normal, half).max(0.0).powf(4.0 + 120.0 * (1.0 - matter.roughness).powi(3))
+    } else {
+        0.0
+    };
     // Smooth things mirror the sky towards their rim.
-    let rim = (1.0 - dot(normal, way).max(0.0)).powi(4) * (1.0 - look.roughness) * 0.35 * open;
-    let tone = look.pattern.shade(place, normal);
-    std::array::from_fn(|i| {
+    let rim = (1.0 - dot(normal, way).max(0.0)).powi(4) * (1.0 - matter.roughness) * 0.35 * open;
+    from_fn(|i| {
         let sky = (GROUND[i] + (SKY[i] - GROUND[i]) * up + FILL[i] * filled) * open;
-        let color = look.color[i] * tone;
-        let tint = 1.0 + (color - 1.0) * look.metallic;
-        color * (sky + SUN[i] * direct) + gloss * SUN[i] * tint + rim * SKY[i] * tint + look.glow[i] * 0.7
+        let color = matter.color[i];
+        let tint = 1.0 + (color - 1.0) * matter.metallic;
+        color * (sky + SUN[i] * direct) + gloss * SUN[i] * tint + rim * SKY[i] * tint + matter.glow[i] * 0.7
     })
 }
 
@@ -204,7 +257,7 @@ impl Occlusion {
     fn sample(buffer: &Buffer, lens: &Lens, [x, y]: [usize; 2]) -> f32 {
         const SAMPLES: usize = 14;
         let at = y * lens.size[0] + x;
-        if buffer.look[at] == NOTHING {
+        if buffer.shown[at] == NOTHING {
             return 1.0;
         }
         let normal = buffer.normal[at];
@@ -221,10 +274,10 @@ impl Occlusion {
             let mut d = [c * flat, rise, s * flat];
             let along = dot(d, normal);
             if along < 0.0 {
-                d = std::array::from_fn(|k| d[k] - 2.0 * along * normal[k]);
+                d = from_fn(|k| d[k] - 2.0 * along * normal[k]);
             }
             let far = REACH * (0.12 + 0.88 * ((i * 5) % SAMPLES) as f32 / SAMPLES as f32);
-            let probe: [f32; 3] = std::array::from_fn(|k| place[k] + normal[k] * 0.01 + d[k] * far);
+            let probe: [f32; 3] = from_fn(|k| place[k] + normal[k] * 0.01 + d[k] * far);
             let eye = lens.seen(probe);
             let [px, py] = lens.pixel(eye);
             if px < 0.0 || py < 0.0 || px >= lens.size[0] as f32 || py >= lens.size[1] as f32 {
@@ -267,10 +320,10 @@ fn glaze(
     cover(lens, rows, triangle, |hit| {
         if hit.depth < buffer.depth[hit.at] {
             let normal = blend(triangle.normals, hit.weights);
-            let p = [(hit.at % width) as f32 + 0.5, (hit.at / width) as f32 + 0.5];
-            let own = shade(look, lens.world(p, hit.depth), normal, lens.eye, sun, 1.0);
+            let spot = Spot::at(lens, [hit.at % width, hit.at / width], hit.depth, normal);
+            let own = shade(&Matter::of(stage, triangle, &spot, lens), &spot, lens.eye, sun, 1.0);
             let light = &mut light[hit.at - rows.start * width];
-            *light = std::array::from_fn(|i| light[i] + (own[i] - light[i]) * look.opacity);
+            *light = from_fn(|i| light[i] + (own[i] - light[i]) * look.opacity);
         }
     });
 }
@@ -283,7 +336,7 @@ fn develop(light: &[[f32; 3]], width: usize, to: [usize; 2]) -> Vec<u8> {
             let mut sum = [0.0; 3];
             for k in 0..FINE * FINE {
                 let sample = light[(y * FINE + k / FINE) * width + x * FINE + k % FINE];
-                sum = std::array::from_fn(|i| sum[i] + shoulder(sample[i]));
+                sum = from_fn(|i| sum[i] + shoulder(sample[i]));
             }
             out.extend(sum.map(|v| (encoded(v / (FINE * FINE) as f32) * 255.0).round() as u8));
         }

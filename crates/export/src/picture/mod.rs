@@ -4,8 +4,8 @@
 //! band of rows; how many there are changes nothing.
 
 mod bands;
+mod cloth;
 mod light;
-mod pattern;
 mod raster;
 mod stage;
 

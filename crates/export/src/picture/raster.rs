@@ -1,4 +1,4 @@
-//! Triangles to pixels: a depth buffer with the normal and the look of what is nearest.
+//! Triangles to pixels: a depth buffer with the normal of what is nearest, and which triangle that is.
 
 use super::bands::bands;
 use super::stage::Triangle;
@@ -105,13 +105,14 @@ impl CeilHalf for f32 {
 }
 
 /// No surface at a pixel.
-pub(super) const NOTHING: u16 = u16::MAX;
+pub(super) const NOTHING: u32 = u32::MAX;
 
 /// What is seen at each pixel.
 pub(super) struct Buffer {
     pub depth: Vec<f32>,
     pub normal: Vec<[f32; 3]>,
-    pub look: Vec<u16>,
+    /// Index of the triangle.
+    pub shown: Vec<u32>,
 }
 
 /// Draws opaque triangles.
@@ -120,24 +121,24 @@ pub(super) fn draw(lens: &Lens, triangles: &[&Triangle], threads: usize) -> Buff
     let drawn = bands(height, threads, |rows| {
         let pixels = rows.len() * width;
         let mut out =
-            Buffer { depth: vec![f32::INFINITY; pixels], normal: vec![[0.0; 3]; pixels], look: vec![NOTHING; pixels] };
-        for triangle in triangles {
+            Buffer { depth: vec![f32::INFINITY; pixels], normal: vec![[0.0; 3]; pixels], shown: vec![NOTHING; pixels] };
+        for (index, triangle) in triangles.iter().enumerate() {
             cover(lens, &rows, triangle, |hit| {
                 let at = hit.at - rows.start * width;
                 if hit.depth < out.depth[at] {
                     out.depth[at] = hit.depth;
                     out.normal[at] = blend(triangle.normals, hit.weights);
-                    out.look[at] = triangle.look;
+                    out.shown[at] = index as u32;
                 }
             });
         }
         out
     });
-    let mut out = Buffer { depth: Vec::new(), normal: Vec::new(), look: Vec::new() };
+    let mut out = Buffer { depth: Vec::new(), normal: Vec::new(), shown: Vec::new() };
     for band in drawn {
         out.depth.extend(band.depth);
         out.normal.extend(band.normal);
-        out.look.extend(band.look);
+        out.shown.extend(band.shown);
     }
     out
 }
@@ -165,6 +166,9 @@ pub(super) fn blend(normals: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
 
 pub(super) fn sub(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     std::array::from_fn(|i| a[i] - b[i])
+}
+pub(super) fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 pub(super) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

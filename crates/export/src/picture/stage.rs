@@ -1,6 +1,7 @@
 //! What is in the picture: all triangles in the world with their looks, after near walls and ceilings are out of the way.
 
-use super::pattern::Pattern;
+use super::cloth::Cloth;
+use super::raster::{cross, dot, sub};
 use crate::Scene;
 use crate::geometry::mesh::Group;
 use crate::geometry::polygon::outward;
@@ -8,7 +9,9 @@ use crate::glb::linear;
 use crate::scene::shell::{Role, Shell};
 use crate::scene::view::hangs_on;
 use crate::scene::{Object, RegionKind, View};
+use crate::textures::rough_factor;
 use scenelang_assets::Surface;
+use scenelang_assets::textures::Texture;
 use scenelang_layout::planar::edges;
 use scenelang_layout::{Vec2, Vec3};
 
@@ -33,7 +36,7 @@ const SAMPLES: u32 = 60;
 const LOW: f64 = 0.3;
 
 /// How a triangle looks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Look {
     /// Linear light reflected.
     pub color: [f32; 3],
@@ -45,8 +48,8 @@ pub(super) struct Look {
     pub metallic: f32,
     /// 1 opaque.
     pub opacity: f32,
-    /// What is drawn on it.
-    pub pattern: Pattern,
+    /// What is drawn on it: colour and roughness are factors of it.
+    pub cloth: Option<&'static Cloth>,
 }
 
 /// A triangle in the world.
@@ -58,12 +61,14 @@ pub(super) struct Triangle {
     pub normals: [[f32; 3]; 3],
     /// Index into [`Stage::looks`].
     pub look: u16,
+    /// Where on its texture it is, in tiles: u and v of a point of the world are its products with these and 1.
+    pub weave: [[f32; 4]; 2],
     /// Whether it throws a shadow.
     pub shadow: bool,
 }
 
 /// All that is in the picture.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Stage {
     pub looks: Vec<Look>,
     pub triangles: Vec<Triangle>,
@@ -118,11 +123,11 @@ impl Stage {
         match shell.role {
             Role::Ceiling => {}
             Role::Floor | Role::Tint => {
-                let look = self.look(surface, Pattern::of_floor(surface));
+                let look = self.look(surface);
                 self.group(&shell.group, look, false, |p| p);
             }
             Role::Wall { .. } => {
-                let look = self.look(surface, Pattern::of_wall(surface));
+                let look = self.look(surface);
                 // The cut through a wall is dark, as in a model; the kerb of a cut wall too.
                 let section = self.section_look(surface);
                 let top = height_left(scene, shell, view).map_or(f64::INFINITY, |left| left + bottom(shell));
@@ -161,7 +166,7 @@ impl Stage {
             return;
         }
         for group in &object.mesh {
-            let look = self.look(&scene.surfaces[group.surface], Pattern::Plain);
+            let look = self.look(&scene.surfaces[group.surface]);
             let shadow = scene.surfaces[group.surface].opacity > 0.5;
             let first = self.triangles.len();
             self.group(group, look, shadow, |p| object.at(p));
@@ -187,7 +192,9 @@ impl Stage {
         };
         let [a, b, c, e] = [corner(-w, -d), corner(w, -d), corner(w, d), corner(-w, d)];
         let normals = [[0.0, 1.0, 0.0]; 3];
-        self.triangles.extend([[a, c, b], [a, e, c]].map(|points| Triangle { points, normals, look, shadow: false }));
+        let weave = [[0.0; 4]; 2];
+        let flat = |points| Triangle { points, normals, look, weave, shadow: false };
+        self.triangles.extend([[a, c, b], [a, e, c]].map(flat));
     }
 
     fn group(&mut self, group: &Group, look: u16, shadow: bool, place: impl Fn(Vec3) -> Vec3) {
@@ -196,29 +203,47 @@ impl Stage {
         let origin = place(Vec3::zeros());
         let points: Vec<[f32; 3]> = group.positions.iter().map(|&p| narrow(place(wide(p)))).collect();
         let normals: Vec<[f32; 3]> = group.normals.iter().map(|&n| narrow(place(wide(n)) - origin)).collect();
+        let fine = self.looks[usize::from(look)].cloth.map(Cloth::tile);
         self.triangles.extend(group.indices.chunks_exact(3).map(|t| {
             let t = [t[0] as usize, t[1] as usize, t[2] as usize];
-            Triangle { points: t.map(|i| points[i]), normals: t.map(|i| normals[i]), look, shadow }
+            let own = t.map(|i| points[i]);
+            let weave = fine.map_or([[0.0; 4]; 2], |tile| woven(own, t.map(|i| group.uvs[i]), tile));
+            Triangle { points: own, normals: t.map(|i| normals[i]), look, weave, shadow }
         }));
     }
 
     /// How a cut through a surface looks.
     fn section_look(&mut self, surface: &Surface) -> u16 {
         let section = Surface { name: "section".into(), color: [0.36, 0.38, 0.41], emissive: None, ..surface.clone() };
-        self.look(&section, Pattern::Plain)
+        self.look(&section)
     }
 
-    fn look(&mut self, surface: &Surface, pattern: Pattern) -> u16 {
+    fn look(&mut self, surface: &Surface) -> u16 {
+        let texture = Texture::of(surface);
+        let color = surface.color.map(|c| linear(c) as f32);
         self.looks.push(Look {
-            color: surface.color.map(|c| linear(c) as f32),
+            color: texture.map_or(color, |t| t.pixels().factor(color)),
             glow: surface.emissive.map_or([0.0; 3], |e| e.map(|c| linear(c) as f32)),
-            roughness: surface.roughness,
+            roughness: texture.map_or(surface.roughness, |t| rough_factor(t.pixels(), surface.roughness)),
             metallic: surface.metallic,
             opacity: surface.opacity,
-            pattern,
+            cloth: texture.map(Cloth::of),
         });
         (self.looks.len() - 1) as u16
     }
+}
+
+/// What takes a point of a triangle to its place on a texture of tiles of this size.
+fn woven([a, b, c]: [[f32; 3]; 3], uvs: [[f32; 2]; 3], tile: [f32; 2]) -> [[f32; 4]; 2] {
+    let (ab, ac) = (sub(b, a), sub(c, a));
+    let normal = cross(ab, ac);
+    let (to_b, to_c) = (cross(ac, normal), cross(normal, ab));
+    let square = dot(normal, normal).max(1e-24);
+    std::array::from_fn(|k| {
+        let [at, by, cy] = uvs.map(|uv| uv[k] / tile[k]);
+        let way: [f32; 3] = std::array::from_fn(|i| (to_b[i] * (by - at) + to_c[i] * (cy - at)) / square);
+        [way[0], way[1], way[2], at - dot(way, a)]
+    })
 }
 
 /// Whether something lies flat under a ceiling, which is off: it would float. What hangs lower shows where it hangs.

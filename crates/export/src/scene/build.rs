@@ -4,7 +4,7 @@ use super::dress::{Dresser, Wardrobe};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
 use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, weight};
 use crate::names::Stems;
-use scenelang_assets::Mesh;
+use scenelang_assets::{Light, Mesh, Surface};
 use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::program::{self, Program};
 use scenelang_layout::{Aabb, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
@@ -66,8 +66,9 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     let regions = regions(input)?;
     let mut stems = Stems::default();
     let mut objects = Vec::with_capacity(input.program.objects.len());
+    let floors = floors(&regions, input.program);
     for (id, declared) in input.program.objects.iter().enumerate() {
-        objects.push(object((input, own), id, declared, &regions, &mut wardrobe, &mut stems)?);
+        objects.push(object((input, own), id, declared, (&regions, &floors), &mut wardrobe, &mut stems)?);
     }
     for object in &mut objects {
         object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
@@ -76,11 +77,11 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     let wall = input.report["eta"].as_f64().filter(|eta| *eta > 0.0).unwrap_or(USUAL_WALL);
     let openers = openers(input.program, &objects, wall);
     let mut shells = Vec::new();
-    let mut lamps = Vec::new();
+    let mut lamps = lamps(&objects);
     for (region, declared) in regions.iter().zip(&input.program.regions) {
         shells.extend(enclose(region, declared, wall, &openers, &mut wardrobe));
-        if region.kind == RegionKind::Room {
-            lamps.push(lamp(region));
+        if region.kind == RegionKind::Room && !is_lit(region, &lamps) {
+            lamps.push(invented(region));
         }
     }
     if regions.is_empty() {
@@ -176,14 +177,17 @@ fn object(
     (input, own): (&SceneInput<'_>, Looks<'_>),
     id: usize,
     declared: &program::Object,
-    regions: &[Region],
+    (regions, floors): (&[Region], &[Surface]),
     wardrobe: &mut Wardrobe,
     stems: &mut Stems,
 ) -> Result<Object, BuildError> {
     let name = declared.name.to_string();
     let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
     let solid = convex::local_solid(place, Geometry::Parts);
-    let dressed = wardrobe.furnish(declared, place, &solid, own(&name));
+    // A zone lies on the floor of its room, and is declared after it or before.
+    let under = regions.iter().zip(floors).filter(|(r, _)| r.prism.polygon.contains(place.pos.xz()));
+    let floor = under.max_by_key(|(r, _)| r.kind == RegionKind::Zone).map(|(_, floor)| floor);
+    let dressed = wardrobe.furnish(declared, place, &solid, own(&name), floor);
     let looks = weight::looks(&solid, &dressed.mesh);
     let weights: Vec<f64> =
         solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
@@ -209,6 +213,7 @@ fn object(
         place: place.clone(),
         axes,
         mesh: dressed.mesh,
+        lights: dressed.lights,
         mass: weights.iter().sum(),
         solid,
         looks,
@@ -219,6 +224,11 @@ fn object(
         violated: false,
         name,
     })
+}
+
+/// The floor of each region.
+fn floors(regions: &[Region], program: &Program) -> Vec<Surface> {
+    regions.iter().zip(&program.regions).map(|(region, declared)| Dresser::of(declared, region.kind).floor()).collect()
 }
 
 /// Pairs of objects that the program lets overlap, as far as they are near each other.
@@ -280,7 +290,42 @@ fn enclose(
     shell::room(&region.name, &region.prism, wall, openers, surfaces)
 }
 
-fn lamp(region: &Region) -> Lamp {
+/// Warm white, and the luminous intensity of a room's own lamp (candela): modest, for viewers that take it literally.
+const WARM: [f32; 3] = [1.0, 0.98, 0.95];
+const MODEST: f64 = 30.0;
+/// A lamp of less is for the mood (candela).
+const CANDLE: f64 = 5.0;
+/// Where a lamp gives less than this (lux), it does not matter any more.
+const DIM: f64 = 0.8;
+
+/// The lights of all lamps.
+fn lamps(objects: &[Object]) -> Vec<Lamp> {
+    let of = |(index, object): (usize, &Object)| {
+        let lit = |light: &Light| {
+            let candela = light.lumens / (4.0 * std::f64::consts::PI);
+            Lamp {
+                name: format!("{}/light", object.name),
+                object: Some(index),
+                pos: object.at(light.pos),
+                range: (candela / DIM).sqrt(),
+                color: light.color,
+                candela,
+            }
+        };
+        object.lights.iter().map(lit).collect::<Vec<_>>()
+    };
+    objects.iter().enumerate().flat_map(of).collect()
+}
+
+/// Whether one of the lamps is to light a room.
+fn is_lit(region: &Region, lamps: &[Lamp]) -> bool {
+    let prism = &region.prism;
+    let within = |p: &Vec3| (prism.floor..=prism.ceiling).contains(&p.y) && prism.polygon.contains(p.xz());
+    lamps.iter().any(|lamp| lamp.candela > CANDLE && within(&lamp.pos))
+}
+
+/// A lamp for a room that has none.
+fn invented(region: &Region) -> Lamp {
     let prism = &region.prism;
     let center = prism.center();
     // A concave room's centroid may be outside of it: then above the middle of its first triangle.
@@ -294,7 +339,8 @@ fn lamp(region: &Region) -> Lamp {
     };
     let range = corners.iter().map(|c| (c - at).norm()).fold(0.0, f64::max) + (prism.ceiling - prism.floor);
     let height = (prism.ceiling - 0.3).max((prism.floor + prism.ceiling) / 2.0);
-    Lamp { name: format!("{}/lamp", region.name), pos: Vec3::new(at.x, height, at.y), range }
+    let (name, pos) = (format!("{}/lamp", region.name), Vec3::new(at.x, height, at.y));
+    Lamp { name, object: None, pos, range, color: WARM, candela: MODEST }
 }
 
 /// Without regions the floor is y = 0, so there it is drawn, a little beyond everything.

@@ -2,7 +2,7 @@
 
 use super::RegionKind;
 use crate::geometry::mesh::Group;
-use scenelang_assets::{Asset, Mesh, Request, Surface, covering, furnish};
+use scenelang_assets::{Asset, Light, Mesh, Request, Surface, covering, furnish, on_floor, on_wall, stand_out, toned};
 use scenelang_lang::program;
 use scenelang_layout::{Convex, Placement};
 use std::collections::BTreeMap;
@@ -21,6 +21,7 @@ pub(super) struct Wardrobe {
 pub(super) struct Dressed {
     pub family: String,
     pub mesh: Vec<Group>,
+    pub lights: Vec<Light>,
 }
 
 impl Wardrobe {
@@ -43,15 +44,16 @@ impl Wardrobe {
     }
 
     /// The object as the library draws it at its size; `solid` is what the verifier judged.
-    /// What was made elsewhere is drawn as it was made.
+    /// What was made elsewhere is drawn as it was made. What has no colour of its own stands out against the floor.
     pub fn furnish(
         &mut self,
         declared: &program::Object,
         place: &Placement,
         solid: &[Convex],
         own: Option<&Mesh>,
+        floor: Option<&Surface>,
     ) -> Dressed {
-        let asset = furnish(&Request {
+        let mut asset = furnish(&Request {
             name: &declared.name,
             category: &declared.category,
             color: &declared.color,
@@ -59,10 +61,14 @@ impl Wardrobe {
             features: &declared.features,
             size: Some(place.scale),
         });
-        if let Some(own) = own {
-            let mesh = own.groups.iter().map(|g| self.group(g.clone())).collect();
-            return Dressed { family: asset.family.to_owned(), mesh };
+        if let Some(floor) = floor.filter(|_| declared.color.trim().is_empty()) {
+            stand_out(&mut asset.mesh, floor.color);
         }
+        if let Some(own) = own {
+            let mesh = own.clone().unwrapped().groups.into_iter().map(|g| self.group(g)).collect();
+            return Dressed { family: asset.family.to_owned(), mesh, lights: asset.lights };
+        }
+        let lights = asset.lights.clone();
         let drawn = !asset.mesh.groups.is_empty() && (place.parts.is_empty() || same_solid(&asset, solid));
         let mesh = if drawn {
             asset.mesh.groups.into_iter().map(|g| self.group(g)).collect()
@@ -73,7 +79,7 @@ impl Wardrobe {
             solid.iter().for_each(|body| group.solid(body));
             vec![group]
         };
-        Dressed { family: asset.family.to_owned(), mesh }
+        Dressed { family: asset.family.to_owned(), mesh, lights }
     }
 
     fn group(&mut self, from: scenelang_assets::Group) -> Group {
@@ -81,6 +87,7 @@ impl Wardrobe {
             surface: self.add(from.surface),
             positions: from.positions,
             normals: from.normals,
+            uvs: from.uvs,
             indices: from.indices,
         }
     }
@@ -120,7 +127,11 @@ impl<'a> Dresser<'a> {
             let text = self.region.text(special);
             if text.is_empty() && self.kind != RegionKind::Room { self.region.text(general) } else { text }
         };
-        covering(own("floorColor", "color"), own("floorMaterial", "material"), usual.0, usual.1)
+        let (color, material) = (own("floorColor", "color"), own("floorMaterial", "material"));
+        let said = covering(color, material, usual.0, usual.1);
+        // Of a colour that was asked for nothing is changed.
+        let is_usual = material.trim().is_empty() || !color.trim().is_empty();
+        on_floor(&if is_usual { said } else { toned(&said) })
     }
 
     pub fn wall(&self) -> Surface {
@@ -128,7 +139,7 @@ impl<'a> Dresser<'a> {
             let text = self.region.text(special);
             if text.is_empty() { self.region.text(general) } else { text }
         };
-        covering(own("wallColor", "color"), own("wallMaterial", "material"), "#efece4", "plaster")
+        on_wall(&covering(own("wallColor", "color"), own("wallMaterial", "material"), "#efece4", "plaster"))
     }
 
     pub fn ceiling(&self) -> Surface {

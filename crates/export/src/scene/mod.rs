@@ -15,7 +15,7 @@ pub use view::View;
 
 use crate::geometry::mesh::Group;
 use nalgebra::Matrix3;
-use scenelang_assets::Surface;
+use scenelang_assets::{Light, Surface};
 use scenelang_base::door::{normal, relative};
 use scenelang_layout::{Convex, Placement, Prism, Vec3, rotation};
 use std::path::Path;
@@ -41,7 +41,7 @@ pub struct Scene {
     pub regions: Vec<Region>,
     /// Floors, ceilings, walls and tints, region by region. Without any region: the ground.
     pub shells: Vec<Shell>,
-    /// One lamp for each room.
+    /// The lights of its lamps, and one for each room without any.
     pub lamps: Vec<Lamp>,
     /// Objects, by index, that may overlap and are so near each other that they might; smaller index first.
     pub overlaps: Vec<[usize; 2]>,
@@ -95,6 +95,8 @@ pub struct Object {
     pub axes: Matrix3<f64>,
     /// Its triangles by surface, in its own frame.
     pub mesh: Vec<Group>,
+    /// What light it gives, in its own frame.
+    pub lights: Vec<Light>,
     /// Its convex parts, or its box, in its own frame: what the verifier judged.
     pub solid: Vec<Convex>,
     /// The surface of each of these parts: that of most of what is drawn within it.
@@ -150,15 +152,21 @@ pub enum RegionKind {
     Outdoor,
 }
 
-/// A light without a body, under a room's ceiling.
+/// A light that shines in all directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lamp {
-    /// `office/lamp`.
+    /// `office/lamp`, `desk_lamp/light`.
     pub name: String,
-    /// Where it hangs.
+    /// The object that gives it, by index. `None`: it has no body, and hangs under the ceiling of a room without lamps.
+    pub object: Option<usize>,
+    /// Where it is.
     pub pos: Vec3,
     /// How far it shines, metres.
     pub range: f64,
+    /// sRGB, each 0 to 1.
+    pub color: [f32; 3],
+    /// Luminous intensity.
+    pub candela: f64,
 }
 
 impl Scene {

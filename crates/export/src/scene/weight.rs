@@ -11,7 +11,7 @@ use scenelang_layout::{Convex, Vec3};
 
 /// Kinds of material by the first word of a surface's name: kilograms per cubic metre, and the thickness of the skin in
 /// metres.
-const MATERIALS: [(&str, f64, f64); 24] = [
+const MATERIALS: [(&str, f64, f64); 27] = [
     ("wood", 600.0, 0.018),
     ("paint", 600.0, 0.018),
     ("metal", 7800.0, 0.0015),
@@ -36,6 +36,9 @@ const MATERIALS: [(&str, f64, f64); 24] = [
     ("water", 1000.0, SOLID),
     ("glow", 1000.0, 0.004),
     ("screen", 1200.0, 0.02),
+    ("plaster", 1200.0, 0.015),
+    ("boards", 600.0, 0.018),
+    ("tiles", 2300.0, 0.01),
 ];
 /// No skin: solid.
 const SOLID: f64 = f64::INFINITY;

@@ -2,6 +2,7 @@
 
 use super::tree::narrow;
 use super::yaml::{Map, Stream, Yaml, asset, color, map, none, vector};
+use crate::scene::Lamp;
 use scenelang_layout::Vec3;
 
 /// Class numbers.
@@ -107,17 +108,20 @@ pub(super) fn script(guid: &str, own: Map) -> Map {
 }
 
 /// What shines, and how.
-pub(super) enum Shine {
+pub(super) enum Shine<'a> {
     /// Parallel light along the object's +z, with shadows.
     Sun,
-    /// In all directions, as far as this (metres).
-    Lamp(f64),
+    /// In all directions.
+    Lamp(&'a Lamp),
 }
 
-pub(super) fn light(shine: &Shine) -> Map {
+/// Unity's intensity of a lamp for its square root of candelas: a lamp is as bright as the eye finds it.
+const BRIGHT: f32 = 0.2;
+
+pub(super) fn light(shine: &Shine<'_>) -> Map {
     let (kind, range, intensity, tint, shadows) = match shine {
         Shine::Sun => (1, 10.0, 0.7, [1.0, 0.97, 0.92], 2),
-        Shine::Lamp(range) => (2, *range, 1.1, [1.0, 0.96, 0.9], 0),
+        Shine::Lamp(lamp) => (2, lamp.range, BRIGHT * (lamp.candela as f32).sqrt(), lamp.color, 0),
     };
     map! {
         "m_Enabled" => 1,

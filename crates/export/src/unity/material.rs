@@ -3,10 +3,20 @@
 
 use super::Pipeline;
 use super::yaml::{Map, Stream, Yaml, asset, color, map, none, pair};
+use crate::glb::linear;
 use scenelang_assets::Surface;
+use scenelang_assets::textures::{Pixels, Texture, encoded};
+
+/// The textures of a material, and their GUIDs.
+pub(super) struct Maps {
+    pub texture: Texture,
+    pub color: String,
+    pub normal: String,
+    pub gloss: String,
+}
 
 /// A material's `.mat` file.
-pub(super) fn material(surface: &Surface, name: &str, pipeline: Pipeline) -> Vec<u8> {
+pub(super) fn material(surface: &Surface, name: &str, maps: Option<&Maps>, pipeline: Pipeline) -> Vec<u8> {
     let shader = match pipeline {
         Pipeline::BuiltIn => asset(46, "0000000000000000f000000000000000", 0),
         Pipeline::Urp => asset(4_800_000, "933532a4fcc9baf4fa0491de14d08ed7", 3),
@@ -22,6 +32,12 @@ pub(super) fn material(surface: &Surface, name: &str, pipeline: Pipeline) -> Vec
     if surface.emissive.is_some() {
         keywords.push("_EMISSION");
     }
+    if maps.is_some() {
+        keywords.extend(match pipeline {
+            Pipeline::BuiltIn => ["_METALLICGLOSSMAP", "_NORMALMAP"],
+            Pipeline::Urp => ["_METALLICSPECGLOSSMAP", "_NORMALMAP"],
+        });
+    }
     let tags = if clear {
         map! { "RenderType" => "Transparent" }
     } else {
@@ -30,26 +46,40 @@ pub(super) fn material(surface: &Surface, name: &str, pipeline: Pipeline) -> Vec
     let smoothness = 1.0 - surface.roughness;
     let flag = |on: bool| if on { 1.0 } else { 0.0 };
     let floats = [
+        ("_BumpScale", 1.0),
         ("_DstBlend", if clear { 10.0 } else { 0.0 }),
+        // The map of the gloss has the smoothness itself.
+        ("_GlossMapScale", 1.0),
         ("_Glossiness", smoothness),
         ("_Metallic", surface.metallic),
         ("_Mode", if clear { 3.0 } else { 0.0 }),
-        ("_Smoothness", smoothness),
+        ("_Smoothness", if maps.is_some() { 1.0 } else { smoothness }),
         ("_SrcBlend", 1.0),
         ("_Surface", flag(clear)),
         ("_ZWrite", flag(!clear)),
     ];
-    let base = color(surface.color, surface.opacity);
+    // As colours are multiplied in linear light, and said in sRGB.
+    let factor = |pixels: &Pixels| pixels.factor(surface.color.map(|c| linear(c) as f32)).map(encoded);
+    let base = color(maps.map_or(surface.color, |m| factor(m.texture.pixels())), surface.opacity);
     let colors = [
         ("_BaseColor", base.clone()),
         ("_Color", base),
         ("_EmissionColor", color(surface.emissive.unwrap_or_default(), 1.0)),
     ];
-    let textures = ["_BaseMap", "_MainTex"].map(|slot| {
+    let guid = |of: fn(&Maps) -> &str| maps.map_or_else(none, |m| asset(2_800_000, of(m), 3));
+    // Places on materials are in metres.
+    let scale = maps.map_or([1.0; 2], |m| m.texture.pixels().tile.map(|metres| (1.0 / metres) as f32));
+    let textures = [
+        ("_BaseMap", guid(|m| &m.color)),
+        ("_BumpMap", guid(|m| &m.normal)),
+        ("_MainTex", guid(|m| &m.color)),
+        ("_MetallicGlossMap", guid(|m| &m.gloss)),
+    ]
+    .map(|(slot, texture)| {
         Yaml::from(map! { slot => map! {
-            "m_Texture" => none(),
-            "m_Scale" => pair(1.0),
-            "m_Offset" => pair(0.0),
+            "m_Texture" => texture,
+            "m_Scale" => pair(scale),
+            "m_Offset" => pair([0.0; 2]),
         }})
     });
     let fields = map! {

@@ -11,9 +11,12 @@ mod tree;
 mod yaml;
 
 use crate::names::Stems;
-use crate::{ExportError, Exporter, OutFile, Scene};
+use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use project::Project;
 pub use project::ROOT;
+use scenelang_assets::Surface;
+use scenelang_assets::textures::Texture;
+use std::collections::BTreeMap;
 
 /// The `unity/` folder.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,7 +42,7 @@ impl Exporter for Unity {
 
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let mut project = Project::default();
-        let materials = self.materials(scene, &mut project);
+        let materials = self.materials(scene, &mut project)?;
         if let Some(imports) = scene.imports() {
             project.asset("Assets/Scenelang/imports.json", format!("{imports:#}\n"));
         }
@@ -73,17 +76,55 @@ struct Material {
 }
 
 impl Unity {
-    fn materials(self, scene: &Scene, project: &mut Project) -> Vec<Material> {
+    fn materials(self, scene: &Scene, project: &mut Project) -> Result<Vec<Material>, ExportError> {
         let mut stems = Stems::default();
-        scene
-            .surfaces
-            .iter()
-            .map(|surface| {
-                let name = stems.take(&surface.name);
-                let bytes = material::material(surface, &name, self.pipeline);
-                let guid = project.asset(&format!("Assets/Scenelang/Materials/{name}.mat"), bytes);
-                Material { name, guid }
-            })
-            .collect()
+        let mut maps = Maps::default();
+        let mut out = Vec::with_capacity(scene.surfaces.len());
+        for surface in &scene.surfaces {
+            let name = stems.take(&surface.name);
+            let maps = maps.of(surface, project)?;
+            let bytes = material::material(surface, &name, maps.as_ref(), self.pipeline);
+            let guid = project.asset(&format!("Assets/Scenelang/Materials/{name}.mat"), bytes);
+            out.push(Material { name, guid });
+        }
+        Ok(out)
+    }
+}
+
+/// The textures of the project: a set for each kind, and how it shines for each finish.
+#[derive(Default)]
+struct Maps {
+    /// GUIDs by file name.
+    written: BTreeMap<String, String>,
+}
+
+impl Maps {
+    /// What a surface is covered with; its files are written when they are first asked for.
+    fn of(&mut self, surface: &Surface, project: &mut Project) -> Result<Option<material::Maps>, ExportError> {
+        let Some(texture) = Texture::of(surface) else { return Ok(None) };
+        let kind = texture.name();
+        let finish = surface.name.split('-').next().unwrap_or(kind);
+        Ok(Some(material::Maps {
+            texture,
+            color: self.guid(&format!("{kind}_color"), project, || textures::color(texture))?,
+            normal: self.guid(&format!("{kind}_normal"), project, || textures::normal(texture))?,
+            gloss: self.guid(&format!("{finish}_gloss"), project, || {
+                textures::gloss(texture, surface.metallic, surface.roughness)
+            })?,
+        }))
+    }
+
+    fn guid(
+        &mut self,
+        name: &str,
+        project: &mut Project,
+        png: impl FnOnce() -> Result<Vec<u8>, ExportError>,
+    ) -> Result<String, ExportError> {
+        if let Some(guid) = self.written.get(name) {
+            return Ok(guid.clone());
+        }
+        let guid = project.asset(&format!("Assets/Scenelang/Textures/{name}.png"), png()?);
+        self.written.insert(name.to_owned(), guid.clone());
+        Ok(guid)
     }
 }

@@ -25,9 +25,12 @@ impl Project {
                 self.meta(&path[..i], &importer(None));
             }
         }
-        let extension = path.rsplit('.').next();
+        let fields = match path.strip_suffix(".png") {
+            Some(picture) => texture(picture),
+            None => importer(path.rsplit('.').next()),
+        };
         self.files.push(OutFile::new(format!("{ROOT}/{path}"), bytes));
-        self.meta(path, &importer(extension))
+        self.meta(path, &fields)
     }
 
     /// All files of the project, with the list of packages and the settings.
@@ -82,6 +85,46 @@ fn importer(extension: Option<&str>) -> Map {
         Some("obj") => with("ModelImporter", model()),
         Some(_) => with("TextScriptImporter", plain()),
     }
+}
+
+/// Textures repeat and are smooth. One whose name says so has normals, and only one with colours is sRGB.
+fn texture(picture: &str) -> Map {
+    let is_normal = picture.ends_with("_normal");
+    let is_color = picture.ends_with("_color");
+    map! { "TextureImporter" => map! {
+        "internalIDToNameTable" => Vec::<Yaml>::new(),
+        "externalObjects" => Map::new(),
+        "serializedVersion" => 12,
+        "mipmaps" => map! {
+            "mipMapMode" => 0,
+            "enableMipMap" => 1,
+            "sRGBTexture" => i32::from(is_color),
+            "linearTexture" => 0,
+            "fadeOut" => 0,
+            "borderMipMap" => 0,
+        },
+        "bumpmap" => map! { "convertToNormalMap" => 0, "externalNormalMap" => 0, "flipGreenChannel" => 0 },
+        "isReadable" => 0,
+        "streamingMipmaps" => 0,
+        "maxTextureSize" => 2048,
+        "textureSettings" => map! {
+            "serializedVersion" => 2,
+            "filterMode" => 1,
+            "aniso" => 8,
+            "mipBias" => 0,
+            "wrapU" => 0,
+            "wrapV" => 0,
+            "wrapW" => 0,
+        },
+        "nPOTScale" => 1,
+        "alphaUsage" => 1,
+        "alphaIsTransparency" => 0,
+        "textureType" => i32::from(is_normal),
+        "textureShape" => 1,
+        "userData" => "",
+        "assetBundleName" => "",
+        "assetBundleVariant" => "",
+    }}
 }
 
 /// Meshes come in metres, as they are, readable, without materials of their own.

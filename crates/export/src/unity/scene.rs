@@ -9,7 +9,7 @@ use super::{Material, mesh_obj};
 use crate::Scene;
 use crate::geometry::mesh::Group;
 use crate::names::Stems;
-use crate::scene::{Body, Object, Role, Shell, View, view};
+use crate::scene::{Body, Lamp, Object, Role, Shell, View, view};
 use nalgebra::{Matrix3, UnitQuaternion};
 use scenelang_layout::{Aabb, Convex, Obb, Vec3, rotation};
 use sha2::{Digest, Sha256};
@@ -61,12 +61,7 @@ impl Writer<'_> {
         furniture.children = self.scene.objects.iter().map(|o| self.object(o, &scripts.object)).collect();
         root.children = vec![building, furniture];
         let mut roots = vec![root, sun(), camera(self.scene)];
-        for lamp in &self.scene.lamps {
-            let mut node = Node::new(format!("light:{}", lamp.name), lamp.name.clone());
-            node.pos = lamp.pos;
-            node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp.range)));
-            roots.push(node);
-        }
+        roots.extend(self.scene.lamps.iter().filter(|lamp| lamp.object.is_none()).map(lamp));
         scene_file(component::settings, &roots)
     }
 
@@ -108,6 +103,13 @@ impl Writer<'_> {
         self.show(&mut node, &mesh, &object.mesh);
         for (i, body) in object.solid.iter().enumerate() {
             self.collider(&mut node, object, i, body);
+        }
+        // What belongs to a thing is moved with it.
+        let own = |l: &&Lamp| l.object.is_some_and(|index| std::ptr::eq(&raw const self.scene.objects[index], object));
+        for light in self.scene.lamps.iter().filter(own) {
+            let mut child = lamp(light);
+            child.pos = object.axes.transpose() * (light.pos - object.place.pos);
+            node.children.push(child);
         }
         if object.body != Body::Static {
             let held = object.body == Body::Held;
@@ -174,6 +176,13 @@ fn sun() -> Node {
         .map_or_else(Matrix3::identity, |q| *q.to_rotation_matrix().matrix());
     node.pos = Vec3::new(0.0, 5.0, 0.0);
     node.add(class::LIGHT, "Light", component::light(&Shine::Sun));
+    node
+}
+
+fn lamp(lamp: &Lamp) -> Node {
+    let mut node = Node::new(format!("light:{}", lamp.name), lamp.name.clone());
+    node.pos = lamp.pos;
+    node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp)));
     node
 }
 

@@ -81,9 +81,9 @@ pub(super) fn asset(id: i64, guid: &str, kind: u8) -> Yaml {
     Yaml::Flow(vec![("fileID", id.to_string()), ("guid", guid.to_owned()), ("type", kind.to_string())])
 }
 
-/// `{x: v, y: v}`
-pub(super) fn pair(v: f32) -> Yaml {
-    Yaml::Flow(["x", "y"].into_iter().zip([v, v].map(number)).collect())
+/// `{x: …, y: …}`
+pub(super) fn pair(v: [f32; 2]) -> Yaml {
+    Yaml::Flow(["x", "y"].into_iter().zip(v.map(number)).collect())
 }
 
 /// `{x: …, y: …, z: …}`

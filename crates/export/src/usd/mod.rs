@@ -50,8 +50,8 @@ impl Exporter for Usdz {
 }
 
 const FRAME: Frame = Frame::YUp;
-/// Nits of a lamp, a ball of the radius after it (metres): a room is lit, and no more.
-const LAMP: f64 = 20_000.0;
+/// Nits of a lamp for each candela; it is a ball of the radius after it (metres). A room is lit, and no more.
+const LAMP: f64 = 670.0;
 const LAMP_RADIUS: f64 = 0.1;
 /// Of the sun.
 const SUN: f64 = 500.0;
@@ -261,10 +261,6 @@ fn material(out: &mut Usda, path: &str, surface: &Surface) {
     out.line(&format!("token outputs:surface.connect = <{path}/Surface.outputs:surface>"));
     out.begin("def Shader", "Surface", &[]);
     out.line("uniform token info:id = \"UsdPreviewSurface\"");
-    let linear = |color: [f32; 3]| {
-        let components = color.map(|c| (crate::glb::linear(c) * 1e6).round() / 1e6);
-        format!("({})", numbers(components, ", "))
-    };
     out.line(&format!("color3f inputs:diffuseColor = {}", linear(surface.color)));
     if let Some(emissive) = surface.emissive {
         out.line(&format!("color3f inputs:emissiveColor = {}", linear(emissive)));
@@ -275,6 +271,12 @@ fn material(out: &mut Usda, path: &str, surface: &Surface) {
     out.line("token outputs:surface");
     out.end();
     out.end();
+}
+
+/// A colour in linear light.
+fn linear(color: [f32; 3]) -> String {
+    let components = color.map(|c| (crate::glb::linear(c) * 1e6).round() / 1e6);
+    format!("({})", numbers(components, ", "))
 }
 
 fn lights(out: &mut Usda, scene: &Scene) {
@@ -290,8 +292,8 @@ fn lights(out: &mut Usda, scene: &Scene) {
     out.end();
     for lamp in &scene.lamps {
         out.begin("def SphereLight", &names.take(&lamp.name), &[format!("displayName = {}", quoted(&lamp.name))]);
-        out.line("color3f inputs:color = (1, 0.96, 0.9)");
-        out.line(&scalar("float inputs:intensity", LAMP));
+        out.line(&format!("color3f inputs:color = {}", linear(lamp.color)));
+        out.line(&scalar("float inputs:intensity", (LAMP * lamp.candela).round()));
         out.line(&scalar("float inputs:radius", LAMP_RADIUS));
         place(out, &lamp.pos, &rotation::matrix(Vec3::zeros()), None);
         out.end();

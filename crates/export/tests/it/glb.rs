@@ -1,6 +1,7 @@
 //! The GLB, taken apart.
 
 use crate::fixture::scene;
+use scenelang_assets::textures::Texture;
 use scenelang_export::glb::bytes;
 use serde_json::Value;
 
@@ -139,7 +140,64 @@ fn colours_are_linear_and_glass_is_blended() {
     let glass = named("glass-");
     assert_eq!(glass["alphaMode"], "BLEND");
     assert!(glass["pbrMetallicRoughness"]["baseColorFactor"][3].as_f64().unwrap() < 1.0);
-    // The chairs are 000080: 0x80 is 0.2159 in linear light.
+    // The chairs are 000080: 0x80 is 0.2159 in linear light, as the mean of colour and texture.
     let blue = glb.list("materials").iter().find(|m| m["name"].as_str().unwrap().ends_with("-000080")).unwrap();
-    assert!((blue["pbrMetallicRoughness"]["baseColorFactor"][2].as_f64().unwrap() - 0.215861).abs() < 1e-6);
+    let factor = blue["pbrMetallicRoughness"]["baseColorFactor"][2].as_f64().unwrap();
+    let texture = Texture::all().find(|t| named_texture(&glb, blue) == t.name()).unwrap();
+    assert!((factor * f64::from(texture.pixels().mean[2]) - 0.215861).abs() < 1e-6, "{factor}");
+}
+
+/// The kind of texture that a material's colour has: its picture is called `weave_color`.
+fn named_texture(glb: &Glb, material: &Value) -> String {
+    let texture = material["pbrMetallicRoughness"]["baseColorTexture"]["index"].as_u64().unwrap() as usize;
+    let image = glb.list("textures")[texture]["source"].as_u64().unwrap() as usize;
+    let name = glb.list("images")[image]["name"].as_str().unwrap();
+    name.strip_suffix("_color").unwrap().to_owned()
+}
+
+#[test]
+fn a_set_of_pictures_for_each_kind_of_texture_and_a_place_on_it_for_each_vertex() {
+    let glb = read();
+    let names: Vec<&str> = glb.list("images").iter().map(|i| i["name"].as_str().unwrap()).collect();
+    let kinds: Vec<&str> = names.iter().filter_map(|n| n.strip_suffix("_color")).collect();
+    assert!(kinds.contains(&"boards") && kinds.contains(&"plaster") && kinds.contains(&"wood"), "{kinds:?}");
+    assert_eq!(names.len(), 3 * kinds.len(), "three pictures each, and none twice: {names:?}");
+    let mut bytes = 0;
+    for image in glb.list("images") {
+        let view = &glb.json["bufferViews"][image["bufferView"].as_u64().unwrap() as usize];
+        let number = |key: &str| view[key].as_u64().unwrap() as usize;
+        let png = &glb.binary[number("byteOffset")..number("byteOffset") + number("byteLength")];
+        let info = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap().info().size();
+        assert!(info.0 * info.1 <= 512 * 256, "{info:?}");
+        bytes += png.len();
+    }
+    assert!(bytes < 1_500_000, "{bytes}");
+    for primitive in glb.list("meshes").iter().flat_map(|m| m["primitives"].as_array().unwrap()) {
+        let material = &glb.list("materials")[primitive["material"].as_u64().unwrap() as usize];
+        let attributes = &primitive["attributes"];
+        let textured = material.get("normalTexture").is_some();
+        assert_eq!([attributes["TEXCOORD_0"].is_u64(), attributes["TANGENT"].is_u64()], [textured; 2], "{material}");
+        let count = |key: &str| &glb.json["accessors"][attributes[key].as_u64().unwrap() as usize]["count"];
+        assert!(!textured || count("TEXCOORD_0") == count("POSITION"));
+    }
+}
+
+#[test]
+fn a_lamp_shines_where_it_stands_and_its_room_has_no_other_light() {
+    let mut parts = crate::fixture::parts();
+    let table = parts.program.objects.iter_mut().find(|o| o.name == "balloon").unwrap();
+    table.category = "floor lamp".into();
+    let scene = parts.build().unwrap();
+    let lamps: Vec<&str> = scene.lamps.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(lamps, ["balloon/light", "den/lamp"]);
+    let (lamp, object) = (&scene.lamps[0], &scene.objects[scene.lamps[0].object.unwrap()]);
+    assert!((lamp.pos - object.place.pos).norm() < 0.5 && lamp.candela > 10.0 && lamp.color[0] > lamp.color[2]);
+    let bytes = bytes(&scene).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    let json: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+    let nodes = json["nodes"].as_array().unwrap();
+    let own = nodes.iter().find(|n| n["extras"]["scenelang"]["id"] == "balloon").unwrap();
+    let child = own["children"][0].as_u64().unwrap();
+    assert_eq!(nodes[child as usize]["name"], "balloon/light");
+    assert!(!json["scenes"][0]["nodes"].as_array().unwrap().iter().any(|n| n.as_u64() == Some(child)));
 }

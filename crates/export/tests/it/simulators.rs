@@ -74,7 +74,7 @@ fn obj_has_the_triangles_of_all_things_in_the_world() {
     assert_eq!(text.lines().filter(|l| l.starts_with("f ")).count(), drawn);
     let count = text.lines().filter(|l| l.starts_with("v ")).count();
     let used = text.lines().filter_map(|l| l.strip_prefix("f ")).flat_map(|l| l.split(' '));
-    let used = used.map(|corner| corner.split("//").next().unwrap().parse::<usize>().unwrap());
+    let used = used.map(|corner| corner.split('/').next().unwrap().parse::<usize>().unwrap());
     assert_eq!(used.max(), Some(count));
     assert!(files["obj/room.mtl"].contains("newmtl"));
 }

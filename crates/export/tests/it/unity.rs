@@ -8,8 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 fn project(scene: &Scene, pipeline: Pipeline) -> BTreeMap<String, String> {
     let files = Unity { pipeline }.files(scene).unwrap();
     let count = files.len();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     let out: BTreeMap<String, String> =
-        files.into_iter().map(|f| (f.path.to_str().unwrap().to_owned(), String::from_utf8(f.bytes).unwrap())).collect();
+        files.into_iter().map(|f| (f.path.to_str().unwrap().to_owned(), text(&f.bytes))).collect();
     assert_eq!(out.len(), count, "no file is written twice");
     out
 }

@@ -1,0 +1,126 @@
+//! The textures of the furniture library as PNG files: one set for each kind that a scene shows, whatever its colours.
+
+use crate::{ExportError, Scene};
+use scenelang_assets::textures::{Pixels, Texture};
+use std::borrow::Cow;
+
+/// The kinds that a scene shows, in order.
+pub(crate) fn used(scene: &Scene) -> Vec<Texture> {
+    let mut kinds: Vec<Texture> = scene.surfaces.iter().filter_map(Texture::of).collect();
+    kinds.sort();
+    kinds.dedup();
+    kinds
+}
+
+/// The factors of the colour, sRGB.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub(crate) fn color(texture: Texture) -> Result<Vec<u8>, ExportError> {
+    let pixels = texture.pixels();
+    indexed(pixels, &pixels.shade, &pixels.ramp, None)
+}
+
+/// Normals in the frame of the surface: along u, along v (upwards), outward.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub(crate) fn normal(texture: Texture) -> Result<Vec<u8>, ExportError> {
+    let pixels = texture.pixels();
+    let data: Vec<u8> = from_the_top(pixels, &pixels.normal).flatten().flatten().copied().collect();
+    encoded(pixels, &data, |_| {})
+}
+
+/// As glTF has it: the factor of the roughness in green, that of the metalness in blue.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub(crate) fn roughness(texture: Texture) -> Result<Vec<u8>, ExportError> {
+    let pixels = texture.pixels();
+    let ramp: Vec<[u8; 3]> = (0..=255).map(|rough| [255, rough, 255]).collect();
+    indexed(pixels, &pixels.rough, &ramp, None)
+}
+
+/// As Unity has it: metalness in red, smoothness in alpha, for a surface of a metalness and a mean roughness.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub(crate) fn gloss(texture: Texture, metallic: f32, roughness: f32) -> Result<Vec<u8>, ExportError> {
+    let pixels = texture.pixels();
+    let factor = rough_factor(pixels, roughness);
+    let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let ramp = vec![[byte(metallic); 3]; 256];
+    let smooth: Vec<u8> = (0..=255_u8).map(|rough| byte(1.0 - factor * f32::from(rough) / 255.0)).collect();
+    indexed(pixels, &pixels.rough, &ramp, Some(smooth))
+}
+
+/// What to multiply the roughness of a texture by, for a surface of a mean roughness.
+pub(crate) fn rough_factor(pixels: &Pixels, roughness: f32) -> f32 {
+    (roughness / pixels.rough_mean).min(1.0)
+}
+
+/// The rows of a texture in the order of a picture.
+fn from_the_top<'a, T>(pixels: &Pixels, values: &'a [T]) -> impl Iterator<Item = &'a [T]> {
+    values.chunks_exact(pixels.size[0]).rev()
+}
+
+fn indexed(pixels: &Pixels, values: &[u8], ramp: &[[u8; 3]], alpha: Option<Vec<u8>>) -> Result<Vec<u8>, ExportError> {
+    let data: Vec<u8> = from_the_top(pixels, values).flatten().copied().collect();
+    encoded(pixels, &data, |encoder| {
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(Cow::Owned(ramp.concat()));
+        if let Some(alpha) = alpha {
+            encoder.set_trns(Cow::Owned(alpha));
+        }
+    })
+}
+
+fn encoded(
+    pixels: &Pixels,
+    data: &[u8],
+    prepare: impl FnOnce(&mut png::Encoder<'_, &mut Vec<u8>>),
+) -> Result<Vec<u8>, ExportError> {
+    let mut out = Vec::new();
+    let mut encoder = png::Encoder::new(&mut out, pixels.size[0] as u32, pixels.size[1] as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Balanced);
+    prepare(&mut encoder);
+    let wrong = |e: png::EncodingError| ExportError::Format("textures", e.to_string());
+    let mut writer = encoder.write_header().map_err(wrong)?;
+    writer.write_image_data(data).map_err(wrong)?;
+    writer.finish().map_err(wrong)?;
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_sets_together_are_small_and_every_picture_is_as_large_as_it_says() {
+        let mut bytes = 0;
+        for texture in Texture::all() {
+            let [width, height] = texture.pixels().size.map(|n| n as u32);
+            let glossy = gloss(texture, 0.5, 0.4).unwrap();
+            for picture in [color(texture).unwrap(), normal(texture).unwrap(), roughness(texture).unwrap(), glossy] {
+                let reader = png::Decoder::new(std::io::Cursor::new(&picture)).read_info().unwrap();
+                assert_eq!(reader.info().size(), (width, height), "{texture:?}");
+                bytes += picture.len();
+            }
+        }
+        assert!(bytes < 1_500_000, "{bytes}");
+    }
+
+    #[test]
+    fn the_first_row_of_a_picture_is_the_uppermost() {
+        let pixels = Texture::Wood.pixels();
+        let [width, height] = pixels.size;
+        let picture = normal(Texture::Wood).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&picture)).read_info().unwrap();
+        let mut read = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut read).unwrap();
+        let last: Vec<u8> = pixels.normal[(height - 1) * width..].concat();
+        assert_eq!(read[..3 * width], last[..]);
+    }
+}
