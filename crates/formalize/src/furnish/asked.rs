@@ -93,7 +93,10 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let it = plan.draft.things[thing].clone();
     let noun = it.category.replace('_', " ");
     // Where such rooms have their own of it, it stands as those do.
-    let line = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
+    // A kitchen is no counter at which guests are served.
+    let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
+    let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
+    let line = lines.find(|line| stand::counts_as(line.noun, &noun));
     let own = line.map(|line| &line.place);
     if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());

@@ -100,10 +100,12 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     plan.lacking += usize::from(matters && facing && places.is_none() && asked.is_none());
     let is_table = stand::group(noun) == crate::brief::Group::Table;
     let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..1] };
-    let tries = more.iter().filter_map(|more| {
-        let upright = || grid(plan, noun, size, reach, n, (toward, *more));
-        let mut places =
-            turned(plan, noun, size, reach, n, (toward, *more)).or_else(|| places.clone()).or_else(upright)?;
+    // Nearer to each other, too, where something is in the way of tables that are spread.
+    let spreads = if is_table { &[SPREAD, 0.0][..] } else { &[SPREAD][..] };
+    let tries = more.iter().flat_map(|more| spreads.iter().map(move |spread| (toward, *more, *spread)));
+    let tries = tries.filter_map(|how| {
+        let upright = || grid(plan, noun, size, reach, n, how);
+        let mut places = turned(plan, noun, size, reach, n, how).or_else(|| places.clone()).or_else(upright)?;
         if let Some(ground) = &plan.ground {
             // What stands there already, and doors, leave less.
             let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
@@ -195,7 +197,7 @@ fn turned(
     size: [f64; 3],
     reach: [f64; 4],
     n: usize,
-    toward: (bool, f64),
+    toward: (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
     let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
@@ -233,6 +235,8 @@ const DESKS: f64 = 1.25;
 const SEATS: (f64, f64) = (0.06, 0.5);
 /// The aisle in the middle of rows of so many seats or more.
 const AISLE: (f64, usize) = (1.1, 6);
+/// Tables are so far from each other at most (metres).
+const SPREAD: f64 = 1.3;
 /// How much farther from what is before them (metres) rows are tried that are asked for, where something is in their way.
 const FARTHER: [f64; 4] = [0.0, 0.5, 1.0, 1.5];
 /// The aisle between pews, and what is between one and the back of the next.
@@ -247,15 +251,15 @@ fn step(free: f64, cell: f64, count: usize, least: f64, spread: f64) -> f64 {
     most.min(cell + least.max(0.35 * cell).max(spread)).max(most.min(cell + least))
 }
 
-/// Places in columns and lines that look to the back of the room or away from it, and so much farther from there than
-/// usual.
+/// Places in columns and lines that look to the back of the room or away from it, so much farther from there than usual, and
+/// so far from each other at most if they are tables.
 fn grid(
     plan: &Plan,
     noun: &str,
     size: [f64; 3],
     reach: [f64; 4],
     n: usize,
-    (toward, farther): (bool, f64),
+    (toward, farther, widest): (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let [left, right, back, front] = reach;
@@ -323,7 +327,7 @@ fn grid(
         if aisle_of_seats > 0.0 { columns_used.next_multiple_of(2).min(columns & !1) } else { columns_used };
     let exhibit = EXHIBITED.iter().any(|end| noun.ends_with(end));
     let spread = if table {
-        1.3
+        widest
     } else if exhibit {
         EXHIBITS
     } else {
