@@ -1,6 +1,6 @@
 //! Things stand out against the floor they stand on.
 
-use crate::looks::{Rgb, shade, tinted_by};
+use crate::looks::{Finish, Rgb, shade, surface, tinted_by};
 use crate::mesh::{Group, Mesh, wide};
 
 /// The least difference between a thing and its floor, see [`difference`].
@@ -16,14 +16,27 @@ pub fn stand_out(mesh: &mut Mesh, floor: [f32; 3]) {
     for _ in 0..mesh.groups.len() {
         let Some(lost) = lost(mesh, floor) else { return };
         let (color, finish) = (lost.surface.color, finish(lost).to_owned());
-        let enough = |by: &&f32| difference(tinted_by(color, **by), floor) >= LEAST;
+        let is_wood = finish == "wood";
+        let enough = |by: &&f32| difference(changed(color, **by, is_wood), floor) >= LEAST;
         let Some(by) = STEPS.iter().find(enough) else { return };
         for group in &mut mesh.groups {
             if self::finish(group) == finish && difference(group.surface.color, color) < ALIKE {
-                group.surface = shade(&group.surface, *by);
+                group.surface = match is_wood {
+                    true => surface(Finish::Wood, changed(group.surface.color, *by, true)),
+                    false => shade(&group.surface, *by),
+                };
             }
         }
     }
+}
+
+/// A colour, darker or lighter. Wood that is stained darker is warmer, too, not grey.
+fn changed(color: Rgb, by: f32, is_wood: bool) -> Rgb {
+    if !is_wood || by > 1.0 {
+        return tinted_by(color, by);
+    }
+    let [r, g, b] = color;
+    [r * by.powf(0.6), g * by, b * by.powf(1.5)]
 }
 
 /// The largest group that does not stand out, if such groups are more than half of all that have a colour of their own.

@@ -89,6 +89,32 @@ fn usual(brief: &mut Brief, people: usize) {
     if !has(brief, &["bathroom"]) {
         add(brief, "bathroom", "a home has a bathroom");
     }
+    children(brief, people);
+}
+
+/// Of several bedrooms of which nothing more is said, all but the first are for the children of a family.
+fn children(brief: &mut Brief, people: usize) {
+    const PARENTS: usize = 2;
+    let is_plain =
+        |room: &Room| room.name == "bedroom" && room.people.is_none() && room.size.iter().all(Option::is_none);
+    let used: Vec<usize> = brief.things.iter().map(|thing| thing.room).collect();
+    let plain: Vec<usize> =
+        (0..brief.rooms.len()).filter(|at| is_plain(&brief.rooms[*at]) && !used.contains(at)).collect();
+    let Some((_, others)) = plain.split_first().filter(|(_, others)| !others.is_empty() && people > PARENTS) else {
+        return;
+    };
+    if has(brief, &["kids room", "nursery"]) {
+        return;
+    }
+    let mut left = people - PARENTS;
+    for (i, at) in others.iter().enumerate() {
+        let own = left.div_ceil(others.len() - i);
+        if own > 0 {
+            brief.rooms[*at].name = "kids bedroom".into();
+            brief.rooms[*at].people = Some(own);
+        }
+        left -= own;
+    }
 }
 
 /// What is in the home goes to the rooms where such things are; what is said of several things together keeps them together.

@@ -69,6 +69,13 @@ impl Choice<'_> {
             })
     }
 
+    /// Whether one of several that stand in a row would be misplaced.
+    fn is_row_misplaced(&self, shape: &Shape, pose: &Pose) -> bool {
+        let first = shape.pieces.first().map(|piece| piece.thing);
+        let own = shape.pieces.iter().filter(|piece| Some(piece.thing) == first);
+        own.into_iter().any(|piece| self.is_misplaced(&pose.then(&piece.at)))
+    }
+
     /// How far it is from what it stands near.
     fn to_near(&self, pose: &Pose) -> f64 {
         self.near.map_or(0.0, |near| (near.x - pose.x).hypot(near.z - pose.z))
@@ -97,7 +104,7 @@ impl Choice<'_> {
             }
             cost = aside + if opposite { 0.0 } else { 0.6 };
         }
-        if self.is_misplaced(pose) {
+        if self.is_row_misplaced(shape, pose) {
             return None;
         }
         if matches!(self.staffed, Some(Staff::Beyond(_)))

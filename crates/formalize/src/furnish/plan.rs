@@ -300,7 +300,8 @@ impl<'a> Plan<'a> {
         let bound =
             stand::group(&category) == Group::Table && stand::placed(self.draft, &self.draft.things[thing].name);
         let washed = noun.ends_with("rug") && self.kind.floor.0 == "tile";
-        if washed || noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
+        let several = noun.ends_with("rug") && anchors > 1;
+        if washed || several || noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
             return;
         }
         let seat = stand::group(noun) == Group::Seat;

@@ -8,7 +8,8 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 47] = [
+const KIN: [&[&str]; 48] = [
+    &["washbasin", "bathroom vanity", "vanity unit", "sink vanity"],
     &["cubicle curtain", "privacy curtain", "bed curtain"],
     &["checkout", "checkout counter", "sales counter", "cash desk", "cashier desk", "cashier counter", "checkout lane"],
     &["safety fence", "fence", "safety cage", "cage", "guard fence"],
@@ -67,7 +68,8 @@ const KIN: [&[&str]; 47] = [
 ];
 
 /// What is not added where something else is asked for that serves as well.
-const INSTEAD: [(&str, &[&str]); 3] = [
+const INSTEAD: [(&str, &[&str]); 4] = [
+    ("projection screen", &["whiteboard", "blackboard", "smart board", "tv", "television", "video wall"]),
     ("bathtub", &["shower", "walk in shower", "shower cabin", "shower cubicle"]),
     ("bed", &["daybed", "day bed", "futon", "sleeping bag", "hammock"]),
     ("sofa", &["daybed", "day bed", "futon"]),
