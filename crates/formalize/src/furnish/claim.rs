@@ -8,7 +8,7 @@ use super::plan::{AtWall, Plan, for_people, why};
 use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
 use crate::brief::Group;
-use crate::draft::{Demand, Source, Statement};
+use crate::draft::{Demand, Draft, Source, Statement};
 use crate::names::words;
 
 /// Groups of groups: so deep.
@@ -125,6 +125,7 @@ impl Plan<'_> {
             && !self.claimed.contains(&at)
             && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
             && (stand::on_floor(self.draft, it) || stand::group(&it.category) == Group::Screen)
+            && !is_drawn_up(self.draft, &it.name)
             && !stand::placed_without(self.draft, &it.name, anchor)
     }
 
@@ -208,6 +209,12 @@ impl Plan<'_> {
         let said = |noun: &str| self.is_closed(noun);
         line(self.kind, &it.category.replace('_', " "), it.count, &said)
     }
+}
+
+/// Whether a thing stands at its table by a statement that nobody asked for, as seats in rows do.
+fn is_drawn_up(draft: &Draft, name: &str) -> bool {
+    let place = format!("{name}[i].pos.");
+    draft.statements.iter().any(|s| !matches!(s.source, Source::Stated(_)) && s.text.contains(&place))
 }
 
 /// Whether a statement places a thing: it is the first argument of a call, its elements are gone through, or a property of
