@@ -1,8 +1,8 @@
-//! Toilets, baths and showers: backs at −z.
+//! Toilets, baths, showers and vanities: backs at −z.
 
-use super::kitchen::tap;
+use super::kitchen::{draw_hatch, tap};
 use crate::ask::Ask;
-use crate::block::{block, pieces};
+use crate::block::{Block, block, pieces};
 use crate::looks::{shade, stuff};
 use crate::model::Model;
 use scenelang_layout::Vec3;
@@ -190,5 +190,52 @@ pub(super) fn dispenser(a: &Ask) -> Model {
         tap(&mut m, b.inset(0.4 * a.w, 0.0, 0.0).y(0.0..0.3 * a.h), &stuff::CHROME.surface());
         m.parts.truncate(1);
     }
+    m
+}
+
+/// A cabinet with a basin let into its top, or with two where it is wide or says so.
+pub(super) fn vanity_unit(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(stuff::OAK);
+    let (top, bowl, chrome) = (a.second(stuff::CERAMIC), stuff::CERAMIC.surface(), stuff::CHROME.surface());
+    let rim = a.h - 0.2_f64.min(0.22 * a.h);
+    let (thick, deep) = (0.07 * rim, 0.035_f64.min(0.1 * a.d));
+    m.surface = Some(rim);
+    let plinth = 0.12 * rim;
+    let body = b.y(plinth..rim - thick).inset(0.01, 0.0, 0.0).z(b.min.z..b.max.z - 0.03 * a.d);
+    m.solid(body);
+    m.board(b.inset(0.05, 0.0, 0.0).y(0.0..plinth).z(b.min.z..b.max.z - 0.15 * a.d), &stuff::DARK_PLASTIC.surface());
+    m.mesh.board(body.z(body.min.z..body.max.z - deep), &main);
+    let doors = pieces(a.w, 0.45, 1, 6);
+    let faces = body.inset(0.005, 0.004, 0.0).z(body.max.z - deep..body.max.z);
+    for (i, door) in faces.split(0, doors, 0.006).enumerate() {
+        draw_hatch(&mut m, door, true, i % 2 == 1, &shade(&main, 1.06), &chrome);
+    }
+    let slab = b.y(rim - thick..rim);
+    m.solid(slab);
+    let back = 0.2 * a.d;
+    let basins = if a.w >= 1.15 || a.says(&["double", "two", "twin"]) { 2 } else { 1 };
+    let holes: Vec<Block> = slab
+        .split(0, basins, 0.0)
+        .map(|half| {
+            let (c, wide) = (half.center(), (0.25_f64).min(0.36 * half.size().x));
+            half.x(c.x - wide..c.x + wide).z(b.min.z + back..b.max.z - 0.12 * a.d)
+        })
+        .collect();
+    // Strips of the top around the basins, from the left to the right.
+    let mut from = slab.min.x;
+    for hole in &holes {
+        m.mesh.crisp(slab.x(from..hole.min.x), &top);
+        m.mesh.crisp(slab.x(hole.min.x..hole.max.x).z(slab.min.z..hole.min.z), &top);
+        m.mesh.crisp(slab.x(hole.min.x..hole.max.x).z(hole.max.z..slab.max.z), &top);
+        m.mesh.crisp(hole.y(slab.min.y..slab.min.y + 0.3 * thick), &shade(&bowl, 0.86));
+        let c = hole.center();
+        let half = 0.04_f64.min(0.1 * a.w);
+        let spout = b.min.z + 0.05 * a.d;
+        tap(&mut m, block(c.x - half..c.x + half, rim..a.h, spout..spout + 0.42 * a.d.min(0.4)), &chrome);
+        from = hole.max.x;
+    }
+    m.mesh.crisp(slab.x(from..slab.max.x), &top);
     m
 }

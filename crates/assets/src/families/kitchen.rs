@@ -42,7 +42,7 @@ fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: 
 }
 
 /// The same, drawn only.
-fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+pub(super) fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let (size, z) = (b.size(), b.min.z + 0.5 * b.size().z);
     m.mesh.rounded(b.z(b.min.z..z), 0.008, 2, s);
     let t = 0.016_f64.min(0.06 * size.x).min(0.06 * size.y);
@@ -385,5 +385,36 @@ pub(super) fn toaster(a: &Ask) -> Model {
         m.mesh.crisp(slot, &dark);
     }
     m.mesh.board(b.x(b.max.x - 0.06 * a.w..b.max.x).y(0.6 * a.h..0.68 * a.h).inset(0.0, 0.0, 0.38 * a.d), &dark);
+    m
+}
+
+/// A grill on a trolley: a bowl of coals under a lid, a shelf at each side.
+pub(super) fn barbecue(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let main = a.main(Stuff(Finish::Paint, 0x2b2d30));
+    let (steel, wood) = (stuff::STEEL.surface(), a.second(stuff::OAK));
+    let rim = 0.78 * a.h;
+    m.surface = Some(rim);
+    let stand = b.share(0.2..0.8, 0.0..1.0, 0.08..0.92);
+    m.legs(stand.y(0.0..0.55 * a.h), 0.035_f64.min(0.1 * a.d), &stuff::BLACK_STEEL.surface());
+    m.board(stand.y(0.16 * a.h..0.19 * a.h).inset(0.002, 0.0, 0.002), &wood);
+    let body = b.share(0.18..0.82, 0.0..1.0, 0.0..1.0);
+    m.board(body.y(0.55 * a.h..rim), &main);
+    for side in b.share(0.0..0.18, 0.0..1.0, 0.1..0.9).both_sides() {
+        m.board(side.y(rim - 0.04 * a.h..rim), &wood);
+    }
+    // The lid is lower at the front.
+    let lid = body.z(b.min.z..b.max.z - 0.04 * a.d);
+    let foot = lid.y(rim..rim + 0.001);
+    let head = lid.inset(0.04 * a.w, 0.0, 0.2 * a.d).y(a.h - 0.001..a.h);
+    m.taper(foot, head, &main);
+    let grip = body.inset(0.1 * a.w, 0.0, 0.0).y(rim + 0.03 * a.h..rim + 0.06 * a.h);
+    m.board(grip.z(b.max.z - 0.04 * a.d..b.max.z), &steel);
+    for knob in body.inset(0.08 * a.w, 0.0, 0.0).y(0.62 * a.h..0.68 * a.h).split(0, 3, 0.0) {
+        let c = knob.center();
+        let r = 0.025 * a.h;
+        m.mesh.disc(2, block(c.x - r..c.x + r, c.y - r..c.y + r, b.max.z - 0.005 * a.d..b.max.z), &steel);
+    }
     m
 }

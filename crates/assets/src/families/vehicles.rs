@@ -1,8 +1,8 @@
-//! What people drive: a car with its cabin, windows, wheels and lights; a motorcycle, a bicycle, a forklift. The front is
-//! at +z.
+//! What people drive, and what serves it: a car with its cabin, windows, wheels and lights; a motorcycle, a bicycle, a
+//! forklift; a lift for cars and a stack of tires. The front is at +z.
 
 use crate::ask::Ask;
-use crate::block::{Block, block};
+use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::model::Model;
 use scenelang_layout::Vec3;
@@ -159,6 +159,51 @@ pub(super) fn forklift(a: &Ask) -> Model {
     m.board(b.share(0.2..0.8, 0.06..0.24, 0.63..0.65), &steel);
     for fork in b.share(0.26..0.36, 0.02..0.05, 0.63..1.0).both_sides() {
         m.board(fork, &steel);
+    }
+    m
+}
+
+/// A lift with four posts and two runways, on which a car stands.
+pub(super) fn car_lift(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let paint = a.main(Stuff(Finish::Paint, 0x2f5f9e));
+    let steel = stuff::STEEL.surface();
+    let (foot, post) = (0.02 * a.h, 0.06 * a.w);
+    let (low, top) = (0.48 * a.h, 0.54 * a.h);
+    m.surface = Some(top);
+    for plate in b.share(0.0..0.12, 0.0..1.0, 0.06..0.12).four_corners() {
+        m.board(plate.y(0.0..foot), &steel);
+        let c = plate.center();
+        let half = 0.5 * post;
+        m.board(block(c.x - half..c.x + half, foot..a.h, c.z - half..c.z + half), &paint);
+    }
+    // The beams at the two ends carry the runways.
+    let inner = b.share(0.09..0.91, 0.0..1.0, 0.0..1.0);
+    for beam in [inner.share(0.0..1.0, 0.0..1.0, 0.06..0.12), inner.share(0.0..1.0, 0.0..1.0, 0.88..0.94)] {
+        m.board(beam.y(low..low + 0.4 * (top - low)), &paint);
+    }
+    for runway in b.share(0.16..0.38, 0.0..1.0, 0.03..0.97).both_sides() {
+        m.board(runway.y(low + 0.4 * (top - low)..top), &steel);
+    }
+    // Stops before the wheels, and the ramps by which a car comes.
+    for stop in b.share(0.16..0.38, 0.0..1.0, 0.0..0.03).both_sides() {
+        m.board(stop.y(low..top + 0.02 * a.h), &paint);
+        let ahead = b.max.z - stop.max.z;
+        m.board(stop.moved(0.0, 0.0, ahead).y(low..top), &steel);
+    }
+    m
+}
+
+/// Tires lying on each other.
+pub(super) fn tire_stack(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let tyre = a.main(stuff::RUBBER);
+    let side = [(0.55, 0.0), (0.92, 0.04), (1.0, 0.25), (1.0, 0.75), (0.92, 0.96), (0.55, 1.0), (0.55, 0.0)];
+    m.solid_drum(b);
+    for tire in b.split(1, pieces(a.h, 0.21, 1, 6), 0.0) {
+        m.mesh.lathe(tire, &side, 24, &tyre);
     }
     m
 }

@@ -8,8 +8,9 @@ use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 
 /// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 48] = [
-    &["washbasin", "bathroom vanity", "vanity unit", "sink vanity"],
+const KIN: [&[&str]; 49] = [
+    &["washbasin", "bathroom vanity", "vanity unit", "sink vanity", "double vanity", "double washbasin"],
+    &["robot arm", "robot", "industrial robot", "welding robot", "cobot", "robotic arm", "manipulator"],
     &["cubicle curtain", "privacy curtain", "bed curtain"],
     &["checkout", "checkout counter", "sales counter", "cash desk", "cashier desk", "cashier counter", "checkout lane"],
     &["safety fence", "fence", "safety cage", "cage", "guard fence"],

@@ -1,4 +1,4 @@
-//! Two beds for one that are asked for stand side by side, their heads at one wall, and what belongs to both between them:
+//! Two beds that are asked for stand side by side, their heads at one wall, and what belongs to both between them:
 //! what is said to stand there, else a nightstand.
 
 use super::build::Root;
@@ -11,8 +11,6 @@ use crate::brief::Group;
 use crate::draft::{Demand, Source};
 use crate::names::words;
 
-/// What is wider is a bed for two (metres).
-const NARROW: f64 = 1.3;
 /// Between two beds at least, and beside what stands there.
 const BETWEEN: f64 = 0.6;
 const BESIDE: f64 = 0.06;
@@ -40,7 +38,6 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     it.count == 2
         && only
         && stand::group(&it.category) == Group::Bed
-        && it.size.is_some_and(|[w, ..]| w < NARROW)
         && !OTHER.iter().any(|other| noun.ends_with(other))
         && !plan.draft.things.iter().any(asked)
 }
