@@ -190,6 +190,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("sofa", seating::sofa),
     ("cushion", beds::soft),
     ("speaker", electronics::speaker),
+    ("squat_rack", sport::squat_rack),
     ("stairs", openings::stairs),
     ("statue", decor::statue),
     ("stool", seating::stool),

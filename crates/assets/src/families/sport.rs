@@ -93,3 +93,35 @@ pub(super) fn barre(a: &Ask) -> Model {
     }
     m
 }
+
+/// A cage of four uprights with a barbell on its hooks and bars that catch it.
+pub(super) fn squat_rack(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let steel = a.main(stuff::BLACK_STEEL);
+    let (chrome, rubber) = (stuff::CHROME.surface(), stuff::RUBBER.surface());
+    let t = 0.06_f64.min(0.08 * a.w).min(0.08 * a.d);
+    let cage = b.share(0.16..0.84, 0.0..1.0, 0.0..1.0);
+    for post in cage.x(cage.min.x..cage.min.x + t).z(cage.min.z..cage.min.z + t).four_corners() {
+        m.board(post, &steel);
+    }
+    let between = cage.z(cage.min.z + t..cage.max.z - t);
+    for beam in [0.0..0.03, 0.3..0.32, 0.97..1.0] {
+        for side in between.share(0.0..1.0, beam.clone(), 0.0..1.0).x(cage.min.x..cage.min.x + t).both_sides() {
+            m.board(side, &steel);
+        }
+    }
+    let across = cage.x(cage.min.x + t..cage.max.x - t);
+    m.board(across.share(0.0..1.0, 0.97..1.0, 0.0..1.0).z(cage.min.z..cage.min.z + t), &steel);
+    m.board(across.share(0.0..1.0, 0.97..1.0, 0.0..1.0).z(cage.max.z - t..cage.max.z), &steel);
+    // The bar lies before the uprights at the front, inside the box.
+    let (y, z) = (0.66 * a.h, cage.max.z - 1.6 * t);
+    let bar = b.y(y - 0.3 * t..y + 0.3 * t).z(z - 0.3 * t..z + 0.3 * t);
+    m.board(bar, &chrome);
+    let r = (0.1 * a.h).min(0.4 * a.d);
+    for plate in b.share(0.02..0.1, 0.0..1.0, 0.0..1.0).y(y - r..y + r).z(z - r..z + r).both_sides() {
+        let high = plate.z(plate.min.z.max(b.min.z)..plate.max.z.min(b.max.z));
+        m.disc(0, high, &rubber);
+    }
+    m
+}

@@ -15,6 +15,9 @@ pub fn counted(brief: &mut Brief) {
     }
 }
 
+/// So many sit at an island.
+const AT_ISLAND: usize = 3;
+
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
     let people = brief.rooms.iter().find_map(|room| room.people);
@@ -29,8 +32,16 @@ pub fn seats(brief: &mut Brief) {
         kind.is_none_or(|kind| kinds::seats_all(kind, &i.name()))
     };
     let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i);
-    let Some(table) = brief.things.iter().position(sits) else { return };
     let why = format!("{people} people sit there");
+    let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
+    let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {
+        Some(table) => table,
+        // An island has stools for a few; a family also has a table.
+        None => {
+            let Some(island) = brief.things.iter().find(|i| sits(i) && people > AT_ISLAND) else { return };
+            push(brief, island.room, "kitchen table", 1, &why)
+        }
+    };
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));
 }

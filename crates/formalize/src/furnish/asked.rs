@@ -8,7 +8,7 @@ use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::room::{counter_length, free, gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
-use super::{facing, groups, slots, stand, twin};
+use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
 use std::cell::RefCell;
@@ -108,6 +108,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
                 .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&clear) || !s.text.contains(&it.name));
             return;
         }
+    }
+    if stacks::are_many(plan, thing) && stacks::stand_up(plan, thing) {
+        return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
     let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));

@@ -169,7 +169,7 @@ impl Plan<'_> {
         at != other
             && self.ground.is_some()
             && anchor.room == Some(self.room)
-            && matches!(anchor.source, Source::Stated(_))
+            && (matches!(anchor.source, Source::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
             && self.is_free(at, Some(&anchor.name))
             && has_part(&anchor.category, self.kind.dress, DEEP, &|part| {

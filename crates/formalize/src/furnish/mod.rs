@@ -28,6 +28,7 @@ mod seats;
 mod seek;
 mod slots;
 mod spread;
+mod stacks;
 mod stand;
 mod taste;
 mod tops;

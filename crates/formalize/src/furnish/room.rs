@@ -76,7 +76,8 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     if rectangular && !draft.outdoor {
         openings::doors(draft, at);
     }
-    let own = |t: &Thing| t.room == Some(at) && matches!(t.source, Source::Stated(_));
+    let is_asked = |t: &Thing| matches!(t.source, Source::Stated(_)) || for_people(&t.source) && tables(&t.category);
+    let own = |t: &Thing| t.room == Some(at) && is_asked(t);
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
     // What seats go with comes before them.
     asked.sort_by_key(|i| {

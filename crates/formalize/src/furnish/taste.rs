@@ -62,7 +62,7 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 14] = [
+const NOT_WOODEN: [&str; 18] = [
     "office chair",
     "desk chair",
     "lab bench",
@@ -77,6 +77,10 @@ const NOT_WOODEN: [&str; 14] = [
     "hospital bed",
     "music stand",
     "server rack",
+    "squat rack",
+    "power rack",
+    "tire rack",
+    "iv stand",
 ];
 
 /// What is made of steel wherever it stands.

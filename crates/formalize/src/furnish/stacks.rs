@@ -1,0 +1,79 @@
+//! Many bookshelves stand as in libraries: in double rows, back to back, with aisles between them.
+
+use super::build::Root;
+use super::floor::{Floor, Piece, Pose, Shape};
+use super::plan::{AtWall, Plan};
+use super::{place, seek, stand};
+use crate::brief::Group;
+
+/// So many shelves stand at the walls.
+const AT_WALLS: usize = 8;
+/// Between double rows, and around all of them, where people walk and choose (metres).
+const AISLE: f64 = 1.1;
+const AROUND: f64 = 0.9;
+/// Between shelves beside each other, and between their backs.
+const JOINT: f64 = 0.01;
+/// A row has so many shelves.
+const ROW: std::ops::RangeInclusive<usize> = 3..=8;
+const WHY: &str = "shelves stand in rows, back to back";
+
+/// Whether a thing is many shelves of a library, and nothing is said of where they are.
+pub fn are_many(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    it.count > AT_WALLS
+        && plan.kind.dress == "library"
+        && stand::group(&it.category) == Group::Storage
+        && stand::has_back(&it.category)
+        && plan.draft.rooms[plan.room].outline.is_none()
+        && !stand::placed(plan.draft, &it.name)
+}
+
+/// Gives them their places. Whether there is room for all.
+pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let (Some(size), Some(floor)) = (it.size, plan.ground.clone()) else { return false };
+    let found = arrangements(it.count, size).into_iter().find_map(|(block, local)| {
+        let piece = Piece { thing, at: Pose::default(), size: block, flat: false, tall: true };
+        let around = [block[0] + 2.0 * AROUND, block[1], block[2] + 2.0 * AROUND];
+        let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)] };
+        let places = seek::on_floor(floor.size, around, &[0.0, 90.0]).into_iter();
+        let at = seek::best(&floor, &shape, places, &|at| Some(-floor.away_from_door(at)))?;
+        Some(local.iter().map(|shelf| at.then(shelf)).collect::<Vec<_>>())
+    });
+    let Some(places) = found else { return false };
+    let room = plan.room_name();
+    let at = |(i, at): (usize, &Pose)| place::absolute(&format!("{}[{i}]", it.name), &room, [at.x, at.y, at.z], at.yaw);
+    let each: Vec<String> = places.iter().enumerate().map(at).collect();
+    plan.say(format!("assert {};", each.join(" and ")), WHY);
+    plan.take([size[0], size[1], size[2] + AISLE / 2.0], it.count, false);
+    let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
+    let n = it.count;
+    let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, free: Vec::new(), whole: false, seek: &seek };
+    plan.place_asked(thing, &root)
+}
+
+/// Ways to stand in double rows: the size of the whole, and the places seen from its middle; full rows and those that are as
+/// deep as wide come first.
+fn arrangements(n: usize, [w, h, d]: [f64; 3]) -> Vec<([f64; 3], Vec<Pose>)> {
+    let mut all: Vec<(bool, f64, [f64; 3], Vec<Pose>)> = ROW
+        .map(|row| {
+            let pairs = n.div_ceil(2 * row);
+            let (wide, step) = (row as f64 * (w + JOINT) - JOINT, 2.0 * d + JOINT + AISLE);
+            let deep = (pairs - 1) as f64 * step + 2.0 * d + JOINT;
+            let place = |i: usize| {
+                let (line, column) = (i / row, i % row);
+                let front = line % 2 == 0;
+                let middle = ((line / 2) as f64 - (pairs as f64 - 1.0) / 2.0) * step;
+                Pose {
+                    x: (column as f64 - (row as f64 - 1.0) / 2.0) * (w + JOINT),
+                    y: 0.0,
+                    z: middle + if front { 0.5 } else { -0.5 } * (d + JOINT),
+                    yaw: if front { 0.0 } else { 180.0 },
+                }
+            };
+            (n % (2 * row) != 0, (wide - deep).abs(), [wide, h, deep], (0..n).map(place).collect())
+        })
+        .collect();
+    all.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    all.into_iter().map(|(_, _, block, places)| (block, places)).collect()
+}
