@@ -397,7 +397,8 @@ pub(super) fn barbecue(a: &Ask) -> Model {
     let rim = 0.78 * a.h;
     m.surface = Some(rim);
     let stand = b.share(0.2..0.8, 0.0..1.0, 0.08..0.92);
-    m.legs(stand.y(0.0..0.55 * a.h), 0.035_f64.min(0.1 * a.d), &stuff::BLACK_STEEL.surface());
+    let leg = 0.035_f64.min(0.1 * a.d).min(0.1 * a.w);
+    m.legs(stand.y(0.0..0.55 * a.h), leg, &stuff::BLACK_STEEL.surface());
     m.board(stand.y(0.16 * a.h..0.19 * a.h).inset(0.002, 0.0, 0.002), &wood);
     let body = b.share(0.18..0.82, 0.0..1.0, 0.0..1.0);
     m.board(body.y(0.55 * a.h..rim), &main);

@@ -100,7 +100,7 @@ pub(super) fn squat_rack(a: &Ask) -> Model {
     let b = a.whole();
     let steel = a.main(stuff::BLACK_STEEL);
     let (chrome, rubber) = (stuff::CHROME.surface(), stuff::RUBBER.surface());
-    let t = 0.06_f64.min(0.08 * a.w).min(0.08 * a.d);
+    let t = 0.06_f64.min(0.08 * a.w).min(0.08 * a.d).min(0.1 * a.h);
     let cage = b.share(0.16..0.84, 0.0..1.0, 0.0..1.0);
     for post in cage.x(cage.min.x..cage.min.x + t).z(cage.min.z..cage.min.z + t).four_corners() {
         m.board(post, &steel);

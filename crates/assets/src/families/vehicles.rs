@@ -169,7 +169,7 @@ pub(super) fn car_lift(a: &Ask) -> Model {
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0x2f5f9e));
     let steel = stuff::STEEL.surface();
-    let (foot, post) = (0.02 * a.h, 0.06 * a.w);
+    let (foot, post) = (0.02 * a.h, (0.06 * a.w).min(0.06 * a.d));
     let (low, top) = (0.48 * a.h, 0.54 * a.h);
     m.surface = Some(top);
     for plate in b.share(0.0..0.12, 0.0..1.0, 0.06..0.12).four_corners() {

@@ -1,7 +1,7 @@
-//! What follows from what is said: seats for people.
+//! What follows from what is said: seats for people, a fence around a robot.
 
 use crate::brief::{Brief, Fact, Group, Look, Number, Rel, Source, Thing, What};
-use crate::furnish::kinds;
+use crate::furnish::{FENCED, kinds};
 use crate::read::lexicon::{get, plural, singular};
 
 /// "A table for twelve people; the chairs …": so many chairs.
@@ -44,6 +44,24 @@ pub fn seats(brief: &mut Brief) {
     };
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));
+}
+
+/// The robot of a cell works behind a fence. Several share one only where the request says how.
+pub fn fence(brief: &mut Brief) {
+    for room in 0..brief.rooms.len() {
+        let is_cell = kinds::of(&brief.rooms[room].name).is_some_and(|kind| kind.name == "robot cell");
+        let here = |thing: &&Thing| thing.room == room;
+        let is_robot =
+            |thing: &&Thing| thing.words.iter().any(|w| w.starts_with("robot") || w == "cobot" || w == "arm");
+        let robots: usize =
+            brief.things.iter().filter(here).filter(is_robot).map(|t| t.number.said().unwrap_or(2)).sum();
+        let is_fence = |name: &str| ["fence", "cage", "barrier"].iter().any(|fence| name.contains(fence));
+        let said = brief.things.iter().filter(here).any(|thing| is_fence(&thing.name()))
+            || brief.absent.iter().any(|(name, _)| is_fence(name));
+        if is_cell && robots < 2 && !said && !brief.rooms[room].only {
+            push(brief, room, "safety fence", 1, FENCED);
+        }
+    }
 }
 
 fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {

@@ -26,6 +26,7 @@ pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
             crate::furnish::measure(&mut brief);
             home::scale(&mut brief, scale);
             defaults::seats(&mut brief);
+            defaults::fence(&mut brief);
         }
         Extent::Literal => home::fold(&mut brief),
     }

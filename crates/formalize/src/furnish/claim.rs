@@ -2,6 +2,7 @@
 //! beside the bed, the coffee table before the sofa. It waits for that, whether it is asked for, too, or comes with the
 //! room.
 
+use super::FENCED;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::{Count, Kind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
@@ -121,7 +122,7 @@ impl Plan<'_> {
     fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
         let it = &self.draft.things[at];
         it.room == Some(self.room)
-            && (matches!(it.source, Source::Stated(_)) || for_people(&it.source))
+            && (matches!(it.source, Source::Stated(_)) || for_people(&it.source) || encloses(&it.source))
             && !self.claimed.contains(&at)
             && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
             && (stand::on_floor(self.draft, it) || stand::group(&it.category) == Group::Screen)
@@ -209,6 +210,11 @@ impl Plan<'_> {
         let said = |noun: &str| self.is_closed(noun);
         line(self.kind, &it.category.replace('_', " "), it.count, &said)
     }
+}
+
+/// Whether a thing is a fence that nobody asked for.
+fn encloses(source: &Source) -> bool {
+    matches!(source, Source::Inferred(why) if why == FENCED)
 }
 
 /// Whether a thing stands at its table by a statement that nobody asked for, as seats in rows do.

@@ -40,6 +40,8 @@ use crate::draft::Draft;
 pub use area::overfull;
 use number::{Scale, scale};
 
+/// Why a robot has a fence that nobody asked for.
+pub(crate) const FENCED: &str = "a robot works behind a fence";
 /// Rooms in which a screen is looked at are so deep at most, unless they would be longer than this (metres).
 const ACROSS: f64 = 4.5;
 const LONGEST: f64 = 8.4;
