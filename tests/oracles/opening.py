@@ -21,6 +21,8 @@ import sys
 import mujoco
 import numpy as np
 
+from physics import CYLINDER_SIDES as SIDES, turn
+
 NARROWER = {"hinge": 1.0, "slide": 0.005}
 STEP = {"hinge": 0.1, "slide": 5e-4}  # of the sweep
 DRIVE = {"hinge": 0.05, "slide": 2e-4}  # of the engine, before it is refined
@@ -30,19 +32,8 @@ ROUNDING = 1e-6  # of numbers in double precision, degrees or metres
 # Contacts of the engine, of meshes in single precision, are known to this.
 SINGLE = {"hinge": 0.01, "slide": 1e-5}
 NEAR = 0.02  # what is near the limit, for the statistics
-SIDES = 24  # a cylinder part is this regular prism, a vertex on +x
 SLAB = 0.4  # metres; walls have no thickness in the rule, and get one on the outside here
 MOST = 2000  # poses looked at in one step of the sweep, times axes
-
-
-def turn(axis, degrees):
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    rows = {
-        "x": [[1, 0, 0], [0, c, -s], [0, s, c]],
-        "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
-        "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]],
-    }
-    return np.array(rows[axis], float)
 
 
 def euler(rot):

@@ -21,6 +21,8 @@ export interface Hook {
   select(what: string | number | null): void;
   /** Names that are highlighted. */
   selected(): string[];
+  /** Movable parts that are open: `wardrobe/door`. */
+  opened(): string[];
   /** The picture is still on its way to what was asked for. */
   moving(): boolean;
   /** Replaces the data. */
@@ -70,7 +72,7 @@ export class App implements Sink {
         dropped: (name, pos, calledOff) => this.drop(name, pos, calledOff),
       });
       const turn = this.moves === null ? "Drag to turn" : "Drag an object to move it, the room to turn it";
-      const hint = el("p.hint", {}, `${turn} · scroll to zoom · click an object for its constraints`);
+      const hint = el("p.hint", {}, `${turn} · scroll to zoom · click an object for its constraints, a door or drawer to open it`);
       this.stage.append(this.toolbar.element, hint);
       this.view.canvas.addEventListener("pointerdown", () => hint.remove(), { once: true });
     } catch (error) {
@@ -85,6 +87,7 @@ export class App implements Sink {
     ready: false,
     select: (what) => this.pick(what),
     selected: () => [...this.highlighted()],
+    opened: () => this.view?.opened() ?? [],
     moving: () => this.view?.moving ?? false,
     load: (data) => this.take(() => readData(data)),
   };

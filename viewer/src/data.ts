@@ -51,6 +51,20 @@ export interface Report {
 export const SUMMARY_KEYS = ["assertions", "preferences", "physical", "pins"] as const;
 export type SummaryKey = (typeof SUMMARY_KEYS)[number];
 
+/** A door, a drawer or a lid; lengths, points and directions are in the frame of its object. */
+export interface Joint {
+  readonly name: string;
+  readonly motion: "hinge" | "slide";
+  readonly axis: Triple;
+  readonly anchor: Triple;
+  /** How far it is opened (degrees or metres). */
+  readonly amount: number;
+  /** It has to open so far, and cannot. */
+  readonly blocked: boolean;
+  /** Outline of what it sweeps, [x, z]; empty: it is not drawn. */
+  readonly swept: readonly (readonly [number, number])[];
+}
+
 export interface SceneObject {
   readonly name: string;
   readonly label: string;
@@ -63,6 +77,7 @@ export interface SceneObject {
   readonly scale: Triple;
   /** Indexes into `report.constraints`. */
   readonly constraints: readonly number[];
+  readonly joints: readonly Joint[];
 }
 
 export interface Region {
@@ -195,6 +210,21 @@ function readObject(at: At, rows: number): SceneObject {
       if (!Number.isInteger(row) || row < 0 || row >= rows) throw item.error(`there is no row ${row} in the report, which has ${rows}`);
       return row;
     }),
+    joints: at.optional("joints")?.list(readJoint) ?? [],
+  };
+}
+
+function readJoint(at: At): Joint {
+  const motion = at.member("motion").string();
+  if (motion !== "hinge" && motion !== "slide") throw at.member("motion").error(`expected "hinge" or "slide", found ${JSON.stringify(motion)}`);
+  return {
+    name: at.member("name").string(),
+    motion,
+    axis: at.member("axis").triple(),
+    anchor: at.member("anchor").triple(),
+    amount: at.member("amount").number(),
+    blocked: at.optional("blocked")?.boolean() ?? false,
+    swept: at.optional("swept")?.list((item) => item.pair()) ?? [],
   };
 }
 

@@ -9,6 +9,9 @@ import type { SceneData, SceneObject, Triple } from "./data.js";
 /** What the exporter writes into `extras.scenelang` of a node. */
 interface Tag {
   readonly id?: string;
+  /** Of a movable part: its object, and the joint that moves it. */
+  readonly of?: string;
+  readonly joint?: string;
   readonly region?: string;
   readonly part?: "floor" | "wall" | "ceiling";
 }
@@ -17,6 +20,8 @@ export interface Model {
   readonly root: Object3D;
   /** Root node of each object, by name. */
   readonly objects: ReadonlyMap<string, Object3D>;
+  /** Nodes of movable parts, each below that of its object. */
+  readonly parts: ReadonlyMap<Object3D, { readonly of: string; readonly joint: string }>;
   /** Nodes of the regions. */
   readonly floors: readonly RegionNode[];
   readonly walls: readonly RegionNode[];
@@ -43,7 +48,7 @@ export function toGl([x, y, z]: Triple): Vector3 {
 }
 
 /** From an object's own frame to the room's, both as glTF has them: turned about x, then z, then y. */
-function rigid(pos: Triple, rot: Triple): Matrix4 {
+export function rigid(pos: Triple, rot: Triple): Matrix4 {
   const [x, y, z] = rot.map(MathUtils.degToRad) as [number, number, number];
   const turn = new Matrix4().makeRotationY(-y).multiply(new Matrix4().makeRotationZ(-z)).multiply(new Matrix4().makeRotationX(x));
   return turn.setPosition(toGl(pos));
@@ -68,6 +73,7 @@ export async function loadModel(base64: string): Promise<Model> {
   const { scene } = await new GLTFLoader().parseAsync(bytes.buffer, "");
   const objects = new Map<string, Object3D>();
   const parts: Record<"floor" | "wall" | "ceiling", RegionNode[]> = { floor: [], wall: [], ceiling: [] };
+  const movable = new Map<Object3D, { of: string; joint: string }>();
   const lights: Object3D[] = [];
   let triangles = 0;
   scene.updateMatrixWorld(true);
@@ -75,6 +81,7 @@ export async function loadModel(base64: string): Promise<Model> {
     if (node instanceof Light) lights.push(node);
     const tag = node.userData["scenelang"] as Tag | undefined;
     if (tag?.id !== undefined && !objects.has(tag.id)) objects.set(tag.id, node);
+    if (tag?.of !== undefined && tag.joint !== undefined) movable.set(node, { of: tag.of, joint: tag.joint });
     if (tag?.region !== undefined && tag.part !== undefined) parts[tag.part]?.push({ region: tag.region, node });
     if (node instanceof Mesh) {
       triangles += trianglesOf(node);
@@ -92,7 +99,7 @@ export async function loadModel(base64: string): Promise<Model> {
     mesh.castShadow = true;
     drawEdges(mesh, ink, edges);
   }
-  return { root: scene, objects, floors: parts.floor, walls: parts.wall, ceilings: parts.ceiling, triangles };
+  return { root: scene, objects, parts: movable, floors: parts.floor, walls: parts.wall, ceilings: parts.ceiling, triangles };
 }
 
 /** Draws the edges of a mesh as a draughtsman would; seen from above, faces of one colour run into each other else. */

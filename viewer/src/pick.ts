@@ -11,7 +11,8 @@ export interface PickEvents {
   solid(mesh: Mesh): boolean;
   camera(): Camera;
   hovered(name: string | null, x: number, y: number): void;
-  clicked(name: string | null): void;
+  /** An object and, where that was hit, a movable part of it. */
+  clicked(name: string | null, part: Object3D | null): void;
   doubled(name: string): void;
 }
 
@@ -47,16 +48,18 @@ export class Picker {
   }
 
   /** The object at a place of the window, and the point of it that is seen there. */
-  hit(clientX: number, clientY: number): { name: string; point: Vector3 } | null {
+  hit(clientX: number, clientY: number): { name: string; point: Vector3; part: Object3D | null } | null {
     if (this.model === null) return null;
     const area = this.canvas.getBoundingClientRect();
     const x = ((clientX - area.left) / area.width) * 2 - 1;
     const y = 1 - ((clientY - area.top) / area.height) * 2;
     this.ray.setFromCamera(new Vector2(x, y), this.events.camera());
     const hit = this.ray.intersectObject(this.model.root, true).find(({ object }) => object instanceof Mesh && this.events.solid(object));
+    let part: Object3D | null = null;
     for (let node: Object3D | null = hit?.object ?? null; node !== null; node = node.parent) {
+      if (this.model.parts.has(node)) part = node;
       const name = this.names.get(node);
-      if (name !== undefined && hit !== undefined) return { name, point: hit.point };
+      if (name !== undefined && hit !== undefined) return { name, point: hit.point, part };
     }
     return null;
   }
@@ -65,7 +68,8 @@ export class Picker {
     const { press } = this;
     this.press = null;
     if (press === null || e.button !== 0 || Math.hypot(e.clientX - press.x, e.clientY - press.y) > DRAG) return;
-    this.events.clicked(this.at(e.clientX, e.clientY));
+    const hit = this.hit(e.clientX, e.clientY);
+    this.events.clicked(hit?.name ?? null, hit?.part ?? null);
   }
 
   /** At most one pick a frame, and none while a button turns the view. */

@@ -12,6 +12,7 @@ import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
 import { Marks } from "./marks.js";
 import { boundsOf, boundsOfAll, loadModel, type Model, place, putDown, toGl } from "./model.js";
+import { Openings } from "./openings.js";
 import { Outline } from "./outline.js";
 import { Picker } from "./pick.js";
 import { Surroundings } from "./surroundings.js";
@@ -60,6 +61,7 @@ export class SceneView {
   /** Around what is part of a failing constraint. */
   private readonly alarm = new Outline(4);
   private readonly marks = new Marks();
+  private readonly openings = new Openings();
   private readonly labels: Labels;
   private readonly picker: Picker;
   private readonly drag: Drag | null;
@@ -102,11 +104,16 @@ export class SceneView {
       solid: (mesh) => this.room?.cutaway.solid(mesh) ?? false,
       camera: () => this.cameras.active,
       hovered: (name, x, y) => this.hover(name, x, y),
-      clicked: (name) => events.chosen(name),
+      clicked: (name, part) => {
+        if (part !== null) this.openings.toggle(part);
+        this.renderer.shadowMap.needsUpdate = true;
+        this.invalidate();
+        events.chosen(name);
+      },
       doubled: (name) => this.flyTo([name]),
     });
     this.drag = events.movable ? this.dragging(host) : null;
-    this.scene.add(this.surroundings.group, this.marks.group);
+    this.scene.add(this.surroundings.group, this.marks.group, this.openings.group);
     theme.watch(() => this.paint());
     this.paint();
     new ResizeObserver(() => this.resize()).observe(host);
@@ -133,6 +140,7 @@ export class SceneView {
     for (const object of data.objects) this.places.set(object.name, object);
     this.scene.add(model.root);
     this.picker.setModel(model);
+    this.openings.setModel(data, model);
     const all = boundsOfAll(data, model);
     // What is tall belongs at the back: there it hides nothing, and usually faces the eye.
     const tall = data.objects.map((object) => {
@@ -175,6 +183,11 @@ export class SceneView {
     this.gaps = gaps;
     this.marks.show(gaps);
     this.mark();
+  }
+
+  /** Movable parts that are open: `wardrobe/door`. */
+  opened(): string[] {
+    return this.openings.opened();
   }
 
   /** What is dragged at the moment. */
@@ -238,6 +251,7 @@ export class SceneView {
     let more = this.cameras.update(now);
     const keep = new Set(this.highlighted);
     more = (this.room?.cutaway.update(this.cameras.active, this.cameras.looking(), step, keep) ?? false) || more;
+    if (this.openings.update(now)) more = this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.scene, this.cameras.active);
     for (const outline of [this.alarm, this.outline]) outline.render(this.renderer, this.scene, this.cameras.active);
     this.labels.place(this.cameras.active);
@@ -302,6 +316,9 @@ export class SceneView {
     this.outline.mark("hovered", this.hovered !== null && !this.highlighted.includes(this.hovered) ? nodes([this.hovered]) : []);
     this.alarm.mark("selected", nodes([...this.alerts.keys()].filter((name) => !this.highlighted.includes(name))));
     this.outline.mark("region", model.floors.filter(({ region }) => this.highlighted.includes(region)).map(({ node }) => node));
+    const palette = this.theme.dark ? DARK : LIGHT;
+    const swept = this.highlighted.flatMap((name) => this.places.get(name) ?? []);
+    this.openings.show(swept, data, { free: palette.tones.selected, blocked: palette.tones.fails });
     this.paint();
     this.labels.setTags(this.tags(data, model));
   }
@@ -356,6 +373,7 @@ export class SceneView {
     if (this.room === null) return;
     for (const outline of [this.alarm, this.outline]) outline.clear();
     this.marks.clear();
+    this.openings.clear();
     this.places.clear();
     this.scene.remove(this.room.model.root);
     this.room.cutaway.dispose();

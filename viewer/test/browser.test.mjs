@@ -174,6 +174,36 @@ checkOwn("pressing an object lists its constraints alone; Escape lists all again
   assert.equal((await rowsOf(page)).length, data.report.constraints.length);
 });
 
+checkOwn("a press on a door opens it, another closes it, and a selected object shows what it sweeps", async (page) => {
+  await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+  await open(page);
+  const area = await (await page.$("canvas")).boundingBox();
+  const opened = () => page.evaluate(() => window.scenelang.opened());
+  const select = async (name) => {
+    await page.evaluate((name) => window.scenelang.select(name), name);
+    await settle(page);
+  };
+  /** Presses about the middle of the picture until so many parts are open. */
+  const seek = async (count) => {
+    for (let i = 0; i < 121 && (await opened()).length !== count; i += 1) {
+      await page.mouse.click(area.x + area.width * (0.3 + 0.04 * (i % 11)), area.y + area.height * (0.3 + 0.04 * Math.floor(i / 11)));
+    }
+    await select(null);
+    return opened();
+  };
+  // This brings it before the camera.
+  await select("sideboard");
+  const swept = await shoot(page);
+  await select(null);
+  const closed = await shoot(page);
+  assert.deepEqual(await seek(1), ["sideboard/door"]);
+  const open_ = await shoot(page);
+  assert.ok((await difference(closed, open_)) > 0.002);
+  assert.deepEqual(await seek(0), []);
+  assert.ok((await difference(closed, await shoot(page))) < 0.001, "closed, it is as before");
+  assert.ok((await difference(closed, swept)) > 0.01, "the floor that the door sweeps is coloured");
+});
+
 checkOwn("the pointer over an object tells its name, size and place", async (page) => {
   await open(page);
   const area = await (await page.$("canvas")).boundingBox();

@@ -68,6 +68,12 @@ const OBJECTS = [
   ["coffee", "table", [7.2, 0, 2.5], 0, [1.0, 0.42, 0.6]],
 ];
 
+/** What moves: the front of the sideboard, hung on its left. */
+const JOINTS = {
+  sideboard: [{ name: "door", motion: "hinge", axis: [0, -1, 0], anchor: [-0.9, 0, 0.23], amount: 90, blocked: false, swept: [[-0.9, 0.23], [0.9, 0.23], [0.37, 1.5], [-0.9, 2.03]] }],
+};
+const LEAVES = { sideboard: [{ tag: { of: "sideboard", joint: "door" }, parts: [at(box([1.8, 0.74, 0.02]), [0, 0.43, 0.23], "#d9c9a8")] }] };
+
 const ROWS = [
   ["assert", true, 0.001, "m", ["table", "meeting"], "inside(table, meeting)", ""],
   ["assert", true, 0.35, "m", ["chair[2]", "table"], "forall c in chair: gap(c, table) >= 10cm", ""],
@@ -110,6 +116,7 @@ export function fixtureData() {
     objects: OBJECTS.map(([name, category, pos, yaw, scale]) => ({
       name, label: name, category, pos, rot: [0, yaw, 0], scale,
       constraints: constraints.flatMap(({ objects }, i) => (objects.includes(name) ? [i] : [])),
+      ...(JOINTS[name] === undefined ? {} : { joints: JOINTS[name] }),
     })),
     regions: REGIONS.map(({ name, vertices, floor, ceiling }) => ({ name, vertices, floor, ceiling })),
   });
@@ -133,7 +140,7 @@ function fixtureGlb(bare = false) {
     // The other two walls are one node, as an exporter may do that joins what has one material.
     glb.add({ region: name, part: "wall" }, [0, 0, 0], 0, [x0 - ETA / 2, x1 + ETA / 2].flatMap((x) => sideWall(name, x, z0, z1, floor, ceiling).map(([size, pos]) => at(box(size), pos, wall))));
   }
-  for (const [name, category, pos, yaw, scale] of OBJECTS) glb.add({ id: name }, bare ? [0, 0, 0] : pos, bare ? 0 : yaw, FAMILIES[category](scale));
+  for (const [name, category, pos, yaw, scale] of OBJECTS) glb.add({ id: name }, bare ? [0, 0, 0] : pos, bare ? 0 : yaw, FAMILIES[category](scale), LEAVES[name]);
   return glb.finish();
 }
 

@@ -9,12 +9,19 @@ export class Glb {
   materials = new Map();
 
   /** A node of several parts, in the left-handed frame: its place, its turn about y (degrees), its extras. */
-  add(extras, pos, yaw, parts) {
+  add(extras, pos, yaw, parts, hung = []) {
     const half = (-yaw * Math.PI) / 360;
     const primitives = parts.map((part) => this.primitive(part));
     this.json.meshes.push({ primitives });
     this.json.nodes.push({ mesh: this.json.meshes.length - 1, translation: [-pos[0], pos[1], pos[2]], rotation: [0, Math.sin(half), 0, Math.cos(half)], extras: { scenelang: extras } });
-    this.json.scenes[0].nodes.push(this.json.nodes.length - 1);
+    const number = this.json.nodes.length - 1;
+    this.json.scenes[0].nodes.push(number);
+    // Movable parts are below, in the frame of their object.
+    for (const { tag, parts } of hung) {
+      this.json.meshes.push({ primitives: parts.map((part) => this.primitive(part)) });
+      this.json.nodes.push({ mesh: this.json.meshes.length - 1, extras: { scenelang: tag } });
+      (this.json.nodes[number].children ??= []).push(this.json.nodes.length - 1);
+    }
   }
 
   primitive({ shape, pos, colour, roughness = 0.8, metallic = 0 }) {

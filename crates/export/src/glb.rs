@@ -5,6 +5,7 @@
 use crate::geometry::frame::{mirrored, mirrored_quaternion};
 use crate::geometry::mesh::Group;
 use crate::geometry::tangent::tangents;
+use crate::physics::{Apart, drawn_apart};
 use crate::scene::{Role, Shell, view};
 use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use nalgebra::UnitQuaternion;
@@ -40,9 +41,22 @@ const SUN: f64 = 1.5;
 /// # Errors
 /// More than 4 GB of geometry.
 pub fn bytes(scene: &Scene) -> Result<Vec<u8>, ExportError> {
+    write(scene, &[])
+}
+
+/// The same with a node of its own for each movable part, below that of its object: `extras.scenelang` has the names of both.
+/// Its frame is that of the object.
+///
+/// # Errors
+/// More than 4 GB of geometry.
+pub(crate) fn in_pieces(scene: &Scene) -> Result<Vec<u8>, ExportError> {
+    write(scene, &scene.objects.iter().map(drawn_apart).collect::<Vec<_>>())
+}
+
+fn write(scene: &Scene, apart: &[Option<Apart>]) -> Result<Vec<u8>, ExportError> {
     let mut writer = Writer::default();
     writer.textures(scene)?;
-    writer.scene(scene);
+    writer.scene(scene, apart);
     writer.finish()
 }
 
@@ -89,13 +103,15 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    fn scene(&mut self, scene: &'a Scene) {
-        for object in &scene.objects {
+    fn scene(&mut self, scene: &'a Scene, apart: &'a [Option<Apart>]) {
+        let apart = |index: usize| apart.get(index).and_then(Option::as_ref);
+        for (index, object) in scene.objects.iter().enumerate() {
             let extras = json!({ "id": object.name, "category": object.category, "label": object.label });
             let mut node = node(&object.name, &extras);
             node["translation"] = triple(mirrored(object.place.pos));
             node["rotation"] = json!(mirrored_quaternion(object.quaternion()));
-            self.mesh(&mut node, &object.name, &object.mesh, scene);
+            let body = apart(index).map_or(&object.mesh, |(body, _)| body);
+            self.mesh(&mut node, &object.name, body, scene);
             self.nodes.push(node);
         }
         for shell in &scene.shells {
@@ -109,6 +125,16 @@ impl<'a> Writer<'a> {
             node["rotation"] = json!(turn.map_or([0.0, 0.0, 0.0, 1.0], |q| [q.i, q.j, q.k, q.w]));
         });
         let mut hanging = Vec::new();
+        for (owner, object) in scene.objects.iter().enumerate() {
+            let moving = apart(owner).into_iter().flat_map(|(_, moving)| moving);
+            for (joint, groups) in object.place.joints.iter().zip(moving) {
+                let name = format!("{}/{}", object.name, joint.name);
+                let mut node = node(&name, &json!({ "of": object.name, "joint": joint.name.as_str() }));
+                self.mesh(&mut node, &name, groups, scene);
+                self.nodes.push(node);
+                hanging.push(self.hang(owner));
+            }
+        }
         for lamp in &scene.lamps {
             let light = json!({
                 "type": "point", "intensity": rounded(lamp.candela), "range": rounded(lamp.range),
@@ -119,9 +145,7 @@ impl<'a> Writer<'a> {
             let pos = object.map_or(lamp.pos, |(o, _)| o.axes.transpose() * (lamp.pos - o.place.pos));
             self.light(&lamp.name, light, |node| node["translation"] = triple(mirrored(pos)));
             if let Some((_, index)) = object {
-                let number = self.nodes.len() - 1;
-                self.nodes[index]["children"] = json!([number]);
-                hanging.push(number);
+                hanging.push(self.hang(index));
             }
         }
         let mut own = json!({
@@ -133,6 +157,16 @@ impl<'a> Writer<'a> {
         let extras = json!({ "scenelang": own });
         let all: Vec<usize> = (0..self.nodes.len()).filter(|n| !hanging.contains(n)).collect();
         self.root.insert("scenes".into(), json!([{ "name": scene.name, "nodes": all, "extras": extras }]));
+    }
+
+    /// Hangs the last node below another one; returns its number.
+    fn hang(&mut self, owner: usize) -> usize {
+        let number = self.nodes.len() - 1;
+        match self.nodes[owner]["children"].as_array_mut() {
+            Some(children) => children.push(json!(number)),
+            None => self.nodes[owner]["children"] = json!([number]),
+        }
+        number
     }
 
     fn light(&mut self, name: &str, mut light: Value, place: impl FnOnce(&mut Value)) {

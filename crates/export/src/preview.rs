@@ -4,6 +4,7 @@
 //! The viewer is a script of its own (the `viewer` folder) that the build embeds where it is there; page and viewer
 //! agree on the data only: `scenelang.preview/1`.
 
+use crate::scene::{Object, Opening};
 use crate::{ExportError, Exporter, OutFile, Scene, glb, plan};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -45,7 +46,7 @@ pub fn viewer() -> Option<&'static str> {
 /// The page, with the viewer's script or without.
 fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     // Only the viewer needs the geometry.
-    let glb = if viewer.is_some() { STANDARD.encode(glb::bytes(scene)?) } else { String::new() };
+    let glb = if viewer.is_some() { STANDARD.encode(glb::in_pieces(scene)?) } else { String::new() };
     // In a script element `<` could begin its end; in JSON it can be written otherwise.
     let mut data = data(scene, &glb);
     data["report"] = scene.report.clone();
@@ -81,7 +82,7 @@ pub fn live(mut scene: Scene, known: Option<&str>) -> Result<Value, ExportError>
     // What it was made of is for files.
     scene.program.clear();
     scene.layout_text.clear();
-    let glb = glb::bytes(&scene)?;
+    let glb = glb::in_pieces(&scene)?;
     let mut hasher = DefaultHasher::new();
     glb.hash(&mut hasher);
     let shape = format!("{:016x}", hasher.finish());
@@ -101,7 +102,7 @@ fn data(scene: &Scene, glb: &str) -> Value {
             json!({
                 "name": o.name, "label": o.label, "category": o.category,
                 "pos": triple(o.place.pos), "rot": triple(o.place.rot), "scale": triple(o.place.scale),
-                "constraints": o.rows,
+                "constraints": o.rows, "joints": joints(o),
             })
         })
         .collect();
@@ -117,6 +118,21 @@ fn data(scene: &Scene, glb: &str) -> Value {
         "format": "scenelang.preview/1", "name": scene.name, "glb": glb, "plan": plan::svg(scene),
         "report": null, "objects": objects, "regions": regions,
     })
+}
+
+/// The movable parts of an object, in its own frame; each is a node of the geometry.
+fn joints(object: &Object) -> Vec<Value> {
+    let told = |opening: &Opening| {
+        let joint = object.place.joints.get(opening.joint)?;
+        let (axis, anchor) = (joint.axis.normalize(), joint.anchor);
+        let swept: Vec<[f64; 2]> = opening.swept.iter().map(|p| [p.x, p.y]).collect();
+        Some(json!({
+            "name": joint.name.as_str(), "motion": joint.motion.name(), "axis": [axis.x, axis.y, axis.z],
+            "anchor": [anchor.x, anchor.y, anchor.z], "amount": opening.amount, "blocked": opening.blocked,
+            "swept": swept,
+        }))
+    };
+    object.openings.iter().filter_map(told).collect()
 }
 
 #[cfg(test)]
@@ -158,6 +174,25 @@ mod tests {
         assert_eq!(data["name"], "a<b>&c");
         assert!(page.contains("<title>a&lt;b>&amp;c</title>"));
         assert!(data["plan"].as_str().unwrap().starts_with("<svg"));
+    }
+
+    #[test]
+    fn what_moves_is_a_node_below_its_object_and_the_page_knows_its_joint() {
+        let scene = crate::physics::fixture::cupboard();
+        let data = read_back(&page(&scene, Some("start()")).unwrap());
+        let [door, drawer] = &data["objects"][0]["joints"].as_array().unwrap()[..] else { panic!("two joints") };
+        assert_eq!((&door["name"], &door["motion"], &door["amount"]), (&json!("door"), &json!("hinge"), &json!(110.0)));
+        assert_eq!((&drawer["motion"], &drawer["swept"].as_array().map(Vec::len)), (&json!("slide"), &Some(4)));
+        let glb = STANDARD.decode(data["glb"].as_str().unwrap()).unwrap();
+        let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+        let document: Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
+        let nodes = document["nodes"].as_array().unwrap();
+        let hung: Vec<&Value> = nodes[0]["children"].as_array().unwrap().iter().collect();
+        let tags: Vec<&Value> =
+            hung.iter().map(|n| &nodes[n.as_u64().unwrap() as usize]["extras"]["scenelang"]["joint"]).collect();
+        assert_eq!(tags, ["door", "drawer"]);
+        let roots = document["scenes"][0]["nodes"].as_array().unwrap();
+        assert!(hung.iter().all(|n| !roots.contains(n)), "a node has one parent");
     }
 
     #[test]

@@ -67,6 +67,15 @@ pub(crate) enum What<'a> {
     Shell(&'a Shell),
 }
 
+/// What is seen of an object's body, and of what each of its joints moves; `None` where it is in one piece.
+pub(crate) fn drawn_apart(object: &Object) -> Option<Apart> {
+    let pieces = joint::take_apart(object, &shape::of_object(object))?;
+    Some((pieces.drawn, pieces.moving.into_iter().map(|moving| moving.drawn).collect()))
+}
+
+/// Triangles of a body, and of what each joint moves, in the object's frame.
+pub(crate) type Apart = (Vec<Group>, Vec<Vec<Group>>);
+
 impl<'a> Body<'a> {
     /// An object, and what of it opens.
     fn object(object: &'a Object) -> Self {

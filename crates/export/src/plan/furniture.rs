@@ -5,7 +5,7 @@ use super::canvas::{Canvas, Rgb, escape, hex, mix, short};
 use crate::Scene;
 use crate::scene::{Body, Object, RegionKind};
 use scenelang_layout::planar::convex_hull;
-use scenelang_layout::{Convex, Obb, Prism, Vec2, Vec3};
+use scenelang_layout::{Convex, Motion, Obb, Prism, Vec2, Vec3};
 
 const WHITE: Rgb = [1.0; 3];
 const INK: Rgb = [0.13, 0.14, 0.16];
@@ -47,6 +47,21 @@ pub(super) fn draw(canvas: &mut Canvas, scene: &Scene) {
             }
         }
         canvas.raw("</g>");
+    }
+}
+
+/// Draws what the parts that have to open sweep on the way: thin, and in red where something is in the way.
+pub(super) fn sweeps(canvas: &mut Canvas, scene: &Scene) {
+    for object in &scene.objects {
+        for opening in object.openings.iter().filter(|o| o.demanded && !o.swept.is_empty()) {
+            let outline: Vec<Vec2> = opening.swept.iter().map(|p| object.at(Vec3::new(p.x, 0.0, p.y)).xz()).collect();
+            let (ink, bad) = if opening.blocked { (RED, r#" data-violated="true""#) } else { ("#6a717b", "") };
+            let name = escape(&format!("{}/{}", object.name, object.place.joints[opening.joint].name));
+            canvas.polygon(
+                &outline,
+                &format!(r#"data-swept="{name}"{bad} fill="{ink}" fill-opacity="0.06" stroke="{ink}" stroke-width="0.7" stroke-dasharray="3 2.5""#),
+            );
+        }
     }
 }
 
@@ -138,7 +153,13 @@ fn door(canvas: &mut Canvas, object: &Object) {
     canvas.polygon(&corners(object), &format!(r##"fill="#ffffff" stroke="{ink}" stroke-width="0.8""##));
     let width = object.place.scale.x;
     let half = right * width / 2.0;
-    let leaves = if slides(object) {
+    let hinged = object.openings.iter().filter(|o| object.place.joints[o.joint].motion == Motion::Hinge);
+    for ends in hinged.filter_map(|o| o.swept.first().zip(o.swept.last())) {
+        let [h, o] = [ends.0, ends.1].map(|p| canvas.px(object.at(Vec3::new(p.x, 0.0, p.y)).xz()));
+        canvas.line(h, o, &format!(r#"stroke="{ink}" stroke-width="2.2" stroke-linecap="round""#));
+    }
+    // What is swept is drawn from the joints where there are any.
+    let leaves = if slides(object) || !object.openings.is_empty() {
         Vec::new()
     } else if width > 1.3 {
         vec![(middle - half, middle, width / 2.0), (middle + half, middle, width / 2.0)]

@@ -33,6 +33,8 @@ pub fn svg(scene: &Scene) -> String {
     }
     canvas.raw("</g>\n<g class=\"objects\">");
     furniture::draw(&mut canvas, scene);
+    canvas.raw("</g>\n<g class=\"swept\" pointer-events=\"none\">");
+    furniture::sweeps(&mut canvas, scene);
     canvas.raw("</g>\n<g class=\"labels\" pointer-events=\"none\">");
     let mut labels = Labels::default();
     labels.regions(&mut canvas, scene);

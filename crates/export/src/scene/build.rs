@@ -2,7 +2,7 @@
 
 use super::dress::{Dresser, Wardrobe};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
-use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, weight};
+use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, opening, weight};
 use crate::names::Stems;
 use scenelang_assets::{Light, Mesh, Surface};
 use scenelang_base::{FileId, SourceMap, Span};
@@ -73,6 +73,7 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     for object in &mut objects {
         object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
         object.violated = object.rows.iter().any(|&r| rows[r].violated());
+        object.openings = opening::openings(object, &rows);
     }
     let wall = input.report["eta"].as_f64().filter(|eta| *eta > 0.0).unwrap_or(USUAL_WALL);
     let openers = openers(input.program, &objects, wall);
@@ -220,6 +221,7 @@ fn object(
         weights,
         body,
         declaration: declaration(input.sources, declared.span),
+        openings: Vec::new(),
         rows: Vec::new(),
         violated: false,
         name,

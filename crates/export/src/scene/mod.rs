@@ -5,11 +5,13 @@
 
 mod build;
 mod dress;
+mod opening;
 pub mod shell;
 pub mod view;
 mod weight;
 
 pub use build::{BuildError, Looks, SceneInput};
+pub use opening::Opening;
 pub use shell::{Role, Shell};
 pub use view::View;
 
@@ -103,6 +105,8 @@ pub struct Object {
     pub looks: Vec<usize>,
     /// Kilograms of each of these parts, an estimate from its material, surface and volume.
     pub weights: Vec<f64>,
+    /// What of it opens, by joint.
+    pub openings: Vec<Opening>,
     /// How it takes part in physics.
     pub body: Body,
     /// Kilograms, all parts together.
