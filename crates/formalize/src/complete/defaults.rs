@@ -58,7 +58,7 @@ pub fn fence(brief: &mut Brief) {
         let is_fence = |name: &str| ["fence", "cage", "barrier"].iter().any(|fence| name.contains(fence));
         let said = brief.things.iter().filter(here).any(|thing| is_fence(&thing.name()))
             || brief.absent.iter().any(|(name, _)| is_fence(name));
-        if is_cell && robots < 2 && !said && !brief.rooms[room].only {
+        if is_cell && robots == 1 && !said && !brief.rooms[room].only {
             push(brief, room, "safety fence", 1, FENCED);
         }
     }
