@@ -414,7 +414,7 @@ pub(super) fn barbecue(a: &Ask) -> Model {
     m.board(grip.z(b.max.z - 0.04 * a.d..b.max.z), &steel);
     for knob in body.inset(0.08 * a.w, 0.0, 0.0).y(0.62 * a.h..0.68 * a.h).split(0, 3, 0.0) {
         let c = knob.center();
-        let r = 0.025 * a.h;
+        let r = (0.025 * a.h).min(0.4 * knob.size().x);
         m.mesh.disc(2, block(c.x - r..c.x + r, c.y - r..c.y + r, b.max.z - 0.005 * a.d..b.max.z), &steel);
     }
     m
