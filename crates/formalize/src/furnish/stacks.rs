@@ -71,7 +71,7 @@ fn arrangements(n: usize, [w, h, d]: [f64; 3]) -> Vec<([f64; 3], Vec<Pose>)> {
                     yaw: if front { 0.0 } else { 180.0 },
                 }
             };
-            (n % (2 * row) != 0, (wide - deep).abs(), [wide, h, deep], (0..n).map(place).collect())
+            (!n.is_multiple_of(2 * row), (wide - deep).abs(), [wide, h, deep], (0..n).map(place).collect())
         })
         .collect();
     all.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
