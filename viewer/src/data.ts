@@ -59,7 +59,7 @@ export interface Joint {
   readonly anchor: Triple;
   /** How far it is opened (degrees or metres). */
   readonly amount: number;
-  /** It has to open so far, and cannot. */
+  /** P-OPEN is violated for it. */
   readonly blocked: boolean;
   /** Outline of what it sweeps, [x, z]; empty: it is not drawn. */
   readonly swept: readonly (readonly [number, number])[];

@@ -10,10 +10,10 @@ use scenelang_layout::{Joint, Motion, Vec2, Vec3};
 pub struct Opening {
     /// Which joint of the placement.
     pub joint: usize,
-    /// As far as is of use; where nothing is demanded, as far as it goes (degrees or metres).
+    /// As far as is useful; where that is not known, as far as it goes (degrees or metres).
     pub amount: f64,
-    /// Whether it has to open so far.
-    pub demanded: bool,
+    /// Whether the asset says how far is useful.
+    pub useful: bool,
     /// Whether P-OPEN is violated for it.
     pub blocked: bool,
     /// Outline of what it sweeps from closed to open, in the frame of the object: x, z. A leaf on an upright axis has the axis
@@ -39,7 +39,7 @@ pub(super) fn openings(object: &Object, rows: &[Row]) -> Vec<Opening> {
         Opening {
             joint: index,
             amount,
-            demanded: joint.useful.is_some(),
+            useful: joint.useful.is_some(),
             blocked: rows.iter().any(|row| row.id == id && row.violated()),
             swept: if stands { swept(object, joint, amount) } else { Vec::new() },
         }
@@ -93,9 +93,9 @@ mod tests {
     }
 
     #[test]
-    fn the_plan_shows_what_is_demanded_and_in_red_what_is_blocked() {
+    fn the_plan_shows_what_is_useful_and_in_red_what_is_blocked() {
         let mut scene = cupboard();
-        assert!(!plan::svg(&scene).contains("data-swept"), "nobody asks that it opens");
+        assert!(!plan::svg(&scene).contains("data-swept"), "no useful amount is known");
         scene.objects[0].place.joints[0].useful = Some(90.0);
         let row =
             |part: &str| Row { id: format!("P-OPEN:cupboard/{part}"), kind: "opening".into(), satisfied: Some(false) };
