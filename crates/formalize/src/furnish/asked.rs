@@ -4,10 +4,11 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
+use super::inventory::counter_length;
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
-use super::room::{counter_length, free, gate, in_row, kept, near, nominal, staffed};
 use super::rows::rows;
+use super::spots::{free, gate, in_row, kept, near, nominal, staffed};
 use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
@@ -15,6 +16,8 @@ use std::cell::RefCell;
 
 /// So many counters stand near the door.
 const SERVED: usize = 4;
+/// Several things with a place of their own are so far apart (metres).
+const APART: f64 = 0.8;
 /// So many of what nobody uses stand in corners.
 const CORNERS: usize = 4;
 
@@ -119,7 +122,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // A car stands in line with the gate.
     let gated = it.category.ends_with("car") && gate(plan).is_some();
     let has_place = |line: &&Line| special(&line.place) || gated;
-    let several = |line: &&Line| matches!(line.place, Place::Service(_)) && it.count <= SERVED;
+    // Several robots stand at the conveyor, as one does.
+    let several = |line: &&Line| matches!(line.place, Place::Service(_) | Place::Before(_, 0.0)) && it.count <= SERVED;
     let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
     let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
     let has_back = stand::has_back(&it.category) && !apart;
@@ -207,7 +211,12 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         } else if let Some((line, nominal)) = own {
             match line.place {
                 Place::Service(gap) => choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9)),
-                _ => near(line, floor, shape, nominal),
+                _ => {
+                    // Several stand side by side, with room to walk between them.
+                    let step = size[0] + APART;
+                    let along = (before.len() as f64 - (it.count - 1) as f64 / 2.0) * step;
+                    near(line, floor, shape, Pose { x: nominal.x + along, ..nominal })
+                }
             }
         } else {
             // What is asked for stands behind the counter rather than nowhere.

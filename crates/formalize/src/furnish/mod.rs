@@ -17,9 +17,12 @@ mod facing;
 mod floor;
 mod gates;
 mod groups;
+mod hang;
+mod inventory;
 pub(crate) mod kinds;
 pub(crate) mod number;
 mod openings;
+mod order;
 mod place;
 mod plan;
 mod room;
@@ -27,10 +30,12 @@ mod rows;
 mod seats;
 mod seek;
 mod slots;
+mod spots;
 mod spread;
 mod stacks;
-mod stand;
+pub(crate) mod stand;
 mod taste;
+mod tell;
 mod tops;
 mod twin;
 mod whom;
@@ -117,18 +122,23 @@ pub fn refine(brief: &mut Brief) {
         let known = |words: &str| scenelang_lang::nouns::noun(words).is_some();
         let said = thing.look.features.iter();
         let said = said.map(|feature| format!("{} {plain}", feature.replace('-', " ")));
-        let said = said.enumerate().find(|(_, name)| thing.words.len() == 1 && known(name));
-        let meant = || {
-            let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
-            let (_, noun) = kind.means.iter().find(|(said, _)| *said == plain)?;
+        let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+        let meant = |name: &str| {
+            let (_, noun) = kind?.means.iter().find(|(said, _)| *said == name)?;
             known(noun).then(|| (*noun).to_owned())
         };
+        // "A double sink" has a name of its own, or one in such a room.
+        let named = |(at, name): (usize, String)| match meant(&name) {
+            Some(meant) => Some((at, meant)),
+            None => known(&name).then_some((at, name)),
+        };
+        let said = said.enumerate().filter(|_| thing.words.len() == 1).find_map(named);
         let thing = match said {
             Some((feature, name)) => {
                 brief.things[at].look.features.remove(feature);
                 Some(name)
             }
-            None => meant(),
+            None => meant(&plain),
         }
         .map(|name| (at, name));
         if let Some((at, name)) = thing {

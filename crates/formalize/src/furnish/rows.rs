@@ -2,9 +2,9 @@
 
 use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
+use super::inventory::TEAM;
 use super::kinds::Place;
 use super::plan::{AtWall, Plan, metres};
-use super::room::TEAM;
 use super::{groups, place, stand};
 
 /// So many lights at most.

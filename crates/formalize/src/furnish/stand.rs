@@ -6,79 +6,35 @@ use crate::draft::{Draft, Source, Thing};
 use crate::names::words;
 use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
+use std::sync::OnceLock;
 
-/// Words that name one kind of thing for whoever counts: nothing of the same line is added to what is asked for.
-const KIN: [&[&str]; 49] = [
-    &["washbasin", "bathroom vanity", "vanity unit", "sink vanity", "double vanity", "double washbasin"],
-    &["robot arm", "robot", "industrial robot", "welding robot", "cobot", "robotic arm", "manipulator"],
-    &["cubicle curtain", "privacy curtain", "bed curtain"],
-    &["checkout", "checkout counter", "sales counter", "cash desk", "cashier desk", "cashier counter", "checkout lane"],
-    &["safety fence", "fence", "safety cage", "cage", "guard fence"],
-    &["toy box", "toy chest", "toy storage"],
-    &["projector screen", "projection screen", "screen"],
-    &["armchair", "reading chair", "lounge chair", "easy chair", "recliner", "club chair"],
-    &["tv", "television", "screen", "monitor", "display"],
-    &["sofa", "couch", "loveseat", "settee", "sectional", "sofa bed", "daybed"],
-    &["nightstand", "bedside table", "night table", "bedside cabinet"],
-    &["wardrobe", "closet", "armoire"],
-    &["bookshelf", "bookcase", "book shelf", "shelf", "shelving", "shelving unit", "wall shelf"],
-    &["fridge", "refrigerator", "freezer", "mini fridge"],
-    &["painting", "picture", "artwork", "art", "poster", "print", "photo", "photograph", "canvas"],
-    &["photo", "picture frame", "photo frame", "frame"],
-    &["plant", "potted plant", "houseplant", "palm", "tree", "fern", "ficus", "cactus", "succulent", "flower pot"],
-    &["stove", "oven", "range", "cooker", "hob"],
-    &["rug", "carpet", "mat", "doormat", "runner"],
-    &["light", "lamp", "pendant", "chandelier", "sconce", "lantern", "ceiling light", "pendant lamp"],
-    &["bin", "trash can", "trash bin", "waste bin", "wastebasket", "garbage can", "basket"],
-    &["desk lamp", "table lamp", "bedside lamp"],
-    &["cabinet", "cupboard", "sideboard"],
-    &["chest of drawers", "dresser", "drawer", "drawer unit", "chest"],
-    &["office chair", "desk chair", "task chair", "swivel chair", "ergonomic chair", "gaming chair", "executive chair"],
-    &["lab stool", "swivel stool", "work stool"],
-    &[
-        "dining table",
-        "kitchen table",
-        "farmhouse table",
-        "trestle table",
-        "bistro table",
-        "pedestal table",
-        "breakfast table",
-    ],
-    &["kitchen table", "island", "kitchen island"],
-    &["coffee table", "low table"],
-    &["desk", "computer desk", "office desk", "workstation", "computer workstation"],
-    &["lab bench", "laboratory bench", "lab table", "laboratory table", "lab station"],
-    &["craft table", "cutting table", "work table", "craft desk"],
-    &["exam table", "examination table", "examination bed", "examination couch", "exam bed", "treatment table"],
-    &["washing machine", "washer"],
-    &["computer", "laptop", "pc"],
-    &["bathtub", "tub", "bath"],
-    &["bed", "single bed", "double bed", "twin bed", "bunk bed", "loft bed", "queen bed", "king bed"],
-    &["dining table", "round table", "kitchen table", "oval table", "square table", "long table"],
-    &["mug", "cup", "glass"],
-    &["speaker", "loudspeaker"],
-    &["stool", "barstool", "bar stool"],
-    &["seat", "chair", "seating"],
-    &["sink", "washbasin", "basin", "kitchen sink"],
-    &["counter", "kitchen counter", "worktop", "countertop", "bar", "reception desk", "kitchenette"],
-    &["board", "whiteboard", "blackboard", "chalkboard"],
-    &["tv stand", "media console", "tv unit", "tv cabinet", "media unit", "lowboard"],
-    &["book", "books", "novel", "magazine"],
-    &["vase", "flowers", "bouquet"],
-    &["curtain", "drape", "blind", "blinds"],
-];
+/// The words of `data/kin.txt`.
+#[derive(Default)]
+struct Words {
+    /// Words that name one kind of thing.
+    kin: Vec<Vec<&'static str>>,
+    /// A thing, and what serves as well.
+    instead: Vec<(&'static str, Vec<&'static str>)>,
+}
 
-/// What is not added where something else is asked for that serves as well.
-const INSTEAD: [(&str, &[&str]); 4] = [
-    ("projection screen", &["whiteboard", "blackboard", "smart board", "tv", "television", "video wall"]),
-    ("bathtub", &["shower", "walk in shower", "shower cabin", "shower cubicle"]),
-    ("bed", &["daybed", "day bed", "futon", "sleeping bag", "hammock"]),
-    ("sofa", &["daybed", "day bed", "futon"]),
-];
+fn known() -> &'static Words {
+    static WORDS: OnceLock<Words> = OnceLock::new();
+    WORDS.get_or_init(|| {
+        let list = |text: &'static str| text.split(',').map(str::trim).collect::<Vec<_>>();
+        let mut words = Words::default();
+        for line in include_str!("../../data/kin.txt").lines().filter(|l| !l.starts_with('#') && !l.is_empty()) {
+            match line.split_once('<') {
+                Some((noun, instead)) => words.instead.push((noun.trim(), list(instead))),
+                None => words.kin.push(list(line)),
+            }
+        }
+        words
+    })
+}
 
 /// Whether something that is asked for stands in for another thing.
 pub fn stands_in(noun: &str, asked: &str) -> bool {
-    INSTEAD.iter().any(|(other, instead)| *other == noun && instead.contains(&asked))
+    known().instead.iter().any(|(other, instead)| *other == noun && instead.contains(&asked))
 }
 
 /// Chairs that stand at no table.
@@ -183,7 +139,7 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
         || !easy
             && head == other
             && (one_word || noun.ends_with(&format!(" {asked}")) || asked.ends_with(&format!(" {noun}")))
-        || KIN.iter().any(|kin| {
+        || known().kin.iter().any(|kin| {
             let among = |word: &str| kin.contains(&word);
             among(noun) && among(asked)
                 || among(asked) && among(&head)
@@ -273,7 +229,7 @@ pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
 
 /// Whether two words name one kind of thing.
 pub fn are_kin(noun: &str, other: &str) -> bool {
-    KIN.iter().any(|kin| kin.contains(&noun) && kin.contains(&other))
+    known().kin.iter().any(|kin| kin.contains(&noun) && kin.contains(&other))
 }
 
 #[cfg(test)]

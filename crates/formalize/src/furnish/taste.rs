@@ -62,7 +62,7 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 18] = [
+const NOT_WOODEN: [&str; 21] = [
     "office chair",
     "desk chair",
     "lab bench",
@@ -81,6 +81,9 @@ const NOT_WOODEN: [&str; 18] = [
     "power rack",
     "tire rack",
     "iv stand",
+    "pallet rack",
+    "storage rack",
+    "warehouse rack",
 ];
 
 /// What is made of steel wherever it stands.

@@ -18,6 +18,7 @@ mod measure;
 mod named;
 mod noun;
 mod number;
+mod open_plan;
 mod owner;
 mod paraphrase;
 mod people;
@@ -86,6 +87,7 @@ pub fn brief(request: &str) -> Brief {
     let answers = talk::turns(&mut tokens);
     owner::places(&mut tokens);
     paraphrase::plain(&mut tokens);
+    open_plan::plain(&mut tokens);
     zones::plain(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
     let mut used = vec![false; tokens.len()];

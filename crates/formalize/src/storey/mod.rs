@@ -9,9 +9,10 @@ mod rows;
 mod search;
 
 use crate::arrange::arrange_rooms;
-use crate::brief::{Brief, Look, Room as Asked};
+use crate::brief::{Brief, Group, Look, Room as Asked};
 use crate::draft::{Draft, Opening, OpeningKind, Source};
 use crate::furnish::kinds::{self, Kind};
+use crate::furnish::stand::group;
 use crate::names::Names;
 use cost::{bounds, ways};
 use rows::Cell;
@@ -20,6 +21,11 @@ use rows::Cell;
 const MOST: usize = 14;
 /// A kitchen of a home has a wall so long (metres): a stove, a sink, a counter and a fridge stand at it.
 const RUN: f64 = 4.0;
+/// Beyond the foot of a bed for two, and beside it with its nightstands, so much is free or a wall of cupboards (metres).
+const FOOT: f64 = 1.5;
+const BESIDE: f64 = 2.2;
+/// A bed for two is at least so wide (metres).
+const FOR_TWO: f64 = 1.35;
 /// The doors that are added (metres), and why.
 const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 const WHY: &str = "one has to get from room to room";
@@ -164,6 +170,13 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
             Some((kind, usual)) if home => at_home(draft, asked, room, (kind, usual)),
             _ => ([w * d, 1.25 * w * d], 0.75 * w.min(d)),
         };
+        let beds = draft.things.iter().filter(|thing| thing.room == Some(room) && group(&thing.category) == Group::Bed);
+        let wide = beds.filter_map(|bed| bed.size).filter(|size| size[0] >= FOR_TWO);
+        let (area, side) = wide.fold((area, side), |([area, most], side), [w, _, d]| {
+            let side = side.max(d + FOOT);
+            let area = area.max(side * (w + BESIDE));
+            ([area, most.max(1.15 * area)], side)
+        });
         let wet = is(room, &["kitchen", "bathroom", "public toilets", "laundry room"]);
         let widest = draft.things.iter().filter(|thing| thing.room == Some(room));
         let widest = widest.filter_map(|thing| thing.size).map(|size| size[0].max(size[2])).fold(0.0, f64::max);

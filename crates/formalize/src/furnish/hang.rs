@@ -1,0 +1,81 @@
+//! What is asked for and hangs on a wall: a board before those who look at it, pictures where a wall is free.
+
+use super::build::Root;
+use super::choose::Choice;
+use super::daylight::window_walls;
+use super::floor::{Floor, Pose, Shape};
+use super::inventory::{APART, EYES};
+use super::kinds::{Line, Place};
+use super::plan::{AtWall, Plan};
+use super::spots::{near, nominal, watched_from};
+use super::{place, stand};
+use crate::brief::Group;
+use crate::draft::Source;
+use crate::names::words;
+
+/// The most that are hung one by one.
+const MOST: usize = 8;
+
+/// Whether a thing that is asked for hangs on a wall, and nobody says where.
+pub fn waits(plan: &Plan, at: usize) -> bool {
+    let thing = &plan.draft.things[at];
+    let hangs = |text: &str| text.contains("wallMounted(") && words(text).contains(&thing.name.as_str());
+    plan.ground.is_some()
+        && thing.count <= MOST
+        && matches!(stand::group(&thing.category), Group::Wall | Group::Screen)
+        && plan.draft.statements.iter().any(|s| !matches!(s.source, Source::Stated(_)) && hangs(&s.text))
+        && !plan.is_placed(at)
+}
+
+/// Whether such rooms have a place of its own for it, as a classroom for its board.
+pub fn has_place(plan: &Plan, at: usize) -> bool {
+    line(plan, at).is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Front(_)))
+}
+
+fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
+    let noun = plan.draft.things[at].category.replace('_', " ");
+    plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
+}
+
+/// Hangs it up. Where there is no place, its place is left to the search.
+pub fn up(plan: &mut Plan, at: usize) {
+    if plan.claimed.contains(&at) {
+        return;
+    }
+    let it = plan.draft.things[at].clone();
+    let Some(size) = it.size else { return };
+    let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
+    let height = plan.draft.rooms[plan.room].size[1];
+    let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
+    let line = line(plan, at);
+    let is_screen = stand::group(&noun) == Group::Screen;
+    let choice = Choice {
+        noun: &noun,
+        size,
+        windows: &windows,
+        looks_at: if is_screen { watched_from(plan) } else { None },
+        strictly: false,
+        staffed: None,
+        near: None,
+        beds: &[],
+    };
+    let own = line.filter(|line| it.count == 1 && matches!(line.place, Place::Back(_) | Place::Front(_)));
+    let own = own.map(|line| (line, nominal(plan, line, size, y)));
+    let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+        let own = own.and_then(|(line, nominal)| near(line, floor, shape, nominal));
+        own.or_else(|| choice.hung(floor, shape, before, y))
+    };
+    for beside in APART {
+        let around = Pose { y: -1.4 * beside, ..Pose::default() };
+        let free = vec![(around, [size[0] + 2.0 * beside, size[1] + 1.4 * beside, size[2]])];
+        let root =
+            Root { n: it.count, frames: vec![Pose::default()], wall: AtWall::No, free, whole: false, seek: &seek };
+        if plan.place_asked(at, &root) {
+            break;
+        }
+    }
+    if let (Some(_), Some(pose)) = (own, plan.place_in_room(&it.name)) {
+        let text = place::absolute(&it.name, &plan.room_name(), [pose.x, pose.y, pose.z], pose.yaw);
+        plan.say(format!("prefer {text};"), "such rooms have it there");
+    }
+}

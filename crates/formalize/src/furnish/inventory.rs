@@ -1,0 +1,288 @@
+//! The lines of the inventory of a kind of room: how many of each, how large, and the best place that is left.
+
+use super::build::Root;
+use super::choose::Choice;
+use super::daylight::window_walls;
+use super::floor::{Floor, Pose, Shape};
+use super::kinds::{Count, Line, Place};
+use super::plan::{AtWall, Plan};
+use super::rows::{ceiling, rows};
+use super::spots::{beds, ends, free, in_row, kept, near, near_to, nominal, staffed, watched_from};
+use super::tell::{Stood, tell};
+use super::{edge, groups, slots, stand};
+use crate::brief::Group;
+use crate::draft::{Source, Thing};
+use std::cell::RefCell;
+
+/// How high things on walls are looked at.
+pub(super) const EYES: f64 = 1.5;
+
+/// A counter before the wall at the back takes this part of the room's width, in rooms that are wider than usual.
+pub(super) const COUNTER: f64 = 0.26;
+
+/// Things on walls are so far from each other and from what is tall beside them, if there is room, else so far.
+pub(super) const APART: [f64; 2] = [0.3, 0.12];
+
+/// In a run things are so far apart at least, where there is a choice.
+pub(super) const TIGHT: f64 = 0.15;
+
+/// Lengths of what may be shorter than usual rather than lack its sink, its stove or its seats (metres).
+pub(super) const SHORTER: [(&str, &[f64]); 4] = [
+    ("kitchen counter", &[1.8, 1.2, 0.8]),
+    ("kitchenette", &[1.4, 1.2]),
+    ("dining table", &[1.2, 0.9]),
+    ("kitchen table", &[0.9]),
+];
+
+/// Where many books are asked for there are so many bookcases.
+pub(super) const BOOKCASES: usize = 3;
+
+/// So many desks are those of a team.
+pub(super) const TEAM: usize = 3;
+
+/// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
+pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
+    let listed = format!("a {} has ", plan.kind.name);
+    let with_another = |t: &Thing| match &t.source {
+        Source::Inferred(why) => !why.starts_with(&listed),
+        _ => false,
+    };
+    let hung = line.place == Place::Hung || line.place == Place::Ceiling;
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    line.count == Count::Fixed(1) && !hung && here.any(|t| t.category.replace('_', " ") == line.noun && with_another(t))
+}
+
+/// Whether people sit around such a thing.
+pub(super) fn has_seats(plan: &Plan, noun: &str) -> bool {
+    let around = |part: &groups::Part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    stand::group(noun) == Group::Table && groups::of(noun, plan.kind.dress).iter().any(around)
+}
+
+/// Whether several tables for people are asked for: their number is what the request says, whatever they are called.
+pub(super) fn several_tables(plan: &Plan) -> bool {
+    let mut asked = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count > 1);
+    asked.any(|t| matches!(t.source, Source::Stated(_)) && has_seats(plan, &t.category.replace('_', " ")))
+}
+
+/// Adds a line of the inventory.
+pub(super) fn inventory(plan: &mut Plan, line: &Line) {
+    // A room with only what is asked for has light all the same.
+    let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
+    let seated = has_seats(plan, line.noun) && several_tables(plan);
+    if plan.counted < line.least || closed || seated || plan.is_furnished() || came_along(plan, line) {
+        return;
+    }
+    // No one screen is seen from beds at opposite walls.
+    let several_ways = |beds: &[Pose]| beds.iter().any(|bed| bed.yaw != beds[0].yaw);
+    if line.noun == "tv" && several_ways(&beds(plan)) {
+        return;
+    }
+    let people = plan.people.map_or(usual_people(plan), |n| n as f64);
+    let n = match line.count {
+        Count::Fixed(n) if line.noun == "bookshelf" && has_books(plan) => n.max(BOOKCASES),
+        Count::Fixed(n) => n,
+        Count::Area(each) => (plan.counted / each).round() as usize,
+        Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
+    };
+    let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
+    match &line.place {
+        Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
+        Place::Edge => edge::railing(plan, line, &why),
+        Place::Rows(toward) => {
+            rows(plan, line.noun, n, *toward, (&why, None));
+        }
+        // The desks of a team stand in groups, not one by one.
+        Place::Floor if n >= TEAM && line.noun.ends_with("desk") => {
+            rows(plan, line.noun, n, false, (&why, None));
+        }
+        _ => single(plan, line, n, &why),
+    }
+}
+
+/// Whether books are asked for, of which nobody says how many: "lots of books".
+pub(super) fn has_books(plan: &Plan) -> bool {
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    here.any(|t| t.count > 1 && t.category == "book" && matches!(t.source, Source::Stated(_)))
+}
+
+/// For how many people a room is of which nobody says it: fewer in a small one, more in a large one.
+pub(super) fn usual_people(plan: &Plan) -> f64 {
+    let [w, _, d] = plan.kind.size;
+    let is_free = plan.draft.rooms.len() == 1 && !plan.draft.rooms[plan.room].sized;
+    let share = if is_free { (plan.counted / (w * d)).clamp(0.5, 1.5) } else { 1.0 };
+    (plan.kind.people * share).round().max(1.0)
+}
+
+/// How long a counter before the wall at the back is at least, in metres; 0 for anything else.
+pub(super) fn counter_length(plan: &Plan, line: &Line) -> f64 {
+    let is_counter = matches!(line.place, Place::Before(_, 180.0)) && line.noun.ends_with("counter");
+    let length = COUNTER * plan.draft.rooms[plan.room].size[0];
+    if is_counter { (length * 10.0).round() / 10.0 } else { 0.0 }
+}
+
+/// The size of a thing; a table is as long as the people need who sit at it.
+pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
+    let mut size = Plan::size(noun);
+    let seats = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
+    if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        let each_side = people.saturating_sub(2).div_ceil(2) as f64;
+        let needed = each_side * (Plan::size(part.noun)[0] + 0.12) + 0.1;
+        size[0] = size[0].max(needed.min(w.max(d) - 2.0));
+    }
+    // A bar is as long as the stools need that are asked for and stand at it.
+    let row = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Row(..)));
+    if let (Some(part), 1) = (row, n) {
+        let stools = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+        let stools = stools.filter(|t| matches!(t.source, Source::Stated(_)) && !stand::placed(plan.draft, &t.name));
+        let stools = stools.filter(|t| stand::counts_as(part.noun, &t.category.replace('_', " ")));
+        let needed = stools.map(|t| slots::row(t.count, t.size.map_or(0.4, |own| own[0]))).fold(0.0, f64::max);
+        let [w, _, d] = plan.draft.rooms[plan.room].size;
+        size[0] = size[0].max((needed.min(w.max(d) - 2.0) * 100.0).ceil() / 100.0);
+    }
+    size
+}
+
+/// Things at walls, in corners, in the middle.
+pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
+    let mut size = size_for_people(plan, line.noun, n);
+    size[0] = size[0].max(counter_length(plan, line));
+    // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
+    let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
+    let known = plan.ground.is_some();
+    for width in shorter.filter(|_| known) {
+        if single_of(plan, line, n, why, size, true) {
+            return;
+        }
+        size[0] = *width;
+    }
+    // A table that nobody can sit at is left out, unless the room is nothing without it.
+    let whole = known && !plan.matters && has_seats(plan, line.noun);
+    single_of(plan, line, n, why, size, whole);
+}
+
+/// The name of the thing that a line's thing looks at from across the room.
+pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
+    let Place::Opposite(other) = &line.place else { return None };
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
+    here.find(|t| t.category.replace('_', " ").ends_with(other.as_str())).map(|t| t.name.clone())
+}
+
+/// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
+pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
+    let hung = line.place == Place::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
+    let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
+    // Where places are known, they say better what there is room for.
+    let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
+    let n = (0..=n).rev().find(room_for).unwrap_or(0);
+    if n == 0 {
+        return false;
+    }
+    let height = plan.draft.rooms[plan.room].size[1];
+    let under_ceiling = (height - size[1] - 0.1).max(0.3);
+    let y = if hung { (EYES - size[1] / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling) } else { 0.0 };
+    let opposite = opposite_of(plan, line);
+    let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
+    let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
+    let windows = window_walls(plan);
+    let beds = if line.noun.ends_with("tv") { beds(plan) } else { Vec::new() };
+    let choice = Choice {
+        noun: line.noun,
+        size,
+        windows: &windows,
+        looks_at: watched,
+        strictly: opposite_pose.is_some(),
+        staffed: staffed(plan),
+        near: near_to(plan, line.by),
+        beds: &beds,
+    };
+    let nominal = nominal(plan, line, size, y);
+    let row = RefCell::new(Vec::new());
+    let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
+        _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
+        Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
+            .filter(|_| line.place == Place::Wall)
+            .or_else(|| choice.wall(floor, shape, before)),
+        Place::Service(gap) => choice.service(floor, shape, *gap).or_else(|| choice.service(floor, shape, 0.9)),
+        Place::Opposite(_) => choice.wall(floor, shape, before).or_else(|| {
+            let anywhere = Choice { strictly: false, ..choice };
+            anywhere.wall(floor, shape, before)
+        }),
+        Place::Corner => choice.corner(floor, shape, before),
+        Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
+        Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
+        _ => near(line, floor, shape, nominal),
+    };
+    let run = line.place == Place::Run && n > 1;
+    let together = |n: usize, gap: f64| -> Vec<Pose> {
+        let n = if run { n } else { 1 };
+        (0..n).map(|i| Pose { x: i as f64 * (size[0] + gap), ..Pose::default() }).collect()
+    };
+    let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
+    let mut add = |plan: &mut Plan, n: usize| {
+        if !hung {
+            plan.take(size, n, at_wall);
+        }
+        plan.add(line.noun, n, size, why)
+    };
+    // A run that is too long is made tighter, and then shorter if nobody asked for the seats at it; what hangs comes nearer
+    // to others.
+    let mut found = None;
+    let asked = plan.ground.is_some() && plan.tables(line).is_some();
+    let shortest = if run && !asked { 1 } else { n };
+    let tighter = if run && line.gap > TIGHT { vec![line.gap, TIGHT.max(0.4 * line.gap)] } else { vec![line.gap] };
+    let tries = (shortest..=n).rev().flat_map(|n| match hung {
+        true => APART.map(|apart| (n, line.gap, apart)).to_vec(),
+        false => tighter.iter().map(|gap| (n, *gap, 0.0)).collect(),
+    });
+    let mut gap = line.gap;
+    for (less, between, beside) in tries {
+        gap = between;
+        let frames = together(less, gap);
+        let mut free = kept(line, size, hung, beside);
+        if run {
+            free.extend(ends(size, gap, less));
+        }
+        let root = Root { n: if run { 1 } else { n }, frames, wall, free, whole, seek: &seek };
+        found = plan.place_group(&root, &mut add);
+        if found.is_some() {
+            break;
+        }
+    }
+    let Some((thing, poses)) = found else { return false };
+    // Several tables that stand where there is a gap want a larger room.
+    let is_scattered = line.place == Place::Floor && poses.len() > 1 && row.borrow().is_empty();
+    plan.lacking += usize::from(plan.matters && is_scattered && has_seats(plan, line.noun));
+    if let (Place::Opposite(_), Some(seen), Some(at)) = (&line.place, opposite_pose, poses.first()) {
+        // What is not straight across from it wants a room of another size.
+        let straight = (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0;
+        plan.lacking += usize::from(plan.matters && !straight);
+    }
+    if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
+        keep_view(plan, at, &seen);
+    }
+    let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
+    tell(plan, &at, why);
+    true
+}
+
+/// How high something hangs at least that hangs near something low: both are seen, as a board over the counter.
+pub(super) fn above_low(plan: &Plan, line: &Line) -> f64 {
+    const LOW: f64 = 1.3;
+    const OVER: f64 = 0.55;
+    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !line.by.is_empty());
+    let thing = things.find(|t| t.category.replace('_', " ").ends_with(line.by));
+    thing
+        .and_then(|t| t.size)
+        .map_or(0.0, |[_, h, _]| if h < LOW && !stand::has_back(line.by) { h + OVER } else { 0.0 })
+}
+
+/// Nothing more stands between a thing and what it is opposite of.
+pub(super) fn keep_view(plan: &mut Plan, at: &Pose, seen: &Pose) {
+    const WIDE: f64 = 0.8;
+    let [dx, dz] = [(at.x - seen.x).abs(), (at.z - seen.z).abs()];
+    let middle = Pose { x: (at.x + seen.x) / 2.0, y: 0.05, z: (at.z + seen.z) / 2.0, yaw: 0.0 };
+    if let Some(ground) = &mut plan.ground {
+        ground.keep(&middle, [dx.max(WIDE), 1.2, dz.max(WIDE)]);
+    }
+}

@@ -1,0 +1,64 @@
+//! In which order what is asked for gets its place: what hangs at a place of its own, what stands on its own, what goes with
+//! something of the inventory, and last what stands on things.
+
+use super::inventory::{TEAM, has_seats};
+use super::kinds::{Count, Line, Place};
+use super::plan::Plan;
+use super::room::{MATTER, tables};
+use super::{hang, tops};
+
+/// Indices of the things that are asked for.
+pub struct Order {
+    /// What hangs where such rooms have it.
+    pub boards: Vec<usize>,
+    /// What has its place before the inventory.
+    pub first: Vec<usize>,
+    /// What has its place after the first two lines of the inventory: tables in the middle of a kitchen.
+    pub later: Vec<usize>,
+    /// What hangs wherever a wall is free.
+    pub hung: Vec<usize>,
+    /// What goes with something of the inventory.
+    pub waiting: Vec<usize>,
+    /// What stands on things.
+    pub small: Vec<usize>,
+    /// Whether there are many tables: they leave the place where such rooms have their counter.
+    many_tables: bool,
+}
+
+impl Order {
+    /// The order of things that are asked for.
+    pub fn of(plan: &Plan, asked: Vec<usize>) -> Self {
+        type Both = (Vec<usize>, Vec<usize>);
+        let (small, asked): Both = asked.into_iter().partition(|at| tops::waits(plan, *at));
+        let (with_asked, asked): Both = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
+        let (waiting, asked): Both = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
+        let (hung, asked): Both = asked.into_iter().partition(|at| hang::waits(plan, *at));
+        let (boards, hung): Both = hung.into_iter().partition(|at| hang::has_place(plan, *at));
+        let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
+        let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
+        let many_tables = first.iter().any(many);
+        if later.is_empty() {
+            first.extend(with_asked)
+        } else {
+            later.extend(with_asked)
+        }
+        Self { boards, first, later, hung, waiting, small, many_tables }
+    }
+
+    /// The lines of the inventory that come before what is asked for.
+    pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
+        let is_early = |line: &&Line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_));
+        plan.kind.lines.iter().take(if self.many_tables { MATTER } else { 0 }).filter(is_early).collect()
+    }
+}
+
+/// Whether something at which people sit leaves the walls to what stands there: the table of a kitchen to its cupboards, that
+/// of an office to the desks.
+fn is_later(plan: &Plan, at: usize) -> bool {
+    let first = plan.kind.lines.first();
+    let at_walls = first.is_some_and(|line| matches!(line.place, Place::Wall | Place::Run));
+    let at_desks = first.is_some_and(|line| {
+        matches!(line.count, Count::People(_)) && line.noun.ends_with("desk") && plan.people.is_some_and(|n| n >= TEAM)
+    });
+    (at_walls || at_desks) && has_seats(plan, &plan.draft.things[at].category.replace('_', " "))
+}

@@ -1,0 +1,217 @@
+//! Where things of a room stand that have a place of their own: the part for those who work behind a counter, what is kept
+//! free, the place that is meant and the nearest one to it.
+
+use super::choose::{self, Choice, Staff};
+use super::daylight::window_walls;
+use super::floor::{Block, Floor, Pose, Shape};
+use super::kinds::{Line, Place};
+use super::plan::Plan;
+use super::seek::Wall;
+use super::{even, gates, stand};
+use crate::brief::Group;
+use std::cell::RefCell;
+
+/// Before a counter so much is free (metres).
+pub(super) const SERVED: f64 = 1.15;
+
+/// What is narrower is a stand, and no counter.
+pub(super) const STAND: f64 = 1.0;
+
+/// The part of a room in which someone works behind a counter; `None`: nobody does.
+pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
+    /// Beside a desk that visitors come to so much is for who works there, and as much more behind the chair (metres).
+    const BESIDE: f64 = 0.9;
+    const BEHIND: f64 = 0.3;
+    let [_, height, depth] = plan.draft.rooms[plan.room].size;
+    plan.kind.lines.iter().find_map(|line| match line.place {
+        Place::Before(gap, 180.0) => {
+            let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
+            let at = near_to(plan, line.noun);
+            Some(Staff::Beyond(at.map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0)))
+        }
+        Place::Service(gap) if Plan::size(line.noun)[0] >= STAND => {
+            let at = near_to(plan, line.noun)?;
+            let [wide, _, deep] = Plan::size(line.noun);
+            let behind = Pose { z: -(gap + BEHIND) / 2.0, ..Pose::default() };
+            let size = [wide + 2.0 * BESIDE, height, deep + gap + BEHIND];
+            Some(Staff::Around(Block::of(&at.then(&behind), size)))
+        }
+        _ => None,
+    })
+}
+
+/// The place of what someone sits or lies on who looks at something.
+pub(super) fn watched_from(plan: &Plan) -> Option<Pose> {
+    let seat = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    let mut seat = seat.filter(|t| choose::seats(&t.category.replace('_', " ")));
+    let seat = seat.next()?;
+    if seat.count == 1 {
+        return plan.place_in_room(&seat.name);
+    }
+    // From the middle of several that look the same way.
+    let places: Vec<Pose> =
+        (0..seat.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", seat.name))).collect();
+    let first = *places.first().filter(|first| places.iter().all(|p| p.yaw == first.yaw))?;
+    let mean = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / places.len() as f64;
+    Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
+}
+
+/// Where the beds of the room are.
+pub(super) fn beds(plan: &Plan) -> Vec<Pose> {
+    let beds =
+        plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && stand::group(&t.category) == Group::Bed);
+    let names =
+        beds.flat_map(|t| (0..t.count).map(|i| if t.count > 1 { format!("{}[{i}]", t.name) } else { t.name.clone() }));
+    names.filter_map(|name| plan.place_in_room(&name)).collect()
+}
+
+/// The next place of several beds, or of what stands in a run, side by side; `row` keeps all of them.
+pub(super) fn in_row(
+    choice: &Choice,
+    floor: &Floor,
+    shape: &Shape,
+    before: &[Pose],
+    (n, in_run): (usize, bool),
+    row: &RefCell<Vec<Pose>>,
+) -> Option<Pose> {
+    if n < 2 || !(in_run || choice.noun.ends_with("bed")) {
+        return None;
+    }
+    if before.is_empty() {
+        row.replace(
+            even::places(floor, shape, n, (choice.size[2], stand::is_unit(choice.noun)), choice.windows)
+                .unwrap_or_default(),
+        );
+    }
+    row.borrow().get(before.len()).copied()
+}
+
+/// The next place of several that stand free, spread over the floor if there is room for all; `row` keeps all of them.
+pub(super) fn free(
+    choice: &Choice,
+    floor: &Floor,
+    shape: &Shape,
+    before: &[Pose],
+    (n, yaws): (usize, &[f64]),
+    row: &RefCell<Vec<Pose>>,
+) -> Option<Pose> {
+    if before.is_empty() {
+        row.replace(choice.spread(floor, shape, n, yaws).unwrap_or_default());
+    }
+    // Several are parallel to each other.
+    let first = before.first().map(|first| [first.yaw]);
+    let next = row.borrow().get(before.len()).copied();
+    next.or_else(|| choice.floor(floor, shape, before, first.as_ref().map_or(yaws, |yaw| &yaw[..])))
+}
+
+/// Where the wide door of the room is, if it has one.
+pub(super) fn gate(plan: &Plan) -> Option<Pose> {
+    let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
+    plan.place_in_room(&door.name)
+}
+
+/// What is kept free around a thing of the inventory, in its frame: behind a counter for who works there, before it for who
+/// is served, beside it for the way there; beside what hangs.
+pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
+    let [w, h, d] = size;
+    let at = |x: f64, y: f64, z: f64| Pose { x, y, z, yaw: 0.0 };
+    if hung {
+        return vec![(at(0.0, -1.4 * beside, 0.0), [w + 2.0 * beside, h + 1.4 * beside, d])];
+    }
+    if line.noun.ends_with("car") {
+        // Its doors open, and one walks round it.
+        let (side, end) = (0.6, 0.45);
+        let beside = |x: f64| (at(x * (w + side) / 2.0, 0.05, 0.0), [side, 1.0, 0.8 * d]);
+        let ends = |z: f64| (at(0.0, 0.05, z * (d + end) / 2.0), [w, 1.0, end]);
+        return vec![beside(-1.0), beside(1.0), ends(-1.0), ends(1.0)];
+    }
+    let behind = match line.place {
+        Place::Service(gap) => gap - 0.02,
+        Place::Before(gap, 180.0) => gap - 0.5,
+        _ => return Vec::new(),
+    };
+    let pass = 0.7;
+    if w < STAND {
+        // One person stands behind it, and the others before it.
+        return vec![
+            (at(0.0, 0.05, (d + pass) / 2.0), [w + pass, 1.7, pass]),
+            (at(0.0, 0.05, -(d + pass) / 2.0), [w + pass, 1.7, pass]),
+        ];
+    }
+    vec![
+        (at(0.0, 0.05, (d + SERVED) / 2.0), [w, 1.7, SERVED]),
+        (at(pass / 2.0, 0.05, -(d + behind) / 2.0), [w + pass, 1.7, behind]),
+        (at((w + pass) / 2.0, 0.05, 0.0), [pass, 1.7, d]),
+    ]
+}
+
+/// At both ends of a run whose elements stand apart as much is kept free as between them.
+pub(super) fn ends([w, h, d]: [f64; 3], gap: f64, n: usize) -> Vec<(Pose, [f64; 3])> {
+    let beside = |x: f64| (Pose { x, y: 0.05, ..Pose::default() }, [gap, h, d]);
+    let last = (n - 1) as f64 * (w + gap);
+    if gap > 0.1 { vec![beside(-(w + gap) / 2.0), beside(last + (w + gap) / 2.0)] } else { Vec::new() }
+}
+
+/// Of places along a line, the nearest to the one that is meant.
+pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> Option<Pose> {
+    let car = line.noun.ends_with("car");
+    let far = if car { 0.5 } else { 2.0 };
+    // At a wall at the side "along" is to the back and to the front.
+    let sideways = nominal.yaw == 90.0 || nominal.yaw == 270.0;
+    let sideways = sideways && matches!(line.place, Place::Back(_) | Place::Front(_));
+    let off = |i: i32, k: i32| match (0.15 * f64::from(i), 0.15 * f64::from(k)) {
+        (along, off) if sideways => Pose { x: nominal.x + off, z: nominal.z + along, ..nominal },
+        (along, off) => Pose { x: nominal.x + along, z: nominal.z - off, ..nominal },
+    };
+    let further = match line.place {
+        Place::Before(..) => 0..=6,
+        // What came in by a wide door stands in line with it, as deep in the room as it must.
+        _ if car => -8..=8,
+        _ => 0..=0,
+    };
+    let steps = further.flat_map(|k| (-30..=30).map(move |i| off(i, k)));
+    let [fx, fz] = if sideways { [far, 1.0] } else { [1.0, far] };
+    super::seek::best(floor, shape, steps, &|pose| {
+        Some(fx * (pose.x - nominal.x).abs() + fz * (pose.z - nominal.z).abs())
+    })
+}
+
+/// Where a thing of an inventory should stand that has its place in the room.
+pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
+    let [width, _, depth] = plan.draft.rooms[plan.room].size;
+    let middle_yaw = if (width >= depth) == (size[0] >= size[2]) { 0.0 } else { 90.0 };
+    match &line.place {
+        // Who sits at the long sides of a table looks at one of its ends.
+        Place::Back(0.0) if width > depth && has_table(plan) && stand::group(line.noun) == Group::Screen => {
+            let windows = window_walls(plan);
+            let wall = if windows.contains(&Wall::Right) { Wall::Left } else { Wall::Right };
+            Pose { y, ..wall.place([width, 0.0, depth], 0.0, size[2] / 2.0) }
+        }
+        Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
+        Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
+        Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
+        _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
+            Some(gate) => Pose { x: gate.x, ..Pose::default() },
+            None => Pose { yaw: middle_yaw, ..Pose::default() },
+        },
+    }
+}
+
+/// Whether such a room has a table in its middle.
+pub(super) fn has_table(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| line.place == Place::Middle && stand::group(line.noun) == Group::Table)
+}
+
+/// The place of the first thing of this name in the room; of several, their middle.
+pub(super) fn near_to(plan: &Plan, noun: &str) -> Option<Pose> {
+    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !noun.is_empty());
+    let thing = things.find(|t| t.category.replace('_', " ").ends_with(noun))?;
+    let names = (0..thing.count).map(|i| format!("{}[{i}]", thing.name));
+    let all: Vec<Pose> = match thing.count {
+        1 => plan.place_in_room(&thing.name).into_iter().collect(),
+        _ => names.filter_map(|name| plan.place_in_room(&name)).collect(),
+    };
+    let n = all.len() as f64;
+    let middle = |of: fn(&Pose) -> f64| all.iter().map(of).sum::<f64>() / n;
+    Some(Pose { x: middle(|p| p.x), z: middle(|p| p.z), ..*all.first()? })
+}

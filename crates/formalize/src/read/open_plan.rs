@@ -1,0 +1,108 @@
+//! Rooms that are one room: "an open-plan living room and kitchen" is a living room with what a kitchen has along its wall.
+
+use super::paraphrase::{put, word};
+use super::token::{Kind, Token};
+
+/// What says that the rooms that follow are one, and in how many words.
+const ONE: [&[&str]; 6] =
+    [&["open-plan"], &["open", "plan"], &["open-concept"], &["open", "concept"], &["combined"], &["combination"]];
+
+/// What a part of a home is called, and what it has in a room that is another one first.
+const PARTS: [(&str, &[&str]); 7] = [
+    ("living", &["a", "sofa"]),
+    ("lounge", &["a", "sofa"]),
+    ("kitchen", &["a", "kitchen", "counter"]),
+    ("dining", &["a", "dining", "table"]),
+    ("office", &["a", "desk"]),
+    ("study", &["a", "desk"]),
+    ("bedroom", &["a", "bed"]),
+];
+
+/// What the whole is by its parts, the first that is among them.
+const WHOLE: [&str; 4] = ["living", "lounge", "kitchen", "dining"];
+
+/// Turns several rooms that are said to be one into the first of them, with what the others have.
+pub fn plain(tokens: &mut Vec<Token>) {
+    let mut i = 0;
+    while i < tokens.len() {
+        let said = |words: &&&[&str]| words.iter().enumerate().all(|(k, w)| word(tokens, i + k) == *w);
+        if let Some(words) = ONE.iter().find(said) {
+            let first = i + words.len();
+            merge(tokens, i, first);
+        }
+        i += 1;
+    }
+}
+
+/// The part of a home that is named here, and where its name ends: "kitchen", "living room", "dining area".
+fn part(tokens: &[Token], i: usize) -> Option<(&'static str, &'static [&'static str], usize)> {
+    let (name, has) = PARTS.iter().find(|(name, _)| word(tokens, i) == *name)?;
+    let placed = matches!(word(tokens, i + 1), "room" | "area" | "space" | "zone");
+    Some((name, has, i + 1 + usize::from(placed)))
+}
+
+/// Of rooms from a word on, which are said to be one by what begins at `from`: the first with what the others have.
+fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
+    let mut parts = Vec::new();
+    let (mut at, mut end) = (first, first);
+    while let Some((name, has, next)) = part(tokens, at) {
+        if !parts.iter().any(|(other, _)| *other == name) {
+            parts.push((name, has));
+        }
+        (at, end) = (next, next);
+        while matches!(tokens.get(at).map(|t| t.kind), Some(Kind::Sign(',' | '/' | '&')))
+            || matches!(word(tokens, at), "and" | "cum" | "plus" | "a")
+        {
+            at += 1;
+        }
+    }
+    // "Space", "area" after the last of them belongs to all.
+    if matches!(word(tokens, end), "space" | "area") {
+        end += 1;
+    }
+    let whole = WHOLE.iter().find(|whole| parts.iter().any(|(name, _)| name == *whole));
+    let (Some(whole), true) = (whole, parts.len() > 1) else { return };
+    let mut words: Vec<&str> = match *whole {
+        "living" | "lounge" => vec!["living", "room", "with"],
+        "dining" => vec!["dining", "room", "with"],
+        kitchen => vec![kitchen, "with"],
+    };
+    let others = parts.iter().filter(|(name, _)| name != whole);
+    for (k, (_, has)) in others.enumerate() {
+        if k > 0 {
+            words.push("and");
+        }
+        words.extend(*has);
+    }
+    // What follows is said of the whole: "… with a sofa".
+    if word(tokens, end) == "with" {
+        words.push("and");
+        end += 1;
+    }
+    put(tokens, from, end, &words);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token;
+
+    #[test]
+    fn rooms_that_are_one_are_one_room() {
+        for (text, becomes) in [
+            ("an open-plan living room and kitchen", "an living room with a kitchen counter"),
+            (
+                "an open plan kitchen, dining and living area with a piano",
+                "an living room with a kitchen counter and a dining table and a piano",
+            ),
+            ("a combined kitchen and dining room", "a kitchen with a dining table"),
+            ("an open-plan office", "an open-plan office"),
+            ("an open plan kitchen", "an open plan kitchen"),
+            ("a living room and a kitchen", "a living room and a kitchen"),
+        ] {
+            let mut tokens = token::tokens(text, 100).0;
+            super::plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
