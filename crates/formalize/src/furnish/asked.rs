@@ -8,7 +8,7 @@ use super::inventory::counter_length;
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::rows;
-use super::spots::{free, gate, in_row, kept, near, nominal, staffed};
+use super::spots::{free, gate, in_row, kept, near, near_to, nominal, staffed, watched_from};
 use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
@@ -18,6 +18,8 @@ use std::cell::RefCell;
 const SERVED: usize = 4;
 /// Several things with a place of their own are so far apart (metres).
 const APART: f64 = 0.8;
+/// What is parked along a wall.
+const PARKED: [&str; 6] = ["bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
 /// So many of what nobody uses stand in corners.
 const CORNERS: usize = 4;
 
@@ -75,7 +77,9 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         let (room_for, needed) = match in_row {
             true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
             false => {
-                (slots::capacity(size, own, false), n.saturating_sub(2).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1)
+                let at_ends = if parts.iter().any(|part| matches!(part.at, groups::Where::LongSides(..))) { 0 } else { 2 };
+                let along = n.saturating_sub(at_ends).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1;
+                (slots::capacity(size, own, false).saturating_sub(2 - at_ends), along)
             }
         };
         let needed = needed.min(w.max(d) - 2.0);
@@ -183,14 +187,16 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     let it = plan.draft.things[thing].clone();
     let Some(size) = it.size else { return false };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
+    // One sits before a fire, or around it.
+    let fire = noun.ends_with("fireplace");
     let choice = Choice {
         noun: &noun,
         size,
         windows: &windows,
-        looks_at: None,
+        looks_at: if fire { watched_from(plan) } else { None },
         strictly: false,
         staffed: staffed(plan),
-        near: None,
+        near: if fire { near_to(plan, "sofa") } else { None },
         beds: &[],
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
@@ -201,6 +207,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         false => &[0.0],
     };
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
+    let is_parked = PARKED.iter().any(|end| noun.ends_with(end));
     let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
@@ -225,6 +232,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                 Like { aside: true, .. } => {
                     choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
                 }
+                _ if is_parked => choice.along_wall(floor, shape, before),
                 Like { at_wall: true, .. } if it.count <= 8 => choice.wall(floor, shape, before),
                 _ => free(choice, floor, shape, before, (it.count, yaws), &row),
             })

@@ -45,6 +45,8 @@ const BESIDE_BED: f64 = 1.2;
 const LONG_BED: f64 = 1.8;
 /// In mid-room it is so much farther from there (metres).
 const FREE: f64 = 2.6;
+/// What is parked along a wall is so far from it (metres).
+const ALONG_WALL: f64 = 0.05;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// What hangs beside the door, where everybody finds it.
@@ -148,8 +150,27 @@ impl Choice<'_> {
 
     /// The best place at a wall.
     pub fn wall(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
-        let places = seek::at_walls(floor.size, shape, self.size[2]).into_iter();
+        let places = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * floor.edge).into_iter();
         seek::best(floor, shape, places, &|pose| self.at_wall(floor, shape, pose, before))
+    }
+
+    /// The best place along a wall, its right side to the room.
+    pub fn along_wall(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
+        let [width, _, depth] = self.size;
+        let ends = |wall: Wall| {
+            let half = (wall.length(floor.size) - depth) / 2.0 - ALONG_WALL;
+            [-half, 0.0, half].map(|along| (wall, along))
+        };
+        let places = Wall::ALL.into_iter().flat_map(ends);
+        let places = places.map(|(wall, along)| {
+            let at = wall.place(floor.size, along, width / 2.0 + ALONG_WALL);
+            Pose { yaw: (at.yaw + 90.0).rem_euclid(360.0), ..at }
+        });
+        let cost = |pose: &Pose| {
+            let near = before.iter().filter(|other| other.yaw == pose.yaw).count() as f64;
+            Some((2.0 - floor.away_from_door(pose)).max(0.0) * 0.7 - 0.5 * near)
+        };
+        seek::best(floor, shape, places, &cost).or_else(|| self.wall(floor, shape, before))
     }
 
     /// The best place at a wall for a group whose left or right end is at the next wall.
@@ -239,7 +260,7 @@ impl Choice<'_> {
 
     /// The best corner.
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
-        let places = seek::in_corners(floor.size, self.size, floor.edge).into_iter();
+        let places = seek::in_corners(floor.size, shape, self.size, floor.edge).into_iter();
         let cost = |pose: &Pose| {
             if self.is_misplaced(pose) {
                 return None;

@@ -173,7 +173,7 @@ impl Plan<'_> {
             && (matches!(anchor.source, Source::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
             && self.is_free(at, Some(&anchor.name))
-            && has_part(&anchor.category, self.kind.dress, DEEP, &|part| {
+            && has_part(&self.group_name(&anchor.category), self.kind.dress, DEEP, &|part| {
                 takes(part, &self.draft.things[at].category) && self.agrees(part, &self.draft.things[at].name)
             })
     }

@@ -32,9 +32,13 @@ const REACH: f64 = 0.42;
 /// Finds a place for a group, given those of the groups before it.
 type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 
-/// Whether a thing is such a pair.
+/// Whether a thing is such a pair: two that are said to face each other, or two sofas before a fire.
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
+    let is_fire = |t: &crate::draft::Thing| t.room == Some(plan.room) && t.category.ends_with("fireplace");
+    if is_couple(plan, thing) && plan.draft.things.iter().any(is_fire) {
+        return true;
+    }
     let facing = format!("facing({}[2 * i], {}[", it.name, it.name);
     is_two(plan, thing, &facing, "") && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
 }

@@ -1,4 +1,5 @@
-//! What is asked for and hangs on a wall: a board before those who look at it, pictures where a wall is free.
+//! What is asked for and hangs: a board before those who look at it, pictures where a wall is free, a lamp or a projector over
+//! the middle of the room.
 
 use super::build::Root;
 use super::choose::Choice;
@@ -7,7 +8,7 @@ use super::floor::{Floor, Pose, Shape};
 use super::inventory::{APART, EYES};
 use super::kinds::{Line, Place};
 use super::plan::{AtWall, Plan};
-use super::spots::{near, nominal, watched_from};
+use super::spots::{around_hung, near, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
 use crate::draft::Source;
@@ -16,13 +17,15 @@ use crate::names::words;
 /// The most that are hung one by one.
 const MOST: usize = 8;
 
-/// Whether a thing that is asked for hangs on a wall, and nobody says where.
+/// Whether a thing that is asked for hangs on a wall or from the ceiling, and nobody says where.
 pub fn waits(plan: &Plan, at: usize) -> bool {
     let thing = &plan.draft.things[at];
-    let hangs = |text: &str| text.contains("wallMounted(") && words(text).contains(&thing.name.as_str());
+    let mounted = |text: &str| text.contains("wallMounted(") || text.contains("ceilingMounted(");
+    let hangs = |text: &str| mounted(text) && words(text).contains(&thing.name.as_str());
+    let from_ceiling = stand::group(&thing.category) == Group::Ceiling && thing.count == 1;
     plan.ground.is_some()
         && thing.count <= MOST
-        && matches!(stand::group(&thing.category), Group::Wall | Group::Screen)
+        && (from_ceiling || matches!(stand::group(&thing.category), Group::Wall | Group::Screen))
         && plan.draft.statements.iter().any(|s| !matches!(s.source, Source::Stated(_)) && hangs(&s.text))
         && !plan.is_placed(at)
 }
@@ -46,6 +49,10 @@ pub fn up(plan: &mut Plan, at: usize) {
     let Some(size) = it.size else { return };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
     let height = plan.draft.rooms[plan.room].size[1];
+    if stand::group(&noun) == Group::Ceiling {
+        let text = place::absolute(&it.name, &plan.room_name(), [0.0, height - size[1], 0.0], 0.0);
+        return plan.say(format!("prefer {text};"), "it hangs over the middle of the room");
+    }
     let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
     let line = line(plan, at);
     let is_screen = stand::group(&noun) == Group::Screen;
@@ -66,8 +73,7 @@ pub fn up(plan: &mut Plan, at: usize) {
         own.or_else(|| choice.hung(floor, shape, before, y))
     };
     for beside in APART {
-        let around = Pose { y: -1.4 * beside, ..Pose::default() };
-        let free = vec![(around, [size[0] + 2.0 * beside, size[1] + 1.4 * beside, size[2]])];
+        let free = around_hung(&noun, size, beside);
         let root =
             Root { n: it.count, frames: vec![Pose::default()], wall: AtWall::No, free, whole: false, seek: &seek };
         if plan.place_asked(at, &root) {

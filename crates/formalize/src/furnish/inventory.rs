@@ -4,7 +4,7 @@ use super::build::Root;
 use super::choose::Choice;
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::kinds::{Count, Line, Place};
+use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, rows};
 use super::spots::{beds, ends, free, in_row, kept, near, near_to, nominal, staffed, watched_from};
@@ -34,6 +34,8 @@ pub(super) const SHORTER: [(&str, &[f64]); 4] = [
     ("kitchen table", &[0.9]),
 ];
 
+/// What takes less than this of the floor (square metres) has room where it has a place.
+const SMALL: f64 = 0.15;
 /// Where many books are asked for there are so many bookcases.
 pub(super) const BOOKCASES: usize = 3;
 
@@ -49,6 +51,8 @@ pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
     };
     let hung = line.place == Place::Hung || line.place == Place::Ceiling;
     let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    // One mirror is enough.
+    let hung = hung && line.noun != "mirror";
     line.count == Count::Fixed(1) && !hung && here.any(|t| t.category.replace('_', " ") == line.noun && with_another(t))
 }
 
@@ -123,10 +127,14 @@ pub(super) fn counter_length(plan: &Plan, line: &Line) -> f64 {
 /// The size of a thing; a table is as long as the people need who sit at it.
 pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
-    let seats = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Around(..)));
+    let around = |part: &&groups::Part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    let all = kinds::seats_all(plan.kind, noun);
+    let sits = |part: &&groups::Part| around(part) && (all || matches!(part.at, groups::Where::Around(..)));
+    let seats = groups::of(noun, plan.kind.dress).iter().find(sits);
     if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
         let [w, _, d] = plan.draft.rooms[plan.room].size;
-        let each_side = people.saturating_sub(2).div_ceil(2) as f64;
+        let at_ends = if matches!(part.at, groups::Where::Around(..)) { 2 } else { 0 };
+        let each_side = people.saturating_sub(at_ends).div_ceil(2) as f64;
         let needed = each_side * (Plan::size(part.noun)[0] + 0.12) + 0.1;
         size[0] = size[0].max(needed.min(w.max(d) - 2.0));
     }
@@ -173,7 +181,8 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let hung = line.place == Place::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
     // Where places are known, they say better what there is room for.
-    let room_for = |n: &usize| hung || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
+    let small = size[0] * size[2] < SMALL;
+    let room_for = |n: &usize| hung || small || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
     let n = (0..=n).rev().find(room_for).unwrap_or(0);
     if n == 0 {
         return false;

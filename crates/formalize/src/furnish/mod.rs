@@ -218,6 +218,17 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
         let own = draft.things.iter().filter(|thing| thing.room == Some(at));
         let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
         closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
+        // Clothes hang in the room for clothes.
+        if has_closet(draft, at) {
+            closed.push("wardrobe".to_owned());
+        }
         extent::furnish(draft, brief, at, &closed);
     }
+}
+
+/// Whether a room is the only bedroom of a home that has a room for clothes.
+fn has_closet(draft: &Draft, at: usize) -> bool {
+    let is = |room: &crate::draft::Room, name: &str| kinds::of(&room.kind).is_some_and(|kind| kind.name == name);
+    let bedrooms = draft.rooms.iter().filter(|room| is(room, "bedroom")).count();
+    bedrooms == 1 && is(&draft.rooms[at], "bedroom") && draft.rooms.iter().any(|room| is(room, "walk-in closet"))
 }

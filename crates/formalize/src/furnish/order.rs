@@ -47,8 +47,15 @@ impl Order {
 
     /// The lines of the inventory that come before what is asked for.
     pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
-        let is_early = |line: &&Line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_));
-        plan.kind.lines.iter().take(if self.many_tables { MATTER } else { 0 }).filter(is_early).collect()
+        let before_tables = if self.many_tables { MATTER } else { 0 };
+        let lines = plan.kind.lines.iter().enumerate();
+        let early = lines.filter(|(at, line)| match line.place {
+            Place::Before(_, 180.0) | Place::Service(_) => *at < before_tables,
+            // What stands at the edge of a balcony stands before its railing.
+            Place::Edge => true,
+            _ => false,
+        });
+        early.map(|(_, line)| line).collect()
     }
 }
 

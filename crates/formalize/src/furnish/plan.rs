@@ -12,6 +12,7 @@ use crate::names::{Names, identifier, words};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
+use std::borrow::Cow;
 use scenelang_lang::nouns;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for; what stands on shelves
@@ -229,9 +230,21 @@ impl<'a> Plan<'a> {
         self.draft.statements.push(Statement::new(&text, Source::Inferred(why.to_owned())));
     }
 
+    /// The name by which the table of groups knows a thing: its own, or that of what such rooms have instead. An armchair in
+    /// a reading nook is a chair to read in.
+    pub(super) fn group_name<'n>(&self, category: &'n str) -> Cow<'n, str> {
+        let noun = category.replace('_', " ");
+        if groups::of(&noun, self.kind.dress).is_empty()
+            && let Some(line) = self.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
+        {
+            return Cow::Borrowed(line.noun);
+        }
+        Cow::Owned(noun)
+    }
+
     /// Adds what goes with a thing, and what goes with that.
     pub fn surround(&mut self, thing: usize, wall: AtWall, deep: usize) {
-        let name = self.draft.things[thing].category.replace('_', " ");
+        let name = self.group_name(&self.draft.things[thing].category).into_owned();
         self.surround_as(&name, thing, wall, deep);
     }
 

@@ -5,6 +5,7 @@ use super::floor::{Floor, Piece, Pose, Shape};
 use super::inventory::TEAM;
 use super::kinds::Place;
 use super::plan::{AtWall, Plan, metres};
+use super::spots::gate;
 use super::{groups, place, stand};
 
 /// So many lights at most.
@@ -104,7 +105,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let spreads = if is_table { &[SPREAD, 0.0][..] } else { &[SPREAD][..] };
     let tries = more.iter().flat_map(|more| spreads.iter().map(move |spread| (toward, *more, *spread)));
     let tries = tries.filter_map(|how| {
-        let upright = || grid(plan, noun, size, reach, n, how);
+        let upright = || grid(plan, [w, d], noun, size, reach, n, how);
         let mut places = turned(plan, noun, size, reach, n, how).or_else(|| places.clone()).or_else(upright)?;
         if let Some(ground) = &plan.ground {
             // What stands there already, and doors, leave less.
@@ -190,7 +191,8 @@ fn crowded(places: &[Pose], cell: [f64; 2]) -> bool {
     places.iter().enumerate().any(|(i, a)| places[..i].iter().any(|b| gap(a, b) < BACKS))
 }
 
-/// Tables with chairs at two of their sides, a quarter turned, where they would otherwise stand in a single line.
+/// Places that are a quarter turned: of tables with chairs at two of their sides that would otherwise stand in a single line,
+/// and of racks in a room with a gate.
 fn turned(
     plan: &Plan,
     noun: &str,
@@ -200,6 +202,13 @@ fn turned(
     toward: (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    if !toward.0 && noun.ends_with("rack") && gate(plan).is_some() {
+        // Aisles lead to the gate, before which is room to turn.
+        let places = grid(plan, [d - BEFORE_GATE, w], noun, size, reach, n, toward)?;
+        let turned = Pose { yaw: 90.0, z: BEFORE_GATE / 2.0, ..Pose::default() };
+        return Some(places.iter().map(|at| turned.then(at)).collect());
+    }
     let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
     if !even || n < SINGLE || stand::group(noun) != crate::brief::Group::Table {
         return None;
@@ -210,8 +219,8 @@ fn turned(
         z.dedup();
         z.len()
     };
-    let upright = grid(plan, noun, size, reach, n, toward).unwrap_or_default();
-    let mut places = grid(plan, noun, [size[2], size[1], size[0]], [back, front, left, right], n, toward)?;
+    let upright = grid(plan, [w, d], noun, size, reach, n, toward).unwrap_or_default();
+    let mut places = grid(plan, [w, d], noun, [size[2], size[1], size[0]], [back, front, left, right], n, toward)?;
     places.iter_mut().for_each(|at| at.yaw = (at.yaw + 90.0) % 360.0);
     (places.len() >= upright.len() && places.len() == n && lines(&upright) <= 1 && lines(&places) > 1).then_some(places)
 }
@@ -220,6 +229,8 @@ fn turned(
 const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
 const AISLES: [f64; 2] = [1.85, 1.2];
+/// Behind a gate so much is free of racks (metres).
+const BEFORE_GATE: f64 = 2.2;
 /// Between the backs of chairs of one table and those of the next.
 const TABLES: f64 = 0.9;
 /// What reaches farther from a table than this is a chair at it; chairs have this much between their backs (metres).
@@ -231,6 +242,11 @@ const BACKS: f64 = 0.4;
 const BESIDE_TABLES: f64 = 0.7;
 /// Between groups of desks.
 const DESKS: f64 = 1.25;
+/// More desks of a class than so many stand in pairs, with so much between the two; between pairs and between lines of them
+/// are ways, one gets out to the side.
+const PAIRED: usize = 8;
+const BETWEEN: f64 = 0.02;
+const PAIRS: [(f64, f64); 2] = [(0.9, 0.6), (0.8, 0.3)];
 /// Between seats beside each other, where they stand in rows, and the least between one row's backs and the next row.
 const SEATS: (f64, f64) = (0.06, 0.5);
 /// The aisle in the middle of rows of so many seats or more.
@@ -255,15 +271,20 @@ fn step(free: f64, cell: f64, count: usize, least: f64, spread: f64) -> f64 {
 /// so far from each other at most if they are tables.
 fn grid(
     plan: &Plan,
+    [w, d]: [f64; 2],
     noun: &str,
     size: [f64; 3],
     reach: [f64; 4],
     n: usize,
     (toward, farther, widest): (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
-    let [w, _, d] = plan.draft.rooms[plan.room].size;
     let [left, right, back, front] = reach;
-    let (cell_w, cell_d) = (left + right, back + front);
+    // Desks of a class stand in pairs.
+    let each = if toward && n > PAIRED && noun.ends_with("desk") { 2 } else { 1 };
+    let (one, cell_d) = (left + right, back + front);
+    let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
+    let asked = n;
+    let n = n.div_ceil(each);
     let flat = size[1] < 0.05;
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = AISLES[usize::from(size[0] < 2.0)];
@@ -295,6 +316,7 @@ fn grid(
     let alone = seat && cell_w < 1.0 && (cell_d - size[2]).abs() < 0.02;
     let ways = match (rack, table) {
         (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
+        _ if each == 2 => PAIRS.to_vec(),
         (_, true) => vec![(TABLES, TABLES), narrow],
         _ if alone => vec![SEATS],
         _ if seat && (cell_d - size[2]).abs() < 0.02 => vec![PEWS, narrow],
@@ -326,7 +348,9 @@ fn grid(
     let columns_used =
         if aisle_of_seats > 0.0 { columns_used.next_multiple_of(2).min(columns & !1) } else { columns_used };
     let exhibit = EXHIBITED.iter().any(|end| noun.ends_with(end));
-    let spread = if table {
+    let spread = if each == 2 {
+        widest.min(PAIRS[0].0)
+    } else if table {
         widest
     } else if exhibit {
         EXHIBITS
@@ -339,16 +363,21 @@ fn grid(
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
     // Who sits at a desk looks over its back; who sits on a seat, the way that faces.
     let yaw = if toward && !seat { 180.0 } else { 0.0 };
+    // Servers draw cold air from one aisle and blow it out into the next.
+    let alternate = noun.ends_with("server rack");
     let off = if toward { (front - back) / 2.0 } else { 0.0 };
     // A short last line keeps to the columns.
     let place = |i: usize| {
-        let (column, line) = (i % columns_used, i / columns_used);
+        let (in_pair, unit) = (i % each, i / each);
+        let (column, line) = (unit % columns_used, unit / columns_used);
         let x = (column as f64 - (columns_used as f64 - 1.0) / 2.0) * step_x;
         let x = x + if 2 * column < columns_used { -0.5 } else { 0.5 } * aisle_of_seats;
+        let x = x + (in_pair as f64 - (each as f64 - 1.0) / 2.0) * (one + BETWEEN);
         let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
+        let yaw = if alternate && line % 2 == 0 { 180.0 } else { yaw };
         Pose { x, y: 0.0, z, yaw }
     };
-    Some((0..n).map(place).collect())
+    Some((0..asked.min(each * n)).map(place).collect())
 }
 
 /// Desks that face each other in groups of four, spread over the floor; `front` is how far one reaches with its chair.

@@ -118,7 +118,9 @@ pub fn best(
 
 /// Places at the walls; `depth` is that of the thing whose back touches the wall.
 pub fn at_walls(size: [f64; 3], shape: &Shape, depth: f64) -> Vec<Pose> {
-    let [left, right, ..] = reach(shape);
+    let [left, right, back, _] = reach(shape);
+    // Who sits behind a drum kit has a place there.
+    let off = (depth / 2.0).max(back) + BEHIND;
     let mut out = Vec::new();
     for wall in Wall::ALL {
         let (low, high) = (left + 0.02 - wall.length(size) / 2.0, wall.length(size) / 2.0 - right - 0.02);
@@ -128,7 +130,7 @@ pub fn at_walls(size: [f64; 3], shape: &Shape, depth: f64) -> Vec<Pose> {
         let steps = ((high - low) / STEP).floor() as usize;
         let along = (0..=steps).map(|i| low + STEP * i as f64).chain([high]);
         let along = along.chain((low < 0.0 && high > 0.0).then_some(0.0));
-        out.extend(along.map(|along| wall.place(size, along, depth / 2.0 + BEHIND)));
+        out.extend(along.map(|along| wall.place(size, along, off)));
     }
     out
 }
@@ -141,12 +143,13 @@ pub fn on_walls(size: [f64; 3], shape: &Shape, depth: f64, y: f64) -> Vec<Pose> 
 }
 
 /// Places in the corners, the back at either wall, or at what stands along the edges.
-pub fn in_corners(size: [f64; 3], of: [f64; 3], edge: f64) -> Vec<Pose> {
+pub fn in_corners(size: [f64; 3], shape: &Shape, of: [f64; 3], edge: f64) -> Vec<Pose> {
     let mut out = Vec::new();
     let beside = BESIDE + edge;
+    let back = reach(shape)[2].max(of[2] / 2.0);
     for wall in Wall::ALL {
         let end = wall.length(size) / 2.0 - of[0] / 2.0 - beside;
-        out.extend([-end, end].map(|along| wall.place(size, along, of[2] / 2.0 + beside)));
+        out.extend([-end, end].map(|along| wall.place(size, along, back + beside)));
     }
     out
 }

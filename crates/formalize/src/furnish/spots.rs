@@ -14,6 +14,8 @@ use std::cell::RefCell;
 /// Before a counter so much is free (metres).
 pub(super) const SERVED: f64 = 1.15;
 
+/// From a dartboard to the line from which one throws (metres; World Darts Federation: 2.37).
+const THROW: f64 = 2.4;
 /// What is narrower is a stand, and no counter.
 pub(super) const STAND: f64 = 1.0;
 
@@ -113,10 +115,10 @@ pub(super) fn gate(plan: &Plan) -> Option<Pose> {
 /// What is kept free around a thing of the inventory, in its frame: behind a counter for who works there, before it for who
 /// is served, beside it for the way there; beside what hangs.
 pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
-    let [w, h, d] = size;
+    let [w, _, d] = size;
     let at = |x: f64, y: f64, z: f64| Pose { x, y, z, yaw: 0.0 };
     if hung {
-        return vec![(at(0.0, -1.4 * beside, 0.0), [w + 2.0 * beside, h + 1.4 * beside, d])];
+        return around_hung(line.noun, size, beside);
     }
     if line.noun.ends_with("car") {
         // Its doors open, and one walks round it.
@@ -143,6 +145,14 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
         (at(pass / 2.0, 0.05, -(d + behind) / 2.0), [w + pass, 1.7, behind]),
         (at((w + pass) / 2.0, 0.05, 0.0), [pass, 1.7, d]),
     ]
+}
+
+/// What is kept free around something on a wall: so much beside it, and where one throws at it.
+pub(super) fn around_hung(noun: &str, [w, h, d]: [f64; 3], beside: f64) -> Vec<(Pose, [f64; 3])> {
+    let around = (Pose { y: -1.4 * beside, ..Pose::default() }, [w + 2.0 * beside, h + 1.4 * beside, d]);
+    let throw = Pose { y: -1.0, z: (d + THROW) / 2.0, ..Pose::default() };
+    let thrown_at = noun.ends_with("dartboard").then_some((throw, [0.9, 1.5, THROW]));
+    [around].into_iter().chain(thrown_at).collect()
 }
 
 /// At both ends of a run whose elements stand apart as much is kept free as between them.
