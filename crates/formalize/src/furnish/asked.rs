@@ -189,14 +189,16 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
     // One sits before a fire, or around it.
     let fire = noun.ends_with("fireplace");
+    // Between two sofas that face each other one looks to the side.
+    let between = || near_to(plan, "sofa").map(|at| Pose { yaw: (at.yaw + 90.0) % 360.0, ..at });
     let choice = Choice {
         noun: &noun,
         size,
         windows: &windows,
-        looks_at: if fire { watched_from(plan) } else { None },
+        looks_at: if fire { watched_from(plan).or_else(between) } else { None },
         strictly: false,
         staffed: staffed(plan),
-        near: if fire { near_to(plan, "sofa") } else { None },
+        near: None,
         beds: &[],
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));

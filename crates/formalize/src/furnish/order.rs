@@ -34,6 +34,9 @@ impl Order {
         let (waiting, asked): Both = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
         let (hung, asked): Both = asked.into_iter().partition(|at| hang::waits(plan, *at));
         let (boards, hung): Both = hung.into_iter().partition(|at| hang::has_place(plan, *at));
+        // One sits before a fire, on what is asked for or on the sofa of such rooms.
+        let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
+        let (fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
         let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
         let many_tables = first.iter().any(many);
@@ -42,6 +45,7 @@ impl Order {
         } else {
             later.extend(with_asked)
         }
+        later.extend(fires);
         Self { boards, first, later, hung, waiting, small, many_tables }
     }
 

@@ -52,11 +52,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let is_asked = |t: &Thing| matches!(t.source, Source::Stated(_)) || for_people(&t.source) && tables(&t.category);
     let own = |t: &Thing| t.room == Some(at) && is_asked(t);
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
-    // What seats go with comes before them, and those who sit before a fire before that.
+    // What seats go with comes before them.
     asked.sort_by_key(|i| {
         let category = &draft.things[*i].category;
-        let sits = stand::group(category) == Group::Seat && !stand::has_back(category);
-        (category.ends_with("fireplace"), sits)
+        stand::group(category) == Group::Seat && !stand::has_back(category)
     });
     let windows = brief.things.iter().any(|t| t.room == at && t.group == Group::Window)
         || closed.iter().any(|name| name.contains("window"))
