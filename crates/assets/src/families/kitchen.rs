@@ -388,6 +388,30 @@ pub(super) fn toaster(a: &Ask) -> Model {
     m
 }
 
+/// A brick oven for wood fires: a plinth, a dome with an arched mouth, a flue.
+pub(super) fn pizza_oven(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let (brick, clay) = (Stuff(Finish::Stone, 0x9c5a3c).surface(), a.main(Stuff(Finish::Plaster, 0xd8c3a5)));
+    let (slab, sill) = (0.5 * a.h, 0.56 * a.h);
+    m.board(b.share(0.03..0.97, 0.0..1.0, 0.03..0.97).y(0.0..slab), &brick);
+    m.board(b.y(slab..sill), &Stuff(Finish::Stone, 0x5f5a55).surface());
+    m.surface = Some(sill);
+    let niche = b.share(0.25..0.75, 0.0..1.0, 0.9..0.97).y(0.1 * a.h..0.38 * a.h);
+    m.mesh.board(niche.z(b.min.z + 0.96 * a.d..b.min.z + 0.98 * a.d), &stuff::BLACK_STEEL.surface());
+    let dome = b.share(0.02..0.98, 0.0..1.0, 0.02..0.9).y(sill..0.9 * a.h);
+    m.solid_drum(dome);
+    m.mesh.lathe(dome, &[(1.0, 0.0), (0.98, 0.25), (0.86, 0.55), (0.62, 0.8), (0.3, 0.95), (0.08, 1.0)], 28, &clay);
+    let arch = b.share(0.28..0.72, 0.0..1.0, 0.7..0.985).y(sill..sill + 0.24 * a.h);
+    m.board(arch, &brick);
+    let mouth = arch.inset(0.06 * a.w, 0.0, 0.0).y(sill + 0.001..sill + 0.17 * a.h);
+    m.mesh.board(mouth.z(b.min.z + 0.97 * a.d..b.min.z + 0.99 * a.d), &Stuff(Finish::Iron, 0x17120f).surface());
+    let fire = mouth.inset(0.03 * a.w, 0.0, 0.0).y(mouth.min.y..mouth.min.y + 0.35 * mouth.size().y);
+    m.mesh.board(fire.z(b.min.z + 0.97 * a.d..b.min.z + 0.995 * a.d), &Stuff(Finish::Glow, 0xff8a2a).surface());
+    m.drum(b.share(0.42..0.58, 0.0..1.0, 0.55..0.71).y(0.8 * a.h..a.h), &stuff::BLACK_STEEL.surface());
+    m
+}
+
 /// A grill on a trolley: a bowl of coals under a lid, a shelf at each side.
 pub(super) fn barbecue(a: &Ask) -> Model {
     let mut m = Model::default();

@@ -107,6 +107,20 @@ pub(super) fn pendant(a: &Ask) -> Model {
     let high = (0.62 * a.h).min(0.8 * a.w.max(a.d));
     let rose = 0.03_f64.min(0.1 * a.h);
     let shade = b.y(0.0..high);
+    if a.says(&["operating", "surgical", "examination", "dental"]) {
+        // A flat head full of small lights on a jointed arm.
+        let head = b.y(0.0..0.16 * a.h);
+        m.solid_drum(head);
+        m.mesh.lathe(head, &[(0.92, 0.0), (1.0, 0.3), (0.7, 0.9), (0.2, 1.0)], 24, &a.main(stuff::WHITE));
+        let light = b.share(0.18..0.42, 0.0..1.0, 0.18..0.42).y(0.0..0.02 * a.h);
+        for light in light.four_corners() {
+            m.mesh.drum(light, &stuff::WARM.surface());
+        }
+        let r = 0.03_f64.min(0.05 * a.w).min(0.05 * a.d);
+        m.drum(about(r, 0.15 * a.h, a.h - rose), &stuff::STEEL.surface());
+        m.drum(b.inset(0.75 * x, 0.0, 0.75 * z).y(a.h - rose..a.h), &stuff::WHITE.surface());
+        return m;
+    }
     if a.says(&["globe", "ball", "paper", "lantern", "sphere"]) {
         m.solid_drum(shade);
         let cut = [(0.35, 0.0), (0.7, 0.1), (0.92, 0.28), (1.0, 0.5), (0.92, 0.72), (0.7, 0.9), (0.35, 1.0)];

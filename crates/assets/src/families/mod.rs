@@ -163,6 +163,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("paper", decor::paper),
     ("parasol", decor::parasol),
     ("partition", openings::partition),
+    ("pizza_oven", kitchen::pizza_oven),
     ("pendant", lighting::pendant),
     ("person", decor::person),
     ("piano", leisure::piano),
