@@ -77,7 +77,8 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         let (room_for, needed) = match in_row {
             true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
             false => {
-                let at_ends = if parts.iter().any(|part| matches!(part.at, groups::Where::LongSides(..))) { 0 } else { 2 };
+                let at_ends =
+                    if parts.iter().any(|part| matches!(part.at, groups::Where::LongSides(..))) { 0 } else { 2 };
                 let along = n.saturating_sub(at_ends).div_ceil(2) as f64 * (own[0] + 0.12) + 0.1;
                 (slots::capacity(size, own, false).saturating_sub(2 - at_ends), along)
             }

@@ -154,6 +154,20 @@ mod tests {
         }
     }
 
+    #[test]
+    fn no_name_is_listed_twice() {
+        let mut seen = std::collections::BTreeSet::new();
+        for line in include_str!("../../data/groups.txt").lines().map(str::trim).filter(|l| l.starts_with('[')) {
+            let (names, dresses) =
+                line.trim_matches(['[', ']']).split_once('@').unwrap_or((line.trim_matches(['[', ']']), ""));
+            for name in names.split(',').map(str::trim) {
+                for dress in dresses.split(',').map(str::trim) {
+                    assert!(seen.insert((name, dress)), "{name} @ {dress}: the later list would hide the earlier one");
+                }
+            }
+        }
+    }
+
     /// What only homes and hotels have lying about.
     const HOMELY: [&str; 7] = ["vase", "photo frame", "figurine", "candle", "fruit bowl", "table lamp", "throw"];
 

@@ -182,7 +182,8 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
     // Where places are known, they say better what there is room for.
     let small = size[0] * size[2] < SMALL;
-    let room_for = |n: &usize| hung || small || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
+    let room_for =
+        |n: &usize| hung || small || plan.matters && plan.ground.is_some() || plan.has_room(size, *n, at_wall);
     let n = (0..=n).rev().find(room_for).unwrap_or(0);
     if n == 0 {
         return false;

@@ -12,8 +12,8 @@ use crate::names::{Names, identifier, words};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
-use std::borrow::Cow;
 use scenelang_lang::nouns;
+use std::borrow::Cow;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for; what stands on shelves
 /// and tables ends before the inventory does.
@@ -321,7 +321,8 @@ impl<'a> Plan<'a> {
         let skipped = self.building.as_ref().map_or(0, |group| group.skipped(noun));
         let mut at = part.at.clone();
         let mut left_out = skipped > 0;
-        if let (Where::Sides(gap, along), Some(side)) = (&part.at, skipped.checked_sub(1).and_then(|k| ONE_SIDE.get(k))) {
+        if let (Where::Sides(gap, along), Some(side)) = (&part.at, skipped.checked_sub(1).and_then(|k| ONE_SIDE.get(k)))
+        {
             at = Where::Side(*gap, *along, *side, 0.0);
             left_out = false;
         }
