@@ -12,7 +12,7 @@ use scenelang_lang::nouns;
 use std::collections::BTreeMap;
 
 /// How often a group is put together anew with less.
-const ATTEMPTS: usize = 12;
+const ATTEMPTS: usize = 9;
 /// Nothing else stands on these.
 const MATS: [&str; 4] = ["exercise mat", "yoga mat", "gym mat", "play mat"];
 /// What is higher stands before no window (metres).
@@ -28,9 +28,6 @@ const ASIDE: f64 = 0.4;
 const FALL: f64 = 0.9;
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
-
-/// Where a part is tried that has no room on both sides: left, then right.
-pub const ONE_SIDE: [f64; 2] = [1.0, -1.0];
 
 /// What a group is not complete without, beside its seats.
 const USED: [&str; 4] = ["kitchen sink", "stove", "fridge", "sink"];
@@ -53,8 +50,8 @@ pub struct Building {
     pub is_crowded: bool,
     /// Where the elements of each thing are, for one element of the first.
     frames: BTreeMap<usize, Vec<Pose>>,
-    /// What each thing but the first is in the table of groups, and whether it stands beside another.
-    parts: BTreeMap<usize, (&'static str, bool)>,
+    /// What each thing but the first is in the table of groups.
+    parts: BTreeMap<usize, &'static str>,
 }
 
 impl Building {
@@ -169,7 +166,7 @@ impl Building {
             }
         }
         self.frames.insert(new, frames);
-        self.parts.insert(new, (noun, matches!(at, Where::Side(..) | Where::Sides(..))));
+        self.parts.insert(new, noun);
     }
 
     /// Whether several elements of a thing are placed together, side by side.
@@ -186,14 +183,7 @@ impl Building {
     /// The part that is left out next: the last that stands somewhere.
     fn least(&self, root: usize) -> Option<&'static str> {
         let last = self.shape.pieces.iter().rev().find(|piece| piece.thing != root)?;
-        let (noun, beside) = self.parts.get(&last.thing).copied()?;
-        let tries = if beside { ONE_SIDE.len() + 1 } else { 1 };
-        (self.skipped(noun) < tries).then_some(noun)
-    }
-
-    /// How often a part was skipped: what stands on both sides of something is tried on one of them before it is left out.
-    pub fn skipped(&self, noun: &str) -> usize {
-        self.skip.iter().filter(|skip| **skip == noun).count()
+        self.parts.get(&last.thing).copied().filter(|noun| !self.skip.contains(noun))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
 
-use super::build::{Building, ONE_SIDE};
+use super::build::Building;
 use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::{Kind, Place, seats_all};
@@ -318,15 +318,10 @@ impl<'a> Plan<'a> {
             return;
         }
         let seat = stand::group(noun) == Group::Seat;
-        let skipped = self.building.as_ref().map_or(0, |group| group.skipped(noun));
-        let mut at = part.at.clone();
-        let mut left_out = skipped > 0;
-        if let (Where::Sides(gap, along), Some(side)) = (&part.at, skipped.checked_sub(1).and_then(|k| ONE_SIDE.get(k)))
-        {
-            at = Where::Side(*gap, *along, *side, 0.0);
-            left_out = false;
-        }
-        let left_out = left_out || seat && self.building.as_ref().is_some_and(|group| group.seated.contains(&thing));
+        let left_out = self
+            .building
+            .as_ref()
+            .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
         // One easy chair is enough for several cribs, one basket and one dryer for several washing machines.
         let for_all = stand::is_easy(noun) || matches!(noun, "laundry basket" | "dryer");
         let shared = noun == "bin" && anchors > 2 || for_all && anchors > 1;
@@ -334,6 +329,7 @@ impl<'a> Plan<'a> {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));
+        let mut at = part.at.clone();
         match &mut at {
             // Cabinets end where the worktop below them does.
             Where::Above(..) => own[0] = own[0].min(of[0]),
