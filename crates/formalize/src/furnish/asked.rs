@@ -4,10 +4,10 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::counter_length;
+use super::inventory::{TEAM, counter_length};
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
-use super::rows::rows;
+use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, kept, near, near_to, nominal, staffed, watched_from};
 use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
@@ -106,10 +106,16 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
     let line = lines.find(|line| stand::counts_as(line.noun, &noun));
     let own = line.map(|line| &line.place);
-    if let (Some(Place::Rows(toward)), true) = (own, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
+    let in_rows = match own {
+        Some(Place::Rows(toward)) => Some(*toward),
+        // The desks of a team stand in groups.
+        Some(Place::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
+        _ => None,
+    };
+    if let (Some(toward), true) = (in_rows, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         if stand::on_floor(plan.draft, &it)
-            && rows(plan, &noun, it.count, *toward, ("such things stand in rows", Some(thing)))
+            && rows(plan, &noun, it.count, toward, ("such things stand in rows", Some(thing)))
         {
             plan.draft
                 .statements

@@ -6,7 +6,7 @@ use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, Plan};
-use super::rows::{ceiling, rows};
+use super::rows::{ceiling, is_desk, rows};
 use super::spots::{beds, ends, free, in_row, kept, near, near_to, nominal, staffed, watched_from};
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
@@ -36,6 +36,8 @@ pub(super) const SHORTER: [(&str, &[f64]); 4] = [
 
 /// What takes less than this of the floor (square metres) has room where it has a place.
 const SMALL: f64 = 0.15;
+/// A worktop that is shorter than this part of the usual length is too short, if there may be more room.
+const STUNTED: f64 = 0.7;
 /// Where many books are asked for there are so many bookcases.
 pub(super) const BOOKCASES: usize = 3;
 
@@ -96,7 +98,7 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
             rows(plan, line.noun, n, *toward, (&why, None));
         }
         // The desks of a team stand in groups, not one by one.
-        Place::Floor if n >= TEAM && line.noun.ends_with("desk") => {
+        Place::Floor if n >= TEAM && is_desk(line.noun) => {
             rows(plan, line.noun, n, false, (&why, None));
         }
         _ => single(plan, line, n, &why),
@@ -158,8 +160,11 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
     let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
     let known = plan.ground.is_some();
+    let usual = size[0];
     for width in shorter.filter(|_| known) {
         if single_of(plan, line, n, why, size, true) {
+            // A kitchen with hardly a worktop wants a larger room.
+            plan.lacking += usize::from(plan.matters && size[0] < STUNTED * usual && line.noun.ends_with("counter"));
             return;
         }
         size[0] = *width;

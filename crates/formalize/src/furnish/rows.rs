@@ -94,7 +94,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let [left, right, back, front] = reach;
     let (cell_w, cell_d) = (left + right, back + front);
     let flat = size[1] < 0.05;
-    let facing = !toward && n >= TEAM && noun.ends_with("desk");
+    let facing = !toward && n >= TEAM && is_desk(noun);
     let places = if facing { pairs([w, d], size, front, n) } else { None };
     let matters = plan.matters || asked.is_some();
     // A team that finds no room for its groups of desks wants a larger one.
@@ -157,6 +157,11 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     true
 }
 
+/// Whether someone works at it, who has others of a team around.
+pub fn is_desk(noun: &str) -> bool {
+    noun.ends_with("desk") || noun.ends_with("workstation")
+}
+
 /// The same places, all moved so that as many as possible are free, and no farther than needed.
 fn shifted(places: &[Pose], is_free: &dyn Fn(&Pose) -> bool) -> Vec<Pose> {
     const STEP: f64 = 0.25;
@@ -203,10 +208,17 @@ fn turned(
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
     let [w, _, d] = plan.draft.rooms[plan.room].size;
-    if !toward.0 && noun.ends_with("rack") && gate(plan).is_some() {
-        // Aisles lead to the gate, before which is room to turn.
-        let places = grid(plan, [d - BEFORE_GATE, w], noun, size, reach, n, toward)?;
-        let turned = Pose { yaw: 90.0, z: BEFORE_GATE / 2.0, ..Pose::default() };
+    // Aisles lead to the gate, before which is room to turn, or to where one pays.
+    let pays = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Service(_)));
+    let before = match () {
+        () if toward.0 => None,
+        () if noun.ends_with("rack") => gate(plan).map(|_| BEFORE_GATE),
+        () if noun.ends_with("gondola") && pays => Some(BEFORE_TILLS),
+        () => None,
+    };
+    if let Some(before) = before {
+        let places = grid(plan, [d - before, w], noun, size, reach, n, toward)?;
+        let turned = Pose { yaw: 90.0, z: before / 2.0, ..Pose::default() };
         return Some(places.iter().map(|at| turned.then(at)).collect());
     }
     let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
@@ -229,8 +241,9 @@ fn turned(
 const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
 const AISLES: [f64; 2] = [1.85, 1.2];
-/// Behind a gate so much is free of racks (metres).
+/// Behind a gate so much is free of racks, and so much of shelves where one pays (metres).
 const BEFORE_GATE: f64 = 2.2;
+const BEFORE_TILLS: f64 = 3.2;
 /// Between the backs of chairs of one table and those of the next.
 const TABLES: f64 = 0.9;
 /// What reaches farther from a table than this is a chair at it; chairs have this much between their backs (metres).
@@ -280,7 +293,7 @@ fn grid(
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
     // Desks of a class stand in pairs.
-    let each = if toward && n > PAIRED && noun.ends_with("desk") { 2 } else { 1 };
+    let each = if toward && n > PAIRED && is_desk(noun) { 2 } else { 1 };
     let (one, cell_d) = (left + right, back + front);
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
     let asked = n;

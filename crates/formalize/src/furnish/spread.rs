@@ -78,7 +78,11 @@ impl Choice<'_> {
                             let middle = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / n as f64;
                             let off = middle(|at| at.x).abs() + middle(|at| at.z).abs();
                             let room = self.room(floor, shape, &places).min(gap_x).min(gap_z);
-                            found.push((room - OFF * off, places));
+                            // A mat is lain on: not where one stands before something else.
+                            let flat = self.size[1] < 0.05;
+                            let is_trodden = |at: &Pose| flat && floor.keeps_free(&Block::of(at, self.size));
+                            let trodden = if places.iter().any(is_trodden) { FAR } else { 0.0 };
+                            found.push((room - OFF * off - trodden, places));
                         }
                     }
                 }
