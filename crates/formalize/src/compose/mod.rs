@@ -8,7 +8,11 @@ mod usual;
 
 use crate::brief::{Brief, Group, Look, Rel, What, too_many};
 use crate::draft::{Draft, Note, Opening, OpeningKind, Room, Source, Surface, Thing};
+use crate::furnish::kinds;
 use crate::names::{Names, identifier};
+
+/// Kinds of rooms that have no ceiling.
+const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
 
 /// The draft of a brief.
 pub fn compose(brief: &Brief) -> Draft {
@@ -37,7 +41,8 @@ pub fn compose(brief: &Brief) -> Draft {
     draft.outdoor = brief.rooms.len() == 1
         && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
             .iter()
-            .any(|o| brief.rooms[0].name.ends_with(o));
+            .any(|o| brief.rooms[0].name.ends_with(o))
+        || brief.rooms.len() == 1 && kinds::of(&brief.rooms[0].name).is_some_and(|kind| OPEN_AIR.contains(&kind.name));
     let mut counts: Vec<usize> = (0..brief.things.len())
         .map(|i| if brief.things[i].opening() { brief.count(i).min(8) } else { brief.count(i) })
         .collect();

@@ -137,7 +137,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let several = |line: &&Line| matches!(line.place, Place::Service(_) | Place::Before(_, 0.0)) && it.count <= SERVED;
     let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
     let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
-    let has_back = stand::has_back(&it.category) && !apart;
+    // Who serves stands behind a counter.
+    let is_served = own_place.is_some_and(|line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_)));
+    let has_back = stand::has_back(&it.category) && !apart && !is_served;
     let is_on_floor = stand::on_floor(plan.draft, &it);
     let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
     let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };

@@ -26,6 +26,9 @@ const PASS: f64 = 0.5;
 const ASIDE: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
 const FALL: f64 = 0.9;
+/// What one lies on to be treated, and how much is free on both sides.
+const TREATED: [&str; 3] = ["treatment table", "massage table", "therapy table"];
+const BESIDE_TABLE: f64 = 0.6;
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
@@ -107,6 +110,11 @@ impl Building {
         if bed && (w >= 1.2 || noun.ends_with("hospital bed")) {
             for side in [-1.0, 1.0] {
                 keep(side * (w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);
+            }
+        } else if TREATED.iter().any(|end| noun.ends_with(end)) {
+            // One works at both sides of who lies there.
+            for side in [-1.0, 1.0] {
+                keep(side * (w + BESIDE_TABLE) / 2.0, 0.0, [BESIDE_TABLE, 0.9, d]);
             }
         } else if bed {
             keep((w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);

@@ -245,6 +245,7 @@ fn calls(text: &str) -> Vec<&str> {
 fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
     match part.at {
         Where::Row(_, gap) => vec![Where::Row(each, gap)],
+        Where::RowBehind(_, gap) => vec![Where::RowBehind(each, gap)],
         Where::Around(_, gap) => vec![Where::Around(each, gap)],
         Where::LongSides(_, gap) => vec![Where::LongSides(each, gap)],
         Where::Side(gap, along, left, yaw) => {
@@ -265,9 +266,10 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
 
 /// Whether a part stands on the floor beside what it goes with, or is a television on its stand.
 fn is_claimed(part: &Part) -> bool {
-    use Where::{Around, Back, Enclose, Front, LongSides, Row, Side, Sides, Top};
+    use Where::{Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top};
     match part.at {
-        Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | Around(..) | LongSides(..) => true,
+        Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
+        Around(..) | LongSides(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
         _ => false,
     }

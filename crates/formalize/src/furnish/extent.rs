@@ -10,6 +10,8 @@ use crate::draft::{Draft, Thing};
 
 /// How often a room grows in which something that matters finds no room, and by how much.
 const GROWN: usize = 5;
+/// The same of one that is said to be small.
+const GROWN_SMALL: usize = 2;
 const GROWTH: f64 = 1.07;
 /// How often a room becomes smaller that has more floor than its furniture needs: as a whole, and then each side by so
 /// much.
@@ -41,7 +43,8 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
         return;
     }
     if furnished.wants() != (0, 0) {
-        furnished = grow(draft, empty.clone(), at, furnished, &once);
+        let most = if scale(brief, at) == Scale::Small { GROWN_SMALL } else { GROWN };
+        furnished = grow(draft, empty.clone(), (at, most), furnished, &once);
     }
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
     // A ward is as large as its beds need.
@@ -58,11 +61,11 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
 fn grow(
     draft: &mut Draft,
     mut empty: Draft,
-    at: usize,
+    (at, most): (usize, usize),
     mut best: Furnished,
     furnish: &impl Fn(&mut Draft) -> Furnished,
 ) -> Furnished {
-    for _ in 0..GROWN {
+    for _ in 0..most {
         for k in [0, 2] {
             empty.rooms[at].size[k] = (empty.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
         }

@@ -165,8 +165,11 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     let thing = &brief.things[at];
     let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
     let line = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()))?;
-    let rows = matches!(line.place, kinds::Place::Rows(_)) && thing.number == Number::Plural && thing.part.is_none();
+    let plural = thing.number == Number::Plural && thing.part.is_none();
+    let rows = matches!(line.place, kinds::Place::Rows(_)) && plural;
     match line.count {
+        // "A pharmacy with shelves": as many as such shops have.
+        kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
         kinds::Count::Area(each) if rows => Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize),
         // "A church with pews": as many as its people need.
         kinds::Count::People(each) if rows => {

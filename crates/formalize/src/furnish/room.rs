@@ -39,6 +39,7 @@ impl Furnished {
 /// Furnishes a room of its size with as much as one of `counted` square metres has.
 pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> Furnished {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
+    let kind = if receives(draft, at) { kinds::of("private office") } else { kind };
     let Some(kind) = kind else { return Furnished::default() };
     let doors_ruled_out = brief.absent.iter().any(|(name, _)| name.contains("door"));
     if !draft.outdoor && !doors_ruled_out {
@@ -53,9 +54,16 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let own = |t: &Thing| t.room == Some(at) && is_asked(t);
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
     // What seats go with comes before them.
+    let at_back = |category: &str| {
+        let noun = category.replace('_', " ");
+        let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
+        own.is_some_and(|line| matches!(line.place, Place::Back(_)))
+    };
+    // So does what has its place at the back: a robot stands before its conveyor.
     asked.sort_by_key(|i| {
         let category = &draft.things[*i].category;
-        stand::group(category) == Group::Seat && !stand::has_back(category)
+        let sits = stand::group(category) == Group::Seat && !stand::has_back(category);
+        (sits, !at_back(category))
     });
     let windows = brief.things.iter().any(|t| t.room == at && t.group == Group::Window)
         || closed.iter().any(|name| name.contains("window"))
@@ -87,6 +95,13 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let furnished = Furnished { lacking: plan.lacking, idle, unreached };
     keep_windows_free(plan.draft, at);
     furnished
+}
+
+/// Whether visitors are received in a study: the desk stands before them, not at a wall.
+fn receives(draft: &Draft, at: usize) -> bool {
+    let visits = |noun: &str| noun.ends_with("visitor_chair") || noun.ends_with("guest_chair");
+    let studies = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| kind.name == "home office");
+    studies && draft.things.iter().any(|thing| thing.room == Some(at) && visits(&thing.category))
 }
 
 /// Gives what is asked for and the inventory their places; of a `crowd`, what is asked for is left to the search.

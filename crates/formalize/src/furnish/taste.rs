@@ -62,12 +62,15 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 21] = [
+const NOT_WOODEN: [&str; 24] = [
     "office chair",
     "desk chair",
     "lab bench",
     "bar stool",
     "exam table",
+    "examination table",
+    "treatment table",
+    "therapy table",
     "massage table",
     "operating table",
     "barber chair",
