@@ -76,7 +76,8 @@ fn usual(brief: &mut Brief, people: usize) {
     if !has(brief, &["living room", "studio apartment"]) {
         add(brief, "living room", "a home has a living room");
     }
-    if !has(brief, &["kitchen"]) {
+    let cooks = brief.things.iter().any(|thing| thing.name() == "kitchen counter");
+    if !cooks && !has(brief, &["kitchen"]) {
         add(brief, "kitchen", "a home has a kitchen");
     }
     if !has(brief, &SLEEP) {

@@ -276,9 +276,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     let is_scattered = it.count > 1
         && row.borrow().is_empty()
         && stand::group(&it.category) == Group::Table
-        && groups::of(&noun, plan.kind.dress)
-            .iter()
-            .any(|part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..)));
+        && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
     plan.lacking += usize::from(!placed || is_scattered);
     placed
 }

@@ -5,7 +5,7 @@ use super::inventory::{TEAM, has_seats};
 use super::kinds::{Count, Line, Place};
 use super::plan::Plan;
 use super::room::{MATTER, tables};
-use super::{hang, tops};
+use super::{hang, stand, tops};
 
 /// Indices of the things that are asked for.
 pub struct Order {
@@ -21,7 +21,7 @@ pub struct Order {
     pub waiting: Vec<usize>,
     /// What stands on things.
     pub small: Vec<usize>,
-    /// Whether there are many tables: they leave the place where such rooms have their counter.
+    /// Whether there are many tables, or one to play at: they leave the place where such rooms have their counter.
     many_tables: bool,
 }
 
@@ -38,7 +38,10 @@ impl Order {
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
         let (fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
-        let many = |at: &usize| plan.draft.things[*at].count > 2 && tables(&plan.draft.things[*at].category);
+        let many = |at: &usize| {
+            let thing = &plan.draft.things[*at];
+            thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
+        };
         let many_tables = first.iter().any(many);
         if later.is_empty() {
             first.extend(with_asked)

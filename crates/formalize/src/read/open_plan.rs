@@ -2,6 +2,7 @@
 
 use super::paraphrase::{put, word};
 use super::token::{Kind, Token};
+use super::zones::HOMES;
 
 /// What says that the rooms that follow are one, and in how many words.
 const ONE: [&[&str]; 6] =
@@ -23,6 +24,7 @@ const WHOLE: [&str; 4] = ["living", "lounge", "kitchen", "dining"];
 
 /// Turns several rooms that are said to be one into the first of them, with what the others have.
 pub fn plain(tokens: &mut Vec<Token>) {
+    open_kitchen(tokens);
     let mut i = 0;
     while i < tokens.len() {
         let said = |words: &&&[&str]| words.iter().enumerate().all(|(k, w)| word(tokens, i + k) == *w);
@@ -31,6 +33,16 @@ pub fn plain(tokens: &mut Vec<Token>) {
             merge(tokens, i, first);
         }
         i += 1;
+    }
+}
+
+/// "A flat with an open kitchen": one cooks in the living room, unless that is spoken of.
+fn open_kitchen(tokens: &mut Vec<Token>) {
+    let is_home = tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home)));
+    let lives = tokens.iter().any(|t| t.is("living") || t.is("lounge"));
+    let open = |i: &usize| word(tokens, *i) == "open" && word(tokens, *i + 1) == "kitchen";
+    if let Some(at) = (1..tokens.len()).find(open).filter(|at| is_home && !lives && word(tokens, at - 1) == "an") {
+        put(tokens, at - 1, at + 2, &["a", "living", "room", "with", "a", "kitchen", "counter"]);
     }
 }
 
@@ -98,6 +110,7 @@ mod tests {
             ("an open-plan office", "an open-plan office"),
             ("an open plan kitchen", "an open plan kitchen"),
             ("a living room and a kitchen", "a living room and a kitchen"),
+            ("a flat with an open kitchen", "a flat with a living room with a kitchen counter"),
         ] {
             let mut tokens = token::tokens(text, 100).0;
             super::plain(&mut tokens);

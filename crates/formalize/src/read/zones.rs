@@ -19,7 +19,7 @@ const HAS: [&str; 7] = ["with", "has", "having", "featuring", "including", "cont
 /// What follows a part that is a room of its own, or of which something else is told.
 const OWN: [&str; 5] = ["of", "measuring", "is", "are", "that"];
 /// Homes have rooms by these names.
-const HOMES: [&str; 10] =
+pub(super) const HOMES: [&str; 10] =
     ["apartment", "flat", "house", "condo", "cabin", "cottage", "bungalow", "penthouse", "villa", "loft"];
 /// The most words of a room's name.
 const LONGEST: usize = 4;
