@@ -140,13 +140,16 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
         let needed = each_side * (Plan::size(part.noun)[0] + 0.12) + 0.1;
         size[0] = size[0].max(needed.min(w.max(d) - 2.0));
     }
-    // A bar is as long as the stools need that are asked for and stand at it.
-    let row = groups::of(noun, plan.kind.dress).iter().find(|part| matches!(part.at, groups::Where::Row(..)));
+    // A bar is as long as the stools need that are asked for and stand at it, and a table as its chairs do.
+    let at_length = |part: &&groups::Part| matches!(part.at, groups::Where::Row(..) | groups::Where::LongSides(..));
+    let row = groups::of(noun, plan.kind.dress).iter().find(at_length);
     if let (Some(part), 1) = (row, n) {
         let stools = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
         let stools = stools.filter(|t| matches!(t.source, Source::Stated(_)) && !stand::placed(plan.draft, &t.name));
         let stools = stools.filter(|t| stand::counts_as(part.noun, &t.category.replace('_', " ")));
-        let needed = stools.map(|t| slots::row(t.count, t.size.map_or(0.4, |own| own[0]))).fold(0.0, f64::max);
+        let sides = if matches!(part.at, groups::Where::Row(..)) { 1 } else { 2 };
+        let own = |t: &Thing| t.size.map_or(0.4, |own| own[0]);
+        let needed = stools.map(|t| slots::row(t.count.div_ceil(sides), own(t))).fold(0.0, f64::max);
         let [w, _, d] = plan.draft.rooms[plan.room].size;
         size[0] = size[0].max((needed.min(w.max(d) - 2.0) * 100.0).ceil() / 100.0);
     }
@@ -164,7 +167,10 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     for width in shorter.filter(|_| known) {
         if single_of(plan, line, n, why, size, true) {
             // A kitchen with hardly a worktop wants a larger room.
-            plan.lacking += usize::from(plan.matters && size[0] < STUNTED * usual && line.noun.ends_with("counter"));
+            let [w, _, d] = plan.draft.rooms[plan.room].size;
+            let small = w * d < 0.9 * plan.kind.size[0] * plan.kind.size[2];
+            let stunted = plan.matters && !small && size[0] < STUNTED * usual;
+            plan.lacking += usize::from(stunted && line.noun.ends_with("counter"));
             return;
         }
         size[0] = *width;
