@@ -76,15 +76,25 @@ namespace Scenelang
             {
                 return "it has " + surfaces + " materials for " + filter.sharedMesh.subMeshCount + " submeshes";
             }
-            List<Vector3> vertices = new List<Vector3>();
-            filter.sharedMesh.GetVertices(vertices);
             Vector3 min = Vector3.positiveInfinity;
             Vector3 max = Vector3.negativeInfinity;
-            foreach (Vector3 vertex in vertices)
+            // Doors and drawers have meshes of their own.
+            foreach (MeshFilter part in item.GetComponentsInChildren<MeshFilter>(true))
             {
-                Vector3 world = item.transform.TransformPoint(vertex);
-                min = Vector3.Min(min, world);
-                max = Vector3.Max(max, world);
+                if (part.GetComponentInParent<ScenelangObject>() != item) continue;
+                if (part.sharedMesh == null) return "the mesh of " + part.name + " is missing";
+                List<Vector3> vertices = new List<Vector3>();
+                part.sharedMesh.GetVertices(vertices);
+                foreach (Vector3 vertex in vertices)
+                {
+                    Vector3 world = part.transform.TransformPoint(vertex);
+                    min = Vector3.Min(min, world);
+                    max = Vector3.Max(max, world);
+                }
+            }
+            foreach (Joint joint in item.GetComponentsInChildren<Joint>(true))
+            {
+                if (joint.connectedBody == null) return "the joint of " + joint.name + " is connected to nothing";
             }
             if (Far(min, item.boundsMin) || Far(max, item.boundsMax))
             {

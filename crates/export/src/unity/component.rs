@@ -11,11 +11,13 @@ pub(super) mod class {
     pub const MESH_RENDERER: u32 = 23;
     pub const MESH_FILTER: u32 = 33;
     pub const RIGIDBODY: u32 = 54;
+    pub const HINGE_JOINT: u32 = 59;
     pub const MESH_COLLIDER: u32 = 64;
     pub const BOX_COLLIDER: u32 = 65;
     pub const AUDIO_LISTENER: u32 = 81;
     pub const LIGHT: u32 = 108;
     pub const MONO_BEHAVIOUR: u32 = 114;
+    pub const CONFIGURABLE_JOINT: u32 = 153;
 }
 
 fn layers() -> Yaml {
@@ -39,6 +41,17 @@ pub(super) fn box_collider(center: Vec3, size: Vec3) -> Map {
     fields.extend(map! {
         "serializedVersion" => 3, "m_Size" => vector(narrow(size)), "m_Center" => vector(narrow(center)),
     });
+    fields
+}
+
+/// What is touched but stops nothing.
+pub(super) fn box_trigger(center: Vec3, size: Vec3) -> Map {
+    let mut fields = box_collider(center, size);
+    for (key, value) in &mut fields {
+        if key == "m_IsTrigger" {
+            *value = Yaml::from(1);
+        }
+    }
     fields
 }
 

@@ -3,6 +3,7 @@
 
 mod component;
 mod ids;
+mod joint;
 mod material;
 mod mesh_obj;
 mod project;

@@ -2,16 +2,18 @@
 //! and a camera beside it.
 
 use super::component::{self, Shine, class};
+use super::ids::anchor;
 use super::project::{Project, mesh_of};
 use super::tree::{Node, narrow, scene_file};
 use super::yaml::{Yaml, asset, map, vector};
-use super::{Material, mesh_obj};
+use super::{Material, joint, mesh_obj};
 use crate::Scene;
 use crate::geometry::mesh::Group;
 use crate::names::Stems;
+use crate::physics::{Body as Jointed, Moving};
 use crate::scene::{Body, Lamp, Object, Role, Shell, View, view};
 use nalgebra::{Matrix3, UnitQuaternion};
-use scenelang_layout::{Aabb, Convex, Obb, Vec3, rotation};
+use scenelang_layout::{Aabb, Convex, Joint as Told, Motion, Obb, Vec3, rotation};
 use sha2::{Digest, Sha256};
 
 /// GUIDs of the text assets.
@@ -99,10 +101,20 @@ impl Writer<'_> {
         node.pos = object.place.pos;
         node.axes = object.axes;
         node.fixed = object.body == Body::Static;
-        let mesh = self.mesh(&format!("Objects/{}", object.stem), &object.mesh);
-        self.show(&mut node, &mesh, &object.mesh);
-        for (i, body) in object.solid.iter().enumerate() {
+        let whole = Jointed::object(object);
+        let mesh = self.mesh(&format!("Objects/{}", object.stem), &whole.drawn);
+        self.show(&mut node, &mesh, &whole.drawn);
+        let joints: &[Told] = if whole.moving.is_empty() { &[] } else { &object.place.joints };
+        let owner = |part: usize| joints.iter().position(|joint| joint.parts.contains(&part));
+        for (i, body) in object.solid.iter().enumerate().filter(|(i, _)| owner(*i).is_none()) {
             self.collider(&mut node, object, i, body);
+        }
+        for (index, (piece, told)) in whole.moving.iter().zip(joints).enumerate() {
+            let mut child = self.piece(object, index, piece, told);
+            for (i, body) in object.solid.iter().enumerate().filter(|(i, _)| owner(*i) == Some(index)) {
+                self.collider(&mut child, object, i, body);
+            }
+            node.children.push(child);
         }
         // What belongs to a thing is moved with it.
         let own = |l: &&Lamp| l.object.is_some_and(|index| std::ptr::eq(&raw const self.scene.objects[index], object));
@@ -111,9 +123,11 @@ impl Writer<'_> {
             child.pos = object.axes.transpose() * (light.pos - object.place.pos);
             node.children.push(child);
         }
-        if object.body != Body::Static {
-            let held = object.body == Body::Held;
-            node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(object.mass, held));
+        // A joint needs a body to hang on, also where that stands still.
+        if object.body != Body::Static || !whole.moving.is_empty() {
+            let held = object.body != Body::Free;
+            let mass = whole.inertia.filter(|_| !whole.moving.is_empty()).map_or(object.mass, |inertia| inertia.mass);
+            node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(mass, held));
         }
         let ids = object.rows.iter().map(|&r| Yaml::from(self.scene.rows[r].id.as_str())).collect::<Vec<_>>();
         let bounds = world_bounds(object);
@@ -132,6 +146,26 @@ impl Writer<'_> {
                 },
             ),
         );
+        node
+    }
+
+    /// What moves against an object, closed, in the frame of the object; without its colliders.
+    fn piece(&mut self, object: &Object, index: usize, piece: &Moving, told: &Told) -> Node {
+        let mut node = Node::new(format!("object:{}/joint{index}", object.name), told.name.clone());
+        let mesh = self.mesh(&format!("Objects/{}.joint{index}", object.stem), &piece.drawn);
+        self.show(&mut node, &mesh, &piece.drawn);
+        node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(piece.inertia.mass, false));
+        let to = anchor(&format!("object:{}", object.name), "Rigidbody");
+        match piece.joint.motion {
+            Motion::Hinge => node.add(class::HINGE_JOINT, "HingeJoint", joint::hinge(&piece.joint, to)),
+            Motion::Slide => node.add(class::CONFIGURABLE_JOINT, "ConfigurableJoint", joint::slide(&piece.joint, to)),
+        }
+        if let Some(handle) = told.handle {
+            let mut grip = Node::new(format!("object:{}/joint{index}/handle", object.name), "handle");
+            grip.pos = handle;
+            grip.add(class::BOX_COLLIDER, "BoxCollider", component::box_trigger(Vec3::zeros(), Vec3::repeat(GRIP)));
+            node.children.push(grip);
+        }
         node
     }
 
@@ -168,6 +202,9 @@ impl Writer<'_> {
         node.add(class::MESH_RENDERER, "MeshRenderer", component::mesh_renderer(materials));
     }
 }
+
+/// A hand finds a handle within a cube of this size, metres.
+const GRIP: f64 = 0.06;
 
 fn sun() -> Node {
     let mut node = Node::new("light:sun", "Sun");
