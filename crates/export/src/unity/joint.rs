@@ -131,5 +131,15 @@ mod tests {
         assert!(bodies.iter().all(|body| solid.iter().filter(|o| **o == owner(body)).count() == 1), "a part each");
         let handles = documents("65 ").iter().filter(|d| d.contains("m_IsTrigger: 1")).count();
         assert_eq!(handles, 1, "only the door has a handle");
+        // What the scripts know of them.
+        let scripts: Vec<&str> = documents("114 ").into_iter().filter(|d| d.contains("  motion: ")).collect();
+        let [door, drawer] = &scripts[..] else { panic!("a script on each piece") };
+        for (script, id, motion, max) in [(door, "cupboard/door", 0, "110"), (drawer, "cupboard/drawer", 1, "0.3")] {
+            for line in [format!("id: {id}"), format!("motion: {motion}"), format!("max: {max}")] {
+                assert!(script.contains(&format!("  {line}\n")), "{line}: {script}");
+            }
+        }
+        let grip = super::super::ids::anchor("object:cupboard/joint0/handle", "Transform");
+        assert!(door.contains(&format!("handle: {{fileID: {grip}}}")) && drawer.contains("handle: {fileID: 0}"));
     }
 }
