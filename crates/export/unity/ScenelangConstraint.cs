@@ -1,5 +1,4 @@
 using System;
-using UnityEngine;
 
 namespace Scenelang
 {
@@ -62,5 +61,13 @@ namespace Scenelang
             }
             return false;
         }
+    }
+
+    /// <summary>The list of all rows, as it is in the project.</summary>
+    [Serializable]
+    public sealed class ScenelangReport
+    {
+        /// <summary>In the order of the report.</summary>
+        public ScenelangConstraint[] constraints;
     }
 }

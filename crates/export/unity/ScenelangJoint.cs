@@ -29,7 +29,7 @@ namespace Scenelang
 
         /// <summary>A point of the axis in the frame of the object.</summary>
         [Tooltip("A point of the axis in the frame of the object.")]
-        public Vector3 anchor;
+        public Vector3 pivot;
 
         /// <summary>The least opening: degrees of a hinge, metres of a slide; 0 is closed.</summary>
         [Tooltip("Degrees of a hinge, metres of a slide; 0 is closed.")]
@@ -122,7 +122,7 @@ namespace Scenelang
             }
             Quaternion turn = Quaternion.AngleAxis(opening, axis);
             transform.localRotation = turn;
-            transform.localPosition = anchor - turn * anchor;
+            transform.localPosition = pivot - turn * pivot;
         }
 
         /// <summary>Gives it a speed of opening against its object for one step: degrees or metres per second.</summary>
@@ -144,7 +144,7 @@ namespace Scenelang
             {
                 Vector3 turning = along * (speed * Mathf.Deg2Rad);
                 angular += turning;
-                linear += Vector3.Cross(turning, centre - frame.TransformPoint(anchor));
+                linear += Vector3.Cross(turning, centre - frame.TransformPoint(pivot));
             }
             body.AddForce(linear - body.GetPointVelocity(centre), ForceMode.VelocityChange);
             body.AddTorque(angular - body.angularVelocity, ForceMode.VelocityChange);

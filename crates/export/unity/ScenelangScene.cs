@@ -31,8 +31,23 @@ namespace Scenelang
         [Tooltip("The version of scenelang that wrote this scene.")]
         public string version;
 
+        /// <summary>The rows of the report, in the form that <see cref="Constraints"/> reads.</summary>
+        [Tooltip("The rows of the report, for scripts.")]
+        public TextAsset rows;
+
+        // An editor that reloads scripts would otherwise make an empty one of none.
+        [NonSerialized]
+        ScenelangReport read;
+
         /// <summary>The rows of the report.</summary>
-        public ScenelangConstraint[] constraints;
+        public ScenelangConstraint[] Constraints
+        {
+            get
+            {
+                if (read == null && rows != null) read = JsonUtility.FromJson<ScenelangReport>(rows.text);
+                return read == null ? new ScenelangConstraint[0] : read.constraints;
+            }
+        }
 
         /// <summary>All objects of the program, in its order.</summary>
         public ScenelangObject[] Objects
@@ -58,18 +73,18 @@ namespace Scenelang
         /// </summary>
         public ScenelangObject[] FindByRequirement(string words)
         {
-            HashSet<string> rows = new HashSet<string>();
-            foreach (ScenelangConstraint row in constraints)
+            HashSet<string> asked = new HashSet<string>();
+            foreach (ScenelangConstraint row in Constraints)
             {
-                if (row.Requires(words)) rows.Add(row.id);
+                if (row.Requires(words)) asked.Add(row.id);
             }
-            return Array.FindAll(Objects, item => Array.Exists(item.constraints, row => rows.Contains(row)));
+            return Array.FindAll(Objects, item => Array.Exists(item.constraints, row => asked.Contains(row)));
         }
 
         /// <summary>The constraints that an object is in.</summary>
         public ScenelangConstraint[] ConstraintsOf(ScenelangObject item)
         {
-            return Array.FindAll(constraints, row => Array.IndexOf(item.constraints, row.id) >= 0);
+            return Array.FindAll(Constraints, row => Array.IndexOf(item.constraints, row.id) >= 0);
         }
 
         /// <summary>The objects that are in a constraint.</summary>

@@ -44,7 +44,7 @@ namespace Scenelang
             EditorGUILayout.EndHorizontal();
             EditorGUILayout.LabelField(Summary(scene));
             scroll = EditorGUILayout.BeginScrollView(scroll);
-            foreach (ScenelangConstraint row in scene.constraints)
+            foreach (ScenelangConstraint row in scene.Constraints)
             {
                 if (violatedOnly && row.verdict != ScenelangVerdict.Violated) continue;
                 if (words == "" || Mentions(row)) Show(scene, row);
@@ -65,7 +65,7 @@ namespace Scenelang
         static string Summary(ScenelangScene scene)
         {
             int[] counts = new int[3];
-            foreach (ScenelangConstraint row in scene.constraints) counts[(int)row.verdict]++;
+            foreach (ScenelangConstraint row in scene.Constraints) counts[(int)row.verdict]++;
             string text = counts[(int)ScenelangVerdict.Holds] + " hold, " + counts[(int)ScenelangVerdict.Violated] + " are violated";
             int open = counts[(int)ScenelangVerdict.NotJudged];
             return open == 0 ? text : text + ", " + open + " could not be judged";

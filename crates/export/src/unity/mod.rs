@@ -56,6 +56,7 @@ impl Exporter for Unity {
             spec: project.asset("Assets/Scenelang/spec.scene.txt", scene.main_text()),
             layout: project.asset("Assets/Scenelang/layout.json", scene.layout_text.as_str()),
             report: project.asset("Assets/Scenelang/report.json", format!("{:#}\n", scene.report)),
+            rows: project.asset("Assets/Scenelang/constraints.json", scene::rows(scene)),
         };
         let scripts = scripts(&mut project);
         let mut writer = scene::Writer {

@@ -95,7 +95,7 @@ impl Writer<'_> {
             "id" => piece.name.as_str(),
             "motion" => motion,
             "axis" => vector(narrow(piece.joint.axis)),
-            "anchor" => vector(narrow(piece.joint.anchor)),
+            "pivot" => vector(narrow(piece.joint.anchor)),
             "min" => told.limits[0] as f32,
             "max" => told.limits[1] as f32,
             "handle" => grip.as_ref().map_or_else(none, |grip| local(grip.transform())),

@@ -10,10 +10,10 @@ use super::{Material, mesh_obj};
 use crate::Scene;
 use crate::geometry::mesh::Group;
 use crate::names::Stems;
-use crate::scene::{Lamp, Role, Shell, View, view};
+use crate::scene::{Lamp, Role, Row, Shell, View, view};
 use nalgebra::{Matrix3, UnitQuaternion};
 use scenelang_layout::{Vec3, rotation};
-use serde_json::Value;
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 /// GUIDs of the text assets.
@@ -21,6 +21,7 @@ pub(super) struct Texts {
     pub spec: String,
     pub layout: String,
     pub report: String,
+    pub rows: String,
 }
 
 /// GUIDs of the scripts.
@@ -57,7 +58,7 @@ impl Writer<'_> {
                     "report" => asset(4_900_000, &texts.report, 3),
                     "layoutSha256" => Yaml::Word(sha256(&self.scene.layout_text)),
                     "version" => Yaml::Word(env!("CARGO_PKG_VERSION").into()),
-                    "constraints" => self.constraints(),
+                    "rows" => asset(4_900_000, &texts.rows, 3),
                 },
             ),
         );
@@ -74,31 +75,6 @@ impl Writer<'_> {
         let hung = self.scene.lamps.iter().filter(|lamp| lamp.object.is_none());
         roots.extend(hung.map(|light| lamp(light, self.editor)));
         scene_file(|stream| component::settings(stream, self.editor), &roots)
-    }
-
-    /// The rows of the report, as the scripts have them.
-    fn constraints(&self) -> Vec<Yaml> {
-        let told = self.scene.report["constraints"].as_array().map(Vec::as_slice).unwrap_or_default();
-        let row = |(row, told): (&crate::scene::Row, &Value)| {
-            let text = |key: &str| told[key].as_str().unwrap_or_default();
-            let texts = |key: &str| {
-                let all = told[key].as_array().into_iter().flatten().filter_map(Value::as_str);
-                all.map(Yaml::from).collect::<Vec<_>>()
-            };
-            let verdict = row.satisfied.map_or(0, |holds| if holds { 1 } else { 2 });
-            Yaml::from(map! {
-                "id" => row.id.as_str(),
-                "kind" => row.kind.as_str(),
-                "text" => text("text"),
-                "message" => text("message"),
-                "verdict" => verdict,
-                "margin" => told["margin"].as_f64().unwrap_or_default() as f32,
-                "unit" => text("unit"),
-                "requirements" => texts("requirements"),
-                "objects" => texts("objects"),
-            })
-        };
-        self.scene.rows.iter().zip(told).map(row).collect()
     }
 
     fn shell(&mut self, shell: &Shell) -> Option<Node> {
@@ -184,4 +160,27 @@ fn sha256(text: &str) -> String {
         let _ = write!(out, "{byte:02x}");
         out
     })
+}
+
+/// The rows of the report as the scripts read them: Unity's reader of JSON fills in classes, and knows no null.
+pub(super) fn rows(scene: &Scene) -> String {
+    let told = scene.report["constraints"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let row = |(row, told): (&Row, &Value)| {
+        let text = |key: &str| told[key].as_str().unwrap_or_default();
+        let texts =
+            |key: &str| -> Vec<&str> { told[key].as_array().into_iter().flatten().filter_map(Value::as_str).collect() };
+        json!({
+            "id": row.id,
+            "kind": row.kind,
+            "text": text("text"),
+            "message": text("message"),
+            "verdict": row.satisfied.map_or(0, |holds| if holds { 1 } else { 2 }),
+            "margin": told["margin"].as_f64().unwrap_or_default(),
+            "unit": text("unit"),
+            "requirements": texts("requirements"),
+            "objects": texts("objects"),
+        })
+    };
+    let rows: Vec<Value> = scene.rows.iter().zip(told).map(row).collect();
+    format!("{:#}\n", json!({ "constraints": rows }))
 }

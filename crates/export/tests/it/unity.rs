@@ -204,15 +204,35 @@ fn floors_walls_openings_and_furniture_have_layers_and_tags_that_the_project_nam
 #[test]
 fn the_scene_carries_the_rows_of_the_report() {
     let files = project(&scene(), Pipeline::BuiltIn);
-    let scenes = documents(&files["unity/Assets/Scenes/room.unity"]);
-    let root = scenes.iter().find(|d| d.2.contains("layoutSha256")).unwrap().2;
-    let rows: Vec<&str> = root.split("\n  - id: ").skip(1).collect();
-    assert_eq!(rows.len(), 3);
-    let verdicts: Vec<&str> = rows.iter().map(|row| value(row, "verdict").unwrap()).collect();
-    assert_eq!(verdicts, ["1", "2", "2"]);
-    assert_eq!((value(rows[1], "margin"), value(rows[1], "unit")), (Some("-0.999"), Some("m")));
-    assert!(rows[0].contains("    objects:\n    - \"chair[1]\"\n    - table") && rows[0].contains("requirements: []"));
-    assert_eq!(value(rows[2], "kind"), Some("prefer"));
+    let told: serde_json::Value = serde_json::from_str(&files["unity/Assets/Scenelang/constraints.json"]).unwrap();
+    let rows = told["constraints"].as_array().unwrap();
+    let verdicts: Vec<i64> = rows.iter().map(|row| row["verdict"].as_i64().unwrap()).collect();
+    assert_eq!(verdicts, [1, 2, 2]);
+    assert_eq!((&rows[1]["margin"], &rows[1]["unit"]), (&(-0.999).into(), &"m".into()));
+    assert_eq!(rows[0]["objects"], serde_json::json!(["chair[1]", "table"]));
+    assert_eq!(rows[2]["kind"], "prefer");
+    // The reader leaves a field of another name or kind as it is, and says nothing.
+    let script = &files["unity/Assets/Scenelang/Scripts/ScenelangConstraint.cs"];
+    for (field, kind) in [
+        ("id", "string"),
+        ("kind", "string"),
+        ("text", "string"),
+        ("message", "string"),
+        ("verdict", "ScenelangVerdict"),
+        ("margin", "float"),
+        ("unit", "string"),
+        ("requirements", "string[]"),
+        ("objects", "string[]"),
+    ] {
+        assert!(script.contains(&format!("public {kind} {field};")), "{field}");
+        assert!(rows.iter().all(|row| !row[field].is_null()), "{field}");
+    }
+    let guid = value(&files["unity/Assets/Scenelang/constraints.json.meta"], "guid").unwrap();
+    assert!(
+        files["unity/Assets/Scenes/room.unity"]
+            .replace(",\n   ", ",")
+            .contains(&format!("rows: {{fileID: 4900000, guid: {guid}"))
+    );
 }
 
 #[test]

@@ -30,7 +30,8 @@ namespace UnityEngine
     public class Behaviour : Component { }
     public class MonoBehaviour : Behaviour { }
     public class ScriptableObject : Object { }
-    public class TextAsset : Object { }
+    public class TextAsset : Object { public string text { get { return null; } } }
+    public static class JsonUtility { public static T FromJson<T>(string json) { return default(T); } }
 
     public sealed class GameObject : Object
     {
