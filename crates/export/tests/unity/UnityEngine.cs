@@ -1,5 +1,6 @@
-// As much of Unity's API as the scripts of an exported project use, without any behaviour: the compiler checks the scripts
-// against it. What is here has the names and signatures of Unity's manual for 2022.3 and 6000.0.
+// As much of Unity's API as the scripts of an exported project use, with the names and signatures of Unity's manual for 2022.3
+// and 6000.0: the compiler checks the scripts against it. Vectors, turns and local poses compute, by Unity's left-handed
+// conventions, so that a test can open doors; nothing else does anything.
 
 using System;
 using System.Collections.Generic;
@@ -9,6 +10,7 @@ namespace UnityEngine
     public class Object
     {
         public string name { get; set; }
+        public static T FindAnyObjectByType<T>() where T : Object { return null; }
         public static bool operator ==(Object a, Object b) { return ReferenceEquals(a, b); }
         public static bool operator !=(Object a, Object b) { return !ReferenceEquals(a, b); }
         public override bool Equals(object other) { return ReferenceEquals(this, other); }
@@ -17,7 +19,8 @@ namespace UnityEngine
 
     public class Component : Object
     {
-        public Transform transform { get { return null; } }
+        Transform own;
+        public Transform transform { get { return own = own ?? new Transform(); } }
         public GameObject gameObject { get { return null; } }
         public T GetComponent<T>() { return default(T); }
         public T GetComponentInParent<T>() { return default(T); }
@@ -65,24 +68,38 @@ namespace UnityEngine
         public static Vector3 negativeInfinity { get { return default(Vector3); } }
         public float magnitude { get { return 0; } }
         public Vector3 normalized { get { return this; } }
-        public static float Dot(Vector3 lhs, Vector3 rhs) { return 0; }
-        public static Vector3 Cross(Vector3 lhs, Vector3 rhs) { return lhs; }
+        public static float Dot(Vector3 lhs, Vector3 rhs) { return lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z; }
+        public static Vector3 Cross(Vector3 lhs, Vector3 rhs)
+        {
+            return new Vector3(
+                lhs.y * rhs.z - lhs.z * rhs.y, lhs.z * rhs.x - lhs.x * rhs.z, lhs.x * rhs.y - lhs.y * rhs.x);
+        }
         public static Vector3 Min(Vector3 lhs, Vector3 rhs) { return lhs; }
         public static Vector3 Max(Vector3 lhs, Vector3 rhs) { return lhs; }
-        public static float Distance(Vector3 a, Vector3 b) { return 0; }
-        public static Vector3 operator +(Vector3 a, Vector3 b) { return a; }
-        public static Vector3 operator -(Vector3 a, Vector3 b) { return a; }
-        public static Vector3 operator -(Vector3 a) { return a; }
-        public static Vector3 operator *(Vector3 a, float d) { return a; }
-        public static Vector3 operator *(float d, Vector3 a) { return a; }
+        public static float Distance(Vector3 a, Vector3 b) { return (float)Math.Sqrt(Dot(a - b, a - b)); }
+        public static Vector3 operator +(Vector3 a, Vector3 b) { return new Vector3(a.x + b.x, a.y + b.y, a.z + b.z); }
+        public static Vector3 operator -(Vector3 a, Vector3 b) { return new Vector3(a.x - b.x, a.y - b.y, a.z - b.z); }
+        public static Vector3 operator -(Vector3 a) { return new Vector3(-a.x, -a.y, -a.z); }
+        public static Vector3 operator *(Vector3 a, float d) { return new Vector3(a.x * d, a.y * d, a.z * d); }
+        public static Vector3 operator *(float d, Vector3 a) { return a * d; }
     }
 
     public struct Quaternion
     {
         public float x, y, z, w;
-        public static Quaternion identity { get { return default(Quaternion); } }
-        public static Quaternion AngleAxis(float angle, Vector3 axis) { return default(Quaternion); }
-        public static Vector3 operator *(Quaternion rotation, Vector3 point) { return point; }
+        public static Quaternion identity { get { return AngleAxis(0, default(Vector3)); } }
+        public static Quaternion AngleAxis(float angle, Vector3 axis)
+        {
+            double half = angle * Mathf.Deg2Rad / 2;
+            Vector3 v = axis * (float)Math.Sin(half);
+            return new Quaternion { x = v.x, y = v.y, z = v.z, w = (float)Math.Cos(half) };
+        }
+        public static Vector3 operator *(Quaternion rotation, Vector3 point)
+        {
+            Vector3 v = new Vector3(rotation.x, rotation.y, rotation.z);
+            Vector3 across = Vector3.Cross(v, point) * 2;
+            return point + across * rotation.w + Vector3.Cross(v, across);
+        }
     }
 
     public struct Bounds
@@ -107,12 +124,16 @@ namespace UnityEngine
         public const float Deg2Rad = 0.0174532924F;
         public const float Rad2Deg = 57.29578F;
         public const float Infinity = float.PositiveInfinity;
-        public static float Abs(float f) { return f; }
-        public static float Atan2(float y, float x) { return y; }
+        public static float Abs(float f) { return Math.Abs(f); }
+        public static float Atan2(float y, float x) { return (float)Math.Atan2(y, x); }
         public static int CeilToInt(float f) { return 0; }
         public static float Clamp(float value, float min, float max) { return value; }
-        public static float Clamp01(float value) { return value; }
-        public static float DeltaAngle(float current, float target) { return target; }
+        public static float Clamp01(float value) { return Math.Min(Math.Max(value, 0), 1); }
+        public static float DeltaAngle(float current, float target)
+        {
+            float by = (target - current) % 360;
+            return by > 180 ? by - 360 : by <= -180 ? by + 360 : by;
+        }
         public static float Min(float a, float b) { return a; }
         public static float Sign(float f) { return f; }
     }
