@@ -63,11 +63,25 @@ namespace Scenelang
         }
     }
 
-    /// <summary>The list of all rows, as it is in the project.</summary>
+    /// <summary>Two objects that may share space by permission of the program.</summary>
+    [Serializable]
+    public sealed class ScenelangOverlap
+    {
+        /// <summary>The name of one.</summary>
+        public string a;
+
+        /// <summary>The name of the other.</summary>
+        public string b;
+    }
+
+    /// <summary>What the project knows of the constraints.</summary>
     [Serializable]
     public sealed class ScenelangReport
     {
-        /// <summary>In the order of the report.</summary>
+        /// <summary>The rows of the report, in its order.</summary>
         public ScenelangConstraint[] constraints;
+
+        /// <summary>Objects that may overlap, and are so near each other that they might.</summary>
+        public ScenelangOverlap[] overlaps;
     }
 }

@@ -57,7 +57,7 @@ namespace Scenelang
             }
         }
 
-        static void Pass(ScenelangJoint a, ScenelangJoint b)
+        internal static void Pass(Component a, Component b)
         {
             foreach (Collider part in a.GetComponentsInChildren<Collider>())
             {

@@ -31,21 +31,37 @@ namespace Scenelang
         [Tooltip("The version of scenelang that wrote this scene.")]
         public string version;
 
-        /// <summary>The rows of the report, in the form that <see cref="Constraints"/> reads.</summary>
-        [Tooltip("The rows of the report, for scripts.")]
+        /// <summary>The rows of the report, and which objects may overlap, in the form that the scripts read.</summary>
+        [Tooltip("The rows of the report, and which objects may overlap, for scripts.")]
         public TextAsset rows;
 
         // An editor that reloads scripts would otherwise make an empty one of none.
         [NonSerialized]
         ScenelangReport read;
 
-        /// <summary>The rows of the report.</summary>
-        public ScenelangConstraint[] Constraints
+        ScenelangReport Report
         {
             get
             {
                 if (read == null && rows != null) read = JsonUtility.FromJson<ScenelangReport>(rows.text);
-                return read == null ? new ScenelangConstraint[0] : read.constraints;
+                return read ?? new ScenelangReport { constraints = new ScenelangConstraint[0], overlaps = new ScenelangOverlap[0] };
+            }
+        }
+
+        /// <summary>The rows of the report.</summary>
+        public ScenelangConstraint[] Constraints
+        {
+            get { return Report.constraints; }
+        }
+
+        // What may overlap is not pushed apart.
+        void Awake()
+        {
+            foreach (ScenelangOverlap pair in Report.overlaps)
+            {
+                ScenelangObject a = Find(pair.a);
+                ScenelangObject b = Find(pair.b);
+                if (a != null && b != null) ScenelangObject.Pass(a, b);
             }
         }
 

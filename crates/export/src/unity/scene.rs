@@ -162,7 +162,7 @@ fn sha256(text: &str) -> String {
     })
 }
 
-/// The rows of the report as the scripts read them: Unity's reader of JSON fills in classes, and knows no null.
+/// The rows of the report, and which objects may overlap, as the scripts read them: Unity's reader of JSON fills in classes, and knows no null.
 pub(super) fn rows(scene: &Scene) -> String {
     let told = scene.report["constraints"].as_array().map(Vec::as_slice).unwrap_or_default();
     let row = |(row, told): (&Row, &Value)| {
@@ -182,5 +182,8 @@ pub(super) fn rows(scene: &Scene) -> String {
         })
     };
     let rows: Vec<Value> = scene.rows.iter().zip(told).map(row).collect();
-    format!("{:#}\n", json!({ "constraints": rows }))
+    // Bodies that may share space must not push each other apart.
+    let name = |index: usize| scene.objects[index].name.as_str();
+    let pairs: Vec<Value> = scene.overlaps.iter().map(|&[a, b]| json!({ "a": name(a), "b": name(b) })).collect();
+    format!("{:#}\n", json!({ "constraints": rows, "overlaps": pairs }))
 }

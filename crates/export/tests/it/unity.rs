@@ -203,7 +203,9 @@ fn floors_walls_openings_and_furniture_have_layers_and_tags_that_the_project_nam
 
 #[test]
 fn the_scene_carries_the_rows_of_the_report() {
-    let files = project(&scene(), Pipeline::BuiltIn);
+    let mut scene = scene();
+    scene.overlaps = vec![[0, 1]];
+    let files = project(&scene, Pipeline::BuiltIn);
     let told: serde_json::Value = serde_json::from_str(&files["unity/Assets/Scenelang/constraints.json"]).unwrap();
     let rows = told["constraints"].as_array().unwrap();
     let verdicts: Vec<i64> = rows.iter().map(|row| row["verdict"].as_i64().unwrap()).collect();
@@ -211,6 +213,7 @@ fn the_scene_carries_the_rows_of_the_report() {
     assert_eq!((&rows[1]["margin"], &rows[1]["unit"]), (&(-0.999).into(), &"m".into()));
     assert_eq!(rows[0]["objects"], serde_json::json!(["chair[1]", "table"]));
     assert_eq!(rows[2]["kind"], "prefer");
+    assert_eq!(told["overlaps"], serde_json::json!([{ "a": "table", "b": "chair[0]" }]));
     // The reader leaves a field of another name or kind as it is, and says nothing.
     let script = &files["unity/Assets/Scenelang/Scripts/ScenelangConstraint.cs"];
     for (field, kind) in [
