@@ -1,8 +1,8 @@
 //! `--only` and `--all-formats`: which formats are written, and what they leave out.
 
-use crate::args::Formats;
+use crate::args::{Formats, UnityVersion};
 use scenelang_base::plain;
-use scenelang_export::unity::{Pipeline, Unity};
+use scenelang_export::unity::{Editor, Pipeline, Unity};
 use scenelang_export::urdf::Urdf;
 use scenelang_export::{Exporter, Loss, all_exporters, exporters};
 use serde_json::{Value, json};
@@ -10,7 +10,11 @@ use serde_json::{Value, json};
 /// The exporters asked for, Unity's for a pipeline; the usual ones if none are.
 pub fn chosen(asked: &Formats, pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
     let known = if asked.all_formats || !asked.only.is_empty() { all_exporters() } else { exporters() };
-    let unity = Unity { pipeline };
+    let editor = match asked.unity {
+        UnityVersion::V2022 => Editor::V2022,
+        UnityVersion::V6000 => Editor::V6000,
+    };
+    let unity = Unity { pipeline, editor };
     let own =
         |e: Box<dyn Exporter>| -> Box<dyn Exporter> { if e.name() == unity.name() { Box::new(unity) } else { e } };
     let wanted = known.into_iter().filter(|e| asked.only.is_empty() || asked.only.iter().any(|o| o == e.name()));

@@ -530,6 +530,21 @@ pub struct Formats {
     /// All formats, not only the default ones
     #[arg(long, conflicts_with = "only")]
     pub all_formats: bool,
+    /// The version of Unity that the Unity project is for
+    #[arg(long, value_enum, default_value_t, value_name = "VERSION")]
+    pub unity: UnityVersion,
+}
+
+/// `synth --unity`, `export --unity`
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum UnityVersion {
+    /// Unity 2022.3
+    #[default]
+    #[value(name = "2022.3")]
+    V2022,
+    /// Unity 6 (6000.0)
+    #[value(name = "6000")]
+    V6000,
 }
 
 /// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`, `query --format`

@@ -50,6 +50,22 @@ fn only_the_usual_formats_are_written_unless_others_are_asked_for() {
 }
 
 #[test]
+fn a_unity_project_is_for_the_version_that_is_asked_for() {
+    let folder = solved();
+    let version = |out: &str| {
+        fs::read_to_string(folder.path().join(out).join("unity/ProjectSettings/ProjectVersion.txt")).unwrap()
+    };
+    assert_eq!(export(folder.path(), &["--only", "unity"]).code, 0);
+    assert!(version("out").starts_with("m_EditorVersion: 2022.3."));
+    assert_eq!(export(folder.path(), &["--only", "unity", "--unity", "6000"]).code, 0);
+    assert!(version("out").starts_with("m_EditorVersion: 6000.0."));
+    let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "made", "--only", "unity", "--unity", "6000"]);
+    assert_eq!(ended.code, 0, "{}", ended.stderr);
+    assert!(version("made").starts_with("m_EditorVersion: 6000.0."));
+    assert_eq!(export(folder.path(), &["--unity", "5"]).code, 2);
+}
+
+#[test]
 fn what_a_format_cannot_hold_is_said() {
     let folder = solved();
     let ended = export(folder.path(), &["--only", "usd,sdf"]);

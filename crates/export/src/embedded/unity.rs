@@ -166,3 +166,52 @@ fn local(document: &Document) -> Option<Matrix4<f64>> {
     let rot = document.numbers("m_LocalRotation", ["x", "y", "z", "w"])?;
     Some(transform(pos, rot, document.numbers("m_LocalScale", xyz).unwrap_or([1.0; 3])))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Carrier, read};
+    use crate::Exporter;
+    use crate::physics::fixture::cupboard;
+    use crate::unity::Unity;
+    use scenelang_lang::sources::Loader;
+    use std::collections::BTreeMap;
+    use std::io;
+    use std::path::{Path, PathBuf};
+
+    struct Files(BTreeMap<PathBuf, String>);
+
+    impl Loader for Files {
+        fn load(&self, path: &Path) -> io::Result<Vec<u8>> {
+            self.0.get(path).map(|text| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
+        }
+    }
+
+    /// What is said of the cupboard after an edit of the scene file, and whether its layout is still the exported one.
+    fn after(edit: impl Fn(String) -> String) -> (Vec<String>, bool) {
+        let text = |path: &Path, bytes: &[u8]| {
+            let text = String::from_utf8_lossy(bytes).into_owned();
+            if path.ends_with("room.unity") { edit(text) } else { text }
+        };
+        let files = Unity::default().files(&cupboard()).unwrap();
+        let files = Files(files.into_iter().map(|f| (f.path.clone(), text(&f.path, &f.bytes))).collect());
+        let found = read("unity", Path::new("unity"), Carrier::Unity, &files).unwrap();
+        let said = found.changes.iter().map(|change| change.message.clone()).collect();
+        (said, found.layout == found.exported)
+    }
+
+    /// Moves the game object of a name.
+    fn moved(text: &str, name: &str) -> String {
+        let at = text.find(&format!("m_Name: {name}\n")).unwrap();
+        let from = at + text[at..].find("m_LocalPosition: {").unwrap();
+        let to = from + text[from..].find('\n').unwrap();
+        format!("{}m_LocalPosition: {{x: 0.1, y: 0, z: 0.5}}{}", &text[..from], &text[to..])
+    }
+
+    #[test]
+    fn an_opened_drawer_is_no_change_of_its_cupboard() {
+        assert_eq!(after(|text| text), (Vec::new(), true));
+        assert_eq!(after(|text| moved(&text, "drawer")), (Vec::new(), true));
+        let (said, same) = after(|text| moved(&text, "cupboard"));
+        assert!(said.len() == 1 && said[0].starts_with("`cupboard` was moved by") && !same, "{said:?}");
+    }
+}

@@ -78,7 +78,7 @@ pub(crate) type Apart = (Vec<Group>, Vec<Vec<Group>>);
 
 impl<'a> Body<'a> {
     /// An object, and what of it opens.
-    fn object(object: &'a Object) -> Self {
+    pub fn object(object: &'a Object) -> Self {
         let loose = object.body == Holding::Free;
         let geoms = shape::of_object(object);
         let mut body = Self {

@@ -1,5 +1,6 @@
-//! The fields of the components that a scene needs, for Unity 2022.3.
+//! The fields of the components that a scene needs, for Unity 2022.3 or 6000.
 
+use super::editor::Editor;
 use super::tree::narrow;
 use super::yaml::{Map, Stream, Yaml, asset, color, map, none, vector};
 use crate::scene::Lamp;
@@ -11,11 +12,13 @@ pub(super) mod class {
     pub const MESH_RENDERER: u32 = 23;
     pub const MESH_FILTER: u32 = 33;
     pub const RIGIDBODY: u32 = 54;
+    pub const HINGE_JOINT: u32 = 59;
     pub const MESH_COLLIDER: u32 = 64;
     pub const BOX_COLLIDER: u32 = 65;
     pub const AUDIO_LISTENER: u32 = 81;
     pub const LIGHT: u32 = 108;
     pub const MONO_BEHAVIOUR: u32 = 114;
+    pub const CONFIGURABLE_JOINT: u32 = 153;
 }
 
 fn layers() -> Yaml {
@@ -39,6 +42,17 @@ pub(super) fn box_collider(center: Vec3, size: Vec3) -> Map {
     fields.extend(map! {
         "serializedVersion" => 3, "m_Size" => vector(narrow(size)), "m_Center" => vector(narrow(center)),
     });
+    fields
+}
+
+/// What is touched but stops nothing.
+pub(super) fn box_trigger(center: Vec3, size: Vec3) -> Map {
+    let mut fields = box_collider(center, size);
+    for (key, value) in &mut fields {
+        if key == "m_IsTrigger" {
+            *value = Yaml::from(1);
+        }
+    }
     fields
 }
 
@@ -73,12 +87,13 @@ pub(super) fn mesh_renderer(materials: Vec<Yaml>) -> Map {
 }
 
 /// A rigid body of a mass in kilograms; a held one is moved by scripts only.
-pub(super) fn rigidbody(mass: f64, held: bool) -> Map {
+pub(super) fn rigidbody(mass: f64, held: bool, editor: Editor) -> Map {
+    let [linear, angular] = editor.either(["m_Drag", "m_AngularDrag"], ["m_LinearDamping", "m_AngularDamping"]);
     map! {
-        "serializedVersion" => 4,
+        "serializedVersion" => editor.either(4, 5),
         "m_Mass" => mass as f32,
-        "m_Drag" => 0,
-        "m_AngularDrag" => 0.05,
+        linear => 0,
+        angular => 0.05,
         "m_CenterOfMass" => vector([0.0; 3]),
         "m_InertiaTensor" => vector([1.0; 3]),
         "m_InertiaRotation" => super::yaml::quaternion([0.0, 0.0, 0.0, 1.0]),
@@ -118,14 +133,14 @@ pub(super) enum Shine<'a> {
 /// Unity's intensity of a lamp for its square root of candelas: a lamp is as bright as the eye finds it.
 const BRIGHT: f32 = 0.2;
 
-pub(super) fn light(shine: &Shine<'_>) -> Map {
+pub(super) fn light(shine: &Shine<'_>, editor: Editor) -> Map {
     let (kind, range, intensity, tint, shadows) = match shine {
         Shine::Sun => (1, 10.0, 0.7, [1.0, 0.97, 0.92], 2),
         Shine::Lamp(lamp) => (2, lamp.range, BRIGHT * (lamp.candela as f32).sqrt(), lamp.color, 0),
     };
     map! {
         "m_Enabled" => 1,
-        "serializedVersion" => 10,
+        "serializedVersion" => editor.either(10, 11),
         "m_Type" => kind,
         "m_Shape" => 0,
         "m_Color" => color(tint, 1.0),
@@ -179,8 +194,13 @@ pub(super) fn camera(fov: f64) -> Map {
     }
 }
 
+/// Who walks on the navigation mesh, in metres: half the width, the height, and what is no step.
+pub(super) const RADIUS: f32 = 0.25;
+pub(super) const HEIGHT: f32 = 1.8;
+pub(super) const STEP: f32 = 0.05;
+
 /// The four settings that a scene file begins with: evenly lit, without fog, nothing baked.
-pub(super) fn settings(stream: &mut Stream) {
+pub(super) fn settings(stream: &mut Stream, editor: Editor) {
     let ambient = [0.46, 0.47, 0.5];
     stream.document(29, 1, "OcclusionCullingSettings", &map! {
         "m_ObjectHideFlags" => 0,
@@ -195,7 +215,7 @@ pub(super) fn settings(stream: &mut Stream) {
         "RenderSettings",
         &map! {
             "m_ObjectHideFlags" => 0,
-            "serializedVersion" => 9,
+            "serializedVersion" => editor.either(9, 10),
             "m_Fog" => 0,
             "m_AmbientSkyColor" => color(ambient, 1.0),
             "m_AmbientEquatorColor" => color(ambient, 1.0),
@@ -208,28 +228,25 @@ pub(super) fn settings(stream: &mut Stream) {
             "m_Sun" => none(),
         },
     );
-    stream.document(
-        157,
-        3,
-        "LightmapSettings",
-        &map! {
-            "m_ObjectHideFlags" => 0,
-            "serializedVersion" => 12,
-            "m_GIWorkflowMode" => 1,
+    // Unity 6 bakes light when it is told to, and has no switch for it.
+    let switch = editor.either(map! { "m_GIWorkflowMode" => 1 }, Map::new());
+    let mut lightmaps = map! { "m_ObjectHideFlags" => 0, "serializedVersion" => editor.either(12, 13) };
+    lightmaps.extend(switch);
+    lightmaps.extend(map! {
             "m_GISettings" => map! {
                 "serializedVersion" => 2, "m_BounceScale" => 1, "m_IndirectOutputScale" => 1, "m_AlbedoBoost" => 1,
                 "m_EnvironmentLightingMode" => 0, "m_EnableBakedLightmaps" => 0, "m_EnableRealtimeLightmaps" => 0,
             },
             "m_LightingDataAsset" => none(),
             "m_LightingSettings" => none(),
-        },
-    );
+    });
+    stream.document(157, 3, "LightmapSettings", &lightmaps);
     stream.document(196, 4, "NavMeshSettings", &map! {
         "serializedVersion" => 2,
         "m_ObjectHideFlags" => 0,
         "m_BuildSettings" => map! {
-            "serializedVersion" => 3, "agentTypeID" => 0, "agentRadius" => 0.25, "agentHeight" => 1.8, "agentSlope" => 45,
-            "agentClimb" => 0.05, "ledgeDropHeight" => 0, "maxJumpAcrossDistance" => 0, "minRegionArea" => 0.2,
+            "serializedVersion" => 3, "agentTypeID" => 0, "agentRadius" => RADIUS, "agentHeight" => HEIGHT, "agentSlope" => 45,
+            "agentClimb" => STEP, "ledgeDropHeight" => 0, "maxJumpAcrossDistance" => 0, "minRegionArea" => 0.2,
             "manualCellSize" => 0, "cellSize" => 0.08, "manualTileSize" => 0, "tileSize" => 256,
             "buildHeightMesh" => 0, "maxJobWorkers" => 0, "preserveTilesOutsideBounds" => 0,
         },

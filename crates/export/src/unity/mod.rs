@@ -1,10 +1,13 @@
-//! A Unity 2022.3 project as text: scene, meshes, materials, colliders, lights, and the program with its layout and
+//! A Unity project as text, for 2022.3 or 6000: scene, meshes, materials, colliders, lights, and the program with its layout and
 //! report as text assets. Opens without packages from elsewhere and without a first import by hand.
 
 mod component;
+mod editor;
 mod ids;
+mod joint;
 mod material;
 mod mesh_obj;
+mod object;
 mod project;
 mod scene;
 mod tree;
@@ -12,6 +15,7 @@ mod yaml;
 
 use crate::names::Stems;
 use crate::{ExportError, Exporter, OutFile, Scene, textures};
+pub use editor::Editor;
 use project::Project;
 pub use project::ROOT;
 use scenelang_assets::Surface;
@@ -23,6 +27,8 @@ use std::collections::BTreeMap;
 pub struct Unity {
     /// Which shaders materials use.
     pub pipeline: Pipeline,
+    /// Which editor it is for.
+    pub editor: Editor,
 }
 
 /// A render pipeline.
@@ -41,7 +47,7 @@ impl Exporter for Unity {
     }
 
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        let mut project = Project::default();
+        let mut project = Project::new(self.editor);
         let materials = self.materials(scene, &mut project)?;
         if let Some(imports) = scene.imports() {
             project.asset("Assets/Scenelang/imports.json", format!("{imports:#}\n"));
@@ -50,23 +56,49 @@ impl Exporter for Unity {
             spec: project.asset("Assets/Scenelang/spec.scene.txt", scene.main_text()),
             layout: project.asset("Assets/Scenelang/layout.json", scene.layout_text.as_str()),
             report: project.asset("Assets/Scenelang/report.json", format!("{:#}\n", scene.report)),
+            rows: project.asset("Assets/Scenelang/constraints.json", scene::rows(scene)),
         };
-        let scripts = scene::Scripts {
-            scene: project.asset("Assets/Scenelang/Scripts/ScenelangScene.cs", SCENE_SCRIPT),
-            object: project.asset("Assets/Scenelang/Scripts/ScenelangObject.cs", OBJECT_SCRIPT),
+        let scripts = scripts(&mut project);
+        let mut writer = scene::Writer {
+            scene,
+            project: &mut project,
+            materials: &materials,
+            scripts: &scripts,
+            editor: self.editor,
+            stems: Stems::default(),
         };
-        project.asset("Assets/Editor/ScenelangSelfTest.cs", SELF_TEST);
-        let mut writer = scene::Writer { scene, project: &mut project, materials: &materials, stems: Stems::default() };
-        let bytes = writer.write(&texts, &scripts);
+        let bytes = writer.write(&texts);
         let name = Stems::default().take(&scene.name);
         project.asset(&format!("Assets/Scenes/{name}.unity"), bytes);
         Ok(project.finish(&name, self.pipeline))
     }
 }
 
-const SCENE_SCRIPT: &str = include_str!("../../unity/ScenelangScene.cs");
-const OBJECT_SCRIPT: &str = include_str!("../../unity/ScenelangObject.cs");
-const SELF_TEST: &str = include_str!("../../unity/ScenelangSelfTest.cs");
+/// A script of the project: its file name and its text.
+macro_rules! script {
+    ($name:literal) => {
+        ($name, include_str!(concat!("../../unity/", $name)))
+    };
+}
+
+/// For the editor only.
+const EDITOR_SCRIPTS: [(&str, &str); 3] =
+    [script!("ScenelangJointTest.cs"), script!("ScenelangSelfTest.cs"), script!("ScenelangWindow.cs")];
+
+/// Adds the scripts; the GUIDs of those that are components.
+fn scripts(project: &mut Project) -> scene::Scripts {
+    for (name, text) in EDITOR_SCRIPTS {
+        project.asset(&format!("Assets/Editor/{name}"), text);
+    }
+    let mut add = |(name, text): (&str, &str)| project.asset(&format!("Assets/Scenelang/Scripts/{name}"), text);
+    add(script!("ScenelangConstraint.cs"));
+    scene::Scripts {
+        scene: add(script!("ScenelangScene.cs")),
+        object: add(script!("ScenelangObject.cs")),
+        joint: add(script!("ScenelangJoint.cs")),
+        nav_mesh: add(script!("ScenelangNavMesh.cs")),
+    }
+}
 
 /// A material of the project.
 struct Material {

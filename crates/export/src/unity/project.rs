@@ -1,5 +1,7 @@
 //! The project around the scene: a `.meta` file beside every asset and folder, the package list, the settings.
 
+use super::editor::Editor;
+use super::tree::Layer;
 use super::yaml::{Map, Stream, Yaml, asset, map, none};
 use super::{Pipeline, ids};
 use crate::OutFile;
@@ -7,27 +9,31 @@ use std::collections::BTreeSet;
 
 /// The folder that the project is written to.
 pub const ROOT: &str = "unity";
-/// The editor that the files are written for.
-const EDITOR: &str = "2022.3.16f1";
 
 /// Files as they come together.
 #[derive(Default)]
 pub(super) struct Project {
+    editor: Editor,
     files: Vec<OutFile>,
     folders: BTreeSet<String>,
 }
 
 impl Project {
+    /// One without files, for an editor.
+    pub fn new(editor: Editor) -> Self {
+        Self { editor, ..Self::default() }
+    }
+
     /// Adds an asset (its path starts with `Assets/`) with its `.meta`, and those of its folders; returns its GUID.
     pub fn asset(&mut self, path: &str, bytes: impl Into<Vec<u8>>) -> String {
         for (i, _) in path.match_indices('/').skip(1) {
             if self.folders.insert(path[..i].to_owned()) {
-                self.meta(&path[..i], &importer(None));
+                self.meta(&path[..i], &importer(None, self.editor));
             }
         }
         let fields = match path.strip_suffix(".png") {
-            Some(picture) => texture(picture),
-            None => importer(path.rsplit('.').next()),
+            Some(picture) => texture(picture, self.editor),
+            None => importer(path.rsplit('.').next(), self.editor),
         };
         self.files.push(OutFile::new(format!("{ROOT}/{path}"), bytes));
         self.meta(path, &fields)
@@ -37,9 +43,13 @@ impl Project {
     pub fn finish(mut self, scene: &str, pipeline: Pipeline) -> Vec<OutFile> {
         let scene = format!("Assets/Scenes/{scene}.unity");
         for (path, bytes) in [
-            ("Packages/manifest.json", packages(pipeline).into_bytes()),
-            ("ProjectSettings/ProjectVersion.txt", format!("m_EditorVersion: {EDITOR}\n").into_bytes()),
-            ("ProjectSettings/EditorSettings.asset", editor_settings()),
+            ("Packages/manifest.json", packages(pipeline, self.editor).into_bytes()),
+            (
+                "ProjectSettings/ProjectVersion.txt",
+                format!("m_EditorVersion: {}\n", self.editor.version()).into_bytes(),
+            ),
+            ("ProjectSettings/EditorSettings.asset", editor_settings(self.editor)),
+            ("ProjectSettings/TagManager.asset", tag_manager(self.editor)),
             ("ProjectSettings/EditorBuildSettings.asset", build_settings(&scene)),
         ] {
             self.files.push(OutFile::new(format!("{ROOT}/{path}"), bytes));
@@ -57,7 +67,7 @@ impl Project {
 }
 
 /// What a `.meta` file says of the importer, by extension; `None`: a folder.
-fn importer(extension: Option<&str>) -> Map {
+fn importer(extension: Option<&str>, editor: Editor) -> Map {
     let with = |kind: &str, mut fields: Map| {
         fields.extend(map! { "userData" => "", "assetBundleName" => "", "assetBundleVariant" => "" });
         map! { kind => fields }
@@ -82,19 +92,19 @@ fn importer(extension: Option<&str>) -> Map {
             });
             with("MonoImporter", fields)
         }
-        Some("obj") => with("ModelImporter", model()),
+        Some("obj") => with("ModelImporter", model(editor)),
         Some(_) => with("TextScriptImporter", plain()),
     }
 }
 
 /// Textures repeat and are smooth. One whose name says so has normals, and only one with colours is sRGB.
-fn texture(picture: &str) -> Map {
+fn texture(picture: &str, editor: Editor) -> Map {
     let is_normal = picture.ends_with("_normal");
     let is_color = picture.ends_with("_color");
     map! { "TextureImporter" => map! {
         "internalIDToNameTable" => Vec::<Yaml>::new(),
         "externalObjects" => Map::new(),
-        "serializedVersion" => 12,
+        "serializedVersion" => editor.either(12, 13),
         "mipmaps" => map! {
             "mipMapMode" => 0,
             "enableMipMap" => 1,
@@ -128,9 +138,9 @@ fn texture(picture: &str) -> Map {
 }
 
 /// Meshes come in metres, as they are, readable, without materials of their own.
-fn model() -> Map {
+fn model(editor: Editor) -> Map {
     map! {
-        "serializedVersion" => 22200,
+        "serializedVersion" => editor.either(22200, 24200),
         "internalIDToNameTable" => Vec::<Yaml>::new(),
         "externalObjects" => Map::new(),
         "materials" => map! {
@@ -165,14 +175,15 @@ fn model() -> Map {
     }
 }
 
-fn packages(pipeline: Pipeline) -> String {
+fn packages(pipeline: Pipeline, editor: Editor) -> String {
     let mut wanted = vec![
         ("com.unity.modules.ai", "1.0.0"),
+        ("com.unity.modules.imgui", "1.0.0"),
         ("com.unity.modules.jsonserialize", "1.0.0"),
         ("com.unity.modules.physics", "1.0.0"),
     ];
     if pipeline == Pipeline::Urp {
-        wanted.push(("com.unity.render-pipelines.universal", "14.0.9"));
+        wanted.push(("com.unity.render-pipelines.universal", editor.universal()));
     }
     let list: serde_json::Map<String, serde_json::Value> =
         wanted.into_iter().map(|(name, version)| (name.to_owned(), version.into())).collect();
@@ -180,15 +191,36 @@ fn packages(pipeline: Pipeline) -> String {
 }
 
 /// Text serialisation, so that whatever the editor saves stays readable and comparable.
-fn editor_settings() -> Vec<u8> {
+fn editor_settings(editor: Editor) -> Vec<u8> {
     let mut stream = Stream::new();
     let fields = map! {
         "m_ObjectHideFlags" => 0,
-        "serializedVersion" => 11,
+        "serializedVersion" => editor.either(11, 13),
         "m_SerializationMode" => 2,
         "m_LineEndingsForNewScripts" => 0,
     };
     stream.document(159, 1, "EditorSettings", &fields);
+    stream.into_bytes()
+}
+
+/// Names of tags and layers; a project has 32 layers, some of them Unity's own.
+fn tag_manager(editor: Editor) -> Vec<u8> {
+    let mut layers = vec![Yaml::from(""); 32];
+    for (number, name) in [(0, "Default"), (1, "TransparentFX"), (2, "Ignore Raycast"), (4, "Water"), (5, "UI")] {
+        layers[number] = name.into();
+    }
+    for layer in Layer::ALL {
+        layers[layer as usize] = layer.name().into();
+    }
+    let mut fields = map! {
+        "serializedVersion" => editor.either(2, 3),
+        "tags" => Layer::tags().map(Yaml::from).collect::<Vec<_>>(),
+        "layers" => layers,
+        "m_SortingLayers" => vec![Yaml::from(map! { "name" => "Default", "uniqueID" => 0, "locked" => 0 })],
+    };
+    fields.extend(editor.either(Map::new(), map! { "m_RenderingLayers" => vec![Yaml::from("Default")] }));
+    let mut stream = Stream::new();
+    stream.document(78, 1, "TagManager", &fields);
     stream.into_bytes()
 }
 

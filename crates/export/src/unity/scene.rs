@@ -1,17 +1,19 @@
 //! The scene file: a root that carries program, layout and report; below it the building and the objects; sun, lamps
-//! and a camera beside it.
+//! and a camera beside it. What an object becomes is in [`super::object`].
 
 use super::component::{self, Shine, class};
+use super::editor::Editor;
 use super::project::{Project, mesh_of};
-use super::tree::{Node, narrow, scene_file};
-use super::yaml::{Yaml, asset, map, vector};
+use super::tree::{Layer, Node, scene_file};
+use super::yaml::{Yaml, asset, map};
 use super::{Material, mesh_obj};
 use crate::Scene;
 use crate::geometry::mesh::Group;
 use crate::names::Stems;
-use crate::scene::{Body, Lamp, Object, Role, Shell, View, view};
+use crate::scene::{Lamp, Role, Row, Shell, View, view};
 use nalgebra::{Matrix3, UnitQuaternion};
-use scenelang_layout::{Aabb, Convex, Obb, Vec3, rotation};
+use scenelang_layout::{Vec3, rotation};
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 /// GUIDs of the text assets.
@@ -19,12 +21,15 @@ pub(super) struct Texts {
     pub spec: String,
     pub layout: String,
     pub report: String,
+    pub rows: String,
 }
 
 /// GUIDs of the scripts.
 pub(super) struct Scripts {
     pub scene: String,
     pub object: String,
+    pub joint: String,
+    pub nav_mesh: String,
 }
 
 /// Writes the scene, and the meshes it needs into the project.
@@ -32,37 +37,44 @@ pub(super) struct Writer<'a> {
     pub scene: &'a Scene,
     pub project: &'a mut Project,
     pub materials: &'a [Material],
+    pub scripts: &'a Scripts,
+    pub editor: Editor,
     /// Stems of mesh files of the building; those of objects have their own folder.
     pub stems: Stems,
 }
 
 impl Writer<'_> {
     /// The `.unity` file.
-    pub fn write(&mut self, texts: &Texts, scripts: &Scripts) -> Vec<u8> {
+    pub fn write(&mut self, texts: &Texts) -> Vec<u8> {
         let mut root = Node::new("scene", self.scene.name.clone());
         root.add(
             class::MONO_BEHAVIOUR,
             "MonoBehaviour",
             component::script(
-                &scripts.scene,
+                &self.scripts.scene,
                 map! {
                     "spec" => asset(4_900_000, &texts.spec, 3),
                     "layout" => asset(4_900_000, &texts.layout, 3),
                     "report" => asset(4_900_000, &texts.report, 3),
                     "layoutSha256" => Yaml::Word(sha256(&self.scene.layout_text)),
                     "version" => Yaml::Word(env!("CARGO_PKG_VERSION").into()),
+                    "rows" => asset(4_900_000, &texts.rows, 3),
                 },
             ),
         );
+        // The corridor that the navigation mesh is baked for is that of the settings below.
+        let walker = map! { "radius" => component::RADIUS, "height" => component::HEIGHT, "step" => component::STEP };
+        root.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.nav_mesh, walker));
         let mut building = Node::new("building", "Building");
         building.fixed = true;
         building.children = self.scene.shells.iter().filter_map(|s| self.shell(s)).collect();
         let mut furniture = Node::new("objects", "Objects");
-        furniture.children = self.scene.objects.iter().map(|o| self.object(o, &scripts.object)).collect();
+        furniture.children = self.scene.objects.iter().map(|o| self.object(o)).collect();
         root.children = vec![building, furniture];
-        let mut roots = vec![root, sun(), camera(self.scene)];
-        roots.extend(self.scene.lamps.iter().filter(|lamp| lamp.object.is_none()).map(lamp));
-        scene_file(component::settings, &roots)
+        let mut roots = vec![root, sun(self.editor), camera(self.scene)];
+        let hung = self.scene.lamps.iter().filter(|lamp| lamp.object.is_none());
+        roots.extend(hung.map(|light| lamp(light, self.editor)));
+        scene_file(|stream| component::settings(stream, self.editor), &roots)
     }
 
     fn shell(&mut self, shell: &Shell) -> Option<Node> {
@@ -73,6 +85,12 @@ impl Writer<'_> {
         let mesh = self.mesh(&format!("Building/{stem}"), std::slice::from_ref(&shell.group));
         let mut node = Node::new(format!("shell:{}", shell.name), shell.name.replace('/', " "));
         node.fixed = true;
+        match shell.role {
+            Role::Floor => node.place_on(Layer::Floor),
+            Role::Ceiling => node.place_on(Layer::Ceiling),
+            Role::Wall { .. } => node.place_on(Layer::Wall),
+            Role::Tint => {}
+        }
         self.show(&mut node, &mesh, std::slice::from_ref(&shell.group));
         match shell.role {
             // What stands on a floor that is a triangle mesh stands on it exactly, whatever the floor's shape.
@@ -94,95 +112,34 @@ impl Writer<'_> {
         Some(node)
     }
 
-    fn object(&mut self, object: &Object, script: &str) -> Node {
-        let mut node = Node::new(format!("object:{}", object.name), object.name.clone());
-        node.pos = object.place.pos;
-        node.axes = object.axes;
-        node.fixed = object.body == Body::Static;
-        let mesh = self.mesh(&format!("Objects/{}", object.stem), &object.mesh);
-        self.show(&mut node, &mesh, &object.mesh);
-        for (i, body) in object.solid.iter().enumerate() {
-            self.collider(&mut node, object, i, body);
-        }
-        // What belongs to a thing is moved with it.
-        let own = |l: &&Lamp| l.object.is_some_and(|index| std::ptr::eq(&raw const self.scene.objects[index], object));
-        for light in self.scene.lamps.iter().filter(own) {
-            let mut child = lamp(light);
-            child.pos = object.axes.transpose() * (light.pos - object.place.pos);
-            node.children.push(child);
-        }
-        if object.body != Body::Static {
-            let held = object.body == Body::Held;
-            node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(object.mass, held));
-        }
-        let ids = object.rows.iter().map(|&r| Yaml::from(self.scene.rows[r].id.as_str())).collect::<Vec<_>>();
-        let bounds = world_bounds(object);
-        node.add(
-            class::MONO_BEHAVIOUR,
-            "MonoBehaviour",
-            component::script(
-                script,
-                map! {
-                    "id" => object.name.as_str(),
-                    "category" => object.category.as_str(),
-                    "declaration" => object.declaration.as_str(),
-                    "constraints" => ids,
-                    "boundsMin" => vector(narrow(bounds.min)),
-                    "boundsMax" => vector(narrow(bounds.max)),
-                },
-            ),
-        );
-        node
-    }
-
-    /// A box that stands straight sits on the object itself, a turned one on a child, any other body is a convex mesh.
-    fn collider(&mut self, node: &mut Node, object: &Object, i: usize, body: &Convex) {
-        let Some(Obb { center, axes, half }) = body.as_box() else {
-            let mut group = Group::new(0);
-            group.solid(body);
-            let mesh = self.mesh(&format!("Objects/{}.hull{i}", object.stem), &[group]);
-            node.add(class::MESH_COLLIDER, "MeshCollider", component::mesh_collider(mesh_of(&mesh), true));
-            return;
-        };
-        if (axes - Matrix3::identity()).amax() < 1e-9 {
-            node.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(*center, half * 2.0));
-            return;
-        }
-        let mut child = Node::new(format!("object:{}/{i}", object.name), format!("part{i}"));
-        child.pos = *center;
-        child.axes = *axes;
-        child.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(Vec3::zeros(), half * 2.0));
-        node.children.push(child);
-    }
-
     /// Adds an OBJ file; returns its GUID.
-    fn mesh(&mut self, path: &str, groups: &[Group]) -> String {
+    pub fn mesh(&mut self, path: &str, groups: &[Group]) -> String {
         let text = mesh_obj::obj(groups, |surface| self.materials[surface].name.clone());
         self.project.asset(&format!("Assets/Scenelang/Meshes/{path}.obj"), text)
     }
 
     /// Makes a mesh visible, a material for each of its groups.
-    fn show(&self, node: &mut Node, mesh: &str, groups: &[Group]) {
+    pub fn show(&self, node: &mut Node, mesh: &str, groups: &[Group]) {
         let materials = groups.iter().map(|g| asset(2_100_000, &self.materials[g.surface].guid, 2)).collect();
         node.add(class::MESH_FILTER, "MeshFilter", component::mesh_filter(mesh_of(mesh)));
         node.add(class::MESH_RENDERER, "MeshRenderer", component::mesh_renderer(materials));
     }
 }
 
-fn sun() -> Node {
+fn sun(editor: Editor) -> Node {
     let mut node = Node::new("light:sun", "Sun");
     // Lights in Unity shine along +z.
     node.axes = UnitQuaternion::rotation_between(&Vec3::z(), &view::SUN)
         .map_or_else(Matrix3::identity, |q| *q.to_rotation_matrix().matrix());
     node.pos = Vec3::new(0.0, 5.0, 0.0);
-    node.add(class::LIGHT, "Light", component::light(&Shine::Sun));
+    node.add(class::LIGHT, "Light", component::light(&Shine::Sun, editor));
     node
 }
 
-fn lamp(lamp: &Lamp) -> Node {
+pub(super) fn lamp(lamp: &Lamp, editor: Editor) -> Node {
     let mut node = Node::new(format!("light:{}", lamp.name), lamp.name.clone());
     node.pos = lamp.pos;
-    node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp)));
+    node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp), editor));
     node
 }
 
@@ -197,16 +154,36 @@ fn camera(scene: &Scene) -> Node {
     node
 }
 
-/// The world-axis box of what is seen of an object, for the self test.
-fn world_bounds(object: &Object) -> Aabb {
-    let points = object.mesh.iter().flat_map(|g| &g.positions);
-    Aabb::of(points.map(|p| object.at(Vec3::from(p.map(f64::from)))))
-}
-
 fn sha256(text: &str) -> String {
     use std::fmt::Write;
     Sha256::digest(text).iter().fold(String::with_capacity(64), |mut out, byte| {
         let _ = write!(out, "{byte:02x}");
         out
     })
+}
+
+/// The rows of the report, and which objects may overlap, as the scripts read them: Unity's reader of JSON fills in classes, and knows no null.
+pub(super) fn rows(scene: &Scene) -> String {
+    let told = scene.report["constraints"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let row = |(row, told): (&Row, &Value)| {
+        let text = |key: &str| told[key].as_str().unwrap_or_default();
+        let texts =
+            |key: &str| -> Vec<&str> { told[key].as_array().into_iter().flatten().filter_map(Value::as_str).collect() };
+        json!({
+            "id": row.id,
+            "kind": row.kind,
+            "text": text("text"),
+            "message": text("message"),
+            "verdict": row.satisfied.map_or(0, |holds| if holds { 1 } else { 2 }),
+            "margin": told["margin"].as_f64().unwrap_or_default(),
+            "unit": text("unit"),
+            "requirements": texts("requirements"),
+            "objects": texts("objects"),
+        })
+    };
+    let rows: Vec<Value> = scene.rows.iter().zip(told).map(row).collect();
+    // Bodies that may share space must not push each other apart.
+    let name = |index: usize| scene.objects[index].name.as_str();
+    let pairs: Vec<Value> = scene.overlaps.iter().map(|&[a, b]| json!({ "a": name(a), "b": name(b) })).collect();
+    format!("{:#}\n", json!({ "constraints": rows, "overlaps": pairs }))
 }

@@ -22,8 +22,42 @@ pub(super) struct Node {
     pub children: Vec<Node>,
     /// Never moves.
     pub fixed: bool,
-    /// `Untagged`, `MainCamera`.
+    /// `Untagged`, `MainCamera`, one of [`Layer::tags`].
     pub tag: &'static str,
+    /// What it is on; `None`: what its parent is on.
+    pub layer: Option<Layer>,
+}
+
+/// A layer of the scene, by what is on it; the number is that of Unity, and of `ScenelangLayers` in the scripts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Layer {
+    Floor = 8,
+    Wall = 9,
+    Ceiling = 10,
+    Opening = 11,
+    Furniture = 12,
+    Handle = 13,
+}
+
+impl Layer {
+    pub const ALL: [Self; 6] = [Self::Floor, Self::Wall, Self::Ceiling, Self::Opening, Self::Furniture, Self::Handle];
+
+    /// Its name, and the tag of what was put on it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Floor => "Floor",
+            Self::Wall => "Wall",
+            Self::Ceiling => "Ceiling",
+            Self::Opening => "Opening",
+            Self::Furniture => "Furniture",
+            Self::Handle => "Handle",
+        }
+    }
+
+    /// All tags that Unity does not have itself; parts that move have one, and the layer of their object.
+    pub fn tags() -> impl Iterator<Item = &'static str> {
+        Self::ALL.into_iter().map(Self::name).chain(["Part"])
+    }
 }
 
 /// A component.
@@ -50,7 +84,14 @@ impl Node {
             children: Vec::new(),
             fixed: false,
             tag: "Untagged",
+            layer: None,
         }
+    }
+
+    /// Puts it on a layer, and what is below it, and tags it so.
+    pub fn place_on(&mut self, layer: Layer) {
+        self.layer = Some(layer);
+        self.tag = layer.name();
     }
 
     /// Adds a component; the second of a kind gets a number.
@@ -66,7 +107,8 @@ impl Node {
     }
 
     /// Adds its documents and those of all below it.
-    pub fn write(&self, stream: &mut Stream, father: i64) {
+    pub fn write(&self, stream: &mut Stream, father: i64, above: Option<Layer>) {
+        let layer = self.layer.or(above);
         let own = anchor(&self.key, "GameObject");
         let ids: Vec<i64> = self.components.iter().map(|c| anchor(&self.key, &c.key)).collect();
         let listed = std::iter::once(self.transform()).chain(ids.iter().copied());
@@ -74,7 +116,7 @@ impl Node {
         fields.extend(map! {
             "serializedVersion" => 6,
             "m_Component" => listed.map(|id| map! { "component" => local(id) }.into()).collect::<Vec<Yaml>>(),
-            "m_Layer" => 0,
+            "m_Layer" => layer.map_or(0, |layer| layer as i32),
             "m_Name" => self.name.as_str(),
             "m_TagString" => self.tag,
             "m_Icon" => none(),
@@ -102,7 +144,7 @@ impl Node {
             stream.document(component.class, id, component.kind, &fields);
         }
         for child in &self.children {
-            child.write(stream, self.transform());
+            child.write(stream, self.transform(), layer);
         }
     }
 }
@@ -112,7 +154,7 @@ pub(super) fn scene_file(settings: impl FnOnce(&mut Stream), roots: &[Node]) -> 
     let mut stream = Stream::new();
     settings(&mut stream);
     for root in roots {
-        root.write(&mut stream, 0);
+        root.write(&mut stream, 0, None);
     }
     let all: Vec<Yaml> = roots.iter().map(|r| local(r.transform())).collect();
     stream.document(1_660_057_539, i64::MAX, "SceneRoots", &map! { "m_ObjectHideFlags" => 0, "m_Roots" => all });

@@ -6,6 +6,7 @@ mod fixture;
 mod glb;
 mod pictures;
 mod scene;
+mod scripts;
 mod simulators;
 mod unity;
 mod usd_back;

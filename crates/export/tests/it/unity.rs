@@ -1,12 +1,16 @@
 //! The Unity project, read line by line.
 
 use crate::fixture::{named, scene};
-use scenelang_export::unity::{Pipeline, Unity};
+use scenelang_export::unity::{Editor, Pipeline, Unity};
 use scenelang_export::{Exporter, Scene};
 use std::collections::{BTreeMap, BTreeSet};
 
 fn project(scene: &Scene, pipeline: Pipeline) -> BTreeMap<String, String> {
-    let files = Unity { pipeline }.files(scene).unwrap();
+    written(scene, Unity { pipeline, ..Unity::default() })
+}
+
+fn written(scene: &Scene, unity: Unity) -> BTreeMap<String, String> {
+    let files = unity.files(scene).unwrap();
     let count = files.len();
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     let out: BTreeMap<String, String> =
@@ -80,7 +84,7 @@ fn the_scene_has_the_components_it_needs() {
     }
     let count = |class: u32| classes.get(&class).copied().unwrap_or(0);
     assert_eq!(count(1), count(4), "a transform each");
-    assert_eq!(count(114), 8 + 1, "a script on each object, one on the root");
+    assert_eq!(count(114), 8 + 2, "a script on each object, two on the root");
     assert_eq!(count(54), 6, "doors and windows have no rigid body");
     assert_eq!(count(108), 3, "sun and two lamps");
     assert_eq!([count(20), count(29), count(104), count(157), count(196), count(1_660_057_539)], [1; 6]);
@@ -164,4 +168,107 @@ fn names_of_any_script_become_safe_files_and_escaped_texts() {
     assert!(files.contains_key("unity/Assets/Scenelang/Meshes/Objects/gr_e_.obj"));
     assert!(files["unity/Assets/Scenes/room.unity"].contains("m_Name: \"gr\\xF6\\xDFe\\u706F\"\n"));
     assert!(files.keys().all(|p| p.is_ascii()));
+}
+
+#[test]
+fn floors_walls_openings_and_furniture_have_layers_and_tags_that_the_project_names() {
+    let files = project(&scene(), Pipeline::BuiltIn);
+    let mut found: BTreeMap<String, (String, String)> = BTreeMap::new();
+    let mut tags = BTreeSet::new();
+    for (_, _, text) in documents(&files["unity/Assets/Scenes/room.unity"]).iter().filter(|d| d.0 == 1) {
+        let of = |key: &str| value(text, key).unwrap().trim_matches('"').to_owned();
+        tags.insert(of("m_TagString"));
+        found.insert(of("m_Name"), (of("m_Layer"), of("m_TagString")));
+    }
+    let wanted = [
+        ("hall floor", "8", "Floor"),
+        ("hall wall0", "9", "Wall"),
+        ("hall ceiling", "10", "Ceiling"),
+        ("door", "11", "Opening"),
+        ("window", "11", "Opening"),
+        ("table", "12", "Furniture"),
+        ("chair[0]", "12", "Furniture"),
+        // A collider of the crate is on the layer of the crate.
+        ("part1", "12", "Untagged"),
+        ("Main Camera", "0", "MainCamera"),
+    ];
+    for (name, layer, tag) in wanted {
+        assert_eq!(found.get(name), Some(&(layer.to_owned(), tag.to_owned())), "{name}: {:?}", found.keys());
+    }
+    let settings = &files["unity/ProjectSettings/TagManager.asset"];
+    for tag in tags.iter().filter(|tag| !["Untagged", "MainCamera"].contains(&tag.as_str())) {
+        assert!(settings.contains(&format!("  - {tag}\n")), "{tag}");
+    }
+}
+
+#[test]
+fn the_scene_carries_the_rows_of_the_report() {
+    let mut scene = scene();
+    scene.overlaps = vec![[0, 1]];
+    let files = project(&scene, Pipeline::BuiltIn);
+    let told: serde_json::Value = serde_json::from_str(&files["unity/Assets/Scenelang/constraints.json"]).unwrap();
+    let rows = told["constraints"].as_array().unwrap();
+    let verdicts: Vec<i64> = rows.iter().map(|row| row["verdict"].as_i64().unwrap()).collect();
+    assert_eq!(verdicts, [1, 2, 2]);
+    assert_eq!((&rows[1]["margin"], &rows[1]["unit"]), (&(-0.999).into(), &"m".into()));
+    assert_eq!(rows[0]["objects"], serde_json::json!(["chair[1]", "table"]));
+    assert_eq!(rows[2]["kind"], "prefer");
+    assert_eq!(told["overlaps"], serde_json::json!([{ "a": "table", "b": "chair[0]" }]));
+    // The reader leaves a field of another name or kind as it is, and says nothing.
+    let script = &files["unity/Assets/Scenelang/Scripts/ScenelangConstraint.cs"];
+    for (field, kind) in [
+        ("id", "string"),
+        ("kind", "string"),
+        ("text", "string"),
+        ("message", "string"),
+        ("verdict", "ScenelangVerdict"),
+        ("margin", "float"),
+        ("unit", "string"),
+        ("requirements", "string[]"),
+        ("objects", "string[]"),
+    ] {
+        assert!(script.contains(&format!("public {kind} {field};")), "{field}");
+        assert!(rows.iter().all(|row| !row[field].is_null()), "{field}");
+    }
+    let guid = value(&files["unity/Assets/Scenelang/constraints.json.meta"], "guid").unwrap();
+    assert!(
+        files["unity/Assets/Scenes/room.unity"]
+            .replace(",\n   ", ",")
+            .contains(&format!("rows: {{fileID: 4900000, guid: {guid}"))
+    );
+}
+
+#[test]
+fn a_project_for_unity_6_has_the_fields_of_unity_6() {
+    let scene = scene();
+    let of = |editor: Editor| written(&scene, Unity { pipeline: Pipeline::Urp, editor });
+    let (older, newer) = (of(Editor::V2022), of(Editor::V6000));
+    assert_eq!(older.keys().collect::<Vec<_>>(), newer.keys().collect::<Vec<_>>());
+    let differ = [
+        ("ProjectSettings/ProjectVersion.txt", "2022.3.", "6000.0."),
+        ("ProjectSettings/TagManager.asset", "serializedVersion: 2\n", "m_RenderingLayers:\n  - Default\n"),
+        ("ProjectSettings/EditorSettings.asset", "serializedVersion: 11\n", "serializedVersion: 13\n"),
+        ("Packages/manifest.json", "14.0.9", "17.0.3"),
+        (
+            "Assets/Scenes/room.unity",
+            "m_Drag: 0\n  m_AngularDrag: 0.05\n",
+            "m_LinearDamping: 0\n  m_AngularDamping: 0.05\n",
+        ),
+        (
+            "Assets/Scenes/room.unity",
+            "m_GIWorkflowMode: 1\n",
+            "LightmapSettings:\n  m_ObjectHideFlags: 0\n  serializedVersion: 13\n",
+        ),
+        ("Assets/Scenelang/Meshes/Objects/table.obj.meta", "serializedVersion: 22200\n", "serializedVersion: 24200\n"),
+    ];
+    for (file, before, after) in differ {
+        let file = format!("unity/{file}");
+        assert!(older[&file].contains(before) && !older[&file].contains(after), "{file}: {after}");
+        assert!(newer[&file].contains(after) && !newer[&file].contains(before), "{file}: {before}");
+    }
+    // Objects have the same identities, so that a project can be written again for the other.
+    let anchors = |files: &BTreeMap<String, String>| -> Vec<(u32, i64)> {
+        documents(&files["unity/Assets/Scenes/room.unity"]).iter().map(|d| (d.0, d.1)).collect()
+    };
+    assert_eq!(anchors(&older), anchors(&newer));
 }
