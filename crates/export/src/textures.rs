@@ -1,15 +1,60 @@
 //! The textures of the furniture library as PNG files: one set for each kind that a scene shows, whatever its colours.
 
 use crate::{ExportError, Scene};
+use scenelang_assets::Surface;
 use scenelang_assets::textures::{Pixels, Texture};
 use std::borrow::Cow;
 
 /// The kinds that a scene shows, in order.
 pub(crate) fn used(scene: &Scene) -> Vec<Texture> {
-    let mut kinds: Vec<Texture> = scene.surfaces.iter().filter_map(Texture::of).collect();
+    kinds(&scene.surfaces)
+}
+
+/// The kinds that surfaces have, in order, each once.
+pub(crate) fn kinds<'a>(surfaces: impl IntoIterator<Item = &'a Surface>) -> Vec<Texture> {
+    let mut kinds: Vec<Texture> = surfaces.into_iter().filter_map(Texture::of).collect();
     kinds.sort();
     kinds.dedup();
     kinds
+}
+
+/// A picture in a file of its own, for formats whose files refer to pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Picture {
+    /// See [`color`].
+    Color,
+    /// See [`normal`].
+    Normal,
+    /// The factor of the roughness in all channels.
+    Roughness,
+}
+
+impl Picture {
+    /// Its path, from where the file that refers to it is: `textures/wood_color.png`.
+    pub fn path(self, texture: Texture) -> String {
+        let what = match self {
+            Self::Color => "color",
+            Self::Normal => "normal",
+            Self::Roughness => "roughness",
+        };
+        format!("textures/{}_{what}.png", texture.name())
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// The picture cannot be encoded.
+    pub fn bytes(self, texture: Texture) -> Result<Vec<u8>, ExportError> {
+        match self {
+            Self::Color => color(texture),
+            Self::Normal => normal(texture),
+            Self::Roughness => {
+                let pixels = texture.pixels();
+                let ramp: Vec<[u8; 3]> = (0..=255).map(|rough| [rough; 3]).collect();
+                indexed(pixels, &pixels.rough, &ramp, None)
+            }
+        }
+    }
 }
 
 /// The factors of the colour, sRGB.
@@ -103,7 +148,9 @@ mod tests {
         for texture in Texture::all() {
             let [width, height] = texture.pixels().size.map(|n| n as u32);
             let glossy = gloss(texture, 0.5, 0.4).unwrap();
-            for picture in [color(texture).unwrap(), normal(texture).unwrap(), roughness(texture).unwrap(), glossy] {
+            let plain = Picture::Roughness.bytes(texture).unwrap();
+            let set = [color(texture).unwrap(), normal(texture).unwrap(), roughness(texture).unwrap(), glossy, plain];
+            for picture in set {
                 let reader = png::Decoder::new(std::io::Cursor::new(&picture)).read_info().unwrap();
                 assert_eq!(reader.info().size(), (width, height), "{texture:?}");
                 bytes += picture.len();

@@ -7,6 +7,7 @@ mod glb;
 mod pictures;
 mod scene;
 mod simulators;
+mod textured;
 mod unity;
 mod usd_back;
 mod written;
