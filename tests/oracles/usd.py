@@ -2,13 +2,15 @@
 
 usage: usd.py FILE.usda FILE.usdz …
 
-Also reads back what an engine needs: rigid bodies have a mass and colliders, every body has labels, no file needs another.
+Also reads back what an engine needs: rigid bodies have a mass and colliders, every body has labels, a file needs no other than
+the pictures beside it or in its package, and what has a material with pictures has places on them.
 Prints one JSON object a file. Exit 0: no issue; 1: issues; 2: a file cannot be opened.
 """
 import json
+import os
 import sys
 
-from pxr import Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdUtils, UsdValidation
+from pxr import Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, UsdUtils, UsdValidation
 
 
 def bodies(stage):
@@ -26,18 +28,38 @@ def bodies(stage):
     return wrong, loose
 
 
+def pictures(stage, path):
+    """Where the pictures of materials are that cannot be found, or are elsewhere; meshes without places on their pictures."""
+    own = os.path.abspath(path)
+    folder = f"{own}[textures/" if own.endswith(".usdz") else os.path.join(os.path.dirname(own), "textures", "")
+    layers, assets, unresolved = UsdUtils.ComputeAllDependencies(path)
+    wrong = [f"needs another file: {asset}" for asset in assets if not asset.startswith(folder)]
+    if unresolved or len(layers) != 1:
+        wrong.append(f"needs other files: {layers} {unresolved}")
+    textured = 0
+    for mesh in (p for p in stage.TraverseAll() if p.IsA(UsdGeom.Mesh)):
+        material = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()[0]
+        shaders = [UsdShade.Shader(p) for p in material.GetPrim().GetChildren()] if material else []
+        if not any(s.GetIdAttr().Get() == "UsdUVTexture" for s in shaders):
+            continue
+        textured += 1
+        places = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
+        if len(places.Get() or []) != len(UsdGeom.Mesh(mesh).GetFaceVertexIndicesAttr().Get()):
+            wrong.append(f"{mesh.GetPath()}: places {places.GetInterpolation()}")
+    return wrong, textured
+
+
 def judge(path, context):
     stage = Usd.Stage.Open(path)
     issues = [f"{e.GetName()}: {e.GetMessage()}" for e in context.Validate(stage)]
     wrong, loose = bodies(stage)
-    layers, assets, unresolved = UsdUtils.ComputeAllDependencies(path)
-    if assets or unresolved or len(layers) != 1:
-        wrong.append(f"needs other files: {layers} {assets} {unresolved}")
+    elsewhere, textured = pictures(stage, path)
+    wrong += elsewhere
     if UsdGeom.GetStageMetersPerUnit(stage) != 1 or UsdGeom.GetStageUpAxis(stage) != "Y":
         wrong.append("not in metres with y up")
     lights = sum(1 for p in stage.Traverse() if p.HasAPI(UsdLux.LightAPI))
     print(json.dumps({
-        "file": path, "prims": sum(1 for _ in stage.Traverse()), "loose": loose, "lights": lights,
+        "file": path, "prims": sum(1 for _ in stage.Traverse()), "loose": loose, "lights": lights, "textured": textured,
         "issues": issues, "wrong": wrong,
     }))
     return bool(issues or wrong)

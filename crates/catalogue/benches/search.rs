@@ -172,7 +172,12 @@ fn main() {
     features(folder.path(), &names, &queries);
     let (catalogue, took) = time(|| Catalogue::open(folder.path()).expect("it can be opened"));
     let features = catalogue.features.as_ref().expect("they can be used");
-    println!("open with features: {:.1} s", took.as_secs_f64());
+    println!(
+        "open with features, and make {} queries ready: {:.1} s, {:.0} models/s",
+        queries.len(),
+        took.as_secs_f64(),
+        rate(took)
+    );
     let took = median(40, |i| {
         black_box(features.search(&catalogue.entries, &queries[i], 8));
     });

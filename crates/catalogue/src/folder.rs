@@ -34,6 +34,8 @@ pub struct Entry {
     /// Extents w, h, d (metres), where they are known.
     pub size: Option<Vec3>,
     kind: Kind,
+    /// The row of its vectors in the features of the folder.
+    pub(crate) row: Option<u32>,
 }
 
 /// A file that cannot be used.
@@ -94,8 +96,13 @@ impl Catalogue {
             Self { folder: folder.to_owned(), door, entries: Vec::new(), refused: Vec::new(), features: None };
         if let Some(annotations) = objathor::annotations(folder, &catalogue.door) {
             let (objects, wrong) = objathor::objects(folder, annotations, &catalogue.door)?;
-            let entry =
-                |o: objathor::Object| Entry { file: o.file, size: o.card.size, card: o.card, kind: Kind::Objathor };
+            let entry = |o: objathor::Object| Entry {
+                file: o.file,
+                size: o.card.size,
+                card: o.card,
+                kind: Kind::Objathor,
+                row: None,
+            };
             catalogue.entries = objects.into_iter().map(entry).collect();
             catalogue.refused = wrong.into_iter().map(|(file, f)| Refused { file, finding: *f }).collect();
         } else {
@@ -119,7 +126,8 @@ impl Catalogue {
             Err(finding) => self.refused.push(Refused { file: file(), finding: *finding }),
         }
         let Some(features) = &self.features else { return };
-        let missing = self.entries.iter().filter(|entry| !features.has(entry.name())).count();
+        self.entries.iter_mut().for_each(|entry| entry.row = features.row(entry.name()));
+        let missing = self.entries.iter().filter(|entry| entry.row.is_none()).count();
         if missing > 0 {
             let say = format!("{missing} of {} models have no features and are not found by them", self.entries.len());
             self.refused.push(Refused { file: file(), finding: *features::broken(say) });
@@ -143,7 +151,7 @@ impl Catalogue {
             }
         };
         match card {
-            Ok(card) => self.entries.push(Entry { file, size: card.size, card, kind }),
+            Ok(card) => self.entries.push(Entry { file, size: card.size, card, kind, row: None }),
             Err(finding) => self.refused.push(Refused { file, finding: *finding }),
         }
     }

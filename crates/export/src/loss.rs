@@ -23,6 +23,8 @@ pub enum Lost {
     Lights(usize),
     /// What is drawn: the solids are shown in its place.
     Meshes,
+    /// Textures: things have their mean colours.
+    Textures,
     /// All other things, and the room.
     Others,
     /// Program, layout and report: no command can judge these files.
@@ -37,6 +39,7 @@ impl Lost {
             Self::Physics => "physics",
             Self::Lights(_) => "lights",
             Self::Meshes => "meshes",
+            Self::Textures => "textures",
             Self::Others => "others",
             Self::Program => "program",
         }
@@ -59,6 +62,7 @@ impl fmt::Display for Lost {
             Self::Lights(1) => f.write_str("the light is lost"),
             Self::Lights(n) => write!(f, "the {n} lights are lost"),
             Self::Meshes => f.write_str("things are shown as their solids, without rounded edges and small details"),
+            Self::Textures => f.write_str("textures are lost: wood, fabric and the like have plain colours"),
             Self::Others => f.write_str("one object is in the file, and nothing of the room around it"),
             Self::Program => {
                 f.write_str("program, layout and report are not in the files, so `check` cannot judge them")

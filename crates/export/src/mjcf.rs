@@ -11,7 +11,7 @@ use crate::numbers::{coarse, number, spaced};
 use crate::physics::{Body, FRICTION, GRAVITY, Geom, Inertia, Joint, Physics, Shape};
 use crate::scene::{View, view};
 use crate::xml::{Attribute, Xml};
-use crate::{ExportError, Exporter, OutFile, Scene};
+use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use scenelang_layout::{Aabb, Convex, Motion, Vec3};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -40,8 +40,9 @@ impl Exporter for Mjcf {
         ])
     }
 
-    fn lost(&self, _: &Scene) -> Vec<Lost> {
-        vec![Lost::Meshes, Lost::Program]
+    fn lost(&self, scene: &Scene) -> Vec<Lost> {
+        let textures = (!textures::used(scene).is_empty()).then_some(Lost::Textures);
+        std::iter::once(Lost::Meshes).chain(textures).chain([Lost::Program]).collect()
     }
 }
 

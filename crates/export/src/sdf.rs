@@ -32,7 +32,7 @@ impl Exporter for Sdf {
         let stem = Stems::default().take(&scene.name);
         let mut files = vec![OutFile::new(format!("sdf/{stem}.sdf"), document)];
         files.extend(meshes.files);
-        files.push(OutFile::new(format!("sdf/meshes/{LIBRARY}"), meshes.materials.library(scene)));
+        files.extend(meshes.materials.files(scene, "sdf/meshes", LIBRARY)?);
         Ok(files)
     }
 

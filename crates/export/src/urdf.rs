@@ -15,6 +15,7 @@ use crate::xml::Xml;
 use crate::{ExportError, Exporter, OutFile, Scene};
 use nalgebra::Matrix3;
 use scenelang_layout::{Motion, Vec3};
+use std::collections::BTreeSet;
 
 /// The `urdf/` folder: `OBJECT.urdf` and `meshes/`.
 #[derive(Clone, Debug)]
@@ -51,7 +52,11 @@ impl Exporter for Urdf {
         };
         let stem = Stems::default().take(&self.object);
         let (mut names, mut joints) = (Identifiers::default(), Identifiers::default());
-        let mut meshes = Meshes { materials: Materials::of(scene), stems: Stems::default(), files: Vec::new() };
+        let pieces = body.moving.iter().map(|m| (&m.drawn[..], &m.geoms)).chain([(&body.drawn[..], &body.geoms)]);
+        let surfaces: BTreeSet<usize> =
+            pieces.flat_map(|(d, g)| d.iter().map(|d| d.surface).chain(g.iter().map(|g| g.surface))).collect();
+        let materials = Materials::used(scene, |surface| surfaces.contains(&surface));
+        let mut meshes = Meshes { materials, stems: Stems::default(), files: Vec::new() };
         let mut xml = Xml::new();
         xml.begin("robot", &[("name", &Identifiers::default().take(&self.object))]);
         let base = names.take("base_link");
@@ -68,7 +73,7 @@ impl Exporter for Urdf {
         xml.end();
         let mut files = vec![OutFile::new(format!("urdf/{stem}.urdf"), xml.finish())];
         files.extend(meshes.files);
-        files.push(OutFile::new(format!("urdf/meshes/{LIBRARY}"), meshes.materials.library(scene)));
+        files.extend(meshes.materials.files(scene, "urdf/meshes", LIBRARY)?);
         Ok(files)
     }
 

@@ -390,7 +390,7 @@ mod tests {
     #[test]
     fn what_finds_no_place_becomes_a_wish_and_the_rest_holds() {
         let (holds, draft) = tried(
-            "A bedroom, 3 by 3 m, with a bed, 2 by 1.8 m, two wardrobes, each 2 m wide, and 1 m clear in front of each \
+            "A bedroom, 3.8 by 3 m, with a bed, 2 by 1.8 m, two wardrobes, each 2 m wide, and 1 m clear in front of each \
              wardrobe and 1 m clear in front of the bed.",
         );
         assert!(holds);

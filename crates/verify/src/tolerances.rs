@@ -56,9 +56,9 @@ pub const DEFAULT_ETA: f64 = 0.03;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Opens {
     /// The doors of rooms, and furniture as far as its asset says is of use.
+    #[default]
     All,
     /// The doors of rooms.
-    #[default]
     Doors,
     /// Nothing.
     None,

@@ -424,14 +424,18 @@ pub(super) fn display_case(a: &Ask) -> Model {
     m.board(b.y(0.0..base), &main);
     let glass = b.y(base..a.h - t.min(0.05 * a.h)).inset(0.003, 0.0, 0.003);
     m.board(b.y(glass.max.y..a.h), &main);
-    // Panes on three sides; the fourth is a door.
+    // Panes on three sides; the fourth has doors, in pairs where there are several.
     let pane = 0.012_f64.min(0.1 * a.w).min(0.1 * a.d);
     for side in glass.x(glass.min.x..glass.min.x + pane).z(glass.min.z..glass.max.z - pane).both_sides() {
         m.solid(side);
     }
     m.solid(glass.inset(pane, 0.0, 0.0).z(glass.min.z..glass.min.z + pane));
-    m.leaf("door", glass.z(glass.max.z - pane..glass.max.z), Hung::Left);
-    m.mesh.crisp(glass, &stuff::GLASS.surface());
+    let front = glass.z(glass.max.z - pane..glass.max.z);
+    m.mesh.crisp(glass.z(glass.min.z..front.min.z), &stuff::GLASS.surface());
+    for (i, door) in front.split(0, pieces(front.size().x, 0.7, 1, MOST), 0.004).enumerate() {
+        m.leaf("door", door, if i % 2 == 0 { Hung::Left } else { Hung::Right });
+        m.mesh.crisp(door, &stuff::GLASS.surface());
+    }
     let rows = pieces(glass.size().y, 0.4, 1, 5);
     let goods = if a.says(&["bakery", "pastry", "cake", "food", "bread"]) { BAKED } else { EXHIBITS };
     let mut dice = a.dice();

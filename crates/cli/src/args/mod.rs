@@ -170,7 +170,7 @@ pub struct Judging {
     /// The solid of an object: the convex parts of its asset, or its box [default: parts]
     #[arg(long, value_enum)]
     pub geometry: Option<Geometry>,
-    /// What P-OPEN requires to open: the doors of rooms and furniture, the doors of rooms only, or nothing [default: doors]
+    /// What P-OPEN requires to open: the doors of rooms and furniture, the doors of rooms only, or nothing [default: all]
     #[arg(long, value_enum)]
     pub opens: Option<Opens>,
     /// Do not check the physical rules (collisions, bounds, support, doors that open)

@@ -37,7 +37,8 @@ fn only_the_usual_formats_are_written_unless_others_are_asked_for() {
     assert_eq!(export(folder.path(), &[]).code, 0);
     let usual = ["picture.png", "plan.png", "plan.svg", "preview.html", "room.glb", "unity"].map(str::to_owned);
     assert_eq!(written(folder.path()), BTreeSet::from(usual.clone()));
-    let further = ["obj", "room.mjcf.json", "room.mjcf.xml", "room.usda", "room.usdz", "sdf"].map(str::to_owned);
+    let further =
+        ["obj", "room.mjcf.json", "room.mjcf.xml", "room.usda", "room.usdz", "sdf", "textures"].map(str::to_owned);
     assert_eq!(export(folder.path(), &["--all-formats"]).code, 0);
     assert_eq!(written(folder.path()), usual.into_iter().chain(further).collect());
     let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "some", "--only", "mjcf", "--format", "json"]);

@@ -50,10 +50,11 @@ pub(super) fn draw(canvas: &mut Canvas, scene: &Scene) {
     }
 }
 
-/// Draws the area that parts sweep when they open as far as is useful: in thin lines, and in red where something is in the way.
+/// Draws the area that parts sweep when they open as far as is demanded or useful: in thin lines, and in red where something is
+/// in the way.
 pub(super) fn sweeps(canvas: &mut Canvas, scene: &Scene) {
     for object in &scene.objects {
-        for opening in object.openings.iter().filter(|o| o.useful && !o.swept.is_empty()) {
+        for opening in object.openings.iter().filter(|o| o.asked && !o.swept.is_empty()) {
             let outline: Vec<Vec2> = opening.swept.iter().map(|p| object.at(Vec3::new(p.x, 0.0, p.y)).xz()).collect();
             let (ink, bad) = if opening.blocked { (RED, r#" data-violated="true""#) } else { ("#6a717b", "") };
             let name = escape(&format!("{}/{}", object.name, object.place.joints[opening.joint].name));

@@ -70,10 +70,14 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     for (id, declared) in input.program.objects.iter().enumerate() {
         objects.push(object((input, own), id, declared, (&regions, &floors), &mut wardrobe, &mut stems)?);
     }
-    for object in &mut objects {
+    let demands = opening::demands(input.program, |index| {
+        let key = statement_key(input.sources, input.program.constraints[index].span);
+        rows.iter().any(|row| row.violated() && file_name(&row.id) == key)
+    });
+    for (id, object) in objects.iter_mut().enumerate() {
         object.rows = mentions.get(object.name.as_str()).cloned().unwrap_or_default();
         object.violated = object.rows.iter().any(|&r| rows[r].violated());
-        object.openings = opening::openings(object, &rows);
+        object.openings = opening::openings(id, object, &rows, &demands);
     }
     let wall = input.report["eta"].as_f64().filter(|eta| *eta > 0.0).unwrap_or(USUAL_WALL);
     let openers = openers(input.program, &objects, wall);

@@ -2,6 +2,7 @@
 
 use super::{Object, Row};
 use nalgebra::{Rotation3, Unit};
+use scenelang_lang::program::{Arg, BuiltIn, ConstraintKind, Formula, Node, NodeId, ObjectId, Program};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::{Joint, Motion, Vec2, Vec3};
 
@@ -10,11 +11,11 @@ use scenelang_layout::{Joint, Motion, Vec2, Vec3};
 pub struct Opening {
     /// Which joint of the placement.
     pub joint: usize,
-    /// As far as is useful; where that is not known, as far as it goes (degrees or metres).
+    /// As far as the program demands, else as far as is useful; where neither is known, as far as it goes (degrees or metres).
     pub amount: f64,
-    /// Whether the asset says how far is useful.
-    pub useful: bool,
-    /// Whether P-OPEN is violated for it.
+    /// Whether the program or the asset says how far.
+    pub asked: bool,
+    /// Whether P-OPEN, or the assertion that it opens so far, is violated for it.
     pub blocked: bool,
     /// Outline of what it sweeps from closed to open, in the frame of the object: x, z. A leaf on an upright axis has the axis
     /// first, and its open edge last. Empty where the object lies on its side.
@@ -26,21 +27,74 @@ const STEP: f64 = 5.0;
 /// A direction is upright where its height is more than this share of it.
 const UPRIGHT: f64 = 0.99;
 
-/// All openings of an object, in the order of its joints.
-pub(super) fn openings(object: &Object, rows: &[Row]) -> Vec<Opening> {
+/// How far an assertion demands that the parts of an object open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Demand {
+    object: ObjectId,
+    motion: Motion,
+    /// Degrees or metres.
+    amount: f64,
+    /// Whether the assertion demands nothing else and is violated.
+    fails: bool,
+}
+
+/// What the assertions of a program demand with an amount (`opens(wardrobe, 60deg)`, `slides(desk, 0.3)`); `fails` says whether
+/// the one with an index is violated.
+pub(super) fn demands(program: &Program, fails: impl Fn(usize) -> bool) -> Vec<Demand> {
+    let mut found = Vec::new();
+    for (index, constraint) in program.constraints.iter().enumerate().filter(|(_, c)| c.kind == ConstraintKind::Assert)
+    {
+        let formula = &constraint.formula;
+        let alone = matches!(formula.root_node(), Node::BuiltIn(..));
+        demanded(formula, formula.root, &mut |object, motion, amount| {
+            found.push(Demand { object, motion, amount, fails: alone && fails(index) });
+        });
+    }
+    found
+}
+
+/// Tells of each demand that must hold if a node does.
+fn demanded(formula: &Formula, node: NodeId, found: &mut impl FnMut(ObjectId, Motion, f64)) {
+    match formula.node(node) {
+        Node::And(all) => all.iter().for_each(|node| demanded(formula, *node, found)),
+        Node::BuiltIn(built_in, args) => {
+            let motion = match built_in {
+                BuiltIn::Opens => Motion::Hinge,
+                BuiltIn::Slides => Motion::Slide,
+                _ => return,
+            };
+            if let [Arg::Object(object), Arg::Value(amount)] = args[..]
+                && let Node::Number(amount) = formula.node(amount)
+                && *amount > 0.0
+            {
+                found(object, motion, *amount);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// All openings of the object with a number, in the order of its joints.
+pub(super) fn openings(id: usize, object: &Object, rows: &[Row], demands: &[Demand]) -> Vec<Opening> {
     // Parts that do not fill the box are not those that were judged.
     if object.place.parts.len() != object.solid.len() {
         return Vec::new();
     }
     let opening = |(index, joint): (usize, &Joint)| {
-        let id = format!("P-OPEN:{}/{}", object.name, joint.name);
-        let amount = joint.useful.unwrap_or(joint.limits[1]);
+        let rule = format!("P-OPEN:{}/{}", object.name, joint.name);
+        let rule = rows.iter().find(|row| row.id == rule);
+        let own = || demands.iter().filter(|d| d.object.0 as usize == id && d.motion == joint.motion);
+        let asked = own().map(|d| d.amount).reduce(f64::max);
+        // The rule demands what is useful, too.
+        let ruled = joint.useful.filter(|_| rule.is_some() || asked.is_none());
+        let most = joint.limits[1];
+        let amount = asked.into_iter().chain(ruled).reduce(f64::max).unwrap_or(most).min(most);
         let stands = object.axes[(1, 1)] > UPRIGHT;
         Opening {
             joint: index,
             amount,
-            useful: joint.useful.is_some(),
-            blocked: rows.iter().any(|row| row.id == id && row.violated()),
+            asked: joint.useful.is_some() || asked.is_some(),
+            blocked: rule.is_some_and(Row::violated) || own().any(|d| d.fails),
             swept: if stands { swept(object, joint, amount) } else { Vec::new() },
         }
     };
@@ -75,6 +129,8 @@ mod tests {
     use super::*;
     use crate::physics::fixture::cupboard;
     use crate::plan;
+    use scenelang_lang::{Options, compile_text};
+    use std::path::Path;
 
     #[test]
     fn a_leaf_sweeps_a_sector_and_a_drawer_a_rectangle() {
@@ -95,12 +151,12 @@ mod tests {
     #[test]
     fn the_plan_shows_what_is_useful_and_in_red_what_is_blocked() {
         let mut scene = cupboard();
-        assert!(!plan::svg(&scene).contains("data-swept"), "no useful amount is known");
+        assert!(!plan::svg(&scene).contains("data-swept"), "nobody says how far");
         scene.objects[0].place.joints[0].useful = Some(90.0);
         let row =
             |part: &str| Row { id: format!("P-OPEN:cupboard/{part}"), kind: "opening".into(), satisfied: Some(false) };
         for (part, mark) in [("drawer", ""), ("door", r#" data-violated="true""#)] {
-            scene.objects[0].openings = openings(&scene.objects[0], &[row(part)]);
+            scene.objects[0].openings = openings(0, &scene.objects[0], &[row(part)], &[]);
             let svg = plan::svg(&scene);
             assert_eq!(svg.matches("data-swept").count(), 1);
             assert!(svg.contains(&format!(r#"data-swept="cupboard/door"{mark} fill"#)), "{part}");
@@ -108,9 +164,42 @@ mod tests {
     }
 
     #[test]
+    fn what_an_assertion_demands_is_shown() {
+        let demands_of = |assertion: &str| {
+            let text = format!("object other; object cupboard; {assertion}");
+            let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
+            demands(&compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics)), |_| true)
+        };
+        let mut scene = cupboard();
+        scene.objects[0].place.joints[0].useful = Some(90.0);
+        let amounts = |demands: &[Demand], rows: &[Row]| {
+            let found = openings(1, &scene.objects[0], rows, demands);
+            [&found[0], &found[1]].map(|opening| (opening.amount, opening.asked, opening.blocked))
+        };
+        let nothing = [(90.0, true, false), (0.3, false, false)];
+        for (assertion, door, drawer) in [
+            ("assert opens(cupboard, 60deg);", (60.0, true, true), nothing[1]),
+            ("assert slides(cupboard, 0.2);", nothing[0], (0.2, true, true)),
+            // Which of two is violated is not known.
+            ("assert opens(cupboard, 60deg) and slides(cupboard, 0.2);", (60.0, true, false), (0.2, true, false)),
+            ("assert opens(cupboard, 170deg);", (110.0, true, true), nothing[1]),
+            ("assert not opens(cupboard, 60deg);", nothing[0], nothing[1]),
+            ("prefer opens(cupboard, 60deg);", nothing[0], nothing[1]),
+            ("assert opens(other, 60deg);", nothing[0], nothing[1]),
+            ("assert opens(cupboard);", nothing[0], nothing[1]),
+        ] {
+            assert_eq!(amounts(&demands_of(assertion), &[]), [door, drawer], "{assertion}");
+        }
+        // Where the rule speaks of the door, too, it has to open as far as both demand.
+        let row = Row { id: "P-OPEN:cupboard/door".into(), kind: "opening".into(), satisfied: Some(true) };
+        let demands = demands_of("assert opens(cupboard, 60deg);");
+        assert_eq!(amounts(&demands, &[row])[0].0, 90.0);
+    }
+
+    #[test]
     fn what_lies_on_its_side_sweeps_nothing_on_the_floor() {
         let mut scene = cupboard();
         scene.objects[0].axes = scenelang_layout::rotation::matrix(Vec3::new(90.0, 0.0, 0.0));
-        assert!(openings(&scene.objects[0], &[]).iter().all(|opening| opening.swept.is_empty()));
+        assert!(openings(0, &scene.objects[0], &[], &[]).iter().all(|opening| opening.swept.is_empty()));
     }
 }

@@ -6,23 +6,24 @@
 //! so that they are not drawn. Things that are equal share a prim of the abstract scope `Shapes` by reference.
 
 mod joints;
+mod looks;
 mod package;
 mod shapes;
 mod text;
 
 use crate::geometry::frame::Frame;
 use crate::names::Identifiers;
-use crate::numbers::{coarse, numbers};
-use crate::physics::{Body, FRICTION, GRAVITY, Inertia, Physics};
+use crate::numbers::numbers;
+use crate::physics::{Body, GRAVITY, Inertia, Physics};
 use crate::scene::view;
 use crate::{ExportError, Exporter, OutFile, Scene};
+use looks::Looks;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
-use scenelang_assets::Surface;
 use scenelang_layout::{Vec3, rotation};
 use shapes::Shapes;
 use text::{Usda, quaternion, quoted, scalar, schemas, triple};
 
-/// `NAME.usda`.
+/// `NAME.usda` and `textures/`.
 #[derive(Clone, Copy, Debug)]
 pub struct Usd;
 
@@ -35,7 +36,9 @@ impl Exporter for Usd {
         "usd"
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        Ok(vec![OutFile::new(format!("{}.usda", scene.name), layer(scene))])
+        let mut files = vec![OutFile::new(format!("{}.usda", scene.name), layer(scene))];
+        files.extend(looks::pictures(scene)?.into_iter().map(|(path, bytes)| OutFile::new(path, bytes)));
+        Ok(files)
     }
 }
 
@@ -44,8 +47,10 @@ impl Exporter for Usdz {
         "usdz"
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        let layer = layer(scene).into_bytes();
-        Ok(vec![OutFile::new(format!("{}.usdz", scene.name), package::of("scene.usda", &layer)?)])
+        // The layer is the first file of a package.
+        let mut files = vec![("scene.usda".to_owned(), layer(scene).into_bytes())];
+        files.extend(looks::pictures(scene)?);
+        Ok(vec![OutFile::new(format!("{}.usdz", scene.name), package::of(&files)?)])
     }
 }
 
@@ -228,49 +233,6 @@ fn mass(out: &mut Usda, inertia: &Inertia) {
     let moments: Vec<String> = eigen.eigenvalues.iter().map(|v| v.max(0.0).to_string()).collect();
     out.line(&format!("float3 physics:diagonalInertia = ({})", moments.join(", ")));
     out.line(&format!("quatf physics:principalAxes = {}", quaternion([turn.i, turn.j, turn.k, turn.w])));
-}
-
-/// Materials and their paths.
-struct Looks {
-    paths: Vec<String>,
-}
-
-impl Looks {
-    fn of(scene: &Scene) -> Self {
-        let mut names = Identifiers::default();
-        names.take(leaf(SURFACE));
-        Self { paths: scene.surfaces.iter().map(|s| format!("/World/Looks/{}", names.take(&s.name))).collect() }
-    }
-
-    fn write(&self, out: &mut Usda, scene: &Scene) {
-        out.begin("def Scope", "Looks", &[]);
-        out.begin("def Material", leaf(SURFACE), &[schemas(&["PhysicsMaterialAPI"])]);
-        out.line(&scalar("float physics:dynamicFriction", FRICTION));
-        out.line("float physics:restitution = 0");
-        out.line(&scalar("float physics:staticFriction", FRICTION));
-        out.end();
-        for (path, surface) in self.paths.iter().zip(&scene.surfaces) {
-            material(out, path, surface);
-        }
-        out.end();
-    }
-}
-
-fn material(out: &mut Usda, path: &str, surface: &Surface) {
-    out.begin("def Material", leaf(path), &[format!("displayName = {}", quoted(&surface.name))]);
-    out.line(&format!("token outputs:surface.connect = <{path}/Surface.outputs:surface>"));
-    out.begin("def Shader", "Surface", &[]);
-    out.line("uniform token info:id = \"UsdPreviewSurface\"");
-    out.line(&format!("color3f inputs:diffuseColor = {}", linear(surface.color)));
-    if let Some(emissive) = surface.emissive {
-        out.line(&format!("color3f inputs:emissiveColor = {}", linear(emissive)));
-    }
-    out.line(&scalar("float inputs:metallic", coarse(surface.metallic)));
-    out.line(&scalar("float inputs:opacity", coarse(surface.opacity)));
-    out.line(&scalar("float inputs:roughness", coarse(surface.roughness)));
-    out.line("token outputs:surface");
-    out.end();
-    out.end();
 }
 
 /// A colour in linear light.

@@ -1,10 +1,12 @@
 //! What bodies look like and what they stop others with: meshes of one material each, and colliders. What several bodies
 //! have is written once.
 
+use super::looks::{Looks, PLACES};
 use super::text::{Usda, scalar, schemas, triple, triples};
-use super::{FRAME, Looks, leaf, place};
+use super::{FRAME, leaf, place};
 use crate::geometry::mesh::Group;
 use crate::names::Identifiers;
+use crate::obj::to_tenths;
 use crate::physics::{Geom, Physics, Shape};
 use scenelang_layout::Vec3;
 use std::collections::BTreeMap;
@@ -107,8 +109,8 @@ impl Own<'_> {
             self.drawn.iter().flat_map(|group| Welded::of(group).into_iter().map(|mesh| (group.surface, mesh)));
         for (i, (surface, mesh)) in meshes.enumerate() {
             out.begin("def Mesh", &format!("look_{i}"), &[schemas(&["MaterialBindingAPI"])]);
-            mesh.write(out);
-            out.line(&format!("rel material:binding = <{}>", self.looks.paths[surface]));
+            mesh.write(out, self.looks.tile(surface));
+            out.line(&format!("rel material:binding = <{}>", self.looks.path(surface)));
             out.end();
         }
         for (i, geom) in self.geoms.iter().enumerate() {
@@ -117,12 +119,19 @@ impl Own<'_> {
     }
 }
 
+/// A corner of a triangle.
+struct Corner {
+    point: u32,
+    normal: [f32; 3],
+    /// Where it is on its material, metres.
+    uv: [f32; 2],
+}
+
 /// A mesh as USD wants it: no two points are in the same place, and no edge has more than two faces.
 #[derive(Default)]
 struct Welded {
     points: Vec<[f32; 3]>,
-    /// For each corner of each triangle its point and its normal.
-    corners: Vec<(u32, [f32; 3])>,
+    corners: Vec<Corner>,
     /// Points by where they are.
     known: BTreeMap<[u32; 3], u32>,
 }
@@ -135,11 +144,11 @@ impl Welded {
         let mut solid = Self::default();
         let mut open: BTreeMap<[u32; 2], u32> = BTreeMap::new();
         for t in group.indices.chunks_exact(3) {
-            let corners = [t[0], t[2], t[1]].map(|i| {
-                let point = solid.point(FRAME.corner(group.positions[i as usize]));
-                (point, FRAME.corner(group.normals[i as usize]))
+            let corners = [t[0], t[2], t[1]].map(|i| i as usize).map(|i| {
+                let point = solid.point(FRAME.corner(group.positions[i]));
+                Corner { point, normal: FRAME.corner(group.normals[i]), uv: group.uvs[i] }
             });
-            let [a, b, c] = corners.map(|(point, _)| point);
+            let [a, b, c] = corners.each_ref().map(|corner| corner.point);
             if a == b || b == c || c == a {
                 continue;
             }
@@ -178,24 +187,32 @@ impl Welded {
         };
         let first = mesh.points.len() as u32;
         mesh.points.extend(self.points);
-        mesh.corners.extend(self.corners.into_iter().map(|(point, normal)| (first + point, normal)));
+        mesh.corners.extend(self.corners.into_iter().map(|c| Corner { point: first + c.point, ..c }));
         mesh.known.extend(self.known.into_iter().map(|(place, point)| (place, first + point)));
     }
 
-    fn write(&self, out: &mut Usda) {
+    /// Writes it, with the places of its corners on a texture whose repeats are so large.
+    fn write(&self, out: &mut Usda, tile: Option<[f32; 2]>) {
         let points = || self.points.iter().copied();
         let ends = points().fold([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]], |[lo, hi], p| {
             [std::array::from_fn(|i| lo[i].min(p[i])), std::array::from_fn(|i| hi[i].max(p[i]))]
         });
         out.line(&format!("float3[] extent = {}", triples(ends.into_iter())));
         out.line(&format!("int[] faceVertexCounts = [{}]", vec!["3"; self.corners.len() / 3].join(", ")));
-        let indices: Vec<String> = self.corners.iter().map(|(point, _)| point.to_string()).collect();
+        let indices: Vec<String> = self.corners.iter().map(|c| c.point.to_string()).collect();
         out.line(&format!("int[] faceVertexIndices = [{}]", indices.join(", ")));
-        let normals = triples(self.corners.iter().map(|(_, normal)| *normal));
+        let normals = triples(self.corners.iter().map(|c| c.normal));
         out.line(&format!("normal3f[] normals = {normals} ("));
         out.line("    interpolation = \"faceVarying\"");
         out.line(")");
         out.line(&format!("point3f[] points = {}", triples(points())));
+        if let Some([width, height]) = tile {
+            let places = self.corners.iter().map(|c| [c.uv[0] / width, c.uv[1] / height].map(to_tenths));
+            let places: Vec<String> = places.map(|[u, v]| format!("({u}, {v})")).collect();
+            out.line(&format!("texCoord2f[] primvars:{PLACES} = [{}] (", places.join(", ")));
+            out.line("    interpolation = \"faceVarying\"");
+            out.line(")");
+        }
         out.line("uniform token subdivisionScheme = \"none\"");
     }
 }
@@ -224,7 +241,7 @@ fn collider(out: &mut Usda, name: &str, geom: &Geom) {
             group.solid(hull);
             // A convex body is one solid.
             if let Some(mesh) = Welded::of(&group).first() {
-                mesh.write(out);
+                mesh.write(out, None);
             }
             out.line("uniform token physics:approximation = \"convexHull\"");
         }

@@ -8,6 +8,7 @@ mod pictures;
 mod scene;
 mod scripts;
 mod simulators;
+mod textured;
 mod unity;
 mod usd_back;
 mod written;

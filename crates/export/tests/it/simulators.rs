@@ -6,14 +6,14 @@ use scenelang_export::{Exporter, Lost, Scene, losses, mjcf, obj, sdf, usd};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The files of an exporter, as text.
+/// The files of an exporter, as text; what is no text are pictures.
 fn files(exporter: &dyn Exporter, scene: &Scene) -> BTreeMap<String, String> {
     let files = exporter.files(scene).unwrap();
     let count = files.len();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    let out: BTreeMap<_, _> = files.into_iter().map(|f| (f.path.to_str().unwrap().to_owned(), text(f.bytes))).collect();
+    let mut out: BTreeMap<_, _> = files.into_iter().map(|f| (f.path.to_str().unwrap().to_owned(), f.bytes)).collect();
     assert_eq!(out.len(), count, "no file is written twice");
-    out
+    out.retain(|path, _| !path.ends_with(".png"));
+    out.into_iter().map(|(path, bytes)| (path, String::from_utf8(bytes).unwrap())).collect()
 }
 
 fn elements<'a>(document: &'a Document<'_>, tag: &'a str) -> impl Iterator<Item = Node<'a, 'a>> {

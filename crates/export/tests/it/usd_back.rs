@@ -32,7 +32,9 @@ impl Written {
         });
         let (scene, folder) = (scene.unwrap(), tempfile::tempdir().unwrap());
         for out in Usd.files(&scene).unwrap().into_iter().chain(Usdz.files(&scene).unwrap()) {
-            fs::write(folder.path().join(out.path), out.bytes).unwrap();
+            let path = folder.path().join(out.path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, out.bytes).unwrap();
         }
         Self { folder, text }
     }

@@ -1,7 +1,7 @@
 //! The language book, judged: its layouts with the programs before them, row by row, and its drawings.
 //!
 //! A block `json layout` is a layout of the nearest program before it. Words behind it name the diagnostics that must be
-//! found in the layout (`E0505`, `E0505:5`, `E0505:5:14`), ask for another judgement (`box`, `no-physics`, `opens-all`, `core`, `all`), or
+//! found in the layout (`E0505`, `E0505:5`, `E0505:5:14`), ask for another judgement (`box`, `no-physics`, `opens-doors`, `core`, `all`), or
 //! for a drawing, see `drawing`. In the program, a comment `//= …` at the end of a statement says what the layout must
 //! make of it: `holds`, `fails`, `null`, `margin 0.25 m`, several separated by commas; unmarked statements must hold. A
 //! code there is a diagnostic that only a layout brings up. `//= P-COLLIDE:a:b` is a physical rule that is violated
@@ -89,8 +89,8 @@ fn options(block: &Block) -> (Options, scenelang_lang::Options) {
     if has("box") {
         options.geometry = Geometry::Box;
     }
-    if has("opens-all") {
-        options.opens = Opens::All;
+    if has("opens-doors") {
+        options.opens = Opens::Doors;
     }
     (options, scenelang_lang::Options { core: has("core") })
 }

@@ -5,10 +5,13 @@
 //! 0…1, (1 + cos) / 2; of several views of a model the one that fits best counts, as in Holodeck. No network and no model is
 //! used here: where a query has no vectors, there is no such score.
 
+mod known;
+
 use crate::faults::{Fault, fault};
 use crate::folder::Entry;
 use crate::npy::{self, Array};
 use crate::search::Hit;
+use known::{Known, Of};
 use rustc_hash::FxHashMap;
 use scenelang_base::codes;
 use scenelang_base::door::Door;
@@ -38,6 +41,7 @@ pub struct Features {
     sbert: Vectors,
     clip_asked: Vectors,
     sbert_asked: Vectors,
+    known: Known,
 }
 
 /// Rows of unit vectors, `views` for each model or query.
@@ -97,6 +101,7 @@ impl Features {
             sbert: vectors(ARRAYS[1], &models)?,
             clip_asked: vectors(ARRAYS[2], &queries)?,
             sbert_asked: vectors(ARRAYS[3], &queries)?,
+            known: Known::new(0, 0, 0),
             models,
             queries,
         };
@@ -107,7 +112,21 @@ impl Features {
                 return Err(broken(format!("{FOLDER}/: {say}; both must be of the same network")));
             }
         }
-        Ok(Some(found))
+        Ok(Some(found.ready()))
+    }
+
+    /// Makes estimates for the queries.
+    fn ready(mut self) -> Self {
+        let width = self.clip.width.max(self.sbert.width);
+        self.known = Known::new(self.models.len(), self.queries.len(), width);
+        let (clip, sbert) = self.vectors();
+        self.known.prepare(clip, sbert);
+        self
+    }
+
+    fn vectors(&self) -> (Of<'_>, Of<'_>) {
+        let clip = Of { models: &self.clip, asked: &self.clip_asked };
+        (clip, Of { models: &self.sbert, asked: &self.sbert_asked })
     }
 
     /// Whether there are vectors for a query.
@@ -115,29 +134,56 @@ impl Features {
         self.queries.contains_key(query)
     }
 
-    /// Whether there are vectors for a model.
-    pub fn has(&self, model: &str) -> bool {
-        self.models.contains_key(model)
+    /// The row of the vectors of a model.
+    pub(crate) fn row(&self, model: &str) -> Option<u32> {
+        self.models.get(model).map(|row| *row as u32)
     }
 
     /// The models of a catalogue that fit a query best, at most so many, with the published score; of equal ones, those that
-    /// come first. `None` where there are no vectors for the query.
+    /// come first. `None` where there are no vectors for the query. The entries are those of the folder of these features.
     pub fn search(&self, entries: &[Entry], query: &str, most: usize) -> Option<Vec<Hit>> {
-        self.queries.get(query)?;
-        let hit = |(entry, of): (usize, &Entry)| Some(Hit { entry, score: self.score(query, of.name())? });
-        let mut hits: Vec<Hit> = entries.iter().enumerate().filter_map(hit).collect();
+        let query = *self.queries.get(query)?;
+        let rows = entries.iter().enumerate().filter_map(|(at, entry)| Some((at as u32, entry.row?)));
+        let hit = |(entry, row): (u32, u32)| Hit { entry: entry as usize, score: self.score_of(query, row as usize) };
+        let mut hits: Vec<Hit> = self.candidates(rows, query, most).into_iter().map(hit).collect();
         hits.sort_by(|a, b| b.score.total_cmp(&a.score).then(a.entry.cmp(&b.entry)));
         hits.truncate(most);
         Some(hits)
     }
 
+    /// Those of the models, with their rows, that can be among the `most` best ones for a query.
+    fn candidates(&self, rows: impl Iterator<Item = (u32, u32)>, query: usize, most: usize) -> Vec<(u32, u32)> {
+        if most == 0 {
+            return Vec::new();
+        }
+        let (clip, sbert) = self.vectors();
+        let scores = self.known.scores(query, clip, sbert);
+        let score = |row: u32| f64::from(scores[row as usize]);
+        let mut rows: Vec<(u32, u32)> = rows.collect();
+        if most < rows.len() {
+            rows.select_nth_unstable_by(most - 1, |a, b| score(b.1).total_cmp(&score(a.1)));
+            // So many models score at least this.
+            let least = score(rows[most - 1].1) - self.known.error;
+            rows.retain(|(_, row)| score(*row) + self.known.error >= least);
+        }
+        rows
+    }
+
     /// The published score of a model, from 0 to 1; `None` where there are no vectors for it or for the query.
     pub fn score(&self, query: &str, model: &str) -> Option<f64> {
-        let (query, model) = (*self.queries.get(query)?, *self.models.get(model)?);
+        Some(self.score_of(*self.queries.get(query)?, *self.models.get(model)?))
+    }
+
+    fn score_of(&self, query: usize, model: usize) -> f64 {
         let visual = self.clip.nearest(model, self.clip_asked.row(query));
         let semantic = self.sbert.nearest(model, self.sbert_asked.row(query));
-        Some(published_score(visual, semantic))
+        published_score(visual, semantic)
     }
+}
+
+/// A cosine brought to 0…1.
+fn similarity(cosine: f64) -> f64 {
+    ((1.0 + cosine) / 2.0).clamp(0.0, 1.0)
 }
 
 impl Vectors {
@@ -166,6 +212,10 @@ impl Vectors {
         Ok(Self { views, width, numbers })
     }
 
+    fn rows(&self) -> usize {
+        self.numbers.len() / (self.views * self.width)
+    }
+
     fn row(&self, row: usize) -> &[f32] {
         let size = self.views * self.width;
         &self.numbers[row * size..][..size]
@@ -174,8 +224,7 @@ impl Vectors {
     /// The greatest similarity of the views of a row to a vector, from 0 to 1.
     fn nearest(&self, row: usize, to: &[f32]) -> f64 {
         let cosines = self.row(row).chunks_exact(self.width).map(|view| f64::from(dot(view, to)));
-        let best = cosines.fold(f64::NEG_INFINITY, f64::max);
-        ((1.0 + best) / 2.0).clamp(0.0, 1.0)
+        similarity(cosines.fold(f64::NEG_INFINITY, f64::max))
     }
 }
 
@@ -191,4 +240,65 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
         }
     }
     sums.iter().sum::<f32>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WIDTH: usize = 768;
+
+    /// Vectors of random directions, the same on every machine.
+    fn random(rows: usize, views: usize, state: &mut u64) -> Vectors {
+        let mut next = || {
+            *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (*state >> 40) as f32 / (1_u64 << 23) as f32 - 1.0
+        };
+        let numbers = (0..rows * views * WIDTH).map(|_| next()).collect();
+        Vectors::of(Array { shape: vec![rows, views, WIDTH], numbers }, rows, NAMES).unwrap()
+    }
+
+    /// Features of models and queries that are called by their numbers.
+    fn features(models: usize, queries: usize) -> Features {
+        let named = |count: usize| (0..count).map(|i| (i.to_string(), i)).collect();
+        let mut state = 18;
+        Features {
+            models: named(models),
+            queries: named(queries),
+            clip: random(models, 3, &mut state),
+            sbert: random(models, 1, &mut state),
+            clip_asked: random(queries, 1, &mut state),
+            sbert_asked: random(queries, 1, &mut state),
+            known: Known::new(0, 0, 0),
+        }
+        .ready()
+    }
+
+    #[test]
+    fn a_query_scores_few_models_and_misses_none() {
+        const MODELS: usize = 2_000;
+        let features = features(MODELS, 70);
+        let rows = || (0..MODELS as u32).map(|i| (i, i));
+        // The last queries are of the second block, which is not full.
+        for query in (0..70).step_by(3).chain([69]) {
+            let exact: Vec<f64> = (0..MODELS).map(|model| features.score_of(query, model)).collect();
+            let (clip, sbert) = features.vectors();
+            let estimates = features.known.scores(query, clip, sbert);
+            for (exact, estimate) in exact.iter().zip(estimates) {
+                assert!(
+                    (exact - f64::from(*estimate)).abs() < f64::min(1e-6, features.known.error),
+                    "{exact} {estimate}"
+                );
+            }
+            for most in [1, 8, 100] {
+                let mut best: Vec<u32> = (0..MODELS as u32).collect();
+                best.sort_by(|a, b| exact[*b as usize].total_cmp(&exact[*a as usize]));
+                let candidates = features.candidates(rows(), query, most);
+                assert!(best[..most].iter().all(|b| candidates.iter().any(|(_, row)| row == b)), "{query} {most}");
+                assert!(candidates.len() <= most + 20, "{query}: {} are scored for {most}", candidates.len());
+            }
+        }
+        assert!(features.candidates(rows(), 0, 0).is_empty());
+        assert_eq!(features.candidates(rows(), 0, MODELS).len(), MODELS);
+    }
 }
