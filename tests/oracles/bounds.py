@@ -146,15 +146,28 @@ def read_unity(folder):
         if text.strip().split(":")[0] in ("GameObject", "Transform", "MeshFilter", "MonoBehaviour"):
             (kind, fields), = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)).items()
             documents[int(anchor)] = (kind, fields)
+
+    def components(owner):
+        return {documents[c["component"]["fileID"]][0]: documents[c["component"]["fileID"]][1]
+                for c in owner["m_Component"] if c["component"]["fileID"] in documents}
+
+    def drawn(owner):
+        """The points of an object and of its moving parts, in the frame of its parent."""
+        own = components(owner)
+        place = own["Transform"]
+        points = []
+        if "MeshFilter" in own:
+            points.append(obj_points(files[own["MeshFilter"]["m_Mesh"]["guid"]])[None] @ MIRROR)  # as Unity's importer does
+        for child in place["m_Children"]:
+            points += drawn(documents[documents[child["fileID"]][1]["m_GameObject"]["fileID"]][1])
+        matrix = quaternion(*(place["m_LocalRotation"][k] for k in "xyzw"))
+        return [p @ matrix.T + [place["m_LocalPosition"][k] for k in "xyz"] for p in points]
+
     found = {}
     for kind, fields in documents.values():
         if kind == "MonoBehaviour" and "boundsMin" in fields:
             owner = documents[fields["m_GameObject"]["fileID"]][1]
-            own = dict(documents.get(c["component"]["fileID"], ("", None)) for c in owner["m_Component"])
-            place = own["Transform"]
-            points = obj_points(files[own["MeshFilter"]["m_Mesh"]["guid"]])[None] @ MIRROR  # as Unity's importer does
-            matrix = quaternion(*(place["m_LocalRotation"][k] for k in "xyzw"))
-            found[str(fields["id"])] = points @ matrix.T + [place["m_LocalPosition"][k] for k in "xyz"]
+            found[str(fields["id"])] = np.concatenate(drawn(owner))
     return found
 
 
