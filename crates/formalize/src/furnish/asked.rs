@@ -112,7 +112,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         Some(Place::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
         _ => None,
     };
-    if let (Some(toward), true) = (in_rows, it.count > 2 && !stand::placed(plan.draft, &it.name)) {
+    let fewest = if stand::group(&it.category) == Group::Table { 2 } else { 3 };
+    if let (Some(toward), true) = (in_rows, it.count >= fewest && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         if stand::on_floor(plan.draft, &it)
             && rows(plan, &noun, it.count, toward, ("such things stand in rows", Some(thing)))

@@ -3,6 +3,7 @@
 use super::floor::Pose;
 use super::kinds::Place;
 use super::openings;
+use super::place;
 use super::plan::{Plan, metres};
 use super::seek::Wall;
 use super::stand;
@@ -124,6 +125,10 @@ pub fn add_windows(plan: &mut Plan) {
             let row =
                 format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
             plan.say(row, "windows are in one wall");
+        } else if let (Some((wall, first)), true) = (row, plan.draft.rooms.len() > 1) {
+            let at = Pose { y: sill, ..wall.place([w, h, d], first, 0.0) };
+            let text = place::absolute(&name, &plan.room_name(), [at.x, at.y, at.z], at.yaw);
+            plan.say(format!("assert {text};"), "a window looks outside, not into the next room");
         } else {
             plan.say(format!("assert {name}.pos.y = {};", metres(sill)), "a window has a sill");
         }

@@ -170,7 +170,9 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
-        kinds::Count::Area(each) if rows => Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize),
+        kinds::Count::Area(each) if rows || plural && line.place == kinds::Place::Run => {
+            Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
+        }
         // "A church with pews": as many as its people need.
         kinds::Count::People(each) if rows => {
             let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);

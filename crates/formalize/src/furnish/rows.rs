@@ -100,7 +100,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     // A team that finds no room for its groups of desks wants a larger one.
     plan.lacking += usize::from(matters && facing && places.is_none() && asked.is_none());
     let is_table = stand::group(noun) == crate::brief::Group::Table;
-    let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..1] };
+    let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..2] };
     // Nearer to each other, too, where something is in the way of tables that are spread.
     let spreads = if is_table { &[SPREAD, 0.0][..] } else { &[SPREAD][..] };
     let tries = more.iter().flat_map(|more| spreads.iter().map(move |spread| (toward, *more, *spread)));
@@ -267,7 +267,9 @@ const AISLE: (f64, usize) = (1.1, 6);
 /// Tables are so far from each other at most (metres).
 const SPREAD: f64 = 1.3;
 /// How much farther from what is before them (metres) rows are tried that are asked for, where something is in their way.
-const FARTHER: [f64; 4] = [0.0, 0.5, 1.0, 1.5];
+const FARTHER: [f64; 5] = [0.0, NEARER, 0.5, 1.0, 1.5];
+/// Rows begin so much nearer to what is before them where there is no room for all.
+const NEARER: f64 = -0.7;
 /// The aisle between pews, and what is between one and the back of the next.
 const PEWS: (f64, f64) = (1.1, 0.36);
 /// What is looked at from all sides, and how much room is around it.
@@ -284,16 +286,34 @@ fn step(free: f64, cell: f64, count: usize, least: f64, spread: f64) -> f64 {
 /// so far from each other at most if they are tables.
 fn grid(
     plan: &Plan,
-    [w, d]: [f64; 2],
+    room: [f64; 2],
     noun: &str,
     size: [f64; 3],
     reach: [f64; 4],
     n: usize,
+    how: (bool, f64, f64),
+) -> Option<Vec<Pose>> {
+    // Desks of a class stand in pairs, unless more have room one by one.
+    let pairs = || cells(plan, room, noun, size, reach, (n, 2), how);
+    let paired = if how.0 && n > PAIRED && is_desk(noun) { pairs() } else { None };
+    if paired.as_ref().is_some_and(|places| places.len() >= n) {
+        return paired;
+    }
+    let single = cells(plan, room, noun, size, reach, (n, 1), how);
+    [paired, single].into_iter().flatten().reduce(|best, next| if next.len() > best.len() { next } else { best })
+}
+
+/// The same in cells of `each`.
+fn cells(
+    plan: &Plan,
+    [w, d]: [f64; 2],
+    noun: &str,
+    size: [f64; 3],
+    reach: [f64; 4],
+    (n, each): (usize, usize),
     (toward, farther, widest): (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
-    // Desks of a class stand in pairs.
-    let each = if toward && n > PAIRED && is_desk(noun) { 2 } else { 1 };
     let (one, cell_d) = (left + right, back + front);
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
     let asked = n;

@@ -170,6 +170,8 @@ fn every_block_is_executed() {
                 ["text", "asking"] => page.path == Path::new("models.md"),
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["sh"] | ["json", "client"] | ["js", "three"] => page.path.starts_with("for"),
+                // A test of the exporter compiles them.
+                ["csharp"] => page.path == Path::new("for/unity.md"),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
             };
