@@ -170,6 +170,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
+        // "Reading tables for twelve".
+        kinds::Count::People(each) if plural && thing.group == Group::Table => {
+            Some((brief.rooms.get(thing.room)?.people? as f64 / each).ceil().max(2.0) as usize)
+        }
         kinds::Count::Area(each) if rows || plural && line.place == kinds::Place::Run => {
             Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
         }

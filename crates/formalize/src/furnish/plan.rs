@@ -291,10 +291,8 @@ impl<'a> Plan<'a> {
         let round = stand::round(&category, &self.draft.things[thing].look.features);
         // Two that look at each other share what is between them.
         let on_top = matches!(part.at, Where::Top(..));
-        if !on_top && self.building.as_ref().is_some_and(|group| group.is_pair(thing)) {
-            return;
-        }
-        if self.claim(thing, part, wall, deep, taken) {
+        let is_shared = !on_top && self.building.as_ref().is_some_and(|group| group.is_pair(thing));
+        if is_shared || self.claim(thing, part, wall, deep, taken) {
             return;
         }
         // A fence is there only where it is asked for.
@@ -307,14 +305,7 @@ impl<'a> Plan<'a> {
         if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
             return;
         }
-        // Two rugs of one room lie on each other sooner or later.
-        let rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
-        // No rug lies on tiles. A table whose place is asked for does not keep away from the walls for the sake of one.
-        let bound =
-            stand::group(&category) == Group::Table && stand::placed(self.draft, &self.draft.things[thing].name);
-        let washed = noun.ends_with("rug") && self.kind.floor.0 == "tile";
-        let several = noun.ends_with("rug") && anchors > 1;
-        if washed || several || noun.ends_with("rug") && (bound || self.draft.things.iter().any(rug)) {
+        if noun.ends_with("rug") && !self.wants_rug(thing) {
             return;
         }
         let seat = stand::group(noun) == Group::Seat;
@@ -373,7 +364,7 @@ impl<'a> Plan<'a> {
             }
             return;
         }
-        let flush = matches!(at, Where::Side(_, Along::Backs, _, _) | Where::Sides(_, Along::Backs));
+        let flush = matches!(at, Where::Side(_, Along::Backs, ..) | Where::Sides(_, Along::Backs));
         if stands {
             self.take(own, each * anchors, flush && wall == AtWall::Yes);
         }
@@ -389,6 +380,15 @@ impl<'a> Plan<'a> {
         self.group(thing, new, &at, &why);
         let name = if in_corner(&at, &Sizes { of, own, round }) { CORNER_TABLE } else { noun };
         self.surround_as(name, new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// Whether a rug lies under a thing: one in each room, and none on tiles. A table whose place is asked for does not keep
+    /// away from the walls for the sake of one.
+    fn wants_rug(&self, thing: usize) -> bool {
+        let it = &self.draft.things[thing];
+        let is_rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
+        let bound = stand::group(&it.category) == Group::Table && stand::placed(self.draft, &it.name);
+        !bound && it.count == 1 && self.kind.floor.0 != "tile" && !self.draft.things.iter().any(is_rug)
     }
 
     /// Says where the elements of a part are, given those of what it goes with.

@@ -303,6 +303,16 @@ fn grid(
     [paired, single].into_iter().flatten().reduce(|best, next| if next.len() > best.len() { next } else { best })
 }
 
+/// How much of the depth of a room is free before rows that look to the back; behind what is kept free before a counter there
+/// is room for a line of tables at least, which leaves `most`.
+fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
+    let counter = plan.kind.lines.iter().find_map(|line| match line.place {
+        Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
+        _ => None,
+    });
+    counter.map_or(2.6_f64.min(0.33 * depth), |gap| gap.min(most.max(0.42 * depth)))
+}
+
 /// The same in cells of `each`.
 fn cells(
     plan: &Plan,
@@ -328,14 +338,9 @@ fn cells(
         () if table && (back - front).abs() < 0.1 => BESIDE_TABLES,
         () => 0.9,
     };
-    let counter = plan.kind.lines.iter().find_map(|line| match line.place {
-        Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
-        _ => None,
-    });
     let ahead = match toward {
         true if flat => 1.3,
-        // Behind what is kept free before a counter there is room for a line at least.
-        true => counter.map_or(2.6_f64.min(0.33 * d), |gap| gap.min((d - side - cell_d).max(0.42 * d))),
+        true => before_rows(plan, table, d, d - side - cell_d),
         false if rack => aisle_of_racks,
         false => side,
     } + farther;
@@ -380,15 +385,11 @@ fn cells(
     // As many seats on one side of the aisle as on the other.
     let columns_used =
         if aisle_of_seats > 0.0 { columns_used.next_multiple_of(2).min(columns & !1) } else { columns_used };
-    let exhibit = EXHIBITED.iter().any(|end| noun.ends_with(end));
-    let spread = if each == 2 {
-        widest.min(PAIRS[0].0)
-    } else if table {
-        widest
-    } else if exhibit {
-        EXHIBITS
-    } else {
-        0.0
+    let spread = match () {
+        () if each == 2 => widest.min(PAIRS[0].0),
+        () if table => widest,
+        () if EXHIBITED.iter().any(|end| noun.ends_with(end)) => EXHIBITS,
+        () => 0.0,
     };
     let step_x = if rack || alone { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
     let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });

@@ -34,6 +34,7 @@ pub fn places(tokens: &[Token]) -> Option<(usize, usize)> {
 fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
     const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
     const MOST: f64 = 120.0;
+    const AT_ONE: f64 = 4.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
         // "For a family of five", "for a class of twenty".
         let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
@@ -46,7 +47,9 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
             None => after_for(&tokens[i + 1..])?,
         };
         // "Six tables for two" are for twelve.
-        let tables = if of.is_none() { tables(&tokens[..i]) } else { Some(1.0) };
+        // "Reading tables for twelve", of which nobody says how many: twelve at all of them.
+        let all_of_them = || (n > AT_ONE).then_some(1.0);
+        let tables = if of.is_none() { tables(&tokens[..i]).or_else(all_of_them) } else { Some(1.0) };
         let all = n * tables?;
         (n > 1.0 && all <= MOST).then(|| (all as usize, first..i + 1 + words))
     })
