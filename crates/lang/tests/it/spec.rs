@@ -171,7 +171,7 @@ fn every_block_is_executed() {
                 ["text", "model"] => page.path == Path::new("models.md") && before.is_some(),
                 ["sh"] | ["json", "client"] | ["js", "three"] => page.path.starts_with("for"),
                 // A test of the exporter compiles them.
-                ["csharp"] => page.path == Path::new("for/unity.md"),
+                ["csharp"] | ["text", "editor"] => page.path == Path::new("for/unity.md"),
                 ["ebnf"] => page.path.starts_with("reference"),
                 _ => false,
             };
