@@ -72,6 +72,11 @@ impl Plan<'_> {
             .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))
             .filter(|slot| !taken.iter().any(|other| Taken::by(slot, own).meets(other)))
             .collect();
+        // What is left as one looks at its front is at its own right.
+        let seen_left = ["[0]", ""].map(|index| format!("seenLeftOf({}{index}, ", it.name));
+        if self.draft.statements.iter().any(|s| seen_left.iter().any(|seen| s.text.contains(seen))) {
+            places.reverse();
+        }
         places.truncate(each);
         if places.len() != each {
             return false;
@@ -143,6 +148,8 @@ impl Plan<'_> {
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
                 "behind" => spread || matches!(part.at, Where::Enclose(..)),
                 "leftOf" | "rightOf" => spread,
+                // "A nightstand on each side of it": one left and one right, as one looks at its front.
+                "seenLeftOf" | "seenRightOf" => matches!(part.at, Where::Sides(..)),
                 "beside" => matches!(part.at, Where::Side(..) | Where::Sides(..)),
                 _ => false,
             })
