@@ -1,4 +1,4 @@
-//! What children and those at rest use: a rocking horse, a dolls' house, a hammock.
+//! What children and those at rest use: a rocking horse, a dolls' house, a slide, a toy kitchen, a hammock.
 
 use crate::ask::Ask;
 use crate::looks::{Finish, Stuff, shade, stuff};
@@ -89,5 +89,108 @@ pub(super) fn hammock(a: &Ask) -> Model {
         m.board(share(from..to, low..low + 0.08, 0.5 - half..0.5 + half), &cloth);
     }
     m.surface = Some(0.48 * a.h);
+    m
+}
+
+/// A ladder with a platform, and a chute that ends low at the front.
+pub(super) fn slide(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let chute = a.main(Stuff(Finish::Plastic, 0xe2a12f));
+    let frame = a.second(Stuff(Finish::Plastic, 0x2f7fb5));
+    let (top, foot, edge) = (0.62 * a.h, 0.06 * a.h, 0.26 * a.d);
+    for post in b.share(0.0..0.12, 0.0..0.96, 0.0..0.05).both_sides() {
+        m.board(post, &frame);
+    }
+    for post in b.share(0.02..0.1, 0.0..0.58, 0.2..0.24).both_sides() {
+        m.board(post, &frame);
+    }
+    for step in [0.12, 0.27, 0.42] {
+        m.board(b.share(0.12..0.88, step..step + 0.04, 0.005..0.06), &frame);
+    }
+    m.board(b.share(0.02..0.98, 0.58..0.62, 0.05..0.26), &chute);
+    for rail in b.share(0.0..0.08, 0.96..1.0, 0.0..0.27).both_sides() {
+        m.board(rail, &frame);
+    }
+    for post in b.share(0.01..0.07, 0.62..0.96, 0.22..0.26).both_sides() {
+        m.board(post, &frame);
+    }
+    let (back, front) = (b.min.z + edge, b.max.z);
+    let slope =
+        |low: f64, high: f64| [(top + low, back), (top + high, back), (foot + high, front), (foot + low, front)];
+    let thick = 0.06 * a.h;
+    m.extrude(0, &slope(-thick, 0.0), b.min.x + 0.1 * a.w..b.max.x - 0.1 * a.w, &chute);
+    let side = 0.1 * a.w;
+    for from in [b.min.x, b.max.x - side] {
+        m.extrude(0, &slope(-thick, 0.1 * a.h), from..from + side, &chute);
+    }
+    m
+}
+
+/// A cupboard with rings, a basin and a shelf above, as high as a child reaches; its front looks to +z.
+pub(super) fn toy_kitchen(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let body = a.main(stuff::BIRCH);
+    let front = a.second(stuff::WHITE);
+    let dark = stuff::DARK_PLASTIC.surface();
+    m.board(b.share(0.0..1.0, 0.0..0.52, 0.0..0.94), &body);
+    m.board(b.share(0.0..1.0, 0.52..0.55, 0.0..1.0), &front);
+    for (x, y) in [(0.03..0.48, 0.04..0.48), (0.52..0.97, 0.04..0.48)] {
+        m.board(b.share(x.clone(), y, 0.94..0.97), &front);
+        let middle = (x.start + x.end) / 2.0;
+        m.mesh.crisp(b.share(middle - 0.08..middle + 0.08, 0.42..0.445, 0.97..0.99), &dark);
+    }
+    m.mesh.crisp(b.share(0.08..0.43, 0.14..0.36, 0.97..0.98), &dark);
+    for z in [0.2..0.48, 0.56..0.84] {
+        m.mesh.drum(b.share(0.1..0.34, 0.55..0.565, z), &dark);
+    }
+    m.mesh.drum(b.share(0.56..0.92, 0.55..0.575, 0.24..0.86), &stuff::STEEL.surface());
+    m.board(b.share(0.72..0.76, 0.55..0.7, 0.14..0.2), &stuff::STEEL.surface());
+    m.board(b.share(0.0..1.0, 0.55..0.96, 0.0..0.06), &body);
+    m.board(b.share(0.0..1.0, 0.96..1.0, 0.0..0.4), &body);
+    for side in b.share(0.0..0.05, 0.55..0.96, 0.06..0.36).both_sides() {
+        m.board(side, &body);
+    }
+    m
+}
+
+/// A metal box heaped with stones, behind a rail of wood at three sides.
+pub(super) fn sauna_heater(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let metal = a.main(stuff::BLACK_STEEL);
+    let wood = a.second(stuff::OAK);
+    m.board(b.share(0.12..0.88, 0.06..0.8, 0.04..0.86), &metal);
+    for foot in b.share(0.14..0.22, 0.0..0.06, 0.06..0.84).both_sides() {
+        m.board(foot, &metal);
+    }
+    let stone = stuff::STONE.surface();
+    let gray = shade(&stone, 0.55);
+    for (k, (x, z)) in [
+        (0.15, 0.08),
+        (0.4, 0.1),
+        (0.63, 0.07),
+        (0.17, 0.34),
+        (0.41, 0.36),
+        (0.64, 0.33),
+        (0.16, 0.6),
+        (0.4, 0.62),
+        (0.62, 0.58),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let top = 0.94 + 0.06 * ((k * 2 % 3) as f64) / 2.0;
+        m.mesh.ball(b.share(x..x + 0.23, 0.76..top, z..z + 0.24), if k % 2 == 0 { &gray } else { &stone });
+    }
+    m.solid(b.share(0.15..0.87, 0.8..1.0, 0.07..0.86));
+    m.board(b.share(0.0..1.0, 0.6..0.68, 0.94..1.0), &wood);
+    for side in b.share(0.0..0.06, 0.6..0.68, 0.0..0.94).both_sides() {
+        m.board(side, &wood);
+    }
+    for post in b.share(0.0..0.06, 0.0..0.6, 0.94..1.0).both_sides() {
+        m.board(post, &wood);
+    }
     m
 }

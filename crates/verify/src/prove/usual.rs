@@ -182,6 +182,9 @@ const OTHER: &[&str] = &[
     "jukebox",
     "mini",
     "cash",
+    "toy",
+    "play",
+    "pretend",
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;
