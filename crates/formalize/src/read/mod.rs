@@ -14,6 +14,7 @@ mod chunk;
 mod clause;
 mod counts;
 pub(crate) mod lexicon;
+mod meant;
 mod measure;
 mod named;
 mod noun;

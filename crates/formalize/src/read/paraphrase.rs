@@ -2,15 +2,33 @@
 //! "plants at least 1 m apart". Every word that is left is where it was, so that it is accounted for.
 
 use super::lexicon::{get, singular};
+use super::meant;
 use super::token::{Kind, Token};
 
 /// Turns what can be said more plainly. Shared words keep their places in the request.
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
-            apart, together, each_other, carried, passes, that_one, seats, stools, sleepers, purpose, opposite, opens,
-            extends, walls, distance,
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 19] = [
+            apart,
+            together,
+            each_other,
+            carried,
+            passes,
+            that_one,
+            seats,
+            stools,
+            sleepers,
+            purpose,
+            opposite,
+            opens,
+            extends,
+            walls,
+            distance,
+            meant::walls,
+            meant::vehicles,
+            meant::audience,
+            meant::counter_seats,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
         i += 1;

@@ -16,6 +16,8 @@ const LISTS: [&str; 11] =
     ["with", "and", "plus", "has", "have", "having", "featuring", "including", "includes", "add", "want"];
 /// What precedes the things that such a part has.
 const HAS: [&str; 7] = ["with", "has", "having", "featuring", "including", "containing", "holding"];
+/// What such a part is called beside its looks.
+const PLAIN: [&str; 6] = ["separate", "dedicated", "designated", "distinct", "defined", "extra"];
 /// What follows a part that is a room of its own, or of which something else is told.
 const OWN: [&str; 5] = ["of", "measuring", "is", "are", "that"];
 /// Homes have rooms by these names.
@@ -88,7 +90,7 @@ fn named(tokens: &[Token], i: usize) -> Option<(&'static Zone, usize)> {
 /// Where the noun phrase begins whose noun is such a part: at an article that follows a word of a list.
 fn begin(tokens: &[Token], i: usize) -> Option<usize> {
     let mut from = i;
-    while from > 0 && get().is_look(&tokens[from - 1].text) {
+    while from > 0 && (get().is_look(&tokens[from - 1].text) || PLAIN.iter().any(|word| tokens[from - 1].is(word))) {
         from -= 1;
     }
     let article = from.checked_sub(1).filter(|k| tokens[*k].is("a") || tokens[*k].is("an"))?;

@@ -1,0 +1,93 @@
+//! What people mean who name a thing by its use or as a whole: a wall of books is bookshelves, an audience is its seats.
+
+use super::number;
+use super::paraphrase::{put, word};
+use super::token::Token;
+
+/// "A bookshelf wall", "a wall of books": three bookshelves side by side; so are mirrors.
+pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SHELVES: [&str; 6] = ["books", "bookshelves", "bookcases", "shelves", "bookshelf", "bookcase"];
+    if !matches!(word(tokens, i), "a" | "one" | "the") {
+        return false;
+    }
+    let first = i + 1 + usize::from(matches!(word(tokens, i + 1), "whole" | "full" | "big" | "large"));
+    let mirrors = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
+        ["wall", "of", "mirrors"] => Some(first + 3),
+        ["mirror" | "mirrored", "wall", _] => Some(first + 2),
+        _ => None,
+    };
+    if let Some(end) = mirrors {
+        put(tokens, i, end, &["three", "gym", "mirrors"]);
+        return true;
+    }
+    let end = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
+        ["wall", "of", books] if SHELVES.contains(&books) => first + 3,
+        ["bookshelf" | "bookcase" | "book", "wall", _] => first + 2,
+        _ => return false,
+    };
+    put(tokens, i, end, &["three", "bookshelves"]);
+    true
+}
+
+/// "A garage for two cars with a workbench": the garage has the workbench.
+pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const VEHICLES: [&str; 8] =
+        ["cars", "vans", "trucks", "bikes", "bicycles", "motorcycles", "motorbikes", "vehicles"];
+    let are_some = VEHICLES.contains(&word(tokens, i + 2)) && word(tokens, i + 3) == "with";
+    if word(tokens, i) != "for" || !are_some || number::count(&tokens[i + 1..]).is_none() {
+        return false;
+    }
+    put(tokens, i, i + 1, &["with"]);
+    put(tokens, i + 3, i + 4, &["and"]);
+    true
+}
+
+/// "An audience of forty", "an audience for forty": forty seats.
+pub(super) fn audience(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "audience" || !matches!(word(tokens, i + 1), "of" | "for") {
+        return false;
+    }
+    let Some((_, used)) = number::count(tokens.get(i + 2..).unwrap_or_default()) else { return false };
+    let last = i + 2 + used;
+    let people = usize::from(matches!(word(tokens, last), "people" | "persons" | "guests" | "spectators"));
+    let article = usize::from(i > 0 && matches!(word(tokens, i - 1), "a" | "an" | "the"));
+    let number: Vec<String> = tokens[i + 2..last].iter().map(|t| t.text.clone()).collect();
+    let words: Vec<&str> = number.iter().map(String::as_str).chain(["seats"]).collect();
+    put(tokens, i - article, last + people, &words);
+    true
+}
+
+/// "Counter seating": stools at a bar.
+pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let seats = matches!(word(tokens, i + 1), "seating" | "seats");
+    if !matches!(word(tokens, i), "counter" | "bar") || !seats {
+        return false;
+    }
+    put(tokens, i, i + 2, &["a", "bar", "counter", "and", "six", "bar", "stools"]);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{paraphrase, token};
+
+    #[test]
+    fn what_is_meant_is_said() {
+        for (text, becomes) in [
+            ("a study with a wall of books", "a study with three bookshelves"),
+            ("a lounge with a full bookshelf wall and a lamp", "a lounge with three bookshelves and a lamp"),
+            ("a wall of stone", "a wall of stone"),
+            ("a studio with a mirrored wall", "a studio with three gym mirrors"),
+            ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),
+            ("a room for two people with a desk", "a room for two people with a desk"),
+            ("a stage with an audience of forty people", "a stage with forty seats"),
+            ("the audience of a play", "the audience of a play"),
+            ("a ramen place with counter seating", "a ramen place with a bar counter and six bar stools"),
+        ] {
+            let mut tokens = token::tokens(text, 100).0;
+            paraphrase::plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
