@@ -130,7 +130,7 @@ fn outline(rects: &[Rect]) -> f64 {
     let (w, d) = (bound(0), bound(1));
     let used: f64 = rects.iter().map(|r| (r.size[0] + 0.06) * (r.size[1] + 0.06)).sum();
     let empty = 1.0 - used / ((w + 0.06) * (d + 0.06));
-    20.0 * empty.max(0.0) + 3.0 * (w.max(d) / w.min(d) - 1.5).max(0.0).powi(2)
+    20.0 * empty.max(0.0) + 12.0 * (w.max(d) / w.min(d) - 1.6).max(0.0).powi(2)
 }
 
 /// The outline's width and depth, and its lower corner.

@@ -5,7 +5,7 @@ use super::cost::cost;
 use super::rows::{Cell, Order, Rect, place};
 
 /// How deep the first row is tried (metres).
-const TRIED: [f64; 9] = [2.2, 2.6, 3.0, 3.4, 3.8, 4.2, 4.6, 5.2, 6.0];
+const TRIED: [f64; 10] = [1.9, 2.2, 2.6, 3.0, 3.4, 3.8, 4.2, 4.6, 5.2, 6.0];
 /// So many plans are looked at.
 const PLANS: usize = 200_000;
 /// So many orders are begun with.
