@@ -31,7 +31,9 @@ pub fn seats(brief: &mut Brief) {
         let kind = brief.rooms.get(i.room).and_then(|room| kinds::of(&room.name));
         kind.is_none_or(|kind| kinds::seats_all(kind, &i.name()))
     };
-    let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i);
+    // A couple does not sit at the desk of its bedroom.
+    let works = |i: &Thing| i.places.is_none() && i.words.last().is_some_and(|word| word == "desk");
+    let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i) && !works(i);
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
     let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {

@@ -8,7 +8,7 @@ use super::inventory::{TEAM, counter_length};
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::spots::{free, gate, in_row, kept, near, near_to, nominal, staffed, watched_from};
+use super::spots::{free, gate, in_row, kept, lanes, near, near_to, nominal, staffed, watched_from};
 use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
@@ -18,8 +18,9 @@ use std::cell::RefCell;
 const SERVED: usize = 4;
 /// Several things with a place of their own are so far apart (metres).
 const APART: f64 = 0.8;
-/// What is parked along a wall.
-const PARKED: [&str; 6] = ["bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
+/// What stands or leads along a wall.
+const PARKED: [&str; 9] =
+    ["staircase", "stairs", "stairway", "bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
 /// So many of what nobody uses stand in corners.
 const CORNERS: usize = 4;
 
@@ -110,12 +111,15 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         Some(Place::Rows(toward)) => Some(*toward),
         // The desks of a team stand in groups.
         Some(Place::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
+        // So do mats, with nothing on them.
+        _ if stand::group(&noun) == Group::Flat => Some(true),
         _ => None,
     };
     let fewest = if stand::group(&it.category) == Group::Table { 2 } else { 3 };
     if let (Some(toward), true) = (in_rows, it.count >= fewest && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
-        if stand::on_floor(plan.draft, &it)
+        let is_mat = stand::group(&noun) == Group::Flat;
+        if (is_mat || stand::on_floor(plan.draft, &it))
             && rows(plan, &noun, it.count, toward, ("such things stand in rows", Some(thing)))
         {
             plan.draft
@@ -144,12 +148,16 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let is_on_floor = stand::on_floor(plan.draft, &it);
     let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
     let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
-    let aside = own.map_or_else(|| stand::is_aside(&it.category), |place| *place == Place::Corner);
+    // One reads in a corner where nobody else sits on soft seats.
+    let is_soft = |line: &Line| stand::is_easy(line.noun) || line.noun.ends_with("sofa");
+    let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
+    let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == Place::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
-    if !at_wall_like && !aside && (own_place.is_none() || gated) {
+    let is_parked = PARKED.iter().any(|end| noun.ends_with(end));
+    if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
-    let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun) && !plan.is_placed(thing);
+    let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside };
     if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
         plan.building = None;
@@ -229,7 +237,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
             choice.middle(floor, shape, yaws)
         } else if let Some((line, nominal)) = own {
             match line.place {
-                Place::Service(gap) => choice.service(floor, shape, gap).or_else(|| choice.service(floor, shape, 0.9)),
+                Place::Service(gap) => lanes(&choice, floor, shape, before, (it.count, gap), &row),
                 _ => {
                     // Several stand side by side, with room to walk between them.
                     let step = size[0] + APART;

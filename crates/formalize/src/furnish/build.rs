@@ -33,7 +33,7 @@ const BESIDE_TABLE: f64 = 0.6;
 const BESIDE_BED: f64 = 0.52;
 
 /// What a group is not complete without, beside its seats.
-const USED: [&str; 4] = ["kitchen sink", "stove", "fridge", "sink"];
+const USED: [&str; 5] = ["kitchen sink", "stove", "fridge", "sink", "nightstand"];
 
 /// Whether a group is not complete without a part.
 fn matters(part: &str) -> bool {
@@ -213,13 +213,16 @@ pub struct Root<'r> {
 }
 
 /// How far a plan was before a group was tried.
+#[derive(Clone)]
 struct Mark {
-    /// Of things, statements, claimed things, and what stands on things.
-    counts: [usize; 4],
+    /// Of things, statements, claimed things, what stands on things, and places.
+    counts: [usize; 5],
     names: Names,
     floor: f64,
     walls: f64,
     turn: usize,
+    lacking: usize,
+    ground: Option<Floor>,
 }
 
 impl Plan<'_> {
@@ -240,6 +243,11 @@ impl Plan<'_> {
             let before = self.mark();
             let thing = add(self, n * root.frames.len());
             if let Some(poses) = self.try_group(thing, n, root, &skip) {
+                let mut again = |plan: &mut Self, skip: &[&'static str]| {
+                    let thing = add(plan, n * root.frames.len());
+                    Some((thing, plan.try_group(thing, n, root, skip)?))
+                };
+                let (thing, poses) = self.bring_back(&before, &mut skip, (thing, poses), &mut again);
                 self.miss(&skip);
                 self.settle();
                 return Some((thing, poses));
@@ -261,9 +269,15 @@ impl Plan<'_> {
             let narrow = attempt % 2 == 1;
             let before = self.mark();
             self.ground.iter_mut().for_each(|ground| ground.narrow = narrow);
-            let placed = self.try_group(thing, root.n, root, &skip).is_some();
+            let placed = self.try_group(thing, root.n, root, &skip).map(|poses| (thing, poses)).map(|found| {
+                let mut again = |plan: &mut Self, skip: &[&'static str]| {
+                    plan.ground.iter_mut().for_each(|ground| ground.narrow = narrow);
+                    Some((thing, plan.try_group(thing, root.n, root, skip)?))
+                };
+                self.bring_back(&before, &mut skip, found, &mut again)
+            });
             self.ground.iter_mut().for_each(|ground| ground.narrow = false);
-            if placed {
+            if placed.is_some() {
                 // Who works or eats at what is asked for has a seat there.
                 let seatless = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
                 self.lacking += usize::from(
@@ -283,19 +297,50 @@ impl Plan<'_> {
     }
 
     fn mark(&self) -> Mark {
-        let Self { draft, names, claimed, loads, floor, walls, turn, .. } = self;
-        let counts = [draft.things.len(), draft.statements.len(), claimed.len(), loads.len()];
-        Mark { counts, names: names.clone(), floor: *floor, walls: *walls, turn: *turn }
+        let Self { draft, names, claimed, loads, floor, walls, turn, lacking, ground, .. } = self;
+        let counts = [draft.things.len(), draft.statements.len(), claimed.len(), loads.len(), draft.places.len()];
+        let (names, ground) = (names.clone(), ground.clone());
+        Mark { counts, names, floor: *floor, walls: *walls, turn: *turn, lacking: *lacking, ground }
+    }
+
+    /// A group has its place without some of its parts, of which the last was in the way: the others come back one by one if
+    /// there is room for them. `again` adds the group anew without some parts.
+    fn bring_back(
+        &mut self,
+        before: &Mark,
+        skip: &mut Vec<&'static str>,
+        found: (usize, Vec<Pose>),
+        again: &mut dyn FnMut(&mut Self, &[&'static str]) -> Option<(usize, Vec<Pose>)>,
+    ) -> (usize, Vec<Pose>) {
+        let mut best = found;
+        let mut is_best = true;
+        for part in skip.split_last().map_or(Vec::new(), |(_, others)| others.to_vec()) {
+            let fewer: Vec<&'static str> = skip.iter().copied().filter(|other| *other != part).collect();
+            self.take_back(before.clone(), best.0);
+            is_best = false;
+            if let Some(next) = again(self, &fewer) {
+                (best, *skip, is_best) = (next, fewer, true);
+            }
+        }
+        if !is_best {
+            self.take_back(before.clone(), best.0);
+            if let Some(next) = again(self, skip) {
+                best = next;
+            }
+        }
+        best
     }
 
     /// Takes back what was added since for a group that begins with a thing. The part to be left out next.
     fn take_back(&mut self, before: Mark, thing: usize) -> Option<&'static str> {
         let least = self.building.take().and_then(|group| group.least(thing));
-        let [things, statements, claimed, loads] = before.counts;
+        let [things, statements, claimed, loads, places] = before.counts;
         self.draft.things.truncate(things);
         self.draft.statements.truncate(statements);
         self.claimed.truncate(claimed);
         self.loads.truncate(loads);
+        self.draft.places.truncate(places);
+        (self.lacking, self.ground) = (before.lacking, before.ground);
         (self.names, self.floor, self.walls, self.turn) = (before.names, before.floor, before.walls, before.turn);
         least
     }

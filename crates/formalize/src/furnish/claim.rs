@@ -288,6 +288,8 @@ fn takes(part: &Part, category: &str) -> bool {
     let seat = stand::group(part.noun) == Group::Seat;
     let easy = asked != part.noun && stand::is_easy(&asked);
     asked == part.noun
+        // A lamp of which nothing is said stands on the floor.
+        || asked == "lamp" && part.noun == "floor lamp"
         || asked.ends_with(&format!(" {}", part.noun)) && !easy
         || stand::are_kin(part.noun, &asked)
         || seat && counts_as(part.noun, &asked) && !easy

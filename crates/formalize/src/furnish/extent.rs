@@ -5,13 +5,13 @@ use super::kinds;
 use super::number::{Scale, scale};
 use super::room::{Furnished, furnish_once};
 use super::stand;
-use crate::brief::Brief;
+use crate::brief::{Brief, Group};
 use crate::draft::{Draft, Thing};
 
 /// How often a room grows in which something that matters finds no room, and by how much.
 const GROWN: usize = 5;
 /// The same of one that is said to be small.
-const GROWN_SMALL: usize = 2;
+const GROWN_SMALL: usize = 4;
 const GROWTH: f64 = 1.07;
 /// How often a room becomes smaller that has more floor than its furniture needs: as a whole, and then each side by so
 /// much.
@@ -102,8 +102,11 @@ fn shrink(
         empty.rooms[at].size = [w, size[1], d];
         let mut smaller = empty.clone();
         let furnished = furnish(&mut smaller);
-        let mut standing =
-            draft.things.iter().filter(|thing| stand::on_floor(draft, thing) && thing.category != "plant");
+        let is_mat = |thing: &Thing| thing.count > 1 && stand::group(&thing.category) == Group::Flat;
+        let mut standing = draft
+            .things
+            .iter()
+            .filter(|thing| (is_mat(thing) || stand::on_floor(draft, thing)) && thing.category != "plant");
         let has_all = furnished.lacking <= now.lacking
             && furnished.unreached <= now.unreached
             && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));

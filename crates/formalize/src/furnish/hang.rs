@@ -5,7 +5,7 @@ use super::build::Root;
 use super::choose::Choice;
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::{APART, EYES};
+use super::inventory::{APART, EYES, HUNG_SCREEN};
 use super::kinds::{Line, Place};
 use super::plan::{AtWall, Plan};
 use super::spots::{around_hung, near, nominal, watched_from};
@@ -46,8 +46,13 @@ pub fn up(plan: &mut Plan, at: usize) {
         return;
     }
     let it = plan.draft.things[at].clone();
-    let Some(size) = it.size else { return };
+    let Some(mut size) = it.size else { return };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
+    // Of a usual one the foot is left out.
+    if stand::group(&noun) == Group::Screen && size[2] > HUNG_SCREEN && size == Plan::size(&noun) {
+        size[2] = HUNG_SCREEN;
+        plan.draft.things[at].size = Some(size);
+    }
     let height = plan.draft.rooms[plan.room].size[1];
     if stand::group(&noun) == Group::Ceiling {
         let text = place::absolute(&it.name, &plan.room_name(), [0.0, height - size[1], 0.0], 0.0);

@@ -7,7 +7,7 @@ use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
-use super::spots::{beds, ends, free, in_row, kept, near, near_to, nominal, staffed, watched_from};
+use super::spots::{beds, beside_pair, ends, free, in_row, kept, lanes, near, near_to, nominal, staffed, watched_from};
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;
@@ -40,6 +40,9 @@ const SMALL: f64 = 0.15;
 const STUNTED: f64 = 0.7;
 /// Where many books are asked for there are so many bookcases.
 pub(super) const BOOKCASES: usize = 3;
+
+/// How deep a television is that hangs on a wall (metres).
+pub(super) const HUNG_SCREEN: f64 = 0.08;
 
 /// So many desks are those of a team.
 pub(super) const TEAM: usize = 3;
@@ -74,7 +77,8 @@ pub(super) fn several_tables(plan: &Plan) -> bool {
 pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    let seated = has_seats(plan, line.noun) && several_tables(plan);
+    let seats = has_seats(plan, line.noun) || matches!(line.place, Place::Rows(_)) && is_desk(line.noun);
+    let seated = seats && several_tables(plan);
     if plan.counted < line.least || closed || seated || plan.is_furnished() || came_along(plan, line) {
         return;
     }
@@ -156,10 +160,27 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     size
 }
 
+/// A screen that is seen from the back of a hall is as large as that needs; a television that hangs has no foot.
+fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
+    const SHARE: f64 = 0.3;
+    const LARGEST: f64 = 4.4;
+    const BELOW: f64 = 1.6;
+    let [width, height, _] = plan.draft.rooms[plan.room].size;
+    if line.noun == "tv" && line.place == Place::Hung {
+        return [w, h, HUNG_SCREEN];
+    }
+    if line.noun != "projection screen" || !matches!(line.place, Place::Back(_)) {
+        return [w, h, d];
+    }
+    let wide = (SHARE * width).min(LARGEST).min(1.7 * (height - BELOW)).max(w);
+    [wide, h.max(0.56 * wide), d]
+}
+
 /// Things at walls, in corners, in the middle.
 pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let mut size = size_for_people(plan, line.noun, n);
     size[0] = size[0].max(counter_length(plan, line));
+    size = as_seen(plan, line, size);
     // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
     let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);
     let known = plan.ground.is_some();
@@ -204,6 +225,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let y = if hung { (EYES - size[1] / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling) } else { 0.0 };
     let opposite = opposite_of(plan, line);
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
+    let aside = matches!(line.place, Place::Opposite(_)).then(|| beside_pair(plan)).flatten();
     let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
     let windows = window_walls(plan);
     let beds = if line.noun.ends_with("tv") { beds(plan) } else { Vec::new() };
@@ -211,12 +233,14 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         noun: line.noun,
         size,
         windows: &windows,
-        looks_at: watched,
-        strictly: opposite_pose.is_some(),
+        looks_at: watched.or(aside),
+        strictly: opposite_pose.is_some() || aside.is_some(),
         staffed: staffed(plan),
         near: near_to(plan, line.by),
         beds: &beds,
     };
+    // Beside two who face each other there are two sides.
+    let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };
     let nominal = nominal(plan, line, size, y);
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
@@ -224,11 +248,14 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
             .filter(|_| line.place == Place::Wall)
             .or_else(|| choice.wall(floor, shape, before)),
-        Place::Service(gap) => choice.service(floor, shape, *gap).or_else(|| choice.service(floor, shape, 0.9)),
-        Place::Opposite(_) => choice.wall(floor, shape, before).or_else(|| {
-            let anywhere = Choice { strictly: false, ..choice };
-            anywhere.wall(floor, shape, before)
-        }),
+        Place::Service(gap) => lanes(&choice, floor, shape, before, (n, *gap), &row),
+        Place::Opposite(_) => choice
+            .wall(floor, shape, before)
+            .or_else(|| aside.and_then(|_| behind.wall(floor, shape, before)))
+            .or_else(|| {
+                let anywhere = Choice { strictly: false, ..choice };
+                anywhere.wall(floor, shape, before)
+            }),
         Place::Corner => choice.corner(floor, shape, before),
         Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
         Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
@@ -271,20 +298,30 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         }
     }
     let Some((thing, poses)) = found else { return false };
-    // Several tables that stand where there is a gap want a larger room.
-    let is_scattered = line.place == Place::Floor && poses.len() > 1 && row.borrow().is_empty();
-    plan.lacking += usize::from(plan.matters && is_scattered && has_seats(plan, line.noun));
-    if let (Place::Opposite(_), Some(seen), Some(at)) = (&line.place, opposite_pose, poses.first()) {
-        // What is not straight across from it wants a room of another size.
-        let straight = (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0;
-        plan.lacking += usize::from(plan.matters && !straight);
-    }
+    let is_scattered = row.borrow().is_empty();
+    plan.lacking += amiss(plan, line, &poses, is_scattered, opposite_pose);
     if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
         keep_view(plan, at, &seen);
     }
     let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
+}
+
+/// How much of what matters has a place that is not as it should be: a larger room, or one of other sides, may mend it.
+fn amiss(plan: &Plan, line: &Line, poses: &[Pose], is_scattered: bool, opposite: Option<Pose>) -> usize {
+    if !plan.matters {
+        return 0;
+    }
+    // Several tables that stand where there is a gap.
+    let scattered = line.place == Place::Floor && poses.len() > 1 && is_scattered && has_seats(plan, line.noun);
+    // Who shares a room to work in sits side by side.
+    let apart = is_desk(line.noun) && matches!(poses, [first, second] if first.yaw != second.yaw);
+    let askew = match (&line.place, opposite, poses.first()) {
+        (Place::Opposite(_), Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) != 180.0,
+        _ => false,
+    };
+    usize::from(scattered) + usize::from(apart) + usize::from(askew)
 }
 
 /// How high something hangs at least that hangs near something low: both are seen, as a board over the counter.

@@ -258,7 +258,11 @@ fn entry(line: &'static str) -> Option<Line> {
         _ => Place::Ceiling,
     };
     let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);
-    let gap = if place == Place::Run { number().max(0.01) } else { 0.0 };
+    let gap = match place {
+        Place::Run => number().max(0.01),
+        Place::Before(..) => rest.get(2).and_then(|n| n.parse().ok()).unwrap_or(0.0),
+        _ => 0.0,
+    };
     let by = match place {
         Place::Hung | Place::Wall | Place::Floor | Place::Corner => rest_of(line, rest),
         _ => "",

@@ -65,7 +65,7 @@ pub fn measure(brief: &mut Brief) {
             area = (area + (people as f64 - kind.people) * kind.each).max(0.5 * area);
         }
         area *= match scale(brief, at) {
-            Scale::Small => 0.75,
+            Scale::Small => 0.58,
             Scale::Usual => 1.0,
             Scale::Large => 1.4,
         };
@@ -111,6 +111,8 @@ pub fn refine(brief: &mut Brief) {
         };
         if let Some(n) = n {
             brief.things[at].number = Number::Exactly(n);
+            // "Tables for twenty-four" are for so many together.
+            brief.things[at].places = brief.things[at].places.map(|all| if all > n { all.div_ceil(n) } else { all });
         }
     }
     for at in 0..brief.things.len() {
@@ -157,15 +159,30 @@ fn rows(brief: &Brief, at: usize) -> Option<usize> {
         What::Pattern(Pattern::Rows(rows)) if fact.of == [at] => Some(rows),
         _ => None,
     };
-    brief.facts.iter().find_map(of).filter(|_| brief.things[at].number == Number::Plural)
+    let plural = |_: &usize| brief.things[at].number == Number::Plural;
+    brief.facts.iter().find_map(of).or_else(|| shelves_in_rows(brief, at)).filter(plural)
+}
+
+/// In how many rows shelves stand of which it is said only that they stand in rows.
+fn shelves_in_rows(brief: &Brief, at: usize) -> Option<usize> {
+    const ROWS: usize = 4;
+    let thing = &brief.things[at];
+    let said = brief.request.get(..thing.source.at().start)?.trim_end().to_lowercase();
+    (thing.group == Group::Storage && said.ends_with("rows of")).then_some(ROWS)
 }
 
 /// How many "racks" are, where such rooms have whole rows of them.
 fn several(brief: &Brief, at: usize) -> Option<usize> {
+    // So many sit at a table for a group.
+    const GROUP: usize = 4;
     let thing = &brief.things[at];
     let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
-    let line = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()))?;
     let plural = thing.number == Number::Plural && thing.part.is_none();
+    let is_group = plural && matches!(thing.name().as_str(), "group table" | "shared table");
+    if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| is_group) {
+        return Some(people.div_ceil(GROUP).max(2));
+    }
+    let line = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()))?;
     let rows = matches!(line.place, kinds::Place::Rows(_)) && plural;
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.

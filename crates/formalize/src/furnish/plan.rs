@@ -4,7 +4,7 @@ use super::build::Building;
 use super::floor::Floor;
 use super::groups::{self, Along, Part, Where};
 use super::kinds::{Kind, Place, seats_all};
-use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, slots};
+use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, slots};
 use super::{place, stand, taste, tops};
 use crate::brief::Group;
 use crate::draft::{Draft, OpeningKind, Source, Statement, Thing};
@@ -21,6 +21,9 @@ const MOST: usize = 220;
 const INVENTORY: f64 = 1.6;
 /// Of several rooms each has its share of so many, and of so many more for each room.
 const SHARED: [usize; 2] = [60, 30];
+/// What stands on something higher than this (metres) is only what is put away.
+const HIGH: f64 = 1.6;
+const KEPT_HIGH: [&str; 4] = ["box", "suitcase", "basket", "plant"];
 /// Groups of groups of groups: so deep.
 const DEEP: usize = 3;
 
@@ -262,7 +265,11 @@ impl<'a> Plan<'a> {
             let hung = matches!(part.at, Where::Above(..));
             // Nothing hangs from the sky.
             let roofed = self.kind.lines.iter().any(|line| line.place == Place::Ceiling);
+            // Where nobody reaches, only boxes are kept.
+            let is_high =
+                matches!(part.at, Where::Top(..)) && self.draft.things[thing].size.is_some_and(|s| s[1] > HIGH);
             if !roofed && matches!(part.at, Where::Over)
+                || is_high && !KEPT_HIGH.iter().any(|end| part.noun.ends_with(end))
                 || self.counted < part.least
                 || on_top && loaded
                 || hung && (wall == AtWall::No || is_under_window)
@@ -315,8 +322,8 @@ impl<'a> Plan<'a> {
             .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
         // One easy chair is enough for several cribs, one basket and one dryer for several washing machines.
         let for_all = stand::is_easy(noun) || matches!(noun, "laundry basket" | "dryer");
-        let shared = noun == "bin" && anchors > 2 || for_all && anchors > 1;
-        if left_out || self.is_closed(noun) || self.is_full() || shared {
+        let shared = noun == "bin" && anchors > 1 || for_all && anchors > 1;
+        if left_out || self.is_closed(noun) || self.is_full() && !seat || shared {
             return;
         }
         let mut own = part.size.unwrap_or_else(|| Self::size(noun));
@@ -329,6 +336,13 @@ impl<'a> Plan<'a> {
                 let seats_all = seats_all(self.kind, &category.replace('_', " "));
                 if let Some(people) = self.people.filter(|_| seats_all) {
                     *n = people.div_ceil(anchors).min(capacity(of, own, round));
+                }
+            }
+            // At one side of it, unless as many stand there as there is room for.
+            Where::Row(n, _) if *n > 0 => {
+                let seats_all = seats_all(self.kind, &category.replace('_', " "));
+                if let Some(people) = self.people.filter(|_| seats_all) {
+                    *n = people.div_ceil(anchors).clamp(1, in_row(of[0], own[0]));
                 }
             }
             _ => {}

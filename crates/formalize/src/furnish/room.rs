@@ -8,6 +8,7 @@ use super::kinds::{self, Count, Line, Place};
 use super::openings;
 use super::order::Order;
 use super::plan::{Plan, for_people};
+use super::rows::is_desk;
 use super::{asked, gates, hang, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, Room, Source, Thing};
@@ -57,9 +58,10 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     let at_back = |category: &str| {
         let noun = category.replace('_', " ");
         let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
-        own.is_some_and(|line| matches!(line.place, Place::Back(_)))
+        own.is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Service(_)))
     };
-    // So does what has its place at the back: a robot stands before its conveyor.
+    // So does what has its place at the back or serves guests: a robot stands before its conveyor, and nobody waits behind a
+    // desk.
     asked.sort_by_key(|i| {
         let category = &draft.things[*i].category;
         let sits = stand::group(category) == Group::Seat && !stand::has_back(category);
@@ -97,11 +99,13 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     furnished
 }
 
-/// Whether visitors are received in a study: the desk stands before them, not at a wall.
+/// Whether visitors are received in the study or office of one person: the desk stands before them, not at a wall.
 fn receives(draft: &Draft, at: usize) -> bool {
     let visits = |noun: &str| noun.ends_with("visitor_chair") || noun.ends_with("guest_chair");
-    let studies = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| kind.name == "home office");
-    studies && draft.things.iter().any(|thing| thing.room == Some(at) && visits(&thing.category))
+    let studies = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| matches!(kind.name, "home office" | "office"));
+    let works = |thing: &Thing| thing.room == Some(at) && is_desk(&thing.category.replace('_', " "));
+    let desks: usize = draft.things.iter().filter(|thing| works(thing)).map(|thing| thing.count).sum();
+    studies && desks < 2 && draft.things.iter().any(|thing| thing.room == Some(at) && visits(&thing.category))
 }
 
 /// Gives what is asked for and the inventory their places; of a `crowd`, what is asked for is left to the search.

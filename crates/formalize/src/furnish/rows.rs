@@ -3,7 +3,7 @@
 use super::build::Root;
 use super::floor::{Floor, Piece, Pose, Shape};
 use super::inventory::TEAM;
-use super::kinds::Place;
+use super::kinds::{Line, Place};
 use super::plan::{AtWall, Plan, metres};
 use super::spots::gate;
 use super::{groups, place, stand};
@@ -122,16 +122,20 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
             }
             places.retain(is_free);
         }
-        Some(places)
+        Some((how.1, places))
     });
     // The first with the most places.
-    let Some(places) = tries.reduce(|best, next| if next.len() > best.len() { next } else { best }) else {
+    let most = tries.reduce(|best, next| if next.1.len() > best.1.len() { next } else { best });
+    let Some((farther, places)) = most else {
         plan.lacking += usize::from(matters);
         return false;
     };
     let n = places.len();
     let is_crowded = is_table && back > size[2] / 2.0 + SEATED && crowded(&places, [cell_w, cell_d]);
-    plan.lacking += usize::from(matters && (n < wanted || is_crowded));
+    // So do rows that come too near to who teaches.
+    let teaches = |line: &Line| matches!(line.place, Place::Before(_, 0.0)) && is_desk(line.noun);
+    let is_near = farther < 0.0 && plan.kind.lines.iter().any(teaches);
+    plan.lacking += usize::from(matters && (n < wanted || is_crowded || is_near));
     if n == 0 || asked.is_some() && n < wanted {
         return false;
     }

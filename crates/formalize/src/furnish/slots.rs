@@ -113,12 +113,20 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Around(n, gap) => around(n, gap, sizes, true),
         Where::LongSides(n, gap) => around(n, gap, sizes, false),
         Where::Under(_, _, z) => vec![slot(0.0, z, Level::Floor, 0.0)],
-        Where::Over => vec![slot(0.0, 0.0, Level::Ceiling, 0.0)],
+        Where::Over => {
+            // One light for each so much of a long table, but a chandelier alone.
+            let n = if w < SINGLE { (width / LIT).ceil().clamp(1.0, 4.0) } else { 1.0 };
+            let at = |i: usize| slot(((i as f64 + 0.5) / n - 0.5) * width, 0.0, Level::Ceiling, 0.0);
+            (0..n as usize).map(at).collect()
+        }
         Where::Above(gap, x) => vec![slot(x * width / 2.0, (d - depth) / 2.0, Level::Above(height + gap), 0.0)],
         Where::Enclose(_, behind) => vec![slot(0.0, (INSIDE - behind) / 2.0, Level::Floor, 0.0)],
     }
 }
 
+/// A pendant lamp lights so much of a table (metres); what is as wide hangs alone.
+const LIT: f64 = 1.5;
+const SINGLE: f64 = 0.6;
 /// Who works at what is fenced in has so much room before it (metres).
 const INSIDE: f64 = 1.0;
 /// What is as deep is no single panel.

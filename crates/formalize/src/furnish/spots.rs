@@ -3,9 +3,10 @@
 
 use super::choose::{self, Choice, Staff};
 use super::daylight::window_walls;
-use super::floor::{Block, Floor, Pose, Shape};
+use super::floor::{Block, Floor, Piece, Pose, Shape};
 use super::kinds::{Line, Place};
 use super::plan::Plan;
+use super::rows::is_desk;
 use super::seek::Wall;
 use super::{even, gates, stand};
 use crate::brief::Group;
@@ -16,14 +17,16 @@ pub(super) const SERVED: f64 = 1.15;
 
 /// From a dartboard to the line from which one throws (metres; World Darts Federation: 2.37).
 const THROW: f64 = 2.4;
+/// Behind a counter so much is for who works there, where there is no room for more (metres).
+const BEHIND: f64 = 0.9;
 /// What is narrower is a stand, and no counter.
 pub(super) const STAND: f64 = 1.0;
 
 /// The part of a room in which someone works behind a counter; `None`: nobody does.
 pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
     /// Beside a desk that visitors come to so much is for who works there, and as much more behind the chair (metres).
-    const BESIDE: f64 = 0.9;
-    const BEHIND: f64 = 0.3;
+    const BESIDE: f64 = 1.8;
+    const BEYOND: f64 = 0.3;
     let [_, height, depth] = plan.draft.rooms[plan.room].size;
     plan.kind.lines.iter().find_map(|line| match line.place {
         Place::Before(gap, 180.0) => {
@@ -34,8 +37,8 @@ pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
         Place::Service(gap) if Plan::size(line.noun)[0] >= STAND => {
             let at = near_to(plan, line.noun)?;
             let [wide, _, deep] = Plan::size(line.noun);
-            let behind = Pose { z: -(gap + BEHIND) / 2.0, ..Pose::default() };
-            let size = [wide + 2.0 * BESIDE, height, deep + gap + BEHIND];
+            let behind = Pose { z: -(gap + BEYOND) / 2.0, ..Pose::default() };
+            let size = [wide + 2.0 * BESIDE, height, deep + gap + BEYOND];
             Some(Staff::Around(Block::of(&at.then(&behind), size)))
         }
         _ => None,
@@ -58,6 +61,19 @@ pub(super) fn watched_from(plan: &Plan) -> Option<Pose> {
     Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
 }
 
+/// From the middle between two seats that face each other, to one of the sides.
+pub(super) fn beside_pair(plan: &Plan) -> Option<Pose> {
+    let here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 2);
+    let seats = here.filter(|t| choose::seats(&t.category.replace('_', " ")));
+    seats.into_iter().find_map(|t| {
+        let [first, second] = [0, 1].map(|i| plan.place_in_room(&format!("{}[{i}]", t.name)));
+        let (first, second) = (first?, second?);
+        let faces = (first.yaw - second.yaw).rem_euclid(360.0) == 180.0;
+        let middle = |of: fn(&Pose) -> f64| (of(&first) + of(&second)) / 2.0;
+        faces.then(|| Pose { x: middle(|p| p.x), z: middle(|p| p.z), yaw: (first.yaw + 90.0) % 360.0, ..first })
+    })
+}
+
 /// Where the beds of the room are.
 pub(super) fn beds(plan: &Plan) -> Vec<Pose> {
     let beds =
@@ -76,12 +92,15 @@ pub(super) fn in_row(
     (n, in_run): (usize, bool),
     row: &RefCell<Vec<Pose>>,
 ) -> Option<Pose> {
-    if n < 2 || !(in_run || choice.noun.ends_with("bed")) {
+    // Two who share a room to work in sit side by side.
+    let desks = n == 2 && is_desk(choice.noun);
+    if n < 2 || !(in_run || desks || choice.noun.ends_with("bed")) {
         return None;
     }
+    let is_close = desks || stand::is_unit(choice.noun, n);
     if before.is_empty() {
         row.replace(
-            even::places(floor, shape, n, (choice.size[2], stand::is_unit(choice.noun)), choice.windows)
+            even::places(floor, shape, n, (choice.size[2], is_close), choice.windows, &|at| !choice.is_misplaced(at))
                 .unwrap_or_default(),
         );
     }
@@ -104,6 +123,38 @@ pub(super) fn free(
     let first = before.first().map(|first| [first.yaw]);
     let next = row.borrow().get(before.len()).copied();
     next.or_else(|| choice.floor(floor, shape, before, first.as_ref().map_or(yaws, |yaw| &yaw[..])))
+}
+
+/// The next place of several counters at which guests are served: side by side, with a lane between two; `row` keeps all of
+/// them.
+pub(super) fn lanes(
+    choice: &Choice,
+    floor: &Floor,
+    shape: &Shape,
+    before: &[Pose],
+    (n, behind): (usize, f64),
+    row: &RefCell<Vec<Pose>>,
+) -> Option<Pose> {
+    const LANE: f64 = 0.9;
+    const NO_LANE: f64 = 0.02;
+    let single = || choice.service(floor, shape, behind).or_else(|| choice.service(floor, shape, BEHIND));
+    if n < 2 {
+        return single();
+    }
+    if before.is_empty() {
+        let side_by_side = |lane: f64| {
+            let frame = |i: usize| Pose { x: i as f64 * (choice.size[0] + lane), ..Pose::default() };
+            let mut whole = Shape { pieces: Vec::new(), free: Vec::new() };
+            for at in (0..n).map(frame) {
+                whole.pieces.extend(shape.pieces.iter().map(|piece| Piece { at: at.then(&piece.at), ..*piece }));
+                whole.free.extend(shape.free.iter().map(|(pose, size)| (at.then(pose), *size)));
+            }
+            let first = choice.service(floor, &whole, behind)?;
+            Some((0..n).map(|i| first.then(&frame(i))).collect::<Vec<_>>())
+        };
+        row.replace([LANE, NO_LANE].into_iter().find_map(side_by_side).unwrap_or_default());
+    }
+    row.borrow().get(before.len()).copied().or_else(single)
 }
 
 /// Where the wide door of the room is, if it has one.
@@ -199,7 +250,10 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
         }
         Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
         Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
-        Place::Before(gap, yaw) => Pose { x: 0.0, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw },
+        Place::Before(gap, yaw) => {
+            let x = line.gap * (width - size[0]) / 2.0;
+            Pose { x, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw }
+        }
         _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
             Some(gate) => Pose { x: gate.x, ..Pose::default() },
             None => Pose { yaw: middle_yaw, ..Pose::default() },

@@ -103,9 +103,14 @@ pub fn lines_up(noun: &str) -> bool {
     group(noun) == Group::Storage || UNITS.contains(&last)
 }
 
-/// Of which several stand side by side in one row.
-pub fn is_unit(noun: &str) -> bool {
-    const UNITS: [&str; 12] = [
+/// Of which so many stand side by side in one row.
+pub fn is_unit(noun: &str, n: usize) -> bool {
+    // A wall of books.
+    const WALL: usize = 3;
+    if n >= WALL && ["bookshelf", "bookcase"].iter().any(|end| noun.ends_with(end)) {
+        return true;
+    }
+    const UNITS: [&str; 14] = [
         "washing machine",
         "dryer",
         "locker",
@@ -114,6 +119,8 @@ pub fn is_unit(noun: &str) -> bool {
         "fridge",
         "freezer",
         "washbasin",
+        "sink",
+        "basin",
         "urinal",
         "slot machine",
         "pinball machine",
@@ -130,6 +137,10 @@ pub fn for_guests(noun: &str) -> bool {
 
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
 pub fn counts_as(noun: &str, asked: &str) -> bool {
+    // Where one teaches is no place of those who are taught.
+    if noun == "teacher desk" && asked != "desk" && !asked.contains("teacher") {
+        return false;
+    }
     let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
     let (head, other) = (last(noun), last(asked));
     let one_word = !noun.contains(' ') || !asked.contains(' ');

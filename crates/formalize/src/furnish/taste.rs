@@ -109,7 +109,7 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
     } else if STEEL.contains(&noun) {
         look.material = Some("steel".to_owned());
-    } else if WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun) {
+    } else if (WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun)) || noun == "kitchen sink" {
         look.material = Some(kind.wood.to_owned());
     }
     look

@@ -1,7 +1,7 @@
 //! Whom a room is for: no thing in it, and, for children who share a bedroom, a room with a bed for each.
 
 use super::kinds;
-use crate::brief::{Brief, Group};
+use crate::brief::{Brief, Group, Number};
 
 /// What comes before who a room is for.
 const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
@@ -47,6 +47,12 @@ pub fn persons(brief: &mut Brief) {
         })
         .collect();
     if !gone.is_empty() {
+        // "Two girls with desks": a desk for each of them.
+        for at in 0..brief.things.len() {
+            if matches!(&brief.things[at].number, Number::Each { of, .. } if gone.contains(of)) {
+                brief.things[at].number = Number::Exactly(brief.count(at));
+            }
+        }
         brief.remove(&gone);
     }
 }
