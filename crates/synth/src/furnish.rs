@@ -3,7 +3,7 @@
 //! The size is what the program assigns (`scale`, else `dimensions`), else the usual size of the category or, without
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
-use scenelang_assets::{Asset, Request, family_of, furnish as asset};
+use scenelang_assets::{Asset, Request, family_of, solid};
 use scenelang_base::{Code, Diagnostic, Label, codes};
 use scenelang_catalogue::{Chain, Choice, Query, Why};
 use scenelang_lang::Program;
@@ -50,9 +50,9 @@ impl Chosen {
 /// Opens into a wall, and is cut out of it: such things are always from the library.
 const BUILT_IN: [&str; 3] = ["door", "garage_door", "window"];
 
-/// The asset for an object at a size.
+/// The asset for an object at a size, without its mesh.
 pub fn asset_of(object: &Object, size: Option<Vec3>) -> Asset {
-    asset(&Request {
+    solid(&Request {
         name: &object.name,
         category: &object.category,
         color: &object.color,
