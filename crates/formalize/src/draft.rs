@@ -156,13 +156,15 @@ impl Narrowed {
     /// What it comes to: "`wardrobe` opens 62° of 90°: the room is 3 × 3 m".
     pub fn told(&self, draft: &Draft) -> String {
         let object = &self.object;
-        let amount = |x: f64| if self.turns { format!("{}°", number(x)) } else { format!("{x:.2} m") };
+        let amount = |x: f64| {
+            if self.turns { format!("{}°", number(x)) } else { format!("{:.2} m", (x * 100.0 + 1e-6).floor() / 100.0) }
+        };
         let (least, useful) = (amount(self.least), amount(self.useful));
         let found = match (self.least > 0.0, self.turns) {
             (true, true) => format!("`{object}` opens {least} of {useful}"),
-            (true, false) => format!("a drawer of `{object}` opens {least} of {useful}"),
+            (true, false) => format!("the drawers of `{object}` open {least} of {useful}"),
             (false, true) => format!("`{object}` does not open"),
-            (false, false) => format!("a drawer of `{object}` does not open"),
+            (false, false) => format!("the drawers of `{object}` do not open"),
         };
         format!("{found}: {}", self.why(draft))
     }

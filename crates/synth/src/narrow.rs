@@ -70,6 +70,9 @@ fn reach(program: &Program, layout: &Layout, id: ObjectId, motion: Motion, judge
         let most = least.min(joint.limits[1]);
         least = opening::free(&world, id, part, most, &mut { LOOKS }).map_or(0.0, |(free, _)| free);
     }
+    if least >= useful {
+        return Some((useful, useful));
+    }
     let grain = of(GRAIN, motion == Motion::Hinge);
     // Nothing is lost of a multiple of the grain to a rounding error.
     Some(((least / grain + 1e-6).floor() * grain, useful))
@@ -100,7 +103,11 @@ pub fn widened(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress
             // At first all that is useful: what was in the way may have been the way things were laid out.
             let middle = if high == useful { useful } else { ((low + high) / 2.0 / grain).round() * grain };
             draft.narrowed[at].least = middle;
-            match tried(draft, Some(&best.layout), stop, progress).or_else(|| tried(draft, None, stop, progress)) {
+            let from_nothing = |draft: &Draft, progress: &mut dyn FnMut(Progress)| {
+                if middle == useful { tried(draft, None, stop, progress) } else { None }
+            };
+            let found = tried(draft, Some(&best.layout), stop, progress).or_else(|| from_nothing(draft, progress));
+            match found {
                 Some(found) => {
                     best = found;
                     low = best.reach(draft, at).max(middle);
@@ -216,11 +223,11 @@ mod tests {
             ),
             (
                 ("chest", false, 0.2, 0.35),
-                ("assert slides(chest, 0.2);", "a drawer of `chest` opens 0.20 m of 0.35 m: the room is 3 × 2.5 m"),
+                ("assert slides(chest, 0.2);", "the drawers of `chest` open 0.20 m of 0.35 m: the room is 3 × 2.5 m"),
             ),
             (
                 ("chest", false, 0.0, 0.35),
-                ("assert slides(chest, 0);", "a drawer of `chest` does not open: the room is 3 × 2.5 m"),
+                ("assert slides(chest, 0);", "the drawers of `chest` do not open: the room is 3 × 2.5 m"),
             ),
         ] {
             assert_eq!(say(object, turns, least, useful), (line.to_owned(), told.to_owned()));

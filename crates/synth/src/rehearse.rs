@@ -69,6 +69,10 @@ pub fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progre
             let end = searched(draft, stop, progress);
             // What opens just so far is found again from here, and hardly from nothing.
             let layout = if end == Tried::Holds { widened(draft, stop, progress) } else { None };
+            if end != Tried::Holds {
+                // It was of no use.
+                draft.narrowed.clear();
+            }
             (end, layout)
         }
     };
