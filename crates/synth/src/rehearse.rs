@@ -208,7 +208,8 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             matches!(statement.source, Source::Stated(_)) || statement.text.contains("onFloor(")
         };
         let last_resort = given_up.is_empty() || given_up.iter().any(dear);
-        if !(last_resort && narrow_all(draft, program, &outcome, &judge)) && !draft.prefer(given_up, REASON) {
+        let narrowed = last_resort && narrow_all(draft, program, &outcome, &judge);
+        if !narrowed && !draft.prefer(given_up, REASON) {
             return Tried::Fails;
         }
         last = Some(outcome.layout);
