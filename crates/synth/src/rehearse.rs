@@ -201,20 +201,24 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             last = None;
             continue;
         }
-        let given_up = in_the_way(draft, program, &outcome);
-        // Furniture opens less far before anything is given up that was said, or that it stands on the floor.
-        let dear = |i: &usize| {
-            let statement = &draft.statements[*i];
-            matches!(statement.source, Source::Stated(_)) || statement.text.contains("onFloor(")
-        };
-        let last_resort = given_up.is_empty() || given_up.iter().any(dear);
-        let narrowed = last_resort && narrow_all(draft, program, &outcome, &judge);
-        if !narrowed && !draft.prefer(given_up, REASON) {
+        if !give_up(draft, program, &outcome, &judge) {
             return Tried::Fails;
         }
         last = Some(outcome.layout);
     }
     Tried::Spent
+}
+
+/// Gives up what is in the way. Whether there was anything.
+fn give_up(draft: &mut Draft, program: &Program, outcome: &Outcome, judge: &scenelang_verify::Options) -> bool {
+    let given_up = in_the_way(draft, program, outcome);
+    // Furniture opens less far before anything is given up that was said, or that it stands on the floor.
+    let dear = |i: &usize| {
+        let statement = &draft.statements[*i];
+        matches!(statement.source, Source::Stated(_)) || statement.text.contains("onFloor(")
+    };
+    let last_resort = given_up.is_empty() || given_up.iter().any(dear);
+    last_resort && narrow_all(draft, program, outcome, judge) || draft.prefer(given_up, REASON)
 }
 
 /// What is in each other's way: the things and openings of each violated rule or statement.
