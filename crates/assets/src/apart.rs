@@ -26,53 +26,69 @@ pub(crate) struct Piece {
 /// A triangle in its plane.
 struct Flat {
     piece: usize,
-    /// The direction of its normal, roughly.
-    way: [i32; 3],
+    corners: [Vec3; 3],
     normal: Vec3,
     offset: f64,
     area: f64,
-    lo: Vec3,
-    hi: Vec3,
 }
 
 impl Flat {
-    fn of(piece: usize, [a, b, c]: [Vec3; 3]) -> Option<Self> {
+    /// With the direction of its normal, roughly: equal numbers are equal directions.
+    fn of(piece: usize, corners: [Vec3; 3]) -> Option<(u64, Self)> {
+        let [a, b, c] = corners;
         let normal = (b - a).cross(&(c - a));
         let area = normal.norm() / 2.0;
         if area.is_nan() || area < FACE {
             return None;
         }
         let normal = normal / (2.0 * area);
-        // A step between two ways of a thousand, and not at a round number.
-        let way = [0, 1, 2].map(|i| (normal[i] * 500.0 + 0.37).floor() as i32);
-        Some(Self { piece, way, normal, offset: normal.dot(&a), area, lo: a.inf(&b).inf(&c), hi: a.sup(&b).sup(&c) })
+        // A step between two ways of a thousand, and not at a round number; all are from 0 to 1,000.
+        let step = |i: usize| (normal[i] * 500.0 + 500.37) as u64;
+        let way = step(0) << 20 | step(1) << 10 | step(2);
+        Some((way, Self { piece, corners, normal, offset: normal.dot(&a), area }))
     }
 
-    /// Whether two triangles of one plane overlap, as far as their boxes tell.
-    fn overlaps(&self, other: &Self) -> bool {
-        let within = |i: usize| {
-            // Across the plane there is nothing to overlap.
-            self.normal[i].abs() > 0.9 || self.hi[i].min(other.hi[i]) - self.lo[i].max(other.lo[i]) > TOUCH
-        };
-        (0..3).all(within)
+    /// Least and greatest corner.
+    fn bounds(&self) -> [Vec3; 2] {
+        let [a, b, c] = self.corners;
+        [a.inf(&b).inf(&c), a.sup(&b).sup(&c)]
     }
+}
+
+/// Whether two boxes in one plane overlap. Across the plane there is nothing to overlap.
+fn overlap(normal: &Vec3, [lo, hi]: &[Vec3; 2], [other_lo, other_hi]: &[Vec3; 2]) -> bool {
+    let within = |i: usize| normal[i].abs() > 0.9 || hi[i].min(other_hi[i]) - lo[i].max(other_lo[i]) > TOUCH;
+    (0..3).all(within)
 }
 
 /// Moves faces apart.
 pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
     let mut flats: Vec<Flat> = Vec::new();
+    // Directions and where their triangles are: small, since there are many and most share their plane with no other piece.
+    let mut ways: Vec<(u64, u32)> = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
         let group = &groups[piece.group];
-        let corners = group.indices[piece.indices.clone()].chunks_exact(3);
-        flats.extend(
-            corners.filter_map(|t| Flat::of(number, [t[0], t[1], t[2]].map(|i| wide(group.positions[i as usize])))),
-        );
+        for t in group.indices[piece.indices.clone()].chunks_exact(3) {
+            if let Some((way, flat)) = Flat::of(number, [t[0], t[1], t[2]].map(|i| wide(group.positions[i as usize]))) {
+                ways.push((way, flats.len() as u32));
+                flats.push(flat);
+            }
+        }
     }
-    flats.sort_by(|a, b| a.way.cmp(&b.way).then(a.offset.total_cmp(&b.offset)));
+    ways.sort_unstable();
     let mut moves = Vec::new();
-    for plane in flats.chunk_by(|a, b| a.way == b.way && b.offset - a.offset < NEAR) {
-        if plane.iter().any(|f| f.piece != plane[0].piece) {
-            moves.extend(drawn_back(plane));
+    for alike in ways.chunk_by(|a, b| a.0 == b.0) {
+        let of = |(_, at): &(u64, u32)| &flats[*at as usize];
+        let first = of(&alike[0]).piece;
+        if alike.iter().all(|at| of(at).piece == first) {
+            continue;
+        }
+        let mut alike: Vec<&Flat> = alike.iter().map(of).collect();
+        alike.sort_by(|a, b| a.offset.total_cmp(&b.offset));
+        for plane in alike.chunk_by(|a, b| b.offset - a.offset < NEAR) {
+            if plane.iter().any(|f| f.piece != plane[0].piece) {
+                moves.extend(drawn_back(plane));
+            }
         }
     }
     let all = groups.iter().flat_map(|g| &g.positions).map(|p| wide(*p));
@@ -82,30 +98,52 @@ pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
     }
 }
 
+/// What one primitive has of a plane.
+struct Share<'f> {
+    piece: usize,
+    area: f64,
+    /// The first triangle.
+    first: &'f Flat,
+    /// The boxes of the triangles, and the box around all of them.
+    boxes: Vec<[Vec3; 2]>,
+    around: [Vec3; 2],
+}
+
+impl Share<'_> {
+    /// Whether a triangle of one overlaps a triangle of another.
+    fn meets(&self, other: &Self) -> bool {
+        let normal = &self.first.normal;
+        let meets = |own: &[Vec3; 2]| {
+            overlap(normal, own, &other.around) && other.boxes.iter().any(|others| overlap(normal, own, others))
+        };
+        overlap(normal, &self.around, &other.around) && self.boxes.iter().any(meets)
+    }
+}
+
 /// Which primitives of a plane draw back, from where, and by how many steps.
-fn drawn_back(plane: &[Flat]) -> Vec<(usize, Vec3, f64, u32)> {
-    let mut areas: BTreeMap<usize, f64> = BTreeMap::new();
+fn drawn_back(plane: &[&Flat]) -> Vec<(usize, Vec3, f64, u32)> {
+    let mut shares: BTreeMap<usize, Share<'_>> = BTreeMap::new();
     for flat in plane {
-        *areas.entry(flat.piece).or_default() += flat.area;
+        let bounds = flat.bounds();
+        let new = || Share { piece: flat.piece, area: 0.0, first: flat, boxes: Vec::new(), around: bounds };
+        let share = shares.entry(flat.piece).or_insert_with(new);
+        share.area += flat.area;
+        share.boxes.push(bounds);
+        share.around = [share.around[0].inf(&bounds[0]), share.around[1].sup(&bounds[1])];
     }
     // The smallest first; of equal ones the one that was drawn last.
-    let mut order: Vec<(usize, f64)> = areas.into_iter().collect();
+    let mut order: Vec<Share<'_>> = shares.into_values().collect();
     order.sort_by(|a, b| {
-        let equal = (a.1 - b.1).abs() < 1e-3 * a.1.max(b.1);
-        if equal { b.0.cmp(&a.0) } else { a.1.total_cmp(&b.1) }
+        let equal = (a.area - b.area).abs() < 1e-3 * a.area.max(b.area);
+        if equal { b.piece.cmp(&a.piece) } else { a.area.total_cmp(&b.area) }
     });
-    let mut steps: Vec<(usize, u32)> = Vec::new();
-    for (piece, _) in order {
-        let own = || plane.iter().filter(|f| f.piece == piece);
-        let meets = |other: usize| plane.iter().filter(|f| f.piece == other).any(|f| own().any(|g| f.overlaps(g)));
-        let deepest = steps.iter().filter(|(other, _)| meets(*other)).map(|(_, step)| step + 1).max();
-        steps.push((piece, deepest.unwrap_or(0)));
+    let mut steps: Vec<u32> = Vec::new();
+    for (at, share) in order.iter().enumerate() {
+        let before = order[..at].iter().zip(&steps).filter(|(other, _)| other.meets(share));
+        steps.push(before.map(|(_, step)| step + 1).max().unwrap_or(0));
     }
-    let of = |(piece, steps): (usize, u32)| {
-        let flat = plane.iter().find(|f| f.piece == piece)?;
-        (steps > 0).then_some((piece, flat.normal, flat.offset, steps))
-    };
-    steps.into_iter().filter_map(of).collect()
+    let moved = order.iter().zip(steps).filter(|(_, steps)| *steps > 0);
+    moved.map(|(share, steps)| (share.piece, share.first.normal, share.first.offset, steps)).collect()
 }
 
 /// Moves what of a primitive is in a plane inwards, and nothing out of the box of the whole.

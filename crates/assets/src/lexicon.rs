@@ -6,12 +6,23 @@ use crate::words::words;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// Alias, blanks taken out → family.
-static ALIASES: LazyLock<BTreeMap<String, &'static str>> =
-    LazyLock::new(|| aliases().filter_map(|(family, alias)| Some((words(alias).concat(), maker(family)?.0))).collect());
+/// What draws a noun.
+#[derive(Clone, Copy)]
+struct Drawn {
+    family: &'static str,
+    /// Whether it draws something else that is like it.
+    stands_in: bool,
+}
 
-/// The lines of the table as (family, alias).
-fn aliases() -> impl Iterator<Item = (&'static str, &'static str)> {
+/// Alias, blanks taken out → family.
+static ALIASES: LazyLock<BTreeMap<String, Drawn>> = LazyLock::new(|| {
+    let drawn =
+        |(family, alias, stands_in)| Some((words(alias).concat(), Drawn { family: maker(family)?.0, stands_in }));
+    aliases().filter_map(drawn).collect()
+});
+
+/// The lines of the table as (family, alias, whether it only stands in for it).
+fn aliases() -> impl Iterator<Item = (&'static str, &'static str, bool)> {
     let mut family = "";
     include_str!("lexicon.txt").lines().filter(|l| !l.starts_with('#')).flat_map(move |line| {
         let list = line.split_once(':').map_or(line, |(name, list)| {
@@ -19,13 +30,17 @@ fn aliases() -> impl Iterator<Item = (&'static str, &'static str)> {
             list
         });
         let of = family;
-        list.split(',').map(str::trim).filter(|a| !a.is_empty()).map(move |alias| (of, alias))
+        let named = |alias: &'static str| match alias.strip_prefix('~') {
+            Some(alias) => (alias, true),
+            None => (alias, false),
+        };
+        list.split(',').map(str::trim).filter(|a| !a.is_empty()).map(named).map(move |(a, other)| (of, a, other))
     })
 }
 
 /// All nouns that a family draws, in the order of the table.
 pub fn categories() -> impl Iterator<Item = &'static str> {
-    aliases().map(|(_, alias)| alias)
+    aliases().map(|(_, alias, _)| alias)
 }
 
 /// The families, in the order of the alphabet.
@@ -53,8 +68,20 @@ fn among(word: &str, list: &str) -> bool {
 /// The category decides if it is known; a name that says more about the same thing is heard (category "lamp", name
 /// `ceilingLamp`).
 pub fn family_of(category: &str, name: &str) -> Option<&'static str> {
-    match (family_of_phrase(category), family_of_phrase(name)) {
-        (Some("lamp"), Some(named)) if ["lamp", "light"].iter().any(|l| named.contains(l)) || named == "pendant" => {
+    drawn(category, name).map(|drawn| drawn.family)
+}
+
+/// The family that draws a thing of this category, or else of this name, if it draws something else that is like it: a
+/// treadmill for a rowing machine.
+pub fn stand_in(category: &str, name: &str) -> Option<&'static str> {
+    drawn(category, name).filter(|drawn| drawn.stands_in).map(|drawn| drawn.family)
+}
+
+fn drawn(category: &str, name: &str) -> Option<Drawn> {
+    match (drawn_by_phrase(category), drawn_by_phrase(name)) {
+        (Some(Drawn { family: "lamp", .. }), Some(named))
+            if ["lamp", "light"].iter().any(|l| named.family.contains(l)) || named.family == "pendant" =>
+        {
             Some(named)
         }
         (Some(by_category), _) => Some(by_category),
@@ -62,7 +89,7 @@ pub fn family_of(category: &str, name: &str) -> Option<&'static str> {
     }
 }
 
-fn family_of_phrase(phrase: &str) -> Option<&'static str> {
+fn drawn_by_phrase(phrase: &str) -> Option<Drawn> {
     let all = words(phrase);
     let end = all.iter().position(|w| among(w, ENDS)).unwrap_or(all.len());
     // An alias may reach over the end of the head: a "chest of drawers".
@@ -86,7 +113,7 @@ fn family_of_phrase(phrase: &str) -> Option<&'static str> {
 }
 
 /// The family of the longest alias (of six words at most) that ends these words and starts before `limit`.
-fn ends_with_alias(words: &[String], limit: usize) -> Option<&'static str> {
+fn ends_with_alias(words: &[String], limit: usize) -> Option<Drawn> {
     (words.len().saturating_sub(6)..limit).find_map(|start| ALIASES.get(&words[start..].concat()).copied())
 }
 
@@ -95,9 +122,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_is_drawn_as_something_else_is_known() {
+        for (category, name, wanted) in [
+            ("rowing machine", "", Some("treadmill")),
+            ("treadmill", "", None),
+            ("", "humidifier", Some("air_conditioner")),
+            ("red pens", "", Some("phone")),
+            ("table", "pen", None),
+            ("gizmo", "", None),
+        ] {
+            assert_eq!(stand_in(category, name), wanted, "{category} {name}");
+        }
+        for family in families() {
+            assert_eq!(stand_in(&family.replace('_', " "), ""), None, "{family} draws itself");
+        }
+    }
+
+    #[test]
     fn every_family_has_aliases_and_no_alias_has_two_families() {
         let mut seen = BTreeMap::new();
-        for (family, alias) in aliases() {
+        for (family, alias, _) in aliases() {
             assert!(maker(family).is_some(), "no such family: {family}");
             if let Some(other) = seen.insert(words(alias).concat(), family) {
                 assert_eq!(other, family, "{alias}");

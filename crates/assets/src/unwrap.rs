@@ -18,8 +18,17 @@ const LONGER: f64 = 1.02;
 /// Vertices that are seen from several sides are doubled.
 pub(crate) fn unwrap(group: &mut Group, solids: &[(usize, UnitQuaternion<f64>)]) {
     let ends = solids.iter().skip(1).map(|(first, _)| *first).chain([group.indices.len()]);
-    let known = vec![[NONE; 3]; group.positions.len()];
-    let mut out = Unwrapped { known, ..Unwrapped::default() };
+    let count = group.positions.len();
+    // Few vertices are seen from several sides.
+    let some = count + count / 4;
+    let mut out = Unwrapped {
+        positions: Vec::with_capacity(some),
+        normals: Vec::with_capacity(some),
+        uvs: Vec::with_capacity(some),
+        indices: Vec::with_capacity(group.indices.len()),
+        known: vec![[NONE; 3]; count],
+        local: vec![Vec3::zeros(); count],
+    };
     for (number, ((first, turn), end)) in solids.iter().zip(ends).enumerate() {
         out.solid(group, *first..end, turn, number);
     }
@@ -30,7 +39,6 @@ pub(crate) fn unwrap(group: &mut Group, solids: &[(usize, UnitQuaternion<f64>)])
 /// No vertex.
 const NONE: u32 = u32::MAX;
 
-#[derive(Default)]
 struct Unwrapped {
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
@@ -38,28 +46,33 @@ struct Unwrapped {
     indices: Vec<u32>,
     /// For each old vertex the new ones, by the axis along which they are seen.
     known: Vec<[u32; 3]>,
+    /// For each old vertex of the solid where it is along the axes of the solid.
+    local: Vec<Vec3>,
 }
 
 impl Unwrapped {
     fn solid(&mut self, group: &Group, range: Range<usize>, turn: &UnitQuaternion<f64>, number: usize) {
         let corners = &group.indices[range];
-        let local = |i: u32| turn.inverse_transform_vector(&wide(group.positions[i as usize]));
-        let (lo, hi) = corners
-            .iter()
-            .map(|&i| local(i))
-            .fold((Vec3::repeat(f64::MAX), Vec3::repeat(f64::MIN)), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
+        let upright = *turn == UnitQuaternion::identity();
+        let (mut lo, mut hi) = (Vec3::repeat(f64::MAX), Vec3::repeat(f64::MIN));
+        for &i in corners {
+            let p = wide(group.positions[i as usize]);
+            let p = if upright { p } else { turn.inverse_transform_vector(&p) };
+            self.local[i as usize] = p;
+            (lo, hi) = (lo.inf(&p), hi.sup(&p));
+        }
         let sides = [0, 1, 2].map(|axis| side(axis, hi - lo));
         // No two boards come from the same place of the tree.
         let shift = [0.618, 0.414].map(|step| (number as f64 * step).fract());
         for t in corners.chunks_exact(3) {
-            let [a, b, c] = [t[0], t[1], t[2]].map(local);
+            let [a, b, c] = [t[0], t[1], t[2]].map(|i| self.local[i as usize]);
             let normal = (b - a).cross(&(c - a));
             let faces = |axis: usize| normal[axis].abs() * BIAS[axis];
             let axis = (0..3).fold(1, |best, axis| if faces(axis) > faces(best) { axis } else { best });
             for &old in t {
                 if self.known[old as usize][axis] == NONE {
                     self.known[old as usize][axis] = self.positions.len() as u32;
-                    let p = local(old) - lo;
+                    let p = self.local[old as usize] - lo;
                     let [u, v] = sides[axis];
                     self.positions.push(group.positions[old as usize]);
                     self.normals.push(group.normals[old as usize]);

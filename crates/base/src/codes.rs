@@ -152,6 +152,7 @@ codes! {
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
     W0603 "furniture provider skipped"
+    W0604 "drawn as something similar"
     W0701 "mesh is not closed"
     W0702 "implausible size"
     W0703 "unknown front direction"

@@ -272,7 +272,15 @@ pub fn notes(reading: &Reading) -> String {
     for (name, at) in &reading.absent {
         let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));
     }
+    for narrowed in told_narrowed(reading) {
+        let _ = writeln!(out, "{narrowed}");
+    }
     out
+}
+
+/// What opens less far than is useful, each in a sentence.
+fn told_narrowed(reading: &Reading) -> Vec<String> {
+    reading.draft.narrowed.iter().map(|narrowed| narrowed.told(&reading.draft)).collect()
 }
 
 /// How many of the words that say something became part of the program, and which did not.
@@ -379,6 +387,7 @@ pub fn summary(reading: &Reading, program: &str) -> serde_json::Value {
         "notes": notes.collect::<Vec<_>>(),
         "absent": reading.absent.iter().map(|(name, _)| name).collect::<Vec<_>>(),
         "inferred": inferred(reading),
+        "narrowed": told_narrowed(reading),
         "program": program,
     })
 }

@@ -208,7 +208,7 @@ impl<'a> Writer<'a> {
         self.accessors[position]["max"] = json!(bounds.1.map(f64::from));
         let normal = self.accessor(1, FLOAT, "VEC3", group.normals.len());
         for (view, vectors) in [(0, &group.positions), (1, &group.normals)] {
-            self.views[view].extend(vectors.iter().copied().flat_map(mirror).flat_map(f32::to_le_bytes));
+            floats(&mut self.views[view], vectors.iter().copied().map(mirror));
         }
         let surface = &scene.surfaces[group.surface];
         let texture = Texture::of(surface);
@@ -217,10 +217,12 @@ impl<'a> Writer<'a> {
         let short = group.positions.len() < 0xffff;
         let (view, component) = if short { (4, UNSIGNED_SHORT) } else { (5, UNSIGNED_INT) };
         let indices = self.accessor(view, component, "SCALAR", group.indices.len());
+        let width = if short { 2 } else { 4 };
+        let out = &mut self.views[view];
+        out.reserve(width * group.indices.len());
         for t in group.indices.chunks_exact(3) {
             for i in [t[0], t[2], t[1]] {
-                let bytes = i.to_le_bytes();
-                self.views[view].extend_from_slice(if short { &bytes[..2] } else { &bytes });
+                out.extend_from_slice(&i.to_le_bytes()[..width]);
             }
         }
         let mut attributes = json!({ "POSITION": position, "NORMAL": normal });
@@ -236,12 +238,11 @@ impl<'a> Writer<'a> {
         let place = self.accessor(2, FLOAT, "VEC2", group.uvs.len());
         // In tiles, and downwards.
         let [width, height] = texture.pixels().tile.map(|metres| metres as f32);
-        let tiles = group.uvs.iter().flat_map(|[u, v]| [u / width, 0.0 - v / height]);
-        self.views[2].extend(tiles.flat_map(f32::to_le_bytes));
+        floats(&mut self.views[2], group.uvs.iter().map(|[u, v]| [u / width, 0.0 - v / height]));
         let tangent = self.accessor(3, FLOAT, "VEC4", group.uvs.len());
         // In a mirror the other side is the right one.
         let mirror = |([x, y, z], side): ([f32; 3], f32)| [0.0 - x, y, z, -side];
-        self.views[3].extend(tangents(group).into_iter().flat_map(mirror).flat_map(f32::to_le_bytes));
+        floats(&mut self.views[3], tangents(group).into_iter().map(mirror));
         [place, tangent]
     }
 
@@ -264,7 +265,8 @@ impl<'a> Writer<'a> {
     }
 
     fn finish(mut self) -> Result<Vec<u8>, ExportError> {
-        let mut binary = Vec::new();
+        let of = |all: &[Vec<u8>]| all.iter().map(|bytes| bytes.len() + 4).sum::<usize>();
+        let mut binary = Vec::with_capacity(of(&self.views) + of(&self.images));
         let mut buffer_views = Vec::new();
         let mut number = [0; KINDS.len()];
         let mut add = |bytes: &[u8]| {
@@ -321,6 +323,16 @@ impl<'a> Writer<'a> {
             root.insert("buffers".into(), json!([{ "byteLength": binary.len() }]));
         }
         container(Value::Object(root).to_string().into_bytes(), &binary)
+    }
+}
+
+/// Adds numbers to a buffer view.
+fn floats<const N: usize>(view: &mut Vec<u8>, vectors: impl ExactSizeIterator<Item = [f32; N]>) {
+    view.reserve(4 * N * vectors.len());
+    for vector in vectors {
+        for number in vector {
+            view.extend_from_slice(&number.to_le_bytes());
+        }
     }
 }
 

@@ -164,7 +164,7 @@ fn encoded(
     let mut encoder = png::Encoder::new(&mut out, pixels.size[0] as u32, pixels.size[1] as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Balanced);
+    encoder.set_compression(png::Compression::Fast);
     prepare(&mut encoder);
     let wrong = |e: png::EncodingError| ExportError::Format("textures", e.to_string());
     let mut writer = encoder.write_header().map_err(wrong)?;

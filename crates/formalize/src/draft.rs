@@ -1,6 +1,7 @@
 //! What a request says, before it is a program: a value that can be printed, checked and edited.
 
 pub use crate::brief::{Look, Note, Source};
+use crate::write::number;
 
 /// A request, read. Names are identifiers of the language, each used once among rooms, openings and things.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Draft {
     pub things: Vec<Thing>,
     /// What is asked of them.
     pub statements: Vec<Statement>,
+    /// What opens less far than is useful, because its room has no place for more.
+    pub narrowed: Vec<Narrowed>,
     /// The parts of the request that became no statement.
     pub notes: Vec<Note>,
     /// Whether the program takes over the guidelines of the library.
@@ -123,6 +126,58 @@ pub struct Statement {
     pub source: Source,
     /// Whether it was to hold, and is only preferred because it cannot, or because no layout was found in which it does.
     pub relaxed: bool,
+}
+
+/// That an object opens less far than is useful.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Narrowed {
+    /// The object, or the element of an array: `wardrobe[1]`.
+    pub object: String,
+    /// Whether doors and lids are meant, which turn, or drawers, which slide.
+    pub turns: bool,
+    /// How far it has to open (degrees or metres).
+    pub least: f64,
+    /// How far is useful.
+    pub useful: f64,
+}
+
+impl Narrowed {
+    /// The assertion of the program.
+    pub fn line(&self) -> String {
+        let Self { object, turns, .. } = self;
+        let amount = number(self.least);
+        if *turns {
+            format!("assert opens({object}, {amount}deg);")
+        } else {
+            format!("assert slides({object}, {amount});")
+        }
+    }
+
+    /// What it comes to: "`wardrobe` opens 62° of 90°: the room is 3 × 3 m".
+    pub fn told(&self, draft: &Draft) -> String {
+        let object = &self.object;
+        let amount = |x: f64| {
+            if self.turns { format!("{}°", number(x)) } else { format!("{:.2} m", (x * 100.0 + 1e-6).floor() / 100.0) }
+        };
+        let (least, useful) = (amount(self.least), amount(self.useful));
+        let found = match (self.least > 0.0, self.turns) {
+            (true, true) => format!("`{object}` opens {least} of {useful}"),
+            (true, false) => format!("the drawers of `{object}` open {least} of {useful}"),
+            (false, true) => format!("`{object}` does not open"),
+            (false, false) => format!("the drawers of `{object}` do not open"),
+        };
+        format!("{found}: {}", self.why(draft))
+    }
+
+    /// Why it opens no further.
+    pub fn why(&self, draft: &Draft) -> String {
+        let name = self.object.split('[').next().unwrap_or(&self.object);
+        let room = draft.things.iter().find(|thing| thing.name == name).and_then(|thing| thing.room);
+        match room.and_then(|at| draft.rooms.get(at)) {
+            Some(Room { size: [w, _, d], .. }) => format!("the room is {} × {} m", number(*w), number(*d)),
+            None => "there is no more room before it".to_owned(),
+        }
+    }
 }
 
 /// How much a statement demands.

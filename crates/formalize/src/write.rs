@@ -8,7 +8,7 @@
 //! given a meaning. The text is as the formatter leaves it.
 
 use crate::colors;
-use crate::draft::{Demand, Draft, Look, Opening, OpeningKind, Room, Source, Statement, Thing};
+use crate::draft::{Demand, Draft, Look, Narrowed, Opening, OpeningKind, Room, Source, Statement, Thing};
 use crate::names::words;
 use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
@@ -302,6 +302,11 @@ impl Writer<'_> {
             let draft = self.draft;
             let statement = &draft.statements[at];
             self.statement(&statement.source, statement.line());
+        }
+        let own = |n: &&Narrowed| Some(n.object.split('[').next().unwrap_or_default()) == name;
+        for narrowed in self.draft.narrowed.iter().filter(own) {
+            let reason = format!("it opens less far than is useful: {}", narrowed.why(self.draft));
+            self.statement(&Source::Inferred(reason), narrowed.line());
         }
     }
 

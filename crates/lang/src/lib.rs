@@ -16,6 +16,7 @@ pub mod lint;
 pub mod lower;
 pub mod natives;
 pub mod nouns;
+pub mod opening;
 pub mod overlaps;
 pub mod parse;
 pub mod print;

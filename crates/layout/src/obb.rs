@@ -154,9 +154,43 @@ fn nearest_points(a: &Obb, b: &Obb) -> (Vec3, Vec3) {
     if slab >= distance * (1.0 - 1e-12) {
         return (p, q);
     }
-    let edges = b.edges();
-    let pairs = a.edges().into_iter().flat_map(|e| edges.iter().map(move |f| (e, f)));
-    pairs.map(|([p, q], [r, s])| nearest_of_segments([&p, &q], [r, s])).fold((p, q), nearer)
+    let edges = b.edges().map(Edge::of);
+    let mut best = (p, q);
+    let mut least = distance;
+    for e in a.edges().map(Edge::of) {
+        for f in &edges {
+            if e.apart(f) > least + CERTAIN {
+                continue;
+            }
+            let next = nearer(best, nearest_of_segments([&e.ends[0], &e.ends[1]], [&f.ends[0], &f.ends[1]]));
+            if next != best {
+                (best, least) = (next, (next.1 - next.0).norm());
+            }
+        }
+    }
+    best
+}
+
+/// What is farther by so much (metres) is farther, whatever is rounded.
+const CERTAIN: f64 = 1e-9;
+
+/// An edge, and the upright box around it.
+struct Edge {
+    ends: [Vec3; 2],
+    around: Aabb,
+}
+
+impl Edge {
+    fn of(ends: [Vec3; 2]) -> Self {
+        let [p, q] = &ends;
+        let around = Aabb { min: p.inf(q), max: p.sup(q) };
+        Self { ends, around }
+    }
+
+    /// Two are at least so far apart.
+    fn apart(&self, other: &Self) -> f64 {
+        self.around.distance(&other.around)
+    }
 }
 
 /// The nearer pair of points, the first of equals.

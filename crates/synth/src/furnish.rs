@@ -3,7 +3,7 @@
 //! The size is what the program assigns (`scale`, else `dimensions`), else the usual size of the category or, without
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
-use scenelang_assets::{Asset, Request, family_of, furnish as asset};
+use scenelang_assets::{Asset, Request, family_of, solid, stand_in};
 use scenelang_base::{Code, Diagnostic, Label, codes};
 use scenelang_catalogue::{Chain, Choice, Query, Why};
 use scenelang_lang::Program;
@@ -50,9 +50,9 @@ impl Chosen {
 /// Opens into a wall, and is cut out of it: such things are always from the library.
 const BUILT_IN: [&str; 3] = ["door", "garage_door", "window"];
 
-/// The asset for an object at a size.
+/// The asset for an object at a size, without its mesh.
 pub fn asset_of(object: &Object, size: Option<Vec3>) -> Asset {
-    asset(&Request {
+    solid(&Request {
         name: &object.name,
         category: &object.category,
         color: &object.color,
@@ -139,6 +139,11 @@ pub fn furnish_from(
                 .label(what)
                 .note(format!("use a category from the library: `{}.category <- \"chair\";`", base_name(object)));
             unknown.entry(format!("asset {what}")).or_insert((i, d));
+        } else if let Some(family) = stand_in(&object.category, &object.name) {
+            let d = Diagnostic::new(codes::W0604, object.span, message(codes::W0604, &[what]))
+                .label(what)
+                .note(format!("\"{what}\" has the shape of \"{}\"", family.replace('_', " ")));
+            unknown.entry(format!("similar {what}")).or_insert((i, d));
         }
         let placement =
             Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
@@ -197,7 +202,10 @@ fn message(code: Code, kinds: &[&str]) -> String {
         list = format!("{list} and {} more", rest.len());
     }
     let one = kinds.len() == 1;
-    if code == codes::W0601 {
+    if code == codes::W0604 {
+        let drawn = if one { "it is drawn as something similar" } else { "they are drawn as something similar" };
+        format!("the library has no shape of its own for {list}; {drawn}")
+    } else if code == codes::W0601 {
         let turns = if one { "it becomes a labelled box" } else { "they become labelled boxes" };
         format!("the library has no model for {list}; {turns}")
     } else {
@@ -314,6 +322,17 @@ mod tests {
             (format!("{} {}", d.code, d.message), elsewhere, d.notes.last().cloned().unwrap_or_default())
         };
         gathered(&found.warnings).into_iter().map(tell).collect()
+    }
+
+    #[test]
+    fn what_is_drawn_as_something_else_is_told() {
+        let say = "W0604 the library has no shape of its own for \"rowing machine\"; it is drawn as something similar";
+        let note = "\"rowing machine\" has the shape of \"treadmill\"";
+        assert_eq!(told(&["rowing machine", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
+        let both = told(&["rowing machine", "humidifier", "rowing machine"]);
+        let say = "W0604 the library has no shape of its own for \"rowing machine\", \"humidifier\"; they are drawn as something similar";
+        assert_eq!(both.len(), 1);
+        assert_eq!((both[0].0.as_str(), both[0].1.as_str()), (say, "humidifier"));
     }
 
     #[test]

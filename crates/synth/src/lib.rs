@@ -8,6 +8,7 @@ mod doubt;
 mod furnish;
 mod hold;
 mod manifest;
+mod narrow;
 mod output;
 mod refute;
 mod rehearse;

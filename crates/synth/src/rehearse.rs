@@ -2,7 +2,9 @@
 //! room can take, or mean something that the words did not. What the search finds in the way becomes a preference.
 
 use crate::furnish::furnish;
+use crate::narrow::{narrow, narrow_all, widened};
 use crate::refute::give_up_refuted;
+use scenelang_formalize::draft::Source;
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, arrange_rooms, overfull};
@@ -18,7 +20,7 @@ use std::path::Path;
 /// How often a program is tried.
 const ROUNDS: usize = 12;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
-const TRIAL: [u64; 2] = [6_000_000, 400_000];
+pub const TRIAL: [u64; 2] = [6_000_000, 400_000];
 /// How often what is proved impossible is given up before the first trial.
 const PROOFS: usize = 24;
 /// How much more a trial from nothing may take once there is a layout.
@@ -61,13 +63,21 @@ pub fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progre
     }
     // Preferences have no part in whether there is a layout.
     let guided = std::mem::take(&mut draft.guided);
-    let layout = planned(draft, stop, progress);
-    let end = match layout {
-        Some(_) => Tried::Holds,
-        None => searched(draft, stop, progress),
+    let found = match planned(draft, stop, progress) {
+        Some(layout) => (Tried::Holds, Some(layout)),
+        None => {
+            let end = searched(draft, stop, progress);
+            // What opens just so far is found again from here, and hardly from nothing.
+            let layout = if end == Tried::Holds { widened(draft, stop, progress) } else { None };
+            if end != Tried::Holds {
+                // It was of no use.
+                draft.narrowed.clear();
+            }
+            (end, layout)
+        }
     };
     draft.guided = guided;
-    (end, layout)
+    found
 }
 
 /// The layout that comes of the places that the draft has for its things, with what has none placed among them.
@@ -172,7 +182,16 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             last = None;
             continue;
         }
-        if squeeze(draft, program, &outcome) || let_out(draft, program, &outcome) {
+        if squeeze(draft, program, &outcome) {
+            last = Some(outcome.layout);
+            continue;
+        }
+        // Before that, all that was added is out of the way.
+        if (left_out > PATIENT || !draft.has_additions()) && narrow(draft, program, &outcome, &judge) {
+            last = Some(outcome.layout);
+            continue;
+        }
+        if let_out(draft, program, &outcome) {
             last = Some(outcome.layout);
             continue;
         }
@@ -182,13 +201,24 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             last = None;
             continue;
         }
-        let given_up = in_the_way(draft, program, &outcome);
-        if !draft.prefer(given_up, REASON) {
+        if !give_up(draft, program, &outcome, &judge) {
             return Tried::Fails;
         }
         last = Some(outcome.layout);
     }
     Tried::Spent
+}
+
+/// Gives up what is in the way. Whether there was anything.
+fn give_up(draft: &mut Draft, program: &Program, outcome: &Outcome, judge: &scenelang_verify::Options) -> bool {
+    let given_up = in_the_way(draft, program, outcome);
+    // Furniture opens less far before anything is given up that was said, or that it stands on the floor.
+    let dear = |i: &usize| {
+        let statement = &draft.statements[*i];
+        matches!(statement.source, Source::Stated(_)) || statement.text.contains("onFloor(")
+    };
+    let last_resort = given_up.is_empty() || given_up.iter().any(dear);
+    last_resort && narrow_all(draft, program, outcome, judge) || draft.prefer(given_up, REASON)
 }
 
 /// What is in each other's way: the things and openings of each violated rule or statement.

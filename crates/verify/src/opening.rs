@@ -3,6 +3,8 @@
 //! Nobody has to move the object itself, what is in it or rests on the part, or carpets and curtains. Before furniture, light
 //! things are pushed aside; before the door of a room they are not. P-OPEN and the built-ins about opening stand on this.
 
+mod limits;
+
 use crate::builtins::region_beside;
 use crate::eval::{Cause, Truth};
 use crate::number::Number;
@@ -57,6 +59,8 @@ pub(crate) struct Habits {
     soft: Vec<bool>,
     /// By region: whether it has walls.
     walled: Vec<bool>,
+    /// How far things have to open at most.
+    limits: limits::Limits,
 }
 
 impl Habits {
@@ -83,12 +87,20 @@ impl Habits {
                 .collect(),
             soft: objects.map(|o| SOFT.contains(&o.role.as_str())).collect(),
             walled: program.regions.iter().map(|r| !has(r.text("features"), "outdoor")).collect(),
+            limits: limits::Limits::of(program),
         }
     }
 
     /// Whether an object is the door of a room.
     pub fn is_door(&self, id: ObjectId) -> bool {
         self.door.get(id.0 as usize).is_some_and(|door| *door)
+    }
+
+    /// How far P-OPEN asks a part to open, if it is to open at all (degrees or metres): as far as is useful, or as the program
+    /// says.
+    pub fn demand(&self, id: ObjectId, joint: &Joint) -> Option<f64> {
+        let demand = self.limits.demand(id, joint.motion, joint.useful?);
+        (demand > 0.0).then_some(demand)
     }
 }
 

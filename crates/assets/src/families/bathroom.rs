@@ -1,6 +1,6 @@
 //! Toilets, baths, showers and vanities: backs at −z.
 
-use super::kitchen::{draw_hatch, tap};
+use super::kitchen::{hatch, tap};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{shade, stuff};
@@ -204,13 +204,13 @@ pub(super) fn vanity_unit(a: &Ask) -> Model {
     m.surface = Some(rim);
     let plinth = 0.12 * rim;
     let body = b.y(plinth..rim - thick).inset(0.01, 0.0, 0.0).z(b.min.z..b.max.z - 0.03 * a.d);
-    m.solid(body);
+    let wall = 0.02_f64.min(0.05 * a.w).min(0.1 * rim).min(0.1 * a.d);
+    m.shell(body.z(body.min.z..body.max.z - deep), wall, 0.0, &main);
     m.board(b.inset(0.05, 0.0, 0.0).y(0.0..plinth).z(b.min.z..b.max.z - 0.15 * a.d), &stuff::DARK_PLASTIC.surface());
-    m.mesh.board(body.z(body.min.z..body.max.z - deep), &main);
     let doors = pieces(a.w, 0.45, 1, 6);
     let faces = body.inset(0.005, 0.004, 0.0).z(body.max.z - deep..body.max.z);
     for (i, door) in faces.split(0, doors, 0.006).enumerate() {
-        draw_hatch(&mut m, door, true, i % 2 == 1, &shade(&main, 1.06), &chrome);
+        hatch(&mut m, door, true, i % 2 == 1, &shade(&main, 1.06), &chrome);
     }
     let slab = b.y(rim - thick..rim);
     m.solid(slab);

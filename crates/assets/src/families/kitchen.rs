@@ -31,7 +31,7 @@ fn appliance(m: &mut Model, a: &Ask, main: &Surface) -> Block {
 }
 
 /// A door with an upright bar as its handle, hung on the other side; or with a level one, which folds down.
-fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+pub(super) fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let hung = match (upright, left) {
         (false, _) => Hung::Below,
         (true, true) => Hung::Right,
@@ -42,7 +42,7 @@ fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: 
 }
 
 /// The same, drawn only.
-pub(super) fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let (size, z) = (b.size(), b.min.z + 0.5 * b.size().z);
     m.mesh.rounded(b.z(b.min.z..z), 0.008, 2, s);
     let t = 0.016_f64.min(0.06 * size.x).min(0.06 * size.y);
@@ -412,6 +412,28 @@ pub(super) fn pizza_oven(a: &Ask) -> Model {
     m
 }
 
+/// A bowl that is open at the top: coals, and a grate above them.
+fn coals(m: &mut Model, b: Block, main: &Surface) {
+    let size = b.size();
+    let wall = 0.03 * size.min().min(1.0);
+    let floor = b.y(b.min.y..b.min.y + wall);
+    m.board(floor, main);
+    let above = b.y(floor.max.y..b.max.y);
+    for side in [above.x(b.min.x..b.min.x + wall), above.x(b.max.x - wall..b.max.x)] {
+        m.board(side, main);
+    }
+    let inner = above.inset(wall, 0.0, 0.0);
+    for face in [inner.z(b.min.z..b.min.z + wall), inner.z(b.max.z - wall..b.max.z)] {
+        m.board(face, main);
+    }
+    let inner = inner.inset(0.0, 0.0, wall);
+    let level = |share: f64| above.min.y + share * above.size().y;
+    m.mesh.crisp(inner.y(above.min.y..level(0.4)), &Stuff(Finish::Paint, 0x1b1815).surface());
+    for bar in inner.y(level(0.8)..level(0.88)).split(0, 8, 0.6 * size.x / 8.0) {
+        m.mesh.crisp(bar, &stuff::STEEL.surface());
+    }
+}
+
 /// A grill on a trolley: a bowl of coals under a lid, a shelf at each side.
 pub(super) fn barbecue(a: &Ask) -> Model {
     let mut m = Model::default();
@@ -425,17 +447,22 @@ pub(super) fn barbecue(a: &Ask) -> Model {
     m.legs(stand.y(0.0..0.55 * a.h), leg, &stuff::BLACK_STEEL.surface());
     m.board(stand.y(0.16 * a.h..0.19 * a.h).inset(0.002, 0.0, 0.002), &wood);
     let body = b.share(0.18..0.82, 0.0..1.0, 0.0..1.0);
-    m.board(body.y(0.55 * a.h..rim), &main);
+    coals(&mut m, body.y(0.55 * a.h..rim), &main);
     for side in b.share(0.0..0.18, 0.0..1.0, 0.1..0.9).both_sides() {
         m.board(side.y(rim - 0.04 * a.h..rim), &wood);
     }
-    // The lid is lower at the front.
+    // The lid is lower at the front, and turns about the upper edge of its back.
     let lid = body.z(b.min.z..b.max.z - 0.04 * a.d);
     let foot = lid.y(rim..rim + 0.001);
-    let head = lid.inset(0.04 * a.w, 0.0, 0.2 * a.d).y(a.h - 0.001..a.h);
+    let head = lid.inset(0.04 * a.w, 0.0, 0.0).y(a.h - 0.001..a.h).z(lid.min.z..lid.max.z - 0.25 * a.d);
+    let before = m.parts.len();
     m.taper(foot, head, &main);
     let grip = body.inset(0.1 * a.w, 0.0, 0.0).y(rim + 0.03 * a.h..rim + 0.06 * a.h);
     m.board(grip.z(b.max.z - 0.04 * a.d..b.max.z), &steel);
+    let added = m.parts.len() - before;
+    if added > 0 {
+        m.lid_of("lid", lid.y(rim..a.h), added);
+    }
     for knob in body.inset(0.08 * a.w, 0.0, 0.0).y(0.62 * a.h..0.68 * a.h).split(0, 3, 0.0) {
         let c = knob.center();
         let r = (0.025 * a.h).min(0.4 * knob.size().x);

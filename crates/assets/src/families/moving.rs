@@ -122,7 +122,12 @@ impl Model {
 
     /// The part that was added last is a lid, which turns up about the upper edge of its back.
     pub(super) fn lid(&mut self, name: &str, b: Block) {
-        self.joint(name, Motion::Hinge, [-Vec3::x(), Vec3::new(b.min.x, b.max.y, b.min.z)], UP, 1);
+        self.lid_of(name, b, 1);
+    }
+
+    /// The same of the last so many parts, which fill a box.
+    pub(super) fn lid_of(&mut self, name: &str, b: Block, parts: usize) {
+        self.joint(name, Motion::Hinge, [-Vec3::x(), Vec3::new(b.min.x, b.max.y, b.min.z)], UP, parts);
         self.handle_at(Vec3::new(b.center().x, b.max.y, b.max.z));
     }
 

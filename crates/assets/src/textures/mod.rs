@@ -87,12 +87,15 @@ const ALL: [Texture; 11] = [
     Texture::Plant,
 ];
 
+/// What a texture has at a place, in tiles.
+type Places = Box<dyn Fn(f32, f32) -> Texel>;
+
 /// How a texture is made: pixels and metres of the tile, how much its dark places take from green and blue, and its places.
 struct Recipe {
     size: [usize; 2],
     tile: [f64; 2],
     warm: [f32; 2],
-    texel: fn(f32, f32) -> Texel,
+    places: fn() -> Places,
 }
 
 impl Texture {
@@ -137,7 +140,7 @@ impl Texture {
     }
 
     fn recipe(self) -> Recipe {
-        let of = |size, tile, warm, texel| Recipe { size, tile, warm, texel };
+        let of = |size, tile, warm, places| Recipe { size, tile, warm, places };
         match self {
             Self::Wood => of([256, 128], [0.6, 2.0], [0.06, 0.16], wood::wood),
             Self::Boards => of([512, 256], [1.68, 4.2], [0.05, 0.13], wood::boards),
@@ -182,13 +185,14 @@ impl Pixels {
 fn make(recipe: &Recipe) -> Pixels {
     let [width, height] = recipe.size;
     let count = width * height;
+    let place = (recipe.places)();
     let texels: Vec<Texel> = (0..count)
         .map(|at| {
             let [x, y] = [at % width, at / width];
-            (recipe.texel)((x as f32 + 0.5) / width as f32, (y as f32 + 0.5) / height as f32)
+            place((x as f32 + 0.5) / width as f32, (y as f32 + 0.5) / height as f32)
         })
         .collect();
-    let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
     // Shades are sRGB, as the eye divides light; half of the steps is enough and takes less space.
     let shades: Vec<u8> = (0..=4095_u16).map(|light| byte(encoded(f32::from(light) / 4095.0)) | 1).collect();
     let shade: Vec<u8> = texels.iter().map(|t| shades[(t.light.clamp(0.0, 1.0) * 4095.0) as usize]).collect();
@@ -207,8 +211,7 @@ fn make(recipe: &Recipe) -> Pixels {
             let dv = (h(x, y + 1) - h(x, y + height - 1)) / (2.0 * step[1]);
             let length = (du * du + dv * dv + 1.0).sqrt();
             // Even steps: the middle is 128, and small files have few values.
-            [-du / length, -dv / length, 1.0 / length]
-                .map(|n| (128.0 + (n * 63.5).round() * 2.0).clamp(1.0, 255.0) as u8)
+            [-du / length, -dv / length, 1.0 / length].map(|n| (((n * 63.5 + 64.5) as i32) * 2).clamp(1, 255) as u8)
         })
         .collect();
     let rough: Vec<u8> = texels.iter().map(|t| byte(t.rough) | 3).collect();

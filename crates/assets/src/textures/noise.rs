@@ -18,46 +18,88 @@ pub(super) fn from_whole(t: f32) -> f32 {
     (fraction(t + 0.5) - 0.5).abs()
 }
 
-/// Smooth noise of 0 to 1 with `across` by `along` cells in the tile; `u` and `v` in tiles, not negative.
-pub(super) fn noise(u: f32, v: f32, across: u32, along: u32, seed: u32) -> f32 {
-    let (x, y) = (fraction(u) * across as f32, fraction(v) * along as f32);
-    let (i, j) = (x as u32, y as u32);
-    let smooth = |t: f32| t * t * (3.0 - 2.0 * t);
-    let (s, t) = (smooth(x - i as f32), smooth(y - j as f32));
-    let at =
-        |i: u32, j: u32| cell(if i < across { i } else { i - across }, if j < along { j } else { j - along }, seed);
-    let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
-    mix(mix(at(i, j), at(i + 1, j), s), mix(at(i, j + 1), at(i + 1, j + 1), s), t)
+/// Smooth noise of 0 to 1.
+pub(super) struct Noise {
+    across: u32,
+    along: u32,
+    /// At the points of the grid, row by row; the last of a row and the last row are the first again.
+    values: Vec<f32>,
+}
+
+impl Noise {
+    /// With `across` by `along` cells in the tile.
+    pub fn new(across: u32, along: u32, seed: u32) -> Self {
+        let row = |j: u32| (0..=across).map(move |i| cell(i % across, j % along, seed));
+        Self { across, along, values: (0..=along).flat_map(row).collect() }
+    }
+
+    /// At a place in tiles, not negative.
+    pub fn at(&self, u: f32, v: f32) -> f32 {
+        let (x, y) = (fraction(u) * self.across as f32, fraction(v) * self.along as f32);
+        let (i, j) = ((x as u32).min(self.across - 1), (y as u32).min(self.along - 1));
+        let smooth = |t: f32| t * t * (3.0 - 2.0 * t);
+        let (s, t) = (smooth(x - i as f32), smooth(y - j as f32));
+        let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
+        let width = self.across as usize + 1;
+        let first = j as usize * width + i as usize;
+        let row = |first: usize| mix(self.values[first], self.values[first + 1], s);
+        mix(row(first), row(first + width), t)
+    }
 }
 
 /// Noise of several sizes, each half the one before and half as strong: 0 to 1, about 0.5.
-pub(super) fn clouds(u: f32, v: f32, across: u32, along: u32, octaves: u32, seed: u32) -> f32 {
-    let (mut sum, mut all, mut weight) = (0.0, 0.0, 1.0);
-    for k in 0..octaves {
-        sum += weight * noise(u, v, across << k, along << k, seed + k);
-        all += weight;
-        weight *= 0.5;
+pub(super) struct Clouds(Vec<Noise>);
+
+impl Clouds {
+    /// The first with `across` by `along` cells in the tile.
+    pub fn new(across: u32, along: u32, octaves: u32, seed: u32) -> Self {
+        Self((0..octaves).map(|k| Noise::new(across << k, along << k, seed + k)).collect())
     }
-    sum / all
+
+    /// At a place in tiles, not negative.
+    pub fn at(&self, u: f32, v: f32) -> f32 {
+        let (mut sum, mut all, mut weight) = (0.0, 0.0, 1.0);
+        for noise in &self.0 {
+            sum += weight * noise.at(u, v);
+            all += weight;
+            weight *= 0.5;
+        }
+        sum / all
+    }
 }
 
-/// How far a place is from the nearest two of points scattered one to a cell, in cells.
-pub(super) fn scattered(u: f32, v: f32, cells: u32, seed: u32) -> [f32; 2] {
-    let (x, y) = (fraction(u) * cells as f32, fraction(v) * cells as f32);
-    let (i, j) = (x as u32, y as u32);
-    let mut near = [f32::MAX; 2];
-    for dj in 0..3 {
-        for di in 0..3 {
-            let (a, b) = ((i + di + cells - 1) % cells, (j + dj + cells - 1) % cells);
-            let px = (i + di) as f32 - 1.0 + cell(a, b, seed);
-            let py = (j + dj) as f32 - 1.0 + cell(a, b, seed + 1);
-            let d = (px - x).hypot(py - y);
-            if d < near[0] {
-                near = [d, near[0]];
-            } else if d < near[1] {
-                near[1] = d;
+/// Points scattered over the tile, one in each cell of a square grid.
+pub(super) struct Scattered {
+    cells: u32,
+    points: Vec<[f32; 2]>,
+}
+
+impl Scattered {
+    /// With so many cells to a side.
+    pub fn new(cells: u32, seed: u32) -> Self {
+        let point = |at: u32| [0, 1].map(|k| cell(at % cells, at / cells, seed + k));
+        Self { cells, points: (0..cells * cells).map(point).collect() }
+    }
+
+    /// How far a place is from the nearest two, in cells.
+    pub fn at(&self, u: f32, v: f32) -> [f32; 2] {
+        let cells = self.cells;
+        let (x, y) = (fraction(u) * cells as f32, fraction(v) * cells as f32);
+        let (i, j) = (x as u32, y as u32);
+        let mut near = [f32::MAX; 2];
+        for dj in 0..3 {
+            for di in 0..3 {
+                let (a, b) = ((i + di + cells - 1) % cells, (j + dj + cells - 1) % cells);
+                let [px, py] = self.points[(b * cells + a) as usize];
+                let (dx, dy) = ((i + di) as f32 - 1.0 + px - x, (j + dj) as f32 - 1.0 + py - y);
+                let d = dx * dx + dy * dy;
+                if d < near[0] {
+                    near = [d, near[0]];
+                } else if d < near[1] {
+                    near[1] = d;
+                }
             }
         }
+        near.map(f32::sqrt)
     }
-    near
 }

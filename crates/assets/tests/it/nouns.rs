@@ -2,7 +2,8 @@
 
 use scenelang_assets::{Request, family_of, furnish};
 use scenelang_layout::Vec3;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 
 /// The names of all families, as phrases.
 pub fn families() -> impl Iterator<Item = &'static str> {
@@ -40,6 +41,46 @@ fn every_noun_with_a_usual_size_has_a_family() {
         let name = family.replace('_', " ");
         assert!(sizes.contains_key(&name), "no usual size for {name}");
     }
+}
+
+/// What the requests of the development set ask for, by the nouns of those who annotated them.
+fn requested() -> BTreeSet<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/requests/development");
+    let mut nouns = BTreeSet::new();
+    for entry in fs::read_dir(folder).expect("the requests are there") {
+        let path = entry.expect("a file").path();
+        if !path.to_string_lossy().ends_with(".expect.json") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("it is text");
+        let objects = text.split_once("\"objects\": [").expect("it lists objects").1;
+        let names = objects.lines().take_while(|line| line.trim_end() != " ],");
+        let names = names.filter_map(|line| line.trim().strip_prefix("\"name\": \"")?.split('"').next());
+        nouns.extend(names.map(|name| name.replace('_', " ")));
+    }
+    nouns
+}
+
+#[test]
+fn nouns_of_the_requests_have_a_family_and_the_rest_is_listed() {
+    let nouns = requested();
+    assert!(nouns.len() > 200, "{}", nouns.len());
+    let boxes: Vec<&str> = nouns.iter().map(String::as_str).filter(|noun| family_of(noun, "").is_none()).collect();
+    let known = [
+        "architectural model",
+        "basketball hoop",
+        "bell",
+        "cello stand",
+        "cheese dome",
+        "fountain",
+        "material sample",
+        "mobile",
+        "paper roll",
+        "pizza peel",
+        "toy train",
+    ];
+    assert_eq!(boxes, known);
+    assert!(boxes.len() * 20 <= nouns.len(), "{} of {}", boxes.len(), nouns.len());
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use super::{Object, Row};
 use nalgebra::{Rotation3, Unit};
-use scenelang_lang::program::{Arg, BuiltIn, ConstraintKind, Formula, Node, NodeId, ObjectId, Program};
+use scenelang_lang::opening::{Opened, asserted};
+use scenelang_lang::program::{Node, ObjectId, Program};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::{Joint, Motion, Vec2, Vec3};
 
@@ -31,47 +32,33 @@ const UPRIGHT: f64 = 0.99;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Demand {
     object: ObjectId,
-    motion: Motion,
-    /// Degrees or metres.
-    amount: f64,
+    /// Of the parts that move this way; `None`: of all.
+    motion: Option<Motion>,
+    /// Degrees or metres; `None`: as far as is of use.
+    amount: Option<f64>,
     /// Whether the assertion demands nothing else and is violated.
     fails: bool,
 }
 
-/// What the assertions of a program demand with an amount (`opens(wardrobe, 60deg)`, `slides(desk, 0.3)`); `fails` says whether
-/// the one with an index is violated.
+/// What the assertions of a program demand (`opens(wardrobe, 60deg)`, `sliding(desk) >= 0.3`); `fails` says
+/// whether the one with an index is violated.
 pub(super) fn demands(program: &Program, fails: impl Fn(usize) -> bool) -> Vec<Demand> {
-    let mut found = Vec::new();
-    for (index, constraint) in program.constraints.iter().enumerate().filter(|(_, c)| c.kind == ConstraintKind::Assert)
-    {
-        let formula = &constraint.formula;
-        let alone = matches!(formula.root_node(), Node::BuiltIn(..));
-        demanded(formula, formula.root, &mut |object, motion, amount| {
-            found.push(Demand { object, motion, amount, fails: alone && fails(index) });
-        });
-    }
-    found
-}
-
-/// Tells of each demand that must hold if a node does.
-fn demanded(formula: &Formula, node: NodeId, found: &mut impl FnMut(ObjectId, Motion, f64)) {
-    match formula.node(node) {
-        Node::And(all) => all.iter().for_each(|node| demanded(formula, *node, found)),
-        Node::BuiltIn(built_in, args) => {
-            let motion = match built_in {
-                BuiltIn::Opens => Motion::Hinge,
-                BuiltIn::Slides => Motion::Slide,
-                _ => return,
-            };
-            if let [Arg::Object(object), Arg::Value(amount)] = args[..]
-                && let Node::Number(amount) = formula.node(amount)
-                && *amount > 0.0
-            {
-                found(object, motion, *amount);
-            }
-        }
-        _ => {}
-    }
+    let demand = |(index, object, opened): (usize, ObjectId, Opened)| {
+        let (motion, amount) = match opened {
+            Opened::Useful => (None, None),
+            Opened::Turned(amount) => (Some(Motion::Hinge), Some(amount)),
+            Opened::Slid(amount) => (Some(Motion::Slide), Some(amount)),
+        };
+        // Which part of several fails is not known.
+        let alone = motion.is_some() && !matches!(program.constraints[index].formula.root_node(), Node::And(_));
+        amount.is_none_or(|amount| amount > 0.0).then(|| Demand {
+            object,
+            motion,
+            amount,
+            fails: alone && fails(index),
+        })
+    };
+    asserted(program).into_iter().filter_map(demand).collect()
 }
 
 /// All openings of the object with a number, in the order of its joints.
@@ -83,12 +70,11 @@ pub(super) fn openings(id: usize, object: &Object, rows: &[Row], demands: &[Dema
     let opening = |(index, joint): (usize, &Joint)| {
         let rule = format!("P-OPEN:{}/{}", object.name, joint.name);
         let rule = rows.iter().find(|row| row.id == rule);
-        let own = || demands.iter().filter(|d| d.object.0 as usize == id && d.motion == joint.motion);
-        let asked = own().map(|d| d.amount).reduce(f64::max);
-        // The rule demands what is useful, too.
-        let ruled = joint.useful.filter(|_| rule.is_some() || asked.is_none());
+        let moves = |motion: &Option<Motion>| motion.is_none_or(|motion| motion == joint.motion);
+        let own = || demands.iter().filter(|d| d.object.0 as usize == id && moves(&d.motion));
+        let asked = own().filter_map(|d| d.amount.or(joint.useful)).reduce(f64::max);
         let most = joint.limits[1];
-        let amount = asked.into_iter().chain(ruled).reduce(f64::max).unwrap_or(most).min(most);
+        let amount = asked.or(joint.useful).unwrap_or(most).min(most);
         let stands = object.axes[(1, 1)] > UPRIGHT;
         Opening {
             joint: index,
@@ -183,17 +169,21 @@ mod tests {
             // Which of two is violated is not known.
             ("assert opens(cupboard, 60deg) and slides(cupboard, 0.2);", (60.0, true, false), (0.2, true, false)),
             ("assert opens(cupboard, 170deg);", (110.0, true, true), nothing[1]),
+            ("assert opening(cupboard) >= 60deg;", (60.0, true, true), nothing[1]),
+            ("assert 0.2 <= sliding(cupboard);", nothing[0], (0.2, true, true)),
+            ("assert opening(cupboard) <= 60deg;", nothing[0], nothing[1]),
             ("assert not opens(cupboard, 60deg);", nothing[0], nothing[1]),
             ("prefer opens(cupboard, 60deg);", nothing[0], nothing[1]),
             ("assert opens(other, 60deg);", nothing[0], nothing[1]),
             ("assert opens(cupboard);", nothing[0], nothing[1]),
+            ("assert opens(cupboard); assert opens(cupboard, 60deg);", (90.0, true, true), nothing[1]),
         ] {
             assert_eq!(amounts(&demands_of(assertion), &[]), [door, drawer], "{assertion}");
         }
-        // Where the rule speaks of the door, too, it has to open as far as both demand.
+        // The rule demands no more than the program does.
         let row = Row { id: "P-OPEN:cupboard/door".into(), kind: "opening".into(), satisfied: Some(true) };
         let demands = demands_of("assert opens(cupboard, 60deg);");
-        assert_eq!(amounts(&demands, &[row])[0].0, 90.0);
+        assert_eq!(amounts(&demands, &[row])[0].0, 60.0);
     }
 
     #[test]

@@ -72,11 +72,12 @@ pub(super) fn looks(parts: &[Convex], mesh: &[Group]) -> Vec<usize> {
         sums.into_iter().reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(surface, _)| surface)
     };
     let whole = most(&|_| true).or(mesh.first().map(|g| g.surface)).unwrap_or_default();
-    let near = |part: &Convex, p: &Vec3| {
-        let (min, max) = (part.aabb().min, part.aabb().max);
-        (0..3).all(|i| (min[i] - NEAR..=max[i] + NEAR).contains(&p[i]))
+    let of = |part: &Convex| {
+        let around = part.aabb();
+        let (min, max) = (around.min.add_scalar(-NEAR), around.max.add_scalar(NEAR));
+        most(&|p| (0..3).all(|i| min[i] <= p[i] && p[i] <= max[i])).unwrap_or(whole)
     };
-    parts.iter().map(|part| most(&|p| near(part, p)).unwrap_or(whole)).collect()
+    parts.iter().map(of).collect()
 }
 
 fn wide(p: [f32; 3]) -> Vec3 {

@@ -405,5 +405,7 @@ fn every_code_has_its_page() {
 
 /// Codes, or their first letters, that no text in a book can trigger: files that are not there or not text, scenes that
 /// were edited, those of furnishing, and those of models.
-const PROSE: [&str; 13] =
-    ["E0001", "E0003", "E0004", "E0006", "E0008", "E0009", "E07", "W0504", "W0505", "W0601", "W0602", "W0603", "W07"];
+const PROSE: [&str; 14] = [
+    "E0001", "E0003", "E0004", "E0006", "E0008", "E0009", "E07", "W0504", "W0505", "W0601", "W0602", "W0603", "W0604",
+    "W07",
+];

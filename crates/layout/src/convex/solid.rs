@@ -2,7 +2,7 @@
 
 use super::{Convex, separation};
 use crate::separation::{Aabb, Separation};
-use crate::{Obb, Placement, Vec3, rotation};
+use crate::{Obb, Placement, Vec3, obb, rotation};
 use nalgebra::Matrix3;
 
 /// How far the common box of the parts may differ from the object's box at any face, in metres.
@@ -65,23 +65,61 @@ pub struct Nearest {
 
 /// The least signed gap over pairs of parts; `None` only where a solid has no part.
 pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
-    let mut pairs: Vec<(f64, [usize; 2])> = Vec::with_capacity(a.len() * b.len());
-    for (i, x) in a.iter().enumerate() {
-        pairs.extend(b.iter().enumerate().map(|(j, y)| (x.aabb().distance(y.aabb()), [i, j])));
-    }
-    // Nearest boxes first: most other pairs then need no look.
+    // The pair whose boxes are nearest tells which others need a look; these are few, and only they are sorted.
+    let first = nearest_boxes(a, b)?;
+    let of = |[i, j]: [usize; 2]| (&a[i], &b[j]);
+    let look = |parts: [usize; 2]| {
+        let (x, y) = of(parts);
+        Nearest { separation: separation(x, y), parts }
+    };
+    let mut best = look(first);
+    let mut pairs = pairs_within(a, b, best.separation.gap.max(0.0));
     pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
-    let mut best: Option<Nearest> = None;
     for (bound, parts) in pairs {
-        if best.is_some_and(|n| bound > n.separation.gap.max(0.0)) {
+        if bound > best.separation.gap.max(0.0) {
             break;
         }
-        let separation = separation(&a[parts[0]], &b[parts[1]]);
-        if best.is_none_or(|n| separation.gap < n.separation.gap) {
-            best = Some(Nearest { separation, parts });
+        let (x, y) = of(parts);
+        // An axis that shows as much shows that it is no less.
+        let farther = |x, y| obb::apart(x, y, best.separation.gap);
+        if parts == first || x.as_box().zip(y.as_box()).is_some_and(|(x, y)| farther(x, y)) {
+            continue;
+        }
+        let next = look(parts);
+        if next.separation.gap < best.separation.gap {
+            best = next;
         }
     }
-    best
+    Some(best)
+}
+
+/// The parts whose upright boxes are nearest to each other; the first of equals.
+fn nearest_boxes(a: &[Convex], b: &[Convex]) -> Option<[usize; 2]> {
+    let around = aabb(b);
+    let mut best: Option<(f64, [usize; 2])> = None;
+    for (i, x) in a.iter().enumerate() {
+        if best.is_some_and(|(least, _)| x.aabb().distance(&around) > least) {
+            continue;
+        }
+        for (j, y) in b.iter().enumerate() {
+            let bound = x.aabb().distance(y.aabb());
+            if best.is_none_or(|(least, _)| bound < least) {
+                best = Some((bound, [i, j]));
+            }
+        }
+    }
+    best.map(|(_, parts)| parts)
+}
+
+/// The pairs of parts whose upright boxes are no farther apart than `most` (metres), with how far they are.
+fn pairs_within(a: &[Convex], b: &[Convex], most: f64) -> Vec<(f64, [usize; 2])> {
+    let around = aabb(b);
+    let mut pairs = Vec::new();
+    for (i, x) in a.iter().enumerate().filter(|(_, x)| x.aabb().distance(&around) <= most) {
+        let bounds = b.iter().enumerate().map(|(j, y)| (x.aabb().distance(y.aabb()), [i, j]));
+        pairs.extend(bounds.filter(|(bound, _)| *bound <= most));
+    }
+    pairs
 }
 
 /// The smallest upright box that holds a solid.

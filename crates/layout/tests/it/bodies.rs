@@ -97,6 +97,28 @@ proptest! {
     }
 
     #[test]
+    fn what_is_left_out_of_solids_changes_no_bit(
+        a in prop::collection::vec(bodies(), 1..7),
+        b in prop::collection::vec(bodies(), 1..7),
+        far in 0.0..4.0,
+    ) {
+        let away: Vec<Convex> = b.iter().map(|body| body.moved(&Matrix3::identity(), &(Vec3::x() * far))).collect();
+        let mut pairs: Vec<(f64, [usize; 2])> = Vec::new();
+        for (i, x) in a.iter().enumerate() {
+            pairs.extend(away.iter().enumerate().map(|(j, y)| (x.aabb().distance(y.aabb()), [i, j])));
+        }
+        pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+        let all = pairs.iter().map(|(_, [i, j])| (convex::separation(&a[*i], &away[*j]), [*i, *j]));
+        let (separation, parts) = all.reduce(|best, next| if next.0.gap < best.0.gap { next } else { best }).unwrap();
+        let found = convex::nearest(&a, &away).unwrap();
+        // Bodies that overlap by as much are equal, whichever is told.
+        if separation.gap > 0.0 {
+            prop_assert_eq!((found.separation, found.parts), (separation, parts));
+        }
+        prop_assert_eq!(found.separation.gap, separation.gap);
+    }
+
+    #[test]
     fn hulls_hold_their_points_and_nothing_more(points in prop::collection::vec(vector(2.0), 4..60)) {
         let Some(hull) = Convex::from_hull(&points) else { return Ok(()) };
         for p in &points {

@@ -1,7 +1,8 @@
 //! P-OPEN: what has to open does. The solid that a movable part sweeps from closed to as far as is demanded meets no wall
 //! and no other solid.
 //!
-//! What is demanded is part of the asset: how far a part opens that is of use. Which objects are asked is a setting.
+//! What is demanded is part of the asset: how far a part opens that is of use. A program that asserts less of an object
+//! lowers it. Which objects are asked is a setting.
 
 use crate::eval::{Cause, Truth};
 use crate::number::Number;
@@ -25,7 +26,7 @@ pub fn demands<N: Number>(world: &World<N>, id: ObjectId) -> Vec<(u8, f64)> {
         return Vec::new();
     }
     let joints = opening::joints(world, id).iter().enumerate();
-    joints.filter_map(|(i, joint)| Some((u8::try_from(i).ok()?, joint.useful?))).collect()
+    joints.filter_map(|(i, joint)| Some((u8::try_from(i).ok()?, world.habits.demand(id, joint)?))).collect()
 }
 
 /// Whether a part opens as far as is demanded.
