@@ -5,6 +5,7 @@
 mod agreement;
 mod assets;
 mod back;
+mod both_sides;
 mod bounded;
 mod brief;
 mod carriers;
