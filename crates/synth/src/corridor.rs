@@ -232,15 +232,7 @@ fn solve_once(
     let Ready { mut problem, mut options, mut warnings, furniture, looks } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
     let warnings = gathered(&warnings);
-    let how = How {
-        judge: &request.judge,
-        seed: request.seed,
-        effort: request.effort,
-        quality: request.quality,
-        advised: adviser.is_some(),
-    };
-    let inputs = layout_inputs(program, &problem.start, &how);
-    let mut made = Made { looks, inputs, kept: false };
+    let mut made = Made { looks, inputs: inputs(request, program, &problem.start, adviser.is_some()), kept: false };
     if let Some(before) = before.filter(|before| before.inputs == made.inputs && !before.layout.incomplete) {
         observer.enter(Stage::Layout);
         let first = kept(request, before);
@@ -318,6 +310,19 @@ fn solve_once(
     let others = all.collect();
     observer.leave(Stage::Layout);
     Ok(Solved { first, others, advice, warnings, furniture, made, compiled })
+}
+
+/// What decides where things are; `furnished` has their shapes.
+fn inputs(request: &Request<'_>, program: &Program, furnished: &Layout, advised: bool) -> Inputs {
+    let how = How {
+        judge: &request.judge,
+        seed: request.seed,
+        effort: request.effort,
+        quality: request.quality,
+        limited: request.time.is_some(),
+        advised,
+    };
+    layout_inputs(program, furnished, &how)
 }
 
 /// A program that is read, and what is known before its furniture is.
@@ -402,7 +407,7 @@ pub fn furnished(request: &Request<'_>, observer: &mut dyn Observer) -> Result<F
 fn kept(request: &Request<'_>, before: &Before) -> Found {
     let outcome = Outcome {
         layout: before.layout.clone(),
-        converged: before.converged,
+        converged: true,
         end: End::Solved,
         constraints: Vec::new(),
         in_the_way: Vec::new(),
@@ -411,7 +416,7 @@ fn kept(request: &Request<'_>, before: &Before) -> Found {
         unsatisfied: Vec::new(),
         warnings: Vec::new(),
     };
-    let checked = judgement(request, request.layout_name, &before.text, before.converged);
+    let checked = judgement(request, request.layout_name, &before.text, true);
     Found { outcome, text: before.text.clone(), checked, free: Free::default() }
 }
 

@@ -114,6 +114,8 @@ pub struct How<'a> {
     pub effort: u64,
     /// What part of it may go into preferences.
     pub quality: u8,
+    /// Whether it may take only so long.
+    pub limited: bool,
     /// Whether a language model proposes moves.
     pub advised: bool,
 }
@@ -168,6 +170,7 @@ pub fn layout_inputs(program: &Program, layout: &Layout, how: &How<'_>) -> Input
     out.insert("seed".into(), how.seed.to_string());
     out.insert("effort".into(), how.effort.to_string());
     out.insert("quality".into(), how.quality.to_string());
+    out.insert("time".into(), how.limited.to_string());
     out.insert("model".into(), how.advised.to_string());
     out.insert("scenelang".into(), env!("CARGO_PKG_VERSION").to_owned());
     out
@@ -189,7 +192,7 @@ fn insert(inputs: &mut Inputs, name: &str, sum: &str) {
 pub fn prefers_otherwise(before: &Inputs, now: &Inputs) -> bool {
     let told = |inputs: &Inputs| -> Vec<(String, String)> {
         let is_told =
-            |key: &str| ["prefer ", "quality", "effort", "judging"].iter().any(|start| key.starts_with(start));
+            |key: &str| ["prefer ", "quality", "effort", "judging", "time"].iter().any(|start| key.starts_with(start));
         inputs.iter().filter(|(key, _)| is_told(key)).map(|(k, v)| (k.clone(), v.clone())).collect()
     };
     told(before) != told(now)
@@ -250,7 +253,11 @@ mod tests {
         let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
         let judge = Options::default();
         let layout = furnish(&program, Vec::new(), None, &judge).layout;
-        layout_inputs(&program, &layout, &How { judge: &judge, seed: 0, effort: 1, quality: 20, advised: false })
+        layout_inputs(
+            &program,
+            &layout,
+            &How { judge: &judge, seed: 0, effort: 1, quality: 20, limited: false, advised: false },
+        )
     }
 
     const ROOM: &str = "region room; object desk; desk.category <- \"desk\"; object lamp; lamp.category <- \"lamp\";\n\

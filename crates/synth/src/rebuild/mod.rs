@@ -142,21 +142,21 @@ impl Known {
         states.iter().rev().find(|state| state.is_there(folder))
     }
 
-    /// The layout that lies in the folder as it was made; `None`: there is none, or it was edited.
+    /// The layout that lies in the folder as it was made; `None`: there is none, or it was edited, or it is no place to go on
+    /// from, because not all that must hold does.
     pub fn layout(&self, folder: &Path) -> Option<Before> {
-        let state = Self::state(&self.layout, folder)?;
+        let state = Self::state(&self.layout, folder).filter(|state| state.converged)?;
         let path = folder.join(state.files.first()?);
         let text = String::from_utf8(Door::within(folder).read(&path).ok()?).ok()?;
         let read = file::read(&text, FileId(0));
         if !read.usable || read.diagnostics.iter().any(scenelang_base::Diagnostic::is_error) {
             return None;
         }
-        let (inputs, converged, looks) = (state.inputs.clone(), state.converged, self.assets.clone());
-        Some(Before { text, layout: read.layout, inputs, converged, looks })
+        Some(Before { text, layout: read.layout, inputs: state.inputs.clone(), looks: self.assets.clone() })
     }
 }
 
-/// The layout of an earlier run.
+/// The layout of an earlier run, in which all that must hold does.
 #[derive(Clone, Debug)]
 pub struct Before {
     /// The layout's text.
@@ -165,8 +165,6 @@ pub struct Before {
     pub layout: Layout,
     /// What it was made from.
     pub inputs: Inputs,
-    /// Whether all that must hold does.
-    pub converged: bool,
     /// What each object was given.
     pub looks: Looks,
 }

@@ -51,6 +51,7 @@ pub fn of_layout(before: &Inputs, now: &Inputs) -> Vec<String> {
                 let new = now.get(key).map_or("", String::as_str);
                 format!("--{kind} was {old}, is {new}")
             }
+            ("time", _) => "--time was given, or no longer is".to_owned(),
             ("model", _) => "a language model is asked, or no longer is".to_owned(),
             ("scenelang", _) => "another version of scenelang made it".to_owned(),
             ("object" | "region" | "variable" | "draw", change) => format!("`{rest}` {}", verb(change)),
