@@ -120,7 +120,7 @@ fn export(args: &Export) -> Result<Exported, String> {
         replace::layouts(&[(&room.path, text)], |_| true).map_err(error)?;
         written.push(room.path.clone());
     }
-    written.extend(rebuild.write(&[], planned, &inputs, may, false).map_err(error)?);
+    written.extend(rebuild.write(Vec::new(), planned, &inputs, may, false).map_err(error)?);
     let model = args.trial.then(|| args.output.join(Mjcf::model(&scene)));
     let (code, lost) = (exit_code(&room.checked.report), losses(&scene, &chosen));
     let told = &rebuild.told;

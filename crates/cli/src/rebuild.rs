@@ -29,14 +29,17 @@ pub struct Rebuild<'a> {
     pub told: Told,
 }
 
+/// An object or a format, and why it was made again.
+type Again = (String, Vec<String>);
+
 /// What was made again, and why.
 #[derive(Default)]
 pub struct Told {
     program: Option<Vec<String>>,
     /// How many objects there are, and why some of them were made again.
-    assets: Option<(usize, Vec<(String, Vec<String>)>)>,
+    assets: Option<(usize, Vec<Again>)>,
     layout: Option<Vec<String>>,
-    formats: Vec<(String, Vec<String>)>,
+    formats: Vec<Again>,
     changed: Changed,
 }
 
@@ -157,13 +160,13 @@ impl<'a> Rebuild<'a> {
     /// What is in the way, and how to go on; or what the file system says.
     pub fn write(
         &mut self,
-        own: &[OutFile],
+        own: Vec<OutFile>,
         planned: Planned,
         inputs: &[&Path],
         may: May<'_>,
         is_whole: bool,
     ) -> Result<Vec<PathBuf>, String> {
-        let mut names = rebuild::own_names(own);
+        let mut names = rebuild::own_names(&own);
         // What only later stages write is still there.
         let later =
             self.known.own.iter().filter(|name| !is_whole && !names.contains(name)).cloned().collect::<Vec<_>>();
@@ -171,7 +174,8 @@ impl<'a> Rebuild<'a> {
         let all = listed.map(|name| self.folder.join(name)).collect();
         names.extend(later);
         self.next.own = names;
-        let files = [own, &planned.files].concat();
+        let mut files = own;
+        files.extend(planned.files);
         self.record(&files, &planned.formats, inputs, may)?;
         Ok(all)
     }
@@ -247,7 +251,7 @@ impl Told {
 }
 
 /// Objects by why they were made again, in the order in which each reason comes first.
-fn alike(again: &[(String, Vec<String>)]) -> Vec<(Vec<&str>, String)> {
+fn alike(again: &[Again]) -> Vec<(Vec<&str>, String)> {
     let mut out: Vec<(Vec<&str>, String)> = Vec::new();
     for (object, why) in again {
         let why = why.join(", ");

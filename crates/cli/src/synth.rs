@@ -102,7 +102,7 @@ fn build(args: &Synth) -> Result<u8, u8> {
         let (planned, lost) = exported.unwrap_or_default();
         let inputs: Vec<&Path> = solved.compiled.sources.iter().map(|(_, file)| file.path()).collect();
         let may = May { force: args.force, these: &permission.replaced };
-        Ok((rebuild.write(&own_files(&solved, &stem), planned, &inputs, may, true)?, lost, interrupted))
+        Ok((rebuild.write(own_files(&solved, &stem), planned, &inputs, may, true)?, lost, interrupted))
     });
     let (files, lost, interrupted) = match written {
         Ok(written) => written,
@@ -215,7 +215,7 @@ fn early(
     }
     let inputs: Vec<&Path> = compiled.sources.iter().map(|(_, file)| file.path()).collect();
     let may = May { force: args.force, these: &[] };
-    let files = rebuild.write(&files, Planned::default(), &inputs, may, false).map_err(|why| fail(&why))?;
+    let files = rebuild.write(files, Planned::default(), &inputs, may, false).map_err(|why| fail(&why))?;
     let rebuilt = args.explain_rebuild.then_some(&rebuild.told);
     let until = if made.is_some() { "assets" } else { "program" };
     let how = How { format: args.format, folder: &args.output, rebuilt };

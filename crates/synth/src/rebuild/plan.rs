@@ -78,11 +78,12 @@ pub fn planned(
 fn touched(folder: &Path, state: &State) -> Vec<String> {
     let is_missing = |file: &&String| !folder.join(file.as_str()).is_file();
     let missing: Vec<&str> = state.files.iter().filter(is_missing).map(String::as_str).collect();
-    match missing.as_slice() {
-        [] => vec!["its files are not as they were written".to_owned()],
-        [named @ ..] if named.len() <= NAMED => vec![format!("{} is missing", named.join(", "))],
-        [named @ ..] => vec![format!("{} and {} more are missing", named[..NAMED].join(", "), named.len() - NAMED)],
-    }
+    vec![match missing.as_slice() {
+        [] => "its files are not as they were written".to_owned(),
+        [one] => format!("{one} is missing"),
+        some if some.len() <= NAMED => format!("{} are missing", some.join(", ")),
+        many => format!("{} and {} more are missing", many[..NAMED].join(", "), many.len() - NAMED),
+    }]
 }
 
 /// A path as the manifest has it.
