@@ -9,7 +9,7 @@ let worst = 0;
 for (const path of process.argv.slice(2)) {
   let report;
   try {
-    report = await validator.validateBytes(new Uint8Array(await readFile(path)), { uri: path, maxIssues: 100 });
+    report = await validator.validateBytes(new Uint8Array(await readFile(path)), { uri: path, maxIssues: 0 });
   } catch (error) {
     console.error(`${path}: ${error}`);
     worst = 2;

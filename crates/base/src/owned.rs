@@ -4,7 +4,11 @@
 //! list has the sums of all, in the form of `sha256sum`. A file without a sum is somebody else's work, and one whose sum is
 //! wrong was edited. The sums guard against mistakes; anybody can forge them.
 
-use crate::fs::{is_stream, write_set, write_whole};
+mod change;
+
+pub use change::{Change, Record, Step, Steps};
+
+use crate::fs::is_stream;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -85,8 +89,13 @@ fn short(text: &str) -> String {
     sum
 }
 
-fn full(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::new(), |mut out, byte| {
+/// The sum of some bytes, in full.
+pub fn full(bytes: &[u8]) -> String {
+    digits(&Sha256::digest(bytes))
+}
+
+fn digits(sum: &[u8]) -> String {
+    sum.iter().fold(String::new(), |mut out, byte| {
         let _ = write!(out, "{byte:02x}");
         out
     })
@@ -237,6 +246,22 @@ pub fn knows(folder: &Path, name: &Path) -> bool {
     List::of(folder).0.keys().any(|known| *known == name || known.starts_with(&below))
 }
 
+/// The sum of what a folder has under some names, in their order; `None`: one of them is missing, or cannot be read.
+pub fn sum_below<'n>(folder: &Path, names: impl IntoIterator<Item = &'n str>) -> Option<String> {
+    let mut sum = Sha256::new();
+    for name in names {
+        sum.update(full(&there(&folder.join(name)).ok()??));
+    }
+    Some(digits(&sum.finalize()))
+}
+
+/// The same of files that are not written yet.
+pub fn sum_of<'b>(files: impl IntoIterator<Item = &'b [u8]>) -> String {
+    let mut sum = Sha256::new();
+    files.into_iter().for_each(|bytes| sum.update(full(bytes)));
+    digits(&sum.finalize())
+}
+
 /// Whether a path below a folder leads out of it, by a link on its way.
 fn is_outside(root: Option<&Path>, path: &Path) -> bool {
     let Some(root) = root else { return false };
@@ -250,38 +275,7 @@ fn is_outside(root: Option<&Path>, path: &Path) -> bool {
 /// # Errors
 /// What the file system says; the message names the path, and the files that are new.
 pub fn write_folder(folder: &Path, files: &[(PathBuf, &[u8])]) -> io::Result<()> {
-    let mut list = List::of(folder);
-    let mut set = Vec::new();
-    let mut sums = Vec::new();
-    for (name, bytes) in files {
-        let path = folder.join(name);
-        let same = there(&path)?.is_some_and(|old| old == *bytes);
-        if same && list.standing(name, bytes) == Standing::Foreign {
-            continue;
-        }
-        let sum = full(bytes);
-        let key = key(name);
-        if !key.contains(['\n', '\r']) {
-            list.0.entry(key.clone()).or_default().insert(sum.clone());
-            sums.push((key, sum));
-        }
-        if !same {
-            set.push((path, *bytes));
-        }
-    }
-    if sums.is_empty() && set.is_empty() {
-        return Ok(());
-    }
-    // Old and new sums first: whatever ends this process, the next one knows its files.
-    let at = folder.join(LIST);
-    if !set.is_empty() {
-        write_whole(&at, list.text().as_bytes())?;
-        write_set(&set)?;
-    }
-    for (key, sum) in sums {
-        list.0.insert(key, BTreeSet::from([sum]));
-    }
-    write_whole(&at, list.text().as_bytes())
+    Change { files, gone: &[], record: None }.steps(folder)?.run()
 }
 
 #[cfg(test)]

@@ -109,6 +109,8 @@ fn solve(c: &mut Criterion) {
             path: scene,
             files: &Door::of(scene),
             start: None,
+            before: None,
+            share: 1,
             layout_name: &layout_name,
             scene_member: &file,
             hold: Hold::Nothing,

@@ -2,6 +2,7 @@
 
 use crate::args::{Export, SummaryFormat};
 use crate::edited::{self, Taken};
+use crate::rebuild::Rebuild;
 use crate::replace::May;
 use crate::room::CheckedLayout;
 use crate::trial::{self, Trial};
@@ -49,6 +50,14 @@ struct Exported {
     taken: Option<Taken>,
     /// The file to be tried.
     model: Option<PathBuf>,
+    /// What was made again, and why, if that is asked for.
+    rebuilt: Option<Rebuilt>,
+}
+
+/// What was made again: for people and for programs.
+struct Rebuilt {
+    text: String,
+    json: Value,
 }
 
 impl Exported {
@@ -62,12 +71,18 @@ impl Exported {
         if let Some(Ok(trial)) = trial {
             out["trial"] = trial.json();
         }
+        if let Some(rebuilt) = &self.rebuilt {
+            out["rebuild"] = rebuilt.json.clone();
+        }
         out
     }
 }
 
 fn human(exported: &Exported, trial: Option<&Result<Trial, String>>) {
     eprint!("{}", formats::notes(&exported.lost));
+    if let Some(rebuilt) = &exported.rebuilt {
+        out::show(&format!("{}\n", rebuilt.text));
+    }
     for path in &exported.written {
         out::show(&format!("{}\n", path.display()));
     }
@@ -92,31 +107,36 @@ fn export(args: &Export) -> Result<Exported, String> {
         room = room.with_layout(text)?;
     }
     let scene = room.scene().map_err(error)?;
-    let mut files = Vec::new();
+    let stem = room.stem();
+    let mut rebuild = Rebuild::of(&args.output, &stem, None);
     // All bytes before the first file.
-    for exporter in &chosen {
-        files.extend(exporter.files(&scene).map_err(|e| error(e.to_string()))?);
-    }
+    let planned = rebuild.formats(&scene, &chosen, &mut |_| true).map_err(error)?.unwrap_or_default();
     let inputs: Vec<&Path> = room.checked.sources.iter().map(|(_, file)| file.path()).collect();
     let may = May { force: args.force, these: &answer.replaced };
     let mut written = Vec::new();
     if let Some(text) = &layout {
-        replace::permit_folder(&args.output, &files, &inputs, may).map_err(error)?;
+        replace::permit_folder(&args.output, &planned.files, &inputs, may).map_err(error)?;
         // The layout first: if anything ends the command then, the edited scene is still there to be taken again.
         replace::layouts(&[(&room.path, text)], |_| true).map_err(error)?;
         written.push(room.path.clone());
     }
-    written.extend(replace::folder(&args.output, &files, &inputs, may).map_err(error)?);
+    written.extend(rebuild.write(Vec::new(), planned, &inputs, may, false).map_err(error)?);
     let model = args.trial.then(|| args.output.join(Mjcf::model(&scene)));
     let (code, lost) = (exit_code(&room.checked.report), losses(&scene, &chosen));
-    Ok(Exported { code, written, lost, taken: answer.taken, model })
+    let told = &rebuild.told;
+    let told = || Rebuilt { text: told.human(&args.output), json: told.json(&args.output) };
+    let rebuilt = args.explain_rebuild.then(told);
+    Ok(Exported { code, written, lost, taken: answer.taken, model, rebuilt })
 }
 
 /// The exporters asked for. One object alone is no scene, so that nothing else is written with it unless it is named.
 fn chosen(args: &Export) -> Vec<Box<dyn Exporter>> {
-    let Some(object) = &args.object else { return formats::chosen(&args.formats, unity::Pipeline::BuiltIn) };
+    let Some(object) = &args.object else {
+        return formats::chosen(&args.formats, unity::Pipeline::BuiltIn, &args.output);
+    };
     let named = args.formats.all_formats || !args.formats.only.is_empty();
-    let mut out = if named { formats::chosen(&args.formats, unity::Pipeline::BuiltIn) } else { Vec::new() };
+    let mut out =
+        if named { formats::chosen(&args.formats, unity::Pipeline::BuiltIn, &args.output) } else { Vec::new() };
     out.push(Box::new(Urdf { object: object.clone() }));
     out
 }

@@ -1,24 +1,41 @@
 //! `--only` and `--all-formats`: which formats are written, and what they leave out.
 
 use crate::args::{Formats, UnityVersion};
+use scenelang_base::door::Door;
 use scenelang_base::plain;
-use scenelang_export::unity::{Editor, Pipeline, Unity};
+use scenelang_export::glb::{Glb, WithPhysics};
+use scenelang_export::unity::{self, Editor, Pipeline, Unity};
 use scenelang_export::urdf::Urdf;
 use scenelang_export::{Exporter, Loss, all_exporters, exporters};
 use serde_json::{Value, json};
+use std::path::Path;
 
-/// The exporters asked for, Unity's for a pipeline; the usual ones if none are.
-pub fn chosen(asked: &Formats, pipeline: Pipeline) -> Vec<Box<dyn Exporter>> {
+/// The exporters asked for, Unity's for a pipeline; the usual ones if none are. A project that is in the folder already stays
+/// one for its version of Unity.
+pub fn chosen(asked: &Formats, pipeline: Pipeline, folder: &Path) -> Vec<Box<dyn Exporter>> {
     let known = if asked.all_formats || !asked.only.is_empty() { all_exporters() } else { exporters() };
     let editor = match asked.unity {
-        UnityVersion::V2022 => Editor::V2022,
-        UnityVersion::V6000 => Editor::V6000,
+        Some(UnityVersion::V2022) => Editor::V2022,
+        Some(UnityVersion::V6000) => Editor::V6000,
+        None => of_project(folder).unwrap_or_default(),
     };
     let unity = Unity { pipeline, editor };
-    let own =
-        |e: Box<dyn Exporter>| -> Box<dyn Exporter> { if e.name() == unity.name() { Box::new(unity) } else { e } };
+    let own = |e: Box<dyn Exporter>| -> Box<dyn Exporter> {
+        match e.name() {
+            name if name == unity.name() => Box::new(unity),
+            name if name == Glb.name() && asked.gltf_physics => Box::new(WithPhysics),
+            _ => e,
+        }
+    };
     let wanted = known.into_iter().filter(|e| asked.only.is_empty() || asked.only.iter().any(|o| o == e.name()));
     wanted.map(own).collect()
+}
+
+/// The editor that the project in a folder was written for.
+fn of_project(folder: &Path) -> Option<Editor> {
+    let project = folder.join(unity::ROOT);
+    let text = Door::within(folder).read(&project.join(unity::VERSION)).ok()?;
+    Editor::of_project(&String::from_utf8_lossy(&text))
 }
 
 /// `--only`: the name of an exporter.

@@ -3,7 +3,7 @@
 
 use scenelang_base::door::Door;
 use scenelang_base::fs::{is_same, is_stream, write_set};
-use scenelang_base::owned::{self, InTheWay, Standing, Why, sealed_json, sealed_program, write_folder};
+use scenelang_base::owned::{self, Change, InTheWay, Record, Standing, Why, sealed_json, sealed_program, write_folder};
 use scenelang_export::OutFile;
 use std::path::{Path, PathBuf};
 
@@ -131,6 +131,38 @@ pub fn folder(folder: &Path, files: &[OutFile], inputs: &[&Path], may: May<'_>) 
     let set = set_of(files);
     write_folder(folder, &set).map_err(|e| e.to_string())?;
     Ok(set.into_iter().map(|(name, _)| folder.join(name)).collect())
+}
+
+/// What became of a folder.
+#[derive(Clone, Debug, Default)]
+pub struct Changed {
+    /// Files that are other ones than before.
+    pub written: Vec<PathBuf>,
+    /// Files that no longer belonged there.
+    pub removed: Vec<PathBuf>,
+    /// Files that no longer belong there but were edited.
+    pub kept: Vec<PathBuf>,
+}
+
+/// Writes a set of files into a folder, removes what no longer belongs there if it is ours, and records it.
+///
+/// # Errors
+/// As for [`folder`].
+pub fn change(
+    folder: &Path,
+    files: &[OutFile],
+    (gone, record): (&[PathBuf], &Record),
+    inputs: &[&Path],
+    may: May<'_>,
+) -> Result<Changed, String> {
+    permit_folder(folder, files, inputs, may)?;
+    let door = Door::within(folder);
+    let is_inside = |name: &&PathBuf| door.permits(&folder.join(name)).is_ok();
+    let gone: Vec<PathBuf> = gone.iter().filter(is_inside).cloned().collect();
+    let set = set_of(files);
+    let steps = Change { files: &set, gone: &gone, record: Some(record) }.steps(folder).map_err(|e| e.to_string())?;
+    steps.run().map_err(|e| e.to_string())?;
+    Ok(Changed { written: steps.written, removed: steps.removed, kept: steps.kept })
 }
 
 fn set_of(files: &[OutFile]) -> Vec<(PathBuf, &[u8])> {

@@ -228,6 +228,8 @@ impl Run<'_> {
             path: &self.args.scene,
             files: &Door::of(&self.args.scene),
             start: None,
+            before: None,
+            share: 1,
             layout_name: "closest.layout.json",
             scene_member: "",
             hold: Hold::Nothing,

@@ -62,6 +62,8 @@ pub fn run(args: &Solve) -> u8 {
         path: &args.scene,
         files: &Door::of(&args.scene),
         start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
+        before: None,
+        share: 1,
         layout_name: &output.display().to_string(),
         scene_member: &member,
         hold: match (args.lock.as_slice(), args.only.as_slice()) {

@@ -1,77 +1,65 @@
-//! `scenelang synth`: the whole corridor, with a summary at the end.
+//! `scenelang synth`: the whole corridor, as far as something has changed, with a summary at the end.
 
-use crate::args::{Judging, Pipeline, SummaryFormat, Synth};
-use crate::check::color;
-use crate::edited::{self, Permission, Taken};
-use crate::model::{self, Asked};
+use crate::args::{Judging, Pipeline, Step, SummaryFormat, Synth};
+use crate::edited::{self, Permission};
+use crate::model::Asked;
 use crate::progress::{Progress, solving};
+use crate::rebuild::Rebuild;
 use crate::replace::May;
-use crate::solve::{color_err, explain, patience};
-use crate::table::Table;
-use crate::{FAILED, FINDINGS, INTERRUPTED, formalize, formats, furniture, interrupt, out, replace, settings};
-use scenelang_base::FileId;
+use crate::solve::{explain, patience};
+use crate::summary::{self, Done, How, SYNTHESIS};
+use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, formalize, formats, furniture, interrupt, replace, settings};
 use scenelang_base::door::Door;
-use scenelang_export::{Exporter, Loss, OutFile, embedded, losses, unity};
-use scenelang_synth::{Failure, Hold, Observer, Request, Solved, Stage, own_files};
+use scenelang_export::{Exporter, Loss, losses, unity};
+use scenelang_lang::Compiled;
+use scenelang_synth::rebuild::{Inputs, Planned, sum};
+use scenelang_synth::{
+    Failure, Furnishings, Hold, Observer, Request, Solved, Stage, furniture_file, own_files, program_files,
+};
 use scenelang_verify::exit_code;
-use scenelang_verify::report::{self, Human};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// What the summary as JSON calls itself.
-const SYNTHESIS: &str = "scenelang.synthesis/1";
 /// The part of the work for preferences that is done where the furniture has its places already.
 pub const PLANNED: u8 = 20;
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {
+    build(args).unwrap_or_else(|code| code)
+}
+
+/// The same; as an error, the exit code of what ended it early.
+fn build(args: &Synth) -> Result<u8, u8> {
     let begun = Instant::now();
     let time = args.time.map(Duration::from_secs_f64);
     interrupt::within(time.map(patience));
-    let (path, request) = match asked_for(args) {
-        Ok(both) => both,
-        Err(message) => return fail(&message),
-    };
+    let (path, asked) = asked_for(args).map_err(|why| fail(&why))?;
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
-    let exporters = chosen(args);
-    let Permission { taken, replaced } = match permitted(args, &path, request.is_some(), &stem, &exporters) {
-        Ok(answer) => answer,
-        Err(message) => return fail(&message),
-    };
-    let (judging, settings) = match settings::all(&Judging::default(), &Door::of(&path)) {
-        Ok(both) => both,
-        Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
-    };
-    let furniture = match furniture::chain(&args.furniture, &settings.assets, &Door::of(&path), args.model.offline) {
-        Ok(furniture) => furniture,
-        Err(message) => return fail(&message),
-    };
-    let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
-        Ok(model) => model,
-        Err(error) => return fail(&error.to_string()),
-    };
-    let planned = match request.as_ref().map(|request| write(args, &path, request, model.as_mut())) {
-        Some(Ok(Begun::With(planned))) => planned,
-        Some(Ok(Begun::Overfull(why))) => return too_full(args.format, &why),
-        Some(Err(message)) => return fail(&message),
+    let exporters = if args.until < Step::Export { Vec::new() } else { chosen(args) };
+    let permission = permitted(args, &path, asked.is_some(), &stem, &exporters).map_err(|why| fail(&why))?;
+    let input = |refused: settings::Refused| explain(&Failure::Input(refused.sources, refused.diagnostics));
+    let (judging, settings) = settings::all(&Judging::default(), &Door::of(&path)).map_err(input)?;
+    let door = Door::of(&path);
+    let furniture = furniture::chain(&args.furniture, &settings.assets, &door, args.model.offline);
+    let furniture = furniture.map_err(|why| fail(&why))?;
+    let mut model = Asked::new(&args.model, &settings.llm, args.seed).map_err(|error| fail(&error.to_string()))?;
+    let mut rebuild = Rebuild::of(&args.output, &stem, args.from);
+    let planned = match &asked {
+        Some(asked) => program(args, &path, asked, model.as_mut(), &mut rebuild)?,
         None => None,
     };
-    let layout_name = format!("{stem}.layout.json");
-    let (start, quality) = match (&taken, &planned) {
-        // What somebody has put somewhere is not moved for a preference.
-        (Some(taken), _) => (Some((taken.scene.layout_name.as_str(), taken.scene.layout.as_str())), 0),
-        // What was planned is good already: little work shows what more there is.
-        (None, Some(text)) => (Some((layout_name.as_str(), text.as_str())), args.search.quality.div_ceil(PLANNED)),
-        (None, None) => (None, args.search.quality),
-    };
+    let before = if permission.taken.is_none() { rebuild.before(args.seed) } else { None };
+    let names = Names { path: path.display().to_string(), layout: format!("{stem}.layout.json") };
+    let (start, quality, share) = begin(args, &permission, planned.as_deref(), &names.layout);
     let request = Request {
-        name: &path.display().to_string(),
+        name: &names.path,
         path: &path,
-        files: &Door::of(&path),
+        files: &door,
         start,
+        before: before.as_ref(),
         // As seen from the output folder, so that what is written does not depend on where that is.
-        layout_name: &layout_name,
+        layout_name: &names.layout,
         scene_member: &format!("{stem}.scene"),
         hold: Hold::Nothing,
         time: time.map(|time| time.saturating_sub(begun.elapsed())),
@@ -80,45 +68,56 @@ pub fn run(args: &Synth) -> u8 {
         threads: args.search.threads(),
         effort: args.search.effort,
         quality,
+        share,
         stop: &interrupt::stop(),
         seed: args.seed,
         judge: judging.options,
         furniture: furniture.as_ref(),
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
+    let asked = asked.map(|asked| reading(args, &asked, model.is_some()));
+    if args.until < Step::Layout {
+        return early(args, &request, (&stem, asked), rebuild, stages);
+    }
     let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
         Err(failure) => {
             drop(stages);
             if let (Failure::Contradiction(checked), SummaryFormat::Json) = (&failure, args.format) {
                 println!("{}", json!({ "format": SYNTHESIS, "ok": false, "report": checked.report, "files": [] }));
-                return exit_code(&checked.report);
+                return Ok(exit_code(&checked.report));
             }
-            return explain(&failure);
+            return Err(explain(&failure));
         }
     };
     solved.first.checked.report.judged_with = judging.with;
+    rebuild.program(asked, &program_files(&solved.compiled, &stem));
+    rebuild.assets(&solved.made);
+    rebuild.layout(&solved, args.search.quality, permission.taken.as_ref().map(|taken| taken.name.as_str()));
     stages.enter(Stage::Export);
     // A layout that was found is not lost to a Ctrl-C while it is exported.
     interrupt::gently();
-    let written = exported(&solved, &stem, &exporters).and_then(|exported| {
+    let written = exported(&solved, &stem, &exporters, &mut rebuild, &stages).and_then(|exported| {
         let interrupted = exported.is_none();
-        let (files, lost) = exported.unwrap_or_else(|| (own_files(&solved, &stem), Vec::new()));
+        let (planned, lost) = exported.unwrap_or_default();
         let inputs: Vec<&Path> = solved.compiled.sources.iter().map(|(_, file)| file.path()).collect();
-        let may = May { force: args.force, these: &replaced };
-        Ok((replace::folder(&args.output, &files, &inputs, may)?, lost, interrupted))
+        let may = May { force: args.force, these: &permission.replaced };
+        Ok((rebuild.write(own_files(&solved, &stem), planned, &inputs, may, true)?, lost, interrupted))
     });
-    let (written, lost, interrupted) = match written {
+    let (files, lost, interrupted) = match written {
         Ok(written) => written,
         Err(message) => {
             drop(stages);
-            return fail(&message);
+            return Err(fail(&message));
         }
     };
     stages.leave(Stage::Export);
     let seconds = std::mem::take(&mut stages.seconds);
     drop(stages);
-    tell(args, &solved, &written, &lost, &seconds, model.as_ref(), taken.as_ref());
+    let rebuilt = args.explain_rebuild.then_some(&rebuild.told);
+    let (solved, files, taken) = (&solved, files.as_slice(), permission.taken.as_ref());
+    let done = Done { solved, files, lost: &lost, seconds: &seconds, model: model.as_ref(), taken };
+    summary::tell(&How { format: args.format, folder: &args.output, rebuilt }, &done);
     if interrupted {
         let so_far = if solved.first.layout().incomplete {
             "; the best layout found was written and marked as incomplete"
@@ -126,9 +125,102 @@ pub fn run(args: &Synth) -> u8 {
             ""
         };
         eprintln!("interrupted before files were exported{so_far}");
-        return INTERRUPTED;
+        return Ok(INTERRUPTED);
     }
-    exit_code(&solved.first.checked.report)
+    Ok(exit_code(&solved.first.checked.report))
+}
+
+/// How the program and the layout are called.
+struct Names {
+    path: String,
+    layout: String,
+}
+
+/// The name and the text of a layout to start from, if there is one; the work for preferences, and what part of it is enough.
+fn begin<'a>(
+    args: &Synth,
+    permission: &'a Permission,
+    planned: Option<&'a str>,
+    layout_name: &'a str,
+) -> (Option<(&'a str, &'a str)>, u8, u8) {
+    match (&permission.taken, planned) {
+        // What somebody has put somewhere is not moved for a preference.
+        (Some(taken), _) => (Some((taken.scene.layout_name.as_str(), taken.scene.layout.as_str())), 0, 1),
+        // What was planned is good already: little work shows what more there is.
+        (None, Some(text)) => (Some((layout_name, text)), args.search.quality, PLANNED),
+        (None, None) => (None, args.search.quality, 1),
+    }
+}
+
+/// What a request is read from, for the manifest.
+fn reading(args: &Synth, request: &str, is_advised: bool) -> Inputs {
+    let how = format!("{} {:?} {:?}", args.literal, args.time, is_advised.then_some(&args.model));
+    let pairs = [
+        ("request", sum(request.as_bytes())),
+        ("options", sum(how.as_bytes())),
+        ("scenelang", env!("CARGO_PKG_VERSION").to_owned()),
+    ];
+    pairs.into_iter().map(|(key, sum)| (key.to_owned(), sum)).collect()
+}
+
+/// Writes the program of a request, unless it is there; a layout to begin with, where one is known.
+fn program(
+    args: &Synth,
+    path: &Path,
+    request: &str,
+    model: Option<&mut Asked>,
+    rebuild: &mut Rebuild<'_>,
+) -> Result<Option<String>, u8> {
+    // Without its layout it is read again, because that is planned with it.
+    let has_layout = args.until < Step::Layout || rebuild.before(args.seed).is_some();
+    if rebuild.has_program(&reading(args, request, model.is_some())) && has_layout {
+        return Ok(None);
+    }
+    match write(args, path, request, model).map_err(|why| fail(&why))? {
+        Begun::With(planned) => Ok(planned),
+        Begun::Overfull(why) => Err(too_full(args.format, &why)),
+    }
+}
+
+/// What there is of a scene without a layout.
+enum Early {
+    Program(Compiled),
+    Assets(Furnishings),
+}
+
+/// Ends after the program, or after the furniture.
+fn early(
+    args: &Synth,
+    request: &Request<'_>,
+    (stem, asked): (&str, Option<Inputs>),
+    mut rebuild: Rebuild<'_>,
+    mut stages: Stages,
+) -> Result<u8, u8> {
+    let ended = if args.until == Step::Program {
+        scenelang_synth::compiled(request, &mut stages).map(Early::Program)
+    } else {
+        scenelang_synth::furnished(request, &mut stages).map(Early::Assets)
+    };
+    drop(stages);
+    let ended = ended.map_err(|failure| explain(&failure))?;
+    let (compiled, made) = match &ended {
+        Early::Program(compiled) => (compiled, None),
+        Early::Assets(made) => (&made.compiled, Some(made)),
+    };
+    let mut files = program_files(compiled, stem);
+    rebuild.program(asked, &files);
+    if let Some(made) = made {
+        rebuild.assets(&made.made);
+        files.extend(furniture_file(&made.furniture));
+    }
+    let inputs: Vec<&Path> = compiled.sources.iter().map(|(_, file)| file.path()).collect();
+    let may = May { force: args.force, these: &[] };
+    let files = rebuild.write(files, Planned::default(), &inputs, may, false).map_err(|why| fail(&why))?;
+    let rebuilt = args.explain_rebuild.then_some(&rebuild.told);
+    let until = if made.is_some() { "assets" } else { "program" };
+    let how = How { format: args.format, folder: &args.output, rebuilt };
+    summary::tell_early(&how, until, made, &files);
+    Ok(GOOD)
 }
 
 /// The program to build, and the request that it is to be written from, beside what comes of it.
@@ -204,23 +296,30 @@ fn permitted(
     Ok(answer)
 }
 
-/// All files of a scene, and what is not in them.
-type Exported = (Vec<OutFile>, Vec<Loss>);
+/// What is exported, and what is not in it.
+type Exported = (Planned, Vec<Loss>);
 
-/// The files of the scene; `None`: Ctrl-C was pressed before they were made.
-fn exported(solved: &Solved, stem: &str, exporters: &[Box<dyn Exporter>]) -> Result<Option<Exported>, String> {
-    let mut files = own_files(solved, stem);
-    if interrupt::asked() {
+/// What the formats are to be; `None`: Ctrl-C was pressed before they were made.
+fn exported(
+    solved: &Solved,
+    stem: &str,
+    exporters: &[Box<dyn Exporter>],
+    rebuild: &mut Rebuild<'_>,
+    stages: &Stages,
+) -> Result<Option<Exported>, String> {
+    let mut go_on = |name: &str| {
+        stages.progress.say(format!("export: {name}"));
+        !interrupt::asked()
+    };
+    if !go_on("scene") {
         return Ok(None);
     }
-    let scene = scenelang_synth::scene(solved, stem).map_err(|e| e.to_string())?;
-    for exporter in exporters {
-        files.extend(exporter.files(&scene).map_err(|e| e.to_string())?);
-        if interrupt::asked() {
-            return Ok(None);
-        }
+    if exporters.is_empty() {
+        return Ok(Some(Exported::default()));
     }
-    Ok(Some((files, losses(&scene, exporters))))
+    let scene = scenelang_synth::scene(solved, stem).map_err(|e| e.to_string())?;
+    let planned = rebuild.formats(&scene, exporters, &mut go_on)?;
+    Ok(planned.filter(|_| !interrupt::asked()).map(|planned| (planned, losses(&scene, exporters))))
 }
 
 fn fail(message: &str) -> u8 {
@@ -234,114 +333,7 @@ fn chosen(args: &Synth) -> Vec<Box<dyn Exporter>> {
         Pipeline::Builtin => unity::Pipeline::BuiltIn,
         Pipeline::Urp => unity::Pipeline::Urp,
     };
-    formats::chosen(&args.formats, pipeline)
-}
-
-/// Prints what was done.
-fn tell(
-    args: &Synth,
-    solved: &Solved,
-    written: &[PathBuf],
-    lost: &[Loss],
-    seconds: &[(Stage, Duration)],
-    model: Option<&Asked>,
-    taken: Option<&Taken>,
-) {
-    let moved = taken.map_or_else(Vec::new, |taken| moved(taken, solved));
-    match args.format {
-        SummaryFormat::Human => {
-            for line in &moved {
-                eprintln!("note: so that all holds: {}", scenelang_base::plain::line(line));
-            }
-            human(solved, written, seconds, &args.output);
-            eprint!("{}", formats::notes(lost));
-            model::summary(model, solved.advice.as_ref());
-        }
-        SummaryFormat::Json => {
-            let mut summary = json(solved, written, seconds);
-            summary["lost"] = formats::json(lost);
-            if let Some(taken) = taken {
-                summary["taken"] = json!({ "from": taken.name, "changes": taken.changes, "moved": moved });
-            }
-            if !solved.furniture.is_empty() {
-                summary["furniture"] = scenelang_synth::manifest(&solved.furniture)["objects"].take();
-            }
-            if let Some(said) = model::json(model, solved.advice.as_ref()) {
-                summary["model"] = said;
-            }
-            println!("{summary}");
-        }
-    }
-}
-
-/// What stands elsewhere than in the scene that was taken, in words.
-fn moved(taken: &Taken, solved: &Solved) -> Vec<String> {
-    let before = scenelang_layout::file::read(&taken.scene.layout, FileId(0)).layout;
-    embedded::differences(&before, solved.first.layout())
-}
-
-fn human(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)], folder: &Path) {
-    let report = &solved.first.checked.report;
-    eprint!("{}", report::diagnostics(&solved.warnings, &solved.compiled.sources, color_err()));
-    if exit_code(report) != 0 {
-        print!("{}", report::human(&solved.first.checked, Human { color: color(), all: false }));
-    }
-    let summary = &report.summary;
-    let mut held = Table::new(&["what", "held", "of"]);
-    for (what, tally) in [
-        ("assertions", summary.assertions),
-        ("preferences", summary.preferences),
-        ("physical rules", summary.physical),
-        ("assignments", summary.pins),
-    ] {
-        held.row([what.into(), tally.satisfied.to_string(), tally.total.to_string()]);
-    }
-    let mut times = Table::new(&["stage", "seconds"]);
-    for (stage, time) in seconds {
-        times.row([stage.name().into(), format!("{:.2}", time.as_secs_f64())]);
-    }
-    let count = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
-    let layout = solved.first.layout();
-    println!("{} in {}\n", count(layout.objects.len(), "object"), count(layout.regions.len(), "region"));
-    println!("{}\n{}", held.render(), times.render());
-    if !solved.furniture.is_empty() {
-        println!("furniture: {}\n", scenelang_synth::told(&solved.furniture));
-    }
-    for path in shown(written, folder) {
-        out::show(&format!("  {}\n", path.display()));
-    }
-    if let Some(page) = written.iter().find(|p| p.ends_with("preview.html")) {
-        println!("\nopen {} to view the room", page.display());
-    }
-}
-
-/// Files directly in the output folder, and folders in it, each once.
-fn shown(written: &[PathBuf], folder: &Path) -> Vec<PathBuf> {
-    let mut out: Vec<PathBuf> = Vec::new();
-    for path in written {
-        let first = path.strip_prefix(folder).ok().and_then(|p| p.components().next());
-        let top = first.map_or_else(|| path.clone(), |c| folder.join(c));
-        if !out.contains(&top) {
-            out.push(top);
-        }
-    }
-    out
-}
-
-fn json(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)]) -> serde_json::Value {
-    let stages: serde_json::Map<String, serde_json::Value> =
-        seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
-    json!({
-        "format": SYNTHESIS,
-        "ok": solved.first.checked.report.ok,
-        "incomplete": solved.first.layout().incomplete,
-        "objects": solved.first.layout().objects.len(),
-        "regions": solved.first.layout().regions.len(),
-        "summary": solved.first.checked.report.summary,
-        "warnings": solved.warnings.iter().map(|d| &d.message).collect::<Vec<_>>(),
-        "seconds": stages,
-        "files": written.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
-    })
+    formats::chosen(&args.formats, pipeline, &args.output)
 }
 
 /// Times the stages and shows them on a terminal.

@@ -1,7 +1,7 @@
 //! What an exporter is, the list of them, and the one function that writes their files.
 
 use crate::loss::Lost;
-use crate::{Scene, glb, mjcf, obj, picture, plan, preview, sdf, unity, usd};
+use crate::{Scene, Shows, glb, mjcf, obj, picture, plan, preview, sdf, unity, usd};
 use scenelang_base::door::Door;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -31,6 +31,14 @@ pub trait Exporter: fmt::Debug {
     /// # Errors
     /// The scene has something that the format cannot say.
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError>;
+    /// What its files in a folder are known by, if one exporter can write several sets beside each other.
+    fn key(&self) -> String {
+        self.name().to_owned()
+    }
+    /// Which parts of the scene its files show: nothing else changes a byte of them.
+    fn shows(&self) -> Shows {
+        Shows::All
+    }
     /// What of the scene is not in them.
     fn lost(&self, scene: &Scene) -> Vec<Lost> {
         let _ = scene;

@@ -2,10 +2,12 @@
 //!
 //! glTF is right-handed: x is negated and triangles run the other way round; the front stays +z. Colours are linear.
 
+mod physics;
+
 use crate::geometry::frame::{mirrored, mirrored_quaternion};
 use crate::geometry::mesh::Group;
 use crate::geometry::tangent::tangents;
-use crate::physics::{Apart, drawn_apart};
+use crate::physics::{Apart, Physics, drawn_apart};
 use crate::scene::{Role, Shell, view};
 use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use nalgebra::UnitQuaternion;
@@ -13,6 +15,7 @@ use scenelang_assets::Surface;
 use scenelang_assets::textures::Texture;
 use scenelang_layout::Vec3;
 use serde_json::{Map, Value, json};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// `NAME.glb`: the one file that travels alone, so it carries the name of the scene.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +27,21 @@ impl Exporter for Glb {
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         Ok(vec![OutFile::new(format!("{}.glb", scene.name), bytes(scene)?)])
+    }
+}
+
+/// The same file with rigid bodies: colliders, mass, and joints for what opens.
+#[derive(Clone, Copy, Debug)]
+pub struct WithPhysics;
+
+impl Exporter for WithPhysics {
+    fn name(&self) -> &'static str {
+        Glb.name()
+    }
+    fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
+        let apart: Vec<_> = scene.objects.iter().map(drawn_apart).collect();
+        let bytes = write(scene, &apart, Some(&Physics::of(scene)))?;
+        Ok(vec![OutFile::new(format!("{}.glb", scene.name), bytes)])
     }
 }
 
@@ -41,7 +59,7 @@ const SUN: f64 = 1.5;
 /// # Errors
 /// More than 4 GB of geometry.
 pub fn bytes(scene: &Scene) -> Result<Vec<u8>, ExportError> {
-    write(scene, &[])
+    write(scene, &[], None)
 }
 
 /// The same with a node of its own for each movable part, below that of its object: `extras.scenelang` has the names of both.
@@ -50,13 +68,13 @@ pub fn bytes(scene: &Scene) -> Result<Vec<u8>, ExportError> {
 /// # Errors
 /// More than 4 GB of geometry.
 pub(crate) fn in_pieces(scene: &Scene) -> Result<Vec<u8>, ExportError> {
-    write(scene, &scene.objects.iter().map(drawn_apart).collect::<Vec<_>>())
+    write(scene, &scene.objects.iter().map(drawn_apart).collect::<Vec<_>>(), None)
 }
 
-fn write(scene: &Scene, apart: &[Option<Apart>]) -> Result<Vec<u8>, ExportError> {
-    let mut writer = Writer::default();
+fn write(scene: &Scene, apart: &[Option<Apart>], physics: Option<&Physics<'_>>) -> Result<Vec<u8>, ExportError> {
+    let mut writer = Writer { has_physics: physics.is_some(), ..Writer::default() };
     writer.textures(scene)?;
-    writer.scene(scene, apart);
+    writer.scene(scene, apart, physics);
     writer.finish()
 }
 
@@ -79,6 +97,12 @@ struct Writer<'a> {
     /// Their pictures, as many for each as [`PICTURES`] has names.
     images: Vec<Vec<u8>>,
     root: Map<String, Value>,
+    /// Whether there are rigid bodies.
+    has_physics: bool,
+    /// What they share.
+    physics: physics::Resources,
+    /// Nodes with the meshes of hulls, which come after those that are seen.
+    hulls: Vec<(usize, Value)>,
 }
 
 /// What the buffer views of geometry hold: the target, and the bytes of a vertex.
@@ -103,7 +127,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    fn scene(&mut self, scene: &'a Scene, apart: &'a [Option<Apart>]) {
+    fn scene(&mut self, scene: &'a Scene, apart: &'a [Option<Apart>], physics: Option<&Physics<'_>>) {
         let apart = |index: usize| apart.get(index).and_then(Option::as_ref);
         for (index, object) in scene.objects.iter().enumerate() {
             let extras = json!({ "id": object.name, "category": object.category, "label": object.label });
@@ -124,7 +148,11 @@ impl<'a> Writer<'a> {
             let turn = UnitQuaternion::rotation_between(&-Vec3::z(), &mirrored(view::SUN));
             node["rotation"] = json!(turn.map_or([0.0, 0.0, 0.0, 1.0], |q| [q.i, q.j, q.k, q.w]));
         });
-        let mut hanging = Vec::new();
+        let mut hanging = BTreeSet::new();
+        // By the names that bodies and their pieces have.
+        let objects = scene.objects.iter().map(|object| object.name.clone());
+        let names = objects.chain(scene.shells.iter().map(|shell| shell.name.clone()));
+        let mut nodes: BTreeMap<String, usize> = names.zip(0..).collect();
         for (owner, object) in scene.objects.iter().enumerate() {
             let moving = apart(owner).into_iter().flat_map(|(_, moving)| moving);
             for (joint, groups) in object.place.joints.iter().zip(moving) {
@@ -132,7 +160,8 @@ impl<'a> Writer<'a> {
                 let mut node = node(&name, &json!({ "of": object.name, "joint": joint.name.as_str() }));
                 self.mesh(&mut node, &name, groups, scene);
                 self.nodes.push(node);
-                hanging.push(self.hang(owner));
+                hanging.insert(self.hang(owner));
+                nodes.insert(name, self.nodes.len() - 1);
             }
         }
         for lamp in &scene.lamps {
@@ -145,8 +174,14 @@ impl<'a> Writer<'a> {
             let pos = object.map_or(lamp.pos, |(o, _)| o.axes.transpose() * (lamp.pos - o.place.pos));
             self.light(&lamp.name, light, |node| node["translation"] = triple(mirrored(pos)));
             if let Some((_, index)) = object {
-                hanging.push(self.hang(index));
+                hanging.insert(self.hang(index));
             }
+        }
+        if let Some(physics) = physics {
+            let first = self.nodes.len();
+            self.bodies(physics, &nodes);
+            // All of them hang on others, or are in no scene.
+            hanging.extend(first..self.nodes.len());
         }
         let mut own = json!({
             "version": env!("CARGO_PKG_VERSION"), "spec": scene.main_text(), "layout": scene.layout_text,
@@ -194,7 +229,23 @@ impl<'a> Writer<'a> {
     }
 
     fn primitive(&mut self, group: &Group, scene: &Scene) -> Value {
-        let mirror = |[x, y, z]: [f32; 3]| [0.0 - x, y, z];
+        let position = self.positions(group);
+        let normal = self.accessor(1, FLOAT, "VEC3", group.normals.len());
+        floats(&mut self.views[1], group.normals.iter().copied().map(mirror));
+        let surface = &scene.surfaces[group.surface];
+        let texture = Texture::of(surface);
+        let place = texture.map(|texture| self.places(group, texture));
+        let indices = self.indices(group);
+        let mut attributes = json!({ "POSITION": position, "NORMAL": normal });
+        if let Some([place, tangent]) = place {
+            attributes["TEXCOORD_0"] = json!(place);
+            attributes["TANGENT"] = json!(tangent);
+        }
+        json!({ "attributes": attributes, "indices": indices, "material": self.material(group.surface, surface) })
+    }
+
+    /// The accessor of the corners of a group.
+    fn positions(&mut self, group: &Group) -> usize {
         let bounds = group
             .positions
             .iter()
@@ -206,13 +257,12 @@ impl<'a> Writer<'a> {
         let position = self.accessor(0, FLOAT, "VEC3", group.positions.len());
         self.accessors[position]["min"] = json!(bounds.0.map(f64::from));
         self.accessors[position]["max"] = json!(bounds.1.map(f64::from));
-        let normal = self.accessor(1, FLOAT, "VEC3", group.normals.len());
-        for (view, vectors) in [(0, &group.positions), (1, &group.normals)] {
-            floats(&mut self.views[view], vectors.iter().copied().map(mirror));
-        }
-        let surface = &scene.surfaces[group.surface];
-        let texture = Texture::of(surface);
-        let place = texture.map(|texture| self.places(group, texture));
+        floats(&mut self.views[0], group.positions.iter().copied().map(mirror));
+        position
+    }
+
+    /// The accessor of the triangles of a group.
+    fn indices(&mut self, group: &Group) -> usize {
         // 65535 restarts a strip, so that many vertices already need long indices.
         let short = group.positions.len() < 0xffff;
         let (view, component) = if short { (4, UNSIGNED_SHORT) } else { (5, UNSIGNED_INT) };
@@ -225,12 +275,7 @@ impl<'a> Writer<'a> {
                 out.extend_from_slice(&i.to_le_bytes()[..width]);
             }
         }
-        let mut attributes = json!({ "POSITION": position, "NORMAL": normal });
-        if let Some([place, tangent]) = place {
-            attributes["TEXCOORD_0"] = json!(place);
-            attributes["TANGENT"] = json!(tangent);
-        }
-        json!({ "attributes": attributes, "indices": indices, "material": self.material(group.surface, surface) })
+        indices
     }
 
     /// Where on its texture each vertex is, and which way the texture runs there: the numbers of two accessors.
@@ -303,8 +348,17 @@ impl<'a> Writer<'a> {
             json!({ "version": "2.0", "generator": concat!("scenelang ", env!("CARGO_PKG_VERSION")) }),
         );
         root.insert("scene".into(), json!(0));
-        root.insert("extensionsUsed".into(), json!(["KHR_lights_punctual"]));
-        root.insert("extensions".into(), json!({ "KHR_lights_punctual": { "lights": self.lights } }));
+        let mut extensions = Map::new();
+        extensions.insert("KHR_lights_punctual".into(), json!({ "lights": self.lights }));
+        if self.has_physics {
+            self.physics.extensions(&mut extensions);
+        }
+        root.insert("extensionsUsed".into(), extensions.keys().map(String::as_str).collect::<Value>());
+        root.insert("extensions".into(), Value::Object(extensions));
+        for (node, hull) in self.hulls {
+            self.nodes[node]["mesh"] = json!(self.meshes.len());
+            self.meshes.push(hull);
+        }
         for (key, values) in [
             ("nodes", self.nodes),
             ("meshes", self.meshes),
@@ -334,6 +388,11 @@ fn floats<const N: usize>(view: &mut Vec<u8>, vectors: impl ExactSizeIterator<It
             view.extend_from_slice(&number.to_le_bytes());
         }
     }
+}
+
+/// A corner or a normal in the frame of glTF.
+fn mirror([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [0.0 - x, y, z]
 }
 
 /// The two chunks with their headers.

@@ -16,6 +16,7 @@ pub mod mjcf;
 mod names;
 mod numbers;
 pub mod obj;
+mod parts;
 mod physics;
 pub mod picture;
 pub mod plan;
@@ -33,4 +34,5 @@ pub use exporter::{ExportError, Exporter, OutFile, all_exporters, exporters, wri
 pub use geometry::frame::Frame;
 pub use geometry::mesh::Group;
 pub use loss::{Loss, Lost, losses};
+pub use parts::{Parts, Shows, parts};
 pub use scene::{BuildError, Scene, SceneInput};

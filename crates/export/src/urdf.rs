@@ -41,6 +41,10 @@ impl Exporter for Urdf {
         Self::NAME
     }
 
+    fn key(&self) -> String {
+        format!("{} {}", Self::NAME, self.object)
+    }
+
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let physics = Physics::of(scene);
         let body = physics.bodies.iter().find(|b| b.as_object().is_some_and(|object| object.name == self.object));

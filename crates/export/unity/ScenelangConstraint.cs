@@ -55,11 +55,13 @@ namespace Scenelang
         /// <summary>Whether a sentence that it stands for contains these words; case does not count.</summary>
         public bool Requires(string words)
         {
-            foreach (string sentence in requirements)
-            {
-                if (sentence.IndexOf(words, StringComparison.OrdinalIgnoreCase) >= 0) return true;
-            }
-            return false;
+            return Contain(requirements, words);
+        }
+
+        internal static bool Contain(string[] sentences, string words)
+        {
+            return sentences != null
+                && Array.Exists(sentences, said => said.IndexOf(words, StringComparison.OrdinalIgnoreCase) >= 0);
         }
     }
 

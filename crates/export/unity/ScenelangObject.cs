@@ -17,6 +17,10 @@ namespace Scenelang
         [Tooltip("The statement that declares it.")]
         public string declaration;
 
+        /// <summary>Sentences that its declaration stands for.</summary>
+        [Tooltip("Sentences that its declaration stands for.")]
+        public string[] requirements;
+
         /// <summary>Rows of the report that speak of it, by id.</summary>
         [Tooltip("Rows of the report that speak of it.")]
         public string[] constraints;
@@ -28,6 +32,12 @@ namespace Scenelang
         /// <summary>Greatest corner of what is seen of it, in world axes, where the layout places it.</summary>
         [Tooltip("Greatest corner of what is seen of it, in world axes, where the layout places it.")]
         public Vector3 boundsMax;
+
+        /// <summary>Whether a sentence that its declaration stands for contains these words; case does not count.</summary>
+        public bool Requires(string words)
+        {
+            return ScenelangConstraint.Contain(requirements, words);
+        }
 
         /// <summary>Its doors, drawers and lids.</summary>
         public ScenelangJoint[] Joints

@@ -85,16 +85,21 @@ namespace Scenelang
         }
 
         /// <summary>
-        /// The objects that are in a constraint which stands for a sentence with these words; case does not count.
+        /// The objects whose declaration stands for a sentence with these words, and those that are in a constraint which does;
+        /// case does not count.
         /// </summary>
         public ScenelangObject[] FindByRequirement(string words)
         {
             HashSet<string> asked = new HashSet<string>();
-            foreach (ScenelangConstraint row in Constraints)
-            {
-                if (row.Requires(words)) asked.Add(row.id);
-            }
-            return Array.FindAll(Objects, item => Array.Exists(item.constraints, row => asked.Contains(row)));
+            foreach (ScenelangConstraint row in FindConstraints(words)) asked.Add(row.id);
+            return Array.FindAll(
+                Objects, item => item.Requires(words) || Array.Exists(item.constraints, row => asked.Contains(row)));
+        }
+
+        /// <summary>The constraints that stand for a sentence with these words; case does not count.</summary>
+        public ScenelangConstraint[] FindConstraints(string words)
+        {
+            return Array.FindAll(Constraints, row => row.Requires(words));
         }
 
         /// <summary>The constraints that an object is in.</summary>

@@ -79,6 +79,8 @@ pub fn solve(
             path: &held.path,
             files: &held.files(),
             start: start.as_ref().map(|(name, text)| (name.as_str(), text.as_str())),
+            before: None,
+            share: 1,
             layout_name: &layout_name,
             scene_member: &member,
             hold: match (lock.as_slice(), only.as_slice()) {

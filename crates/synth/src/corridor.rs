@@ -2,8 +2,9 @@
 
 use crate::again::{FEW, Repaired, moved, repaired};
 use crate::doubt::{Ended, doubted};
-use crate::furnish::{Chosen, Furnished, furnish_from, gathered};
+use crate::furnish::{Chosen, Earlier, Furnished, furnish_from, gathered};
 use crate::hold::Hold;
+use crate::rebuild::{Before, How, Inputs, Looks, layout_inputs, prefers_otherwise};
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use scenelang_catalogue::Chain;
 use scenelang_engine::{check_layout_of, check_program};
@@ -32,6 +33,9 @@ pub struct Request<'a> {
     pub files: &'a dyn Loader,
     /// A layout to start from: its name and its text.
     pub start: Option<(&'a str, &'a str)>,
+    /// What an earlier run made of the program as it was then, for who makes again only what has changed: its layout is kept,
+    /// or started from where there is no other one to start from.
+    pub before: Option<&'a Before>,
     /// How the layout is called in messages and in the report.
     pub layout_name: &'a str,
     /// What the `scene` member of the layout will say.
@@ -50,6 +54,8 @@ pub struct Request<'a> {
     pub effort: u64,
     /// What part of the usual work may go into preferences, in percent.
     pub quality: u8,
+    /// One part in so many of that is enough, because the layout to start from was planned; 0 counts as 1.
+    pub share: u8,
     /// Set from elsewhere, it ends the work: what there is of a layout by then is the result.
     pub stop: &'a Stop,
     /// Fixes draws and every random choice.
@@ -150,6 +156,19 @@ pub struct Solved {
     pub warnings: Vec<Diagnostic>,
     /// Who gave each object what; nothing, where only the library was asked.
     pub furniture: Vec<Chosen>,
+    /// What it was made from.
+    pub made: Made,
+}
+
+/// What a layout was made from, for the next run.
+#[derive(Clone, Debug, Default)]
+pub struct Made {
+    /// What was asked for and given, by object.
+    pub looks: Looks,
+    /// What decided where things are.
+    pub inputs: Inputs,
+    /// Whether the layout is that of the earlier run, as it was.
+    pub kept: bool,
 }
 
 impl Solved {
@@ -188,36 +207,45 @@ pub fn solve_with(
     adviser: Option<Adviser<'_>>,
     observer: &mut dyn Observer,
 ) -> Result<Solved, Failure> {
+    let may_fail = request.before.is_none() || request.start.is_some() || adviser.is_some();
+    let solved = solve_once(request, adviser, observer)?;
+    if may_fail || solved.made.kept || solved.first.outcome.converged || request.stop.is_set() {
+        return Ok(solved);
+    }
+    // From where things stood, no layout was found; from nothing there may be one.
+    solve_once(&Request { before: None, ..*request }, None, observer)
+}
+
+fn solve_once(
+    request: &Request<'_>,
+    adviser: Option<Adviser<'_>>,
+    observer: &mut dyn Observer,
+) -> Result<Solved, Failure> {
     let begun = Instant::now();
-    observer.enter(Stage::Program);
-    let as_usual = scenelang_lang::Options::default();
-    let compiled = compile_with(request.name, request.path, as_usual, request.files, SourceMap::new());
+    let Opened { compiled, start, locked } = opened(request, observer)?;
     let Some(program) = &compiled.program else {
         return Err(Failure::Input(compiled.sources, compiled.diagnostics));
     };
-    if let Some(finding) = too_large(program) {
-        return Err(Failure::Input(compiled.sources, vec![finding]));
-    }
-    let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
-    let locked = request.hold.objects(program, start.as_ref().map(|s| &s.layout));
-    let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
-    observer.leave(Stage::Program);
 
-    let how = Arranging {
-        previous: start.as_ref().map(|s| &s.layout),
-        locked,
-        time: request.time,
-        threads: request.threads,
-        effort: request.effort,
-        quality: Some(request.quality),
-        seed: request.seed,
-        judge: request.judge,
-        stop: request.stop.clone(),
-        furniture: request.furniture,
-    };
-    let Ready { mut problem, mut options, mut warnings, furniture } = ready(program, how, observer);
+    let before = request.before;
+    let how = arranging(request, start.as_ref(), locked);
+    let Ready { mut problem, mut options, mut warnings, furniture, looks } = ready(program, how, observer);
     scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
     let warnings = gathered(&warnings);
+    let mut made = Made { looks, inputs: inputs(request, program, &problem.start, adviser.is_some()), kept: false };
+    if let Some(before) = before.filter(|before| before.inputs == made.inputs && !before.layout.incomplete) {
+        observer.enter(Stage::Layout);
+        let first = kept(request, before);
+        observer.leave(Stage::Layout);
+        made.kept = true;
+        return Ok(Solved { first, others: Vec::new(), advice: None, warnings, furniture, made, compiled });
+    }
+    if let Some(before) = before.filter(|_| start.is_none()) {
+        stand_as_before(&mut problem, before);
+        if !prefers_otherwise(&before.inputs, &made.inputs) {
+            options.polish = 0.0;
+        }
+    }
 
     observer.enter(Stage::Layout);
     let before = begun.elapsed();
@@ -281,7 +309,127 @@ pub fn solve_with(
     let first = all.next().ok_or(Failure::Interrupted)?;
     let others = all.collect();
     observer.leave(Stage::Layout);
-    Ok(Solved { first, others, advice, warnings, furniture, compiled })
+    Ok(Solved { first, others, advice, warnings, furniture, made, compiled })
+}
+
+/// What decides where things are; `furnished` has their shapes.
+fn inputs(request: &Request<'_>, program: &Program, furnished: &Layout, advised: bool) -> Inputs {
+    let how = How {
+        judge: &request.judge,
+        seed: request.seed,
+        effort: request.effort,
+        quality: request.quality,
+        limited: request.time.is_some(),
+        advised,
+    };
+    layout_inputs(program, furnished, &how)
+}
+
+/// A program that is read, and what is known before its furniture is.
+struct Opened {
+    compiled: Compiled,
+    start: Option<ReadLayout>,
+    locked: Vec<ObjectId>,
+}
+
+/// Stage I: a program that compiles.
+fn opened(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Opened, Failure> {
+    observer.enter(Stage::Program);
+    let as_usual = scenelang_lang::Options::default();
+    let compiled = compile_with(request.name, request.path, as_usual, request.files, SourceMap::new());
+    let Some(program) = &compiled.program else {
+        return Err(Failure::Input(compiled.sources, compiled.diagnostics));
+    };
+    if let Some(finding) = too_large(program) {
+        return Err(Failure::Input(compiled.sources, vec![finding]));
+    }
+    let start = request.start.map(|(name, text)| read_start(name, text)).transpose()?;
+    let locked = request.hold.objects(program, start.as_ref().map(|s| &s.layout));
+    let locked = locked.map_err(|finding| Failure::Input(compiled.sources.clone(), vec![*finding]))?;
+    observer.leave(Stage::Program);
+    Ok(Opened { compiled, start, locked })
+}
+
+fn arranging<'a>(request: &Request<'a>, start: Option<&'a ReadLayout>, locked: Vec<ObjectId>) -> Arranging<'a> {
+    Arranging {
+        previous: start.map(|s| &s.layout),
+        made: request.before.filter(|_| start.is_none()),
+        locked,
+        time: request.time,
+        threads: request.threads,
+        effort: request.effort,
+        quality: Some(request.quality.div_ceil(request.share.max(1))),
+        seed: request.seed,
+        judge: request.judge,
+        stop: request.stop.clone(),
+        furniture: request.furniture,
+    }
+}
+
+/// A program whose objects have sizes and parts, but no places yet.
+#[derive(Debug)]
+pub struct Furnishings {
+    /// The program.
+    pub compiled: Compiled,
+    /// What had no asset or no usual size.
+    pub warnings: Vec<Diagnostic>,
+    /// Who gave each object what; nothing, where only the library was asked.
+    pub furniture: Vec<Chosen>,
+    /// What was asked for and given; there is no layout yet.
+    pub made: Made,
+}
+
+/// Stage I alone.
+///
+/// # Errors
+/// As for [`solve`].
+pub fn compiled(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Compiled, Failure> {
+    opened(request, observer).map(|opened| opened.compiled)
+}
+
+/// Stages I and II alone.
+///
+/// # Errors
+/// As for [`solve`].
+pub fn furnished(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Furnishings, Failure> {
+    let Opened { compiled, start, locked } = opened(request, observer)?;
+    let Some(program) = &compiled.program else {
+        return Err(Failure::Input(compiled.sources, compiled.diagnostics));
+    };
+    let Ready { mut warnings, furniture, looks, .. } =
+        ready(program, arranging(request, start.as_ref(), locked), observer);
+    scenelang_lang::lint::allow::silence(&compiled.sources, &mut warnings);
+    let made = Made { looks, ..Made::default() };
+    Ok(Furnishings { warnings: gathered(&warnings), furniture, made, compiled })
+}
+
+/// The layout of an earlier run, judged again: what is said of it may have changed.
+fn kept(request: &Request<'_>, before: &Before) -> Found {
+    let outcome = Outcome {
+        layout: before.layout.clone(),
+        converged: true,
+        end: End::Solved,
+        constraints: Vec::new(),
+        in_the_way: Vec::new(),
+        iterations: 0,
+        work: 0,
+        unsatisfied: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let checked = judgement(request, request.layout_name, &before.text, true);
+    Found { outcome, text: before.text.clone(), checked, free: Free::default() }
+}
+
+/// Puts things and rooms where an earlier run had them: the search moves what it must from there.
+fn stand_as_before(problem: &mut Problem<'_>, before: &Before) {
+    for (name, placement) in &mut problem.start.objects {
+        if let Some(old) = before.layout.object(name) {
+            (placement.pos, placement.rot) = (old.pos, old.rot);
+        }
+    }
+    problem.start.regions.clone_from(&before.layout.regions);
+    problem.start.variables.clone_from(&before.layout.variables);
+    problem.placed = placed(problem.program, Some(&before.layout));
 }
 
 /// Says so where a program has more objects than are laid out: each pair of them may collide.
@@ -297,6 +445,8 @@ pub fn too_large(program: &Program) -> Option<Diagnostic> {
 pub struct Arranging<'a> {
     /// A layout to start from.
     pub previous: Option<&'a Layout>,
+    /// What an earlier run made: parts of objects that ask for the same as then.
+    pub made: Option<&'a Before>,
     /// Objects that stay where it has them.
     pub locked: Vec<ObjectId>,
     /// The solver takes at most so long.
@@ -351,6 +501,7 @@ struct Ready<'a> {
     options: scenelang_solve::Options,
     warnings: Vec<Diagnostic>,
     furniture: Vec<Chosen>,
+    looks: Looks,
 }
 
 /// Stage II.
@@ -358,9 +509,11 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
     observer.enter(Stage::Assets);
     let draws = scenelang_solve::draws(program, how.seed);
     let mut say = |said: &str| observer.furnishing(said);
-    let Furnished { layout, warnings, chosen } =
-        furnish_from(program, draws, how.previous, &how.judge, how.furniture, &mut say);
+    let earlier = Earlier { previous: how.previous, made: how.made };
+    let Furnished { layout, warnings, chosen, looks } =
+        furnish_from(program, draws, earlier, &how.judge, how.furniture, &mut say);
     observer.leave(Stage::Assets);
+    let looks = program.objects.iter().map(|object| object.name.to_string()).zip(looks).collect();
     let problem = Problem { program, placed: placed(program, how.previous), start: layout };
     let options = scenelang_solve::Options {
         seed: how.seed,
@@ -373,7 +526,7 @@ fn ready<'a>(program: &'a Program, how: Arranging<'_>, observer: &mut dyn Observ
         stop: how.stop,
         ..Default::default()
     };
-    Ready { problem, options, warnings, furniture: chosen }
+    Ready { problem, options, warnings, furniture: chosen, looks }
 }
 
 /// Stage III, beside what was found move by move: what a search moves is not always less than that.
@@ -417,17 +570,20 @@ fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
     outcome.layout.incomplete = request.stop.is_set();
+    let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
+    let checked = judgement(request, name, &text, outcome.converged);
+    Found { outcome, text, checked, free: Free::default() }
+}
+
+fn judgement(request: &Request<'_>, name: &str, text: &str, converged: bool) -> Checked {
     let mut judge = request.judge;
-    if !outcome.converged {
+    if !converged {
         // No small move repairs what a whole search could not, and to look for one may take longer than that search.
         judge.detail.explain = Explain::First(0);
         judge.detail.bars = request.time.is_none();
     }
-    let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let program = (request.name, request.path);
-    let checked =
-        check_layout_of(name, text.clone(), program, &judge, scenelang_lang::Options::default(), request.files);
-    Found { outcome, text, checked, free: Free::default() }
+    check_layout_of(name, text.to_owned(), program, &judge, scenelang_lang::Options::default(), request.files)
 }
 
 /// The file of the `n`th of several layouts: `room.layout.json` becomes `room.2.layout.json`.

@@ -3,6 +3,7 @@
 //! The size is what the program assigns (`scale`, else `dimensions`), else the usual size of the category or, without
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
+use crate::rebuild::{Before, Look, shape};
 use scenelang_assets::{Asset, Request, family_of, solid, stand_in};
 use scenelang_base::{Code, Diagnostic, Label, codes};
 use scenelang_catalogue::{Chain, Choice, Query, Why};
@@ -29,6 +30,8 @@ pub struct Furnished {
     pub warnings: Vec<Diagnostic>,
     /// Who gave each object what, in the order of the program; nothing, where only the library was asked.
     pub chosen: Vec<Chosen>,
+    /// What was asked for and given, in the order of the program.
+    pub looks: Vec<Look>,
 }
 
 /// What an object was given, and by whom.
@@ -70,18 +73,38 @@ pub fn furnish(
     previous: Option<&Layout>,
     options: &Options,
 ) -> Furnished {
-    furnish_from(program, draws, previous, options, None, &mut |_| {})
+    furnish_from(program, draws, Earlier { previous, made: None }, options, None, &mut |_| {})
+}
+
+/// What is there already.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Earlier<'a> {
+    /// A layout whose places, sizes and parts are kept where the program does not speak against it.
+    pub previous: Option<&'a Layout>,
+    /// What an earlier run made: parts of objects that ask for the same as then.
+    pub made: Option<&'a Before>,
+}
+
+impl Earlier<'_> {
+    /// What an earlier run made for the same wish.
+    fn piece(&self, object: &Object, look: &Look) -> Option<(&Placement, &Look)> {
+        let made = self.made?;
+        let known = made.looks.get(object.name.as_str()).filter(|known| known.asks_the_same(look))?;
+        let placement = made.layout.object(&object.name)?;
+        (shape(placement) == known.shape).then_some((placement, known))
+    }
 }
 
 /// The same, with all but doors and windows from a chain of providers, if there is one. `say` is told how far it is.
 pub fn furnish_from(
     program: &Program,
     draws: Vec<(String, f64)>,
-    previous: Option<&Layout>,
+    earlier: Earlier<'_>,
     options: &Options,
     chain: Option<&Chain>,
     say: &mut dyn FnMut(&str),
 ) -> Furnished {
+    let previous = earlier.previous;
     let mut layout = previous.cloned().unwrap_or_default();
     layout.draws = draws;
     let known: Vec<_> = std::mem::take(&mut layout.objects);
@@ -97,7 +120,7 @@ pub fn furnish_from(
         let (ids, queries): (Vec<usize>, Vec<Query>) = program.objects.iter().enumerate().filter_map(wanted).unzip();
         ids.into_iter().zip(chain.choose(&queries, say)).collect()
     });
-    let mut kept = Vec::new();
+    let (mut kept, mut looks) = (Vec::new(), Vec::new());
     for (i, object) in program.objects.iter().enumerate() {
         let before = before(object);
         let what = what_of(object);
@@ -117,8 +140,10 @@ pub fn furnish_from(
                 parts: piece.parts,
                 surface: piece.surface,
                 joints: piece.joints,
-            };
-            layout.objects.push((object.name.clone(), placement.in_short()));
+            }
+            .in_short();
+            looks.push(Look::asked(object, placement.scale).given(&placement, true));
+            layout.objects.push((object.name.clone(), placement));
             continue;
         }
         let size = sizes[i].or(before.map(|p| p.scale)).or_else(|| usual_size(what).map(Vec3::from));
@@ -129,12 +154,21 @@ pub fn furnish_from(
             unknown.entry(format!("size {what}")).or_insert((i, d));
         }
         let size = size.unwrap_or_else(|| Vec3::repeat(DEFAULT_EDGE));
+        let look = Look::asked(object, size);
         if let Some(p) = before.filter(|p| !p.parts.is_empty() && (p.scale - size).amax() < 1e-9) {
+            looks.push(look.given(p, true));
             layout.objects.push((object.name.clone(), p.clone()));
             continue;
         }
-        let asset = asset_of(object, Some(size));
-        if !asset.known {
+        let (placement, is_known) = match earlier.piece(object, &look) {
+            Some((p, known)) => (Placement { pos, rot, ..p.clone() }, known.is_known),
+            None => {
+                let Asset { size: scale, parts, surface, joints, known, .. } = asset_of(object, Some(size));
+                (Placement { pos, rot, scale, parts, surface, joints }.in_short(), known)
+            }
+        };
+        looks.push(look.given(&placement, is_known));
+        if !is_known {
             let d = Diagnostic::new(codes::W0601, object.span, message(codes::W0601, &[what]))
                 .label(what)
                 .note(format!("use a category from the library: `{}.category <- \"chair\";`", base_name(object)));
@@ -145,14 +179,12 @@ pub fn furnish_from(
                 .note(format!("\"{what}\" has the shape of \"{}\"", family.replace('_', " ")));
             unknown.entry(format!("similar {what}")).or_insert((i, d));
         }
-        let placement =
-            Placement { pos, rot, scale: asset.size, parts: asset.parts, surface: asset.surface, joints: asset.joints };
-        layout.objects.push((object.name.clone(), placement.in_short()));
+        layout.objects.push((object.name.clone(), placement));
     }
     let mut found: Vec<(usize, Diagnostic)> = unknown.into_values().collect();
     found.sort_by_key(|(i, d)| (*i, d.code));
     warnings.extend(found.into_iter().map(|(_, d)| d));
-    Furnished { layout, warnings, chosen: kept }
+    Furnished { layout, warnings, chosen: kept, looks }
 }
 
 /// What a provider is asked for an object.

@@ -10,15 +10,16 @@ mod hold;
 mod manifest;
 mod narrow;
 mod output;
+pub mod rebuild;
 mod refute;
 mod rehearse;
 
 pub use corridor::{
-    Advice, Adviser, Arranged, Arranging, Failure, Found, Observer, Request, Solved, Stage, arrange, numbered, solve,
-    solve_with, too_large,
+    Advice, Adviser, Arranged, Arranging, Failure, Found, Furnishings, Made, Observer, Request, Solved, Stage, arrange,
+    compiled, furnished, numbered, solve, solve_with, too_large,
 };
-pub use furnish::{Chosen, Furnished, asset_of, furnish, furnish_from, queries};
+pub use furnish::{Chosen, Earlier, Furnished, asset_of, furnish, furnish_from, queries};
 pub use hold::Hold;
 pub use manifest::{manifest, told};
-pub use output::{own_files, scene};
+pub use output::{furniture_file, own_files, program_files, scene};
 pub use rehearse::{Tried, rehearse, rehearsed};

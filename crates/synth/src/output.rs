@@ -1,8 +1,10 @@
 //! Stage IV: what is to be written. Who writes it decides where, and what it may replace.
 
 use crate::corridor::Solved;
+use crate::furnish::Chosen;
 use crate::manifest::manifest;
 use scenelang_export::{ExportError, OutFile, Scene, SceneInput};
+use scenelang_lang::Compiled;
 use scenelang_lang::program::Program;
 use std::path::{Component, Path};
 
@@ -39,26 +41,34 @@ fn build(solved: &Solved, program: &Program, stem: &str) -> Result<Scene, Export
 
 /// What is there without the exporters: the program, its imports, the layout and the report.
 pub fn own_files(solved: &Solved, stem: &str) -> Vec<OutFile> {
-    let sources = &solved.compiled.sources;
-    let main = sources.get(solved.compiled.main);
+    let mut out = program_files(&solved.compiled, stem);
+    out.push(OutFile::new(format!("{stem}.layout.json"), solved.first.text.as_str()));
+    let mut report = serde_json::to_string_pretty(&solved.first.checked.report).unwrap_or_default();
+    report.push('\n');
+    out.push(OutFile::new("report.json", report));
+    out.extend(furniture_file(&solved.furniture));
+    out
+}
+
+/// A program and its imports.
+pub fn program_files(compiled: &Compiled, stem: &str) -> Vec<OutFile> {
+    let main = compiled.sources.get(compiled.main);
     let folder = main.path().parent().unwrap_or(Path::new(""));
     let mut out = vec![OutFile::new(format!("{stem}.scene"), main.text())];
-    for (id, file) in sources.iter() {
+    for (id, file) in compiled.sources.iter() {
         // An import from above the program's folder would land outside of ours; its text is embedded in the scene.
-        if id != solved.compiled.main
+        if id != compiled.main
             && let Ok(relative) = file.path().strip_prefix(folder)
             && relative.components().all(|part| matches!(part, Component::Normal(_)))
         {
             out.push(OutFile::new(relative, file.text()));
         }
     }
-    out.push(OutFile::new(format!("{stem}.layout.json"), solved.first.text.as_str()));
-    let mut report = serde_json::to_string_pretty(&solved.first.checked.report).unwrap_or_default();
-    report.push('\n');
-    out.push(OutFile::new("report.json", report));
-    if !solved.furniture.is_empty() {
-        let text = serde_json::to_string_pretty(&manifest(&solved.furniture)).unwrap_or_default();
-        out.push(OutFile::new("furniture.json", text + "\n"));
-    }
     out
+}
+
+/// Who gave each object what; `None`: only the library was asked.
+pub fn furniture_file(furniture: &[Chosen]) -> Option<OutFile> {
+    let text = || serde_json::to_string_pretty(&manifest(furniture)).unwrap_or_default();
+    (!furniture.is_empty()).then(|| OutFile::new("furniture.json", text() + "\n"))
 }

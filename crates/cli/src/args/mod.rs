@@ -439,12 +439,34 @@ pub struct Synth {
     /// The render pipeline for the Unity materials
     #[arg(long, value_enum, default_value_t = Pipeline::Builtin)]
     pub pipeline: Pipeline,
+    /// Make this stage and all later ones again, even if nothing has changed
+    #[arg(long, value_name = "STAGE", value_enum)]
+    pub from: Option<Step>,
+    /// Stop after this stage
+    #[arg(long, value_name = "STAGE", value_enum, default_value_t = Step::Export, hide_default_value = true)]
+    pub until: Step,
+    /// Say for each stage and object what is made again, and why
+    #[arg(long)]
+    pub explain_rebuild: bool,
     /// The language model
     #[command(flatten)]
     pub model: Model,
     /// The sources of furniture
     #[command(flatten)]
     pub furniture: Furniture,
+}
+
+/// `synth --from`, `synth --until`: a stage
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Step {
+    /// The program is written and compiled
+    Program,
+    /// Every object gets a size and its parts
+    Assets,
+    /// Every object gets a place
+    Layout,
+    /// The exported files are written
+    Export,
 }
 
 /// `scenelang view`
@@ -489,6 +511,9 @@ pub struct Export {
     /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
+    /// Say for each format whether it is made again, and why
+    #[arg(long)]
+    pub explain_rebuild: bool,
 }
 
 /// `scenelang import`
@@ -530,16 +555,18 @@ pub struct Formats {
     /// All formats, not only the default ones
     #[arg(long, conflicts_with = "only")]
     pub all_formats: bool,
-    /// The version of Unity that the Unity project is for
-    #[arg(long, value_enum, default_value_t, value_name = "VERSION")]
-    pub unity: UnityVersion,
+    /// Give the GLB file rigid bodies: colliders, masses, and joints with limits (the draft extension KHR_physics_rigid_bodies)
+    #[arg(long)]
+    pub gltf_physics: bool,
+    /// The version of Unity that the Unity project is for [default: that of the project in the output folder, else 2022.3]
+    #[arg(long, value_enum, value_name = "VERSION")]
+    pub unity: Option<UnityVersion>,
 }
 
 /// `synth --unity`, `export --unity`
-#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnityVersion {
     /// Unity 2022.3
-    #[default]
     #[value(name = "2022.3")]
     V2022,
     /// Unity 6 (6000.0)

@@ -141,6 +141,8 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
         path: program,
         files: &Door::of(program),
         start: start.map(|text| (layout_name.as_str(), text)),
+        before: None,
+        share: 1,
         layout_name: &layout_name,
         scene_member: &crate::solve::relative(program, &layout),
         hold: Hold::Nothing,

@@ -160,6 +160,8 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
         path: scene,
         files: &Door::of(scene),
         start: start.as_deref().map(|text| (name.as_str(), text)),
+        before: None,
+        share: 1,
         layout_name: &name,
         scene_member: &format!("{}.scene", asked.id),
         hold: Hold::Nothing,

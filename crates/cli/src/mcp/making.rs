@@ -111,6 +111,8 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
         path: &path,
         files: &files,
         start: start.as_ref().map(|text| (layout_name.as_str(), text.as_str())),
+        before: None,
+        share: 1,
         layout_name: &layout_name,
         scene_member: &relative(&path, &layout),
         hold: if lock.is_empty() { Hold::Nothing } else { Hold::These(&lock) },

@@ -13,19 +13,24 @@ const ROOM: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3
     object stool;\nstool.category <- \"stool\";\nstool.pos <- vec3(-1.6, 0, -1.6);\n\
     assert inside(bed, room);\nassert inside(stool, room);\n";
 
-const SYNTH: [&str; 6] = ["synth", "room.scene", "-o", "out", "--only", "glb,unity"];
+pub const SYNTH: [&str; 6] = ["synth", "room.scene", "-o", "out", "--only", "glb,unity"];
 const EXPORT: [&str; 6] = ["export", "room.layout.json", "-o", "out", "--only", "glb,unity"];
 
 /// Where the bed is put: it holds there.
 const PUT: [f64; 3] = [0.3, 0.0, 0.4];
 
-struct Room(tempfile::TempDir);
+pub struct Room(tempfile::TempDir);
 
 impl Room {
     /// A program, and what a command makes of it.
     fn made_by(command: &[&str]) -> Self {
+        Self::of(ROOM, command)
+    }
+
+    /// Another program, and what a command makes of it.
+    pub fn of(text: &str, command: &[&str]) -> Self {
         let room = Self(tempfile::tempdir().unwrap());
-        fs::write(room.at("room.scene"), ROOM).unwrap();
+        fs::write(room.at("room.scene"), text).unwrap();
         if command[0] == "export" {
             room.run(&["solve", "room.scene"], &[], 0);
         }
@@ -33,19 +38,24 @@ impl Room {
         room
     }
 
-    fn at(&self, path: &str) -> PathBuf {
+    pub fn at(&self, path: &str) -> PathBuf {
         self.0.path().join(path)
     }
 
     /// Runs a command that ends so.
-    fn run(&self, command: &[&str], more: &[&str], code: i32) -> Ended {
-        let ended = scenelang(self.0.path(), command.iter().chain(more));
+    pub fn run(&self, command: &[&str], more: &[&str], code: i32) -> Ended {
+        let ended = self.any(command, more);
         assert_eq!(ended.code, code, "{command:?} {more:?}: {}{}", ended.stdout, ended.stderr);
         ended
     }
 
+    /// Runs a command that ends in any way.
+    pub fn any(&self, command: &[&str], more: &[&str]) -> Ended {
+        scenelang(self.0.path(), command.iter().chain(more))
+    }
+
     /// All files.
-    fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+    pub fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut found = BTreeMap::new();
         let mut folders = vec![self.0.path().to_path_buf()];
         while let Some(folder) = folders.pop() {
@@ -61,7 +71,7 @@ impl Room {
     }
 
     /// Puts a thing somewhere in one of the exported scenes.
-    fn put(&self, carrier: &str, name: &str, [x, y, z]: [f64; 3]) {
+    pub fn put(&self, carrier: &str, name: &str, [x, y, z]: [f64; 3]) {
         if carrier == "glb" {
             return edit_glb(&self.at("out/room.glb"), |document| {
                 node(document, name)["translation"] = json!([-x, y, z]);

@@ -103,7 +103,10 @@ fn synth_writes_the_layout_and_no_exports() {
     let mut files: Vec<String> =
         fs::read_dir(&out).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     files.sort();
-    assert_eq!(files, [".scenelang-files.sha256", "report.json", "room.layout.json", "room.scene"]);
+    assert_eq!(
+        files,
+        [".scenelang-files.sha256", ".scenelang-manifest.json", "report.json", "room.layout.json", "room.scene"]
+    );
     assert_eq!(scenelang(folder.path(), ["check", "out/room.layout.json", "--explain", "none"]).code, 1);
 }
 

@@ -78,7 +78,7 @@ fn the_table_and_the_workspace_name_the_same_crates() {
 const AT_THE_DISK: &[(&str, &str)] = &[
     ("base/src/door", "it is the door"),
     ("base/src/fs", "what the door writes with"),
-    ("base/src/owned.rs", "which files are ours: of regular files that are about to be replaced"),
+    ("base/src/owned", "which files are ours: of regular files that are about to be replaced"),
     ("cli/src/model.rs", "a recording is made where the option `--record` says"),
     ("cli/src/view/peer.rs", "the system's list of connections"),
     ("grammars/src", "no part of the program: it writes files of this repository"),

@@ -5,6 +5,7 @@
 mod agreement;
 mod assets;
 mod back;
+mod both_sides;
 mod bounded;
 mod brief;
 mod carriers;
@@ -44,8 +45,10 @@ mod pipes;
 mod planted;
 mod problems;
 mod query;
+mod rebuild;
 mod repair;
 mod replacing;
+mod rigid_bodies;
 mod rooms;
 mod sceneeval;
 mod signals;

@@ -342,7 +342,10 @@ fn a_layout_is_exported_as_it_is() {
     assert_eq!(run(&["export", &layout, "--only", "glb,plan"]).status.code(), Some(1), "it breaks constraints");
     let mut names: Vec<_> = fs::read_dir(folder.path().join("out")).unwrap().map(|f| f.unwrap().file_name()).collect();
     names.sort();
-    assert_eq!(names, [".scenelang-files.sha256", "meeting-room.glb", "plan.png", "plan.svg"]);
+    assert_eq!(
+        names,
+        [".scenelang-files.sha256", ".scenelang-manifest.json", "meeting-room.glb", "plan.png", "plan.svg"]
+    );
     let again = run(&["check", "out/meeting-room.glb", "--format", "json"]);
     let report: Value = serde_json::from_slice(&again.stdout).unwrap();
     assert_eq!(report["ok"], false);

@@ -10,7 +10,7 @@ mod raster;
 mod stage;
 
 use crate::scene::View;
-use crate::{ExportError, Exporter, OutFile, Scene};
+use crate::{ExportError, Exporter, OutFile, Scene, Shows};
 
 /// `picture.png`.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +22,9 @@ const SIZE: [usize; 2] = [1280, 800];
 impl Exporter for Picture {
     fn name(&self) -> &'static str {
         "picture"
+    }
+    fn shows(&self) -> Shows {
+        Shows::Bodies
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         Ok(vec![OutFile::new("picture.png", png(scene, SIZE)?)])

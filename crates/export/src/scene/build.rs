@@ -225,6 +225,7 @@ fn object(
         weights,
         body,
         declaration: declaration(input.sources, declared.span),
+        requirements: declared.requirements.clone(),
         openings: Vec::new(),
         rows: Vec::new(),
         violated: false,

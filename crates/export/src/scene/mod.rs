@@ -113,6 +113,8 @@ pub struct Object {
     pub mass: f64,
     /// The statement that declares it.
     pub declaration: String,
+    /// The sentences that this statement stands for.
+    pub requirements: Vec<String>,
     /// Rows of the report that speak of it.
     pub rows: Vec<usize>,
     /// Whether one of them is violated.

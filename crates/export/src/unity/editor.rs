@@ -11,6 +11,14 @@ pub enum Editor {
 }
 
 impl Editor {
+    /// The editor that a project is for, by what it says of its version; `None`: it says nothing.
+    pub fn of_project(text: &str) -> Option<Self> {
+        let version = text.lines().find_map(|line| line.strip_prefix("m_EditorVersion:"))?;
+        let year: u32 = version.trim().split('.').next()?.parse().ok()?;
+        // Between the two, files have the older fields.
+        Some(if year >= 6000 { Self::V6000 } else { Self::V2022 })
+    }
+
     /// The version that the project says it is of.
     pub(super) fn version(self) -> &'static str {
         self.either("2022.3.16f1", "6000.0.23f1")
@@ -26,6 +34,23 @@ impl Editor {
         match self {
             Self::V2022 => v2022,
             Self::V6000 => v6000,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_project_says_which_editor_it_is_for() {
+        for editor in [Editor::V2022, Editor::V6000] {
+            let text = format!("m_EditorVersion: {}\n", editor.version());
+            assert_eq!(Editor::of_project(&text), Some(editor));
+        }
+        assert_eq!(Editor::of_project("m_EditorVersion: 2023.2.1f1\r\nm_Other: 1\r\n"), Some(Editor::V2022));
+        for text in ["", "m_EditorVersion: new\n"] {
+            assert_eq!(Editor::of_project(text), None);
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::names::Stems;
 use crate::{ExportError, Exporter, OutFile, Scene, textures};
 pub use editor::Editor;
 use project::Project;
-pub use project::ROOT;
+pub use project::{ROOT, VERSION};
 use scenelang_assets::Surface;
 use scenelang_assets::textures::Texture;
 use std::collections::BTreeMap;

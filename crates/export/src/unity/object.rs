@@ -62,6 +62,7 @@ impl Writer<'_> {
             "id" => object.name.as_str(),
             "category" => object.category.as_str(),
             "declaration" => object.declaration.as_str(),
+            "requirements" => object.requirements.iter().map(|said| Yaml::from(said.as_str())).collect::<Vec<_>>(),
             "constraints" => ids,
             "boundsMin" => vector(narrow(bounds.min)),
             "boundsMax" => vector(narrow(bounds.max)),

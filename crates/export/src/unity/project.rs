@@ -9,6 +9,8 @@ use std::collections::BTreeSet;
 
 /// The folder that the project is written to.
 pub const ROOT: &str = "unity";
+/// Where a project says which editor it is for.
+pub const VERSION: &str = "ProjectSettings/ProjectVersion.txt";
 
 /// Files as they come together.
 #[derive(Default)]
@@ -44,10 +46,7 @@ impl Project {
         let scene = format!("Assets/Scenes/{scene}.unity");
         for (path, bytes) in [
             ("Packages/manifest.json", packages(pipeline, self.editor).into_bytes()),
-            (
-                "ProjectSettings/ProjectVersion.txt",
-                format!("m_EditorVersion: {}\n", self.editor.version()).into_bytes(),
-            ),
+            (VERSION, format!("m_EditorVersion: {}\n", self.editor.version()).into_bytes()),
             ("ProjectSettings/EditorSettings.asset", editor_settings(self.editor)),
             ("ProjectSettings/TagManager.asset", tag_manager(self.editor)),
             ("ProjectSettings/EditorBuildSettings.asset", build_settings(&scene)),

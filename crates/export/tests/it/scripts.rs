@@ -72,6 +72,8 @@ fn scripts_compile_without_warnings_and_all_that_is_public_is_documented() {
         "Scene.Find(",
         "Scene.FindByCategory(",
         "Scene.FindByRequirement(",
+        "Scene.FindConstraints(",
+        "Object.Requires(",
         "Scene.ConstraintsOf(",
         "Scene.Distance(",
         "Scene.FreePath(",
