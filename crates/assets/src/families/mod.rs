@@ -69,6 +69,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
     ("camera_tripod", studio::camera_tripod),
+    ("rowing_machine", sport::rowing_machine),
     ("sauna_heater", play::sauna_heater),
     ("slide", play::slide),
     ("telescope", studio::telescope),

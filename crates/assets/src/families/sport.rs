@@ -125,3 +125,27 @@ pub(super) fn squat_rack(a: &Ask) -> Model {
     }
     m
 }
+
+/// A rail with a sliding seat, foot rests and a flywheel in its cage at the front; who rows looks to +z.
+pub(super) fn rowing_machine(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let frame = a.main(stuff::BLACK_STEEL);
+    let steel = stuff::STEEL.surface();
+    let dark = stuff::DARK_PLASTIC.surface();
+    m.board(b.share(0.1..0.9, 0.0..0.05, 0.02..0.08), &frame);
+    m.board(b.share(0.0..1.0, 0.0..0.05, 0.86..0.94), &frame);
+    m.board(b.share(0.45..0.55, 0.05..0.24, 0.03..0.07), &frame);
+    m.board(b.share(0.44..0.56, 0.24..0.32, 0.0..0.74), &steel);
+    m.cushion(b.share(0.25..0.75, 0.32..0.4, 0.16..0.32), &dark);
+    for rest in b.share(0.14..0.38, 0.1..0.36, 0.62..0.68).both_sides() {
+        m.board(rest, &dark);
+    }
+    m.board(b.share(0.38..0.62, 0.14..0.24, 0.62..0.68), &frame);
+    m.board(b.share(0.46..0.54, 0.05..0.7, 0.88..0.92), &frame);
+    m.disc(0, b.share(0.34..0.66, 0.12..0.68, 0.72..1.0), &frame);
+    m.board(b.share(0.46..0.54, 0.7..0.86, 0.87..0.91), &frame);
+    m.board(b.share(0.3..0.7, 0.8..1.0, 0.84..0.87), &dark);
+    m.board(b.share(0.15..0.85, 0.44..0.48, 0.69..0.71), &steel);
+    m
+}

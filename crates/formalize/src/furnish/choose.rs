@@ -224,7 +224,9 @@ impl Choice<'_> {
             if self.is_misplaced(pose) {
                 cost += 2.0;
             }
-            cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * 0.5;
+            // Mirrors of a studio make one wall.
+            let apart = if self.is(&["gym mirror"]) { 2.0 } else { 0.5 };
+            cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * apart;
             Some(cost)
         };
         seek::best(floor, shape, places, &cost)

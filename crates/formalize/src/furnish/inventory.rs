@@ -45,7 +45,7 @@ pub(super) const BOOKCASES: usize = 3;
 pub(super) const HUNG_SCREEN: f64 = 0.08;
 
 /// So many desks are those of a team.
-pub(super) const TEAM: usize = 3;
+pub(super) const TEAM: usize = 2;
 
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
 pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {

@@ -6,6 +6,10 @@ use super::kinds::{Count, Line, Place};
 use super::plan::Plan;
 use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
+use crate::brief::Group;
+
+/// More seats than so many are those of guests.
+const WAITING: usize = 3;
 
 /// Indices of the things that are asked for.
 pub struct Order {
@@ -23,6 +27,8 @@ pub struct Order {
     pub small: Vec<usize>,
     /// Whether there are many tables, or one to play at: they leave the place where such rooms have their counter.
     many_tables: bool,
+    /// Whether there are many seats, which leave that place, too.
+    many_seats: bool,
 }
 
 impl Order {
@@ -43,18 +49,24 @@ impl Order {
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
         };
         let many_tables = first.iter().any(many);
+        // Nobody waits beside who receives.
+        let sits = |at: &usize| {
+            let thing = &plan.draft.things[*at];
+            thing.count > WAITING && stand::group(&thing.category) == Group::Seat
+        };
+        let many_seats = first.iter().any(sits);
         if later.is_empty() {
             first.extend(with_asked)
         } else {
             later.extend(with_asked)
         }
         later.extend(fires);
-        Self { boards, first, later, hung, waiting, small, many_tables }
+        Self { boards, first, later, hung, waiting, small, many_tables, many_seats }
     }
 
     /// The lines of the inventory that come before what is asked for.
     pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
-        let before_tables = if self.many_tables { MATTER } else { 0 };
+        let before_tables = if self.many_tables || self.many_seats { MATTER } else { 0 };
         let lines = plan.kind.lines.iter().enumerate();
         let early = lines.filter(|(at, line)| match line.place {
             Place::Before(_, 180.0) | Place::Service(_) => *at < before_tables,

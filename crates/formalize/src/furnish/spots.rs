@@ -94,7 +94,8 @@ pub(super) fn in_row(
 ) -> Option<Pose> {
     // Two who share a room to work in sit side by side.
     let desks = n == 2 && is_desk(choice.noun);
-    if n < 2 || !(in_run || desks || choice.noun.ends_with("bed")) {
+    let lies = ["bed", "lounger"].iter().any(|end| choice.noun.ends_with(end));
+    if n < 2 || !(in_run || desks || lies) {
         return None;
     }
     let is_close = desks || stand::is_unit(choice.noun, n);

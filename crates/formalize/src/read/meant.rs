@@ -67,6 +67,18 @@ pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A lobby with a reception": the desk.
+pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the");
+    let goes_on = matches!(word(tokens, i + 1), "desk" | "area" | "room" | "counter" | "stand" | "hall" | "table");
+    let in_lobby = tokens[..i].iter().any(|t| t.is("lobby"));
+    if word(tokens, i) != "reception" || !article || goes_on || !in_lobby {
+        return false;
+    }
+    put(tokens, i, i + 1, &["reception", "desk"]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{paraphrase, token};
@@ -82,6 +94,8 @@ mod tests {
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),
             ("the audience of a play", "the audience of a play"),
+            ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
+            ("a hotel with a reception", "a hotel with a reception"),
             ("a ramen place with counter seating", "a ramen place with a bar counter and six bar stools"),
         ] {
             let mut tokens = token::tokens(text, 100).0;
