@@ -358,11 +358,12 @@ mod tests {
 
     #[test]
     fn what_is_drawn_as_something_else_is_told() {
-        let say = "W0604 the library has no shape of its own for \"rowing machine\"; it is drawn as something similar";
-        let note = "\"rowing machine\" has the shape of \"treadmill\"";
-        assert_eq!(told(&["rowing machine", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
-        let both = told(&["rowing machine", "humidifier", "rowing machine"]);
-        let say = "W0604 the library has no shape of its own for \"rowing machine\", \"humidifier\"; they are drawn as something similar";
+        let say =
+            "W0604 the library has no shape of its own for \"elliptical trainer\"; it is drawn as something similar";
+        let note = "\"elliptical trainer\" has the shape of \"treadmill\"";
+        assert_eq!(told(&["elliptical trainer", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
+        let both = told(&["elliptical trainer", "humidifier", "elliptical trainer"]);
+        let say = "W0604 the library has no shape of its own for \"elliptical trainer\", \"humidifier\"; they are drawn as something similar";
         assert_eq!(both.len(), 1);
         assert_eq!((both[0].0.as_str(), both[0].1.as_str()), (say, "humidifier"));
     }

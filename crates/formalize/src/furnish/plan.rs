@@ -326,27 +326,7 @@ impl<'a> Plan<'a> {
         if left_out || self.is_closed(noun) || self.is_full() && !seat || shared {
             return;
         }
-        let mut own = part.size.unwrap_or_else(|| Self::size(noun));
-        let mut at = part.at.clone();
-        match &mut at {
-            // Cabinets end where the worktop below them does.
-            Where::Above(..) => own[0] = own[0].min(of[0]),
-            Where::Under(wider, deeper, _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
-            Where::Around(n, _) | Where::LongSides(n, _) => {
-                let seats_all = seats_all(self.kind, &category.replace('_', " "));
-                if let Some(people) = self.people.filter(|_| seats_all) {
-                    *n = people.div_ceil(anchors).min(capacity(of, own, round));
-                }
-            }
-            // At one side of it, unless as many stand there as there is room for.
-            Where::Row(n, _) if *n > 0 => {
-                let seats_all = seats_all(self.kind, &category.replace('_', " "));
-                if let Some(people) = self.people.filter(|_| seats_all) {
-                    *n = people.div_ceil(anchors).clamp(1, in_row(of[0], own[0]));
-                }
-            }
-            _ => {}
-        }
+        let (mut own, at) = self.fitted(thing, part, of);
         let shelf = boards(&category, of[1], of[0]);
         if let (Where::Board(board, ..), [low, next, ..]) = (&at, &shelf[..])
             && board + 1 < shelf.len()
@@ -394,6 +374,26 @@ impl<'a> Plan<'a> {
         self.group(thing, new, &at, &why);
         let name = if in_corner(&at, &Sizes { of, own, round }) { CORNER_TABLE } else { noun };
         self.surround_as(name, new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// How large a part is beside a thing of a size, and where it stands: seats as many as the people need who sit there.
+    fn fitted(&self, thing: usize, part: &Part, of: [f64; 3]) -> ([f64; 3], Where) {
+        let it = &self.draft.things[thing];
+        let round = stand::round(&it.category, &it.look.features);
+        let mut own = part.size.unwrap_or_else(|| Self::size(part.noun));
+        let mut at = part.at.clone();
+        let people = self.people.filter(|_| seats_all(self.kind, &it.category.replace('_', " ")));
+        let each = people.map(|people| people.div_ceil(it.count));
+        match (&mut at, each) {
+            // Cabinets end where the worktop below them does.
+            (Where::Above(..), _) => own[0] = own[0].min(of[0]),
+            (Where::Under(wider, deeper, _), _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
+            (Where::Around(n, _) | Where::LongSides(n, _), Some(each)) => *n = each.min(capacity(of, own, round)),
+            // At one side of it, unless as many stand there as there is room for.
+            (Where::Row(n, _), Some(each)) if *n > 0 => *n = each.clamp(1, in_row(of[0], own[0])),
+            _ => {}
+        }
+        (own, at)
     }
 
     /// Whether a rug lies under a thing: one in each room, and none on tiles. A table whose place is asked for does not keep
