@@ -67,8 +67,12 @@ pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A lobby with a reception": the desk.
+/// "A lobby with a reception": the desk. "A reception stand": where a host receives guests.
 pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) == "reception" && word(tokens, i + 1) == "stand" {
+        put(tokens, i, i + 2, &["host", "stand"]);
+        return true;
+    }
     let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the");
     let goes_on = matches!(word(tokens, i + 1), "desk" | "area" | "room" | "counter" | "stand" | "hall" | "table");
     let in_lobby = tokens[..i].iter().any(|t| t.is("lobby"));
@@ -96,6 +100,7 @@ mod tests {
             ("the audience of a play", "the audience of a play"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),
+            ("a restaurant with a reception stand", "a restaurant with a host stand"),
             ("a ramen place with counter seating", "a ramen place with a bar counter and six bar stools"),
         ] {
             let mut tokens = token::tokens(text, 100).0;
