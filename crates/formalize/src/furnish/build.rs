@@ -212,6 +212,9 @@ pub struct Root<'r> {
     pub seek: &'r dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose>,
 }
 
+/// Adds a group to a plan without some of its parts: its first thing, and the places of its elements.
+type Again<'a, Plan> = dyn FnMut(&mut Plan, &[&'static str]) -> Option<(usize, Vec<Pose>)> + 'a;
+
 /// How far a plan was before a group was tried.
 #[derive(Clone)]
 struct Mark {
@@ -310,7 +313,7 @@ impl Plan<'_> {
         before: &Mark,
         skip: &mut Vec<&'static str>,
         found: (usize, Vec<Pose>),
-        again: &mut dyn FnMut(&mut Self, &[&'static str]) -> Option<(usize, Vec<Pose>)>,
+        again: &mut Again<'_, Self>,
     ) -> (usize, Vec<Pose>) {
         let mut best = found;
         let mut is_best = true;

@@ -306,7 +306,6 @@ impl<'a> Plan<'a> {
         if matches!(part.at, Where::Enclose(..)) {
             return;
         }
-        // One bin serves several.
         // In a run there is nothing at the sides.
         let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));
         if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
@@ -320,9 +319,9 @@ impl<'a> Plan<'a> {
             .building
             .as_ref()
             .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
-        // One easy chair is enough for several cribs, one basket and one dryer for several washing machines.
-        let for_all = stand::is_easy(noun) || matches!(noun, "laundry basket" | "dryer");
-        let shared = noun == "bin" && anchors > 1 || for_all && anchors > 1;
+        // One bin serves several desks, one easy chair several cribs, one basket and one dryer for several washing machines.
+        let for_all = stand::is_easy(noun) || matches!(noun, "bin" | "laundry basket" | "dryer");
+        let shared = for_all && anchors > 1;
         if left_out || self.is_closed(noun) || self.is_full() && !seat || shared {
             return;
         }
