@@ -14,7 +14,7 @@ const BETWEEN: [f64; 2] = [0.75, 0.45];
 const NARROW: f64 = 1.25;
 /// What is less deep is no bed.
 const BED: f64 = 1.2;
-/// So many stand in a row at least.
+/// The fewest seats in a row.
 const FEWEST: usize = 2;
 /// From one place that is tried to the next.
 const STEP: f64 = 0.1;

@@ -48,7 +48,7 @@ pub fn up(plan: &mut Plan, at: usize) {
     let it = plan.draft.things[at].clone();
     let Some(mut size) = it.size else { return };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
-    // Of a usual one the foot is left out.
+    // A screen of the usual size has no foot when it hangs.
     if stand::group(&noun) == Group::Screen && size[2] > HUNG_SCREEN && size == Plan::size(&noun) {
         size[2] = HUNG_SCREEN;
         plan.draft.things[at].size = Some(size);

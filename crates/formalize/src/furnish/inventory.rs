@@ -239,7 +239,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         near: near_to(plan, line.by),
         beds: &beds,
     };
-    // Beside two who face each other there are two sides.
+    // Either side of a pair that faces each other will do.
     let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };
     let nominal = nominal(plan, line, size, y);
     let row = RefCell::new(Vec::new());
@@ -308,14 +308,14 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     true
 }
 
-/// How much of what matters has a place that is not as it should be: a larger room, or one of other sides, may mend it.
+/// How many places of things that matter are not as they should be; a larger room, or one with other sides, may mend them.
 fn amiss(plan: &Plan, line: &Line, poses: &[Pose], is_scattered: bool, opposite: Option<Pose>) -> usize {
     if !plan.matters {
         return 0;
     }
     // Several tables that stand where there is a gap.
     let scattered = line.place == Place::Floor && poses.len() > 1 && is_scattered && has_seats(plan, line.noun);
-    // Who shares a room to work in sits side by side.
+    // People who share a workroom sit side by side.
     let apart = is_desk(line.noun) && matches!(poses, [first, second] if first.yaw != second.yaw);
     let askew = match (&line.place, opposite, poses.first()) {
         (Place::Opposite(_), Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) != 180.0,

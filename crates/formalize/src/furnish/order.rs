@@ -8,7 +8,7 @@ use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
 use crate::brief::Group;
 
-/// More seats than so many are those of guests.
+/// More seats than this are for guests.
 const WAITING: usize = 3;
 
 /// Indices of the things that are asked for.
@@ -49,7 +49,7 @@ impl Order {
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
         };
         let many_tables = first.iter().any(many);
-        // Nobody waits beside who receives.
+        // Nobody waits beside the receptionist.
         let sits = |at: &usize| {
             let thing = &plan.draft.things[*at];
             thing.count > WAITING && stand::group(&thing.category) == Group::Seat

@@ -21,7 +21,7 @@ const MOST: usize = 220;
 const INVENTORY: f64 = 1.6;
 /// Of several rooms each has its share of so many, and of so many more for each room.
 const SHARED: [usize; 2] = [60, 30];
-/// What stands on something higher than this (metres) is only what is put away.
+/// On top of something higher than this (metres) stands only what is put away.
 const HIGH: f64 = 1.6;
 const KEPT_HIGH: [&str; 4] = ["box", "suitcase", "basket", "plant"];
 /// Groups of groups of groups: so deep.
@@ -265,7 +265,7 @@ impl<'a> Plan<'a> {
             let hung = matches!(part.at, Where::Above(..));
             // Nothing hangs from the sky.
             let roofed = self.kind.lines.iter().any(|line| line.place == Place::Ceiling);
-            // Where nobody reaches, only boxes are kept.
+            // Only boxes are kept out of reach.
             let is_high =
                 matches!(part.at, Where::Top(..)) && self.draft.things[thing].size.is_some_and(|s| s[1] > HIGH);
             if !roofed && matches!(part.at, Where::Over)

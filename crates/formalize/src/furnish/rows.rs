@@ -132,7 +132,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     };
     let n = places.len();
     let is_crowded = is_table && back > size[2] / 2.0 + SEATED && crowded(&places, [cell_w, cell_d]);
-    // So do rows that come too near to who teaches.
+    // So do rows that are too close to the teacher's desk.
     let teaches = |line: &Line| matches!(line.place, Place::Before(_, 0.0)) && is_desk(line.noun);
     let is_near = farther < 0.0 && plan.kind.lines.iter().any(teaches);
     plan.lacking += usize::from(matters && (n < wanted || is_crowded || is_near));

@@ -124,7 +124,7 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
     }
 }
 
-/// A pendant lamp lights so much of a table (metres); what is as wide hangs alone.
+/// One pendant lamp lights this length of a table (metres); a lamp as wide as the second hangs alone.
 const LIT: f64 = 1.5;
 const SINGLE: f64 = 0.6;
 /// Who works at what is fenced in has so much room before it (metres).

@@ -92,7 +92,7 @@ pub(super) fn in_row(
     (n, in_run): (usize, bool),
     row: &RefCell<Vec<Pose>>,
 ) -> Option<Pose> {
-    // Two who share a room to work in sit side by side.
+    // Two people who share a workroom sit side by side.
     let desks = n == 2 && is_desk(choice.noun);
     let lies = ["bed", "lounger"].iter().any(|end| choice.noun.ends_with(end));
     if n < 2 || !(in_run || desks || lies) {

@@ -137,7 +137,7 @@ pub fn for_guests(noun: &str) -> bool {
 
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
 pub fn counts_as(noun: &str, asked: &str) -> bool {
-    // Where one teaches is no place of those who are taught.
+    // A teacher's desk does not count as a pupil's.
     if noun == "teacher desk" && asked != "desk" && !asked.contains("teacher") {
         return false;
     }

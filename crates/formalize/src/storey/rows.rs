@@ -123,7 +123,7 @@ pub fn place(cells: &[Cell], hub: usize, order: &Order, depth: f64) -> Option<Ve
         Some([w, _]) => w,
         None => length(cells, first, 1.0).max(length(cells, second, 1.0)).max(own.sides[1]),
     };
-    // A room that one lives in is no narrower than such rooms are.
+    // A room that is more than a hall keeps its usual least width.
     let long = if own.hall || own.fixed.is_some() { long } else { long.max(own.sides[0]) };
     let long = rounded(long);
     let depths = [first, second].map(|row| match depth_for(cells, row, long) {
