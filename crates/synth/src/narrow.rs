@@ -2,17 +2,16 @@
 //! much as there is room for. First it asks for nothing, so that there is a layout; then for more, as far as one is found.
 
 use crate::furnish::furnish;
-use crate::rehearse::TRIAL;
+use crate::rehearse::trial;
 use scenelang_formalize::Draft;
 use scenelang_formalize::draft::Narrowed;
 use scenelang_formalize::write::write;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Motion};
-use scenelang_solve::{Outcome, Placed, Problem, Progress, Stop, What, solve};
+use scenelang_solve::{Outcome, Placed, Problem, Progress, Stop, What};
 use scenelang_verify::opening::{self, LOOKS};
 use scenelang_verify::{Options as Judging, World};
-use std::ops::ControlFlow;
 use std::path::Path;
 
 /// A search for more ends where no more than so much is left to gain (degrees, metres).
@@ -145,21 +144,9 @@ fn tried(draft: &Draft, from: Option<&Layout>, stop: &Stop, progress: &mut dyn F
     let has_errors = compiled.has_errors();
     let program = compiled.program.filter(|_| !has_errors)?;
     let start = furnish(&program, scenelang_solve::draws(&program, 0), from, &judge).layout;
-    let [least, each] = TRIAL;
-    let options = scenelang_solve::Options {
-        budget: least + each * program.objects.len() as u64,
-        polish: 0.0,
-        diagnose: false,
-        stop: stop.clone(),
-        judge,
-        ..Default::default()
-    };
     let placed = if from.is_some() { Placed::All } else { Placed::None };
-    let outcome = solve(&Problem { program: &program, start, placed }, &options, &mut |now| {
-        progress(now);
-        ControlFlow::Continue(())
-    });
-    outcome.converged.then_some(Found { layout: outcome.layout, program })
+    let layout = trial(&Problem { program: &program, start, placed }, judge, stop, progress)?;
+    Some(Found { layout, program })
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ use std::path::Path;
 /// How often a program is tried.
 const ROUNDS: usize = 12;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
-pub const TRIAL: [u64; 2] = [6_000_000, 400_000];
+const TRIAL: [u64; 2] = [6_000_000, 400_000];
 /// How often what is proved impossible is given up before the first trial.
 const PROOFS: usize = 24;
 /// How much more a trial from nothing may take once there is a layout.
@@ -97,17 +97,27 @@ fn planned(draft: &Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> Op
             objects.push(ObjectId(i as u32));
         }
     }
+    let problem = Problem { program, start, placed: Placed::Some { objects, regions: Vec::new() } };
+    trial(&problem, judge, stop, progress)
+}
+
+/// The layout in which all that must hold does, if one is found within the budget of a trial.
+pub fn trial(
+    problem: &Problem<'_>,
+    judge: scenelang_verify::Options,
+    stop: &Stop,
+    progress: &mut dyn FnMut(Progress),
+) -> Option<Layout> {
     let [least, each] = TRIAL;
     let options = scenelang_solve::Options {
-        budget: least + each * program.objects.len() as u64,
+        budget: least + each * problem.program.objects.len() as u64,
         polish: 0.0,
         diagnose: false,
         stop: stop.clone(),
         judge,
         ..Default::default()
     };
-    let problem = Problem { program, start, placed: Placed::Some { objects, regions: Vec::new() } };
-    let outcome = solve(&problem, &options, &mut |now| {
+    let outcome = solve(problem, &options, &mut |now| {
         progress(now);
         ControlFlow::Continue(())
     });
