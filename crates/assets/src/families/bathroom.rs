@@ -104,7 +104,7 @@ pub(super) fn shower(a: &Ask) -> Model {
     let t = 0.012_f64.min(0.05 * a.w).min(0.05 * a.d);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     m.rounded(b.y(0.0..tray), 0.015, &main);
-    for pane in [b.x(x - t..x), b.x(-x..-x + 0.55 * a.w).z(z - t..z)] {
+    for pane in [b.x(x - t..x), b.x(-x..-x + 0.3 * a.w).z(z - t..z)] {
         m.solid(pane.y(tray..a.h));
         m.mesh.crisp(pane.y(tray..a.h - 0.02 * a.h), &stuff::GLASS.surface());
         m.mesh.board(pane.y(a.h - 0.02 * a.h..a.h), &chrome);

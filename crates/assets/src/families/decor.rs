@@ -252,10 +252,19 @@ pub(super) fn vase(a: &Ask) -> Model {
     m
 }
 
+const BOTTLES: &[Stuff] = &[
+    Stuff(Finish::Glass, 0x4f8a63),
+    Stuff(Finish::Glass, 0x7a4526),
+    Stuff(Finish::Glass, 0xb9822f),
+    Stuff(Finish::Glass, 0x8fb7bd),
+    Stuff(Finish::Glass, 0x7d2f3b),
+];
+
 /// Bottles: a body, a neck, a cap.
 pub(super) fn bottle(a: &Ask) -> Model {
     let mut m = Model::default();
-    let main = a.main(Stuff(Finish::Glass, 0x4f8a63));
+    // Bottles on a shelf are not all alike.
+    let main = a.main(*a.dice().pick(BOTTLES));
     let b = a.whole();
     m.solid_drum(b);
     m.mesh.lathe(
@@ -590,7 +599,7 @@ pub(super) fn parasol(a: &Ask) -> Model {
     let main = a.main(stuff::LINEN);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     let foot = 0.06 * a.h;
-    m.drum(block(-0.3 * x..0.3 * x, 0.0..foot, -0.3 * z..0.3 * z), &stuff::STONE.surface());
+    m.drum(block(-0.19 * x..0.19 * x, 0.0..foot, -0.19 * z..0.19 * z), &stuff::STONE.surface());
     let r = 0.025_f64.min(0.05 * x).min(0.05 * z);
     m.drum(block(-r..r, foot..0.95 * a.h, -r..r), &a.second(stuff::OAK));
     let canopy = b.y(0.78 * a.h..a.h);

@@ -19,6 +19,7 @@ mod play;
 mod robots;
 mod safety;
 mod seating;
+mod shops;
 mod sport;
 mod storage;
 mod studio;
@@ -72,6 +73,12 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("rowing_machine", sport::rowing_machine),
     ("sauna_heater", play::sauna_heater),
     ("slide", play::slide),
+    ("flower_bucket", shops::flower_bucket),
+    ("ice_cream_counter", shops::ice_cream_counter),
+    ("record_bin", shops::record_bin),
+    ("produce_stand", shops::produce_stand),
+    ("shopping_cart", shops::shopping_cart),
+    ("theatre_seat", shops::theatre_seat),
     ("telescope", studio::telescope),
     ("car", vehicles::car),
     ("car_lift", vehicles::car_lift),

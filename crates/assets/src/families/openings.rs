@@ -191,6 +191,10 @@ pub(super) fn partition(a: &Ask) -> Model {
     }
     let mut m = Model::default();
     let b = a.whole();
+    if a.says(&["house"]) {
+        m.board(b, &a.main(stuff::WHITE));
+        return m;
+    }
     let open = a.says(&["railing", "fence", "banister", "balustrade", "barrier"]);
     let main = a.main(match () {
         () if open => stuff::BLACK_STEEL,

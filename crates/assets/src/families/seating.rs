@@ -30,6 +30,9 @@ fn bent_back(m: &mut Model, b: Block, s: &Surface) {
     });
 }
 
+/// Names of chairs on runners.
+const ROCKING: [&str; 5] = ["rocking", "rocker", "glider", "nursing", "nursery"];
+
 /// Four legs, a seat, two posts and a bent back; upholstered if of cloth or leather.
 pub(super) fn chair(a: &Ask) -> Model {
     let mut m = Model::default();
@@ -42,7 +45,7 @@ pub(super) fn chair(a: &Ask) -> Model {
     let post = 0.035_f64.min(0.1 * a.w).min(0.1 * a.d);
     let under = seat - thick;
     m.surface = Some(seat);
-    let runner = if a.says(&["rocking", "rocker"]) { 0.05 * a.h } else { 0.0 };
+    let runner = if a.says(&ROCKING) { 0.05 * a.h } else { 0.0 };
     for side in b.x(b.min.x + 0.02..b.min.x + 0.02 + post).both_sides().into_iter().filter(|_| runner > 0.0) {
         m.board(side.y(0.0..runner), &legs);
     }
@@ -71,7 +74,7 @@ pub(super) fn chair(a: &Ask) -> Model {
         m.cushion(pad, &stuff::LINEN.surface());
         m.surface = Some(pad.max.y);
     }
-    if a.says(&["armrest", "arm", "armed", "rocking", "rocker"]) {
+    if a.says(&["armrest", "arm", "armed"]) || a.says(&ROCKING) {
         let rest = seat + 0.45 * (a.h - seat);
         for side in b.x(b.min.x..b.min.x + 1.2 * post).both_sides() {
             m.board(side.y(rest - 0.6 * post..rest).z(b.min.z + depth..b.max.z - 0.12 * a.d), &legs);
