@@ -154,7 +154,7 @@ impl Writer<'_> {
         }
         self.line(&format!("{name}.scale <- vec3({}, {}, {});", number(*w), number(*h), number(*d)));
         let mut features = Vec::new();
-        if self.draft.outdoor {
+        if self.draft.outdoor || self.draft.rooms.len() > 1 && crate::storey::is_outside(&room.kind) {
             features.push("outdoor".to_owned());
         }
         for (part, surface) in [("floor", &room.floor), ("wall", &room.walls)] {

@@ -4,6 +4,7 @@
 //! A size that the request gives is never changed; the other rooms get sizes that such rooms have in a home, from
 //! `data/kinds.txt`.
 
+mod annex;
 mod cost;
 mod rows;
 mod search;
@@ -14,8 +15,9 @@ use crate::draft::{Draft, Opening, OpeningKind, Source};
 use crate::furnish::kinds::{self, Kind};
 use crate::furnish::stand::group;
 use crate::names::Names;
+pub use annex::is_outside;
 use cost::{bounds, ways};
-use rows::Cell;
+use rows::{Cell, Rect};
 
 /// More rooms than these are placed one by one.
 const MOST: usize = 14;
@@ -108,15 +110,10 @@ fn planned(draft: &mut Draft, brief: &Brief, names: &mut Names) -> bool {
     }
     let rooms: Vec<&str> = brief.rooms.iter().map(|room| room.name.as_str()).collect();
     let hub = hub(&rooms);
-    let cells = cells(draft, brief, hub, &links);
-    let Some(found) = search::search(&cells, hub, &links) else { return false };
-    let ways = ways(&cells, &found.rects, hub, &links);
-    if ways.unmet + ways.unreached > 0 {
-        return false;
-    }
-    let [low, size] = bounds(&found.rects);
+    let Some((rects, doors)) = plan(draft, brief, hub, &links) else { return false };
+    let [low, size] = bounds(&rects);
     let height = draft.rooms.iter().map(|room| room.size[1]).fold(0.0, f64::max);
-    for (at, rect) in found.rects.iter().enumerate() {
+    for (at, rect) in rects.iter().enumerate() {
         let room = &mut draft.rooms[at];
         room.at = [0, 1].map(|k| rounded(rect.low[k] + rect.size[k] / 2.0 - low[k] - size[k] / 2.0));
         (room.size[0], room.size[2]) = (rect.size[0], rect.size[1]);
@@ -124,10 +121,76 @@ fn planned(draft: &mut Draft, brief: &Brief, names: &mut Names) -> bool {
             room.size[1] = height;
         }
     }
-    for (from, to) in ways.doors {
+    for (from, to) in doors {
         add_door(draft, names, from, to);
     }
     true
+}
+
+/// Where the rooms are, and the doors that are added: those under the roof first, then balconies outside.
+fn plan(
+    draft: &Draft,
+    brief: &Brief,
+    hub: usize,
+    links: &[(usize, usize)],
+) -> Option<(Vec<Rect>, Vec<(usize, usize)>)> {
+    let outside = |room: usize| room != hub && is_outside(&brief.rooms[room].name);
+    let inner: Vec<usize> = (0..draft.rooms.len()).filter(|room| !outside(*room)).collect();
+    let at = |room: usize| inner.iter().position(|other| *other == room);
+    let within: Vec<(usize, usize)> = links.iter().filter_map(|(a, b)| Some((at(*a)?, at(*b)?))).collect();
+    let of_all = cells(draft, brief, hub, links);
+    let cells: Vec<Cell> =
+        inner.iter().map(|room| Cell { own: of_all[*room].own.and_then(at), ..of_all[*room].clone() }).collect();
+    let middle = at(hub)?;
+    let (found, mut doors) = match &inner[..] {
+        [only] => {
+            (vec![Rect { low: [0.0; 2], size: [draft.rooms[*only].size[0], draft.rooms[*only].size[2]] }], Vec::new())
+        }
+        _ => {
+            let found = search::search(&cells, middle, &within)?.rects;
+            let ways = ways(&cells, &found, middle, &within);
+            if ways.unmet + ways.unreached > 0 {
+                return None;
+            }
+            (found, ways.doors.iter().map(|(from, to)| (inner[*from], inner[*to])).collect())
+        }
+    };
+    let mut rects = vec![Rect::default(); draft.rooms.len()];
+    inner.iter().zip(&found).for_each(|(room, rect)| rects[*room] = *rect);
+    let mut placed = inner.clone();
+    for room in (0..draft.rooms.len()).filter(|room| outside(*room)) {
+        let said = links.iter().find_map(|(a, b)| match room {
+            _ if *a == room => Some(*b),
+            _ if *b == room => Some(*a),
+            _ => None,
+        });
+        let [w, _, d] = draft.rooms[room].size;
+        let known: Vec<Rect> = placed.iter().map(|other| rects[*other]).collect();
+        let from =
+            |of: usize| annex::beside(&known, placed.iter().position(|other| *other == of)?, [w.max(d), w.min(d)]);
+        let (of, rect) = leading(brief, &inner, said).into_iter().find_map(|of| Some((of, from(of)?)))?;
+        if said.is_none() {
+            doors.push((of, room));
+        }
+        rects[room] = rect;
+        placed.push(room);
+    }
+    Some((rects, doors))
+}
+
+/// The rooms that may lead to a balcony, the best first: the one that is said to, or else where people sit, eat and sleep.
+fn leading(brief: &Brief, inner: &[usize], said: Option<usize>) -> Vec<usize> {
+    const SITS: [&str; 5] = ["living room", "studio apartment", "dining room", "bedroom", "kitchen"];
+    if let Some(said) = said {
+        return vec![said];
+    }
+    let rank = |room: &usize| {
+        let kind = kinds::of(&brief.rooms[*room].name).map_or("", |kind| kind.name);
+        SITS.iter().position(|name| *name == kind).unwrap_or(SITS.len())
+    };
+    let mut rooms = inner.to_vec();
+    rooms.sort_by_key(|room| (rank(room), *room));
+    rooms
 }
 
 fn rounded(metres: f64) -> f64 {
