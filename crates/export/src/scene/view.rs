@@ -120,7 +120,8 @@ fn direction(azimuth: f64) -> Vec3 {
 }
 
 /// Families that look alike from all sides, or whose front says nothing.
-const FRONTLESS: [&str; 9] = ["table", "desk", "door", "window", "plant", "lamp", "rug", "stool", "box"];
+const FRONTLESS: [&str; 10] =
+    ["theatre_seat", "table", "desk", "door", "window", "plant", "lamp", "rug", "stool", "box"];
 
 /// How well an eye in this direction sees the objects: their fronts, large ones counting more, and large things rather
 /// behind small ones than before them. Between about −1 and 1.
@@ -130,11 +131,11 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     let face = |o: &Object| {
         let area = match o.family.as_str() {
             "bed" | "crib" => 6.0 * o.place.scale.x * o.place.scale.z,
-            "sofa" => 1.5 * o.place.scale.x * o.place.scale.z,
+            "sofa" => 3.0 * o.place.scale.x * o.place.scale.z,
             // Seen if its wall is.
             "door" | "window" => 0.0,
             // Many, and turned all ways.
-            "chair" | "stool" => 0.1 * o.place.scale.x * o.place.scale.y,
+            "chair" | "stool" | "theatre_seat" => 0.1 * o.place.scale.x * o.place.scale.y,
             _ if o.place.scale.y > TALL => 1.4 * o.place.scale.x * o.place.scale.y,
             _ => o.place.scale.x * o.place.scale.y,
         };
