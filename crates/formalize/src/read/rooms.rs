@@ -61,11 +61,14 @@ impl Rooms {
     }
 }
 
+/// The kind of what is under the open sky.
+const OUTDOORS: &str = "terrace";
 /// More rooms than this are not told apart.
 pub(super) const MOST: usize = 12;
 
 /// Finds them.
 pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
+    nameless(chunks);
     let mut out = spoken(chunks, tokens);
     out.several.resize(out.rooms.len(), Several::default());
     // What could be a thing as well and is no room here is a thing.
@@ -80,6 +83,23 @@ pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
         }
     }
     out
+}
+
+/// "A scriptorium with two desks": what the request begins with and nobody knows is a room, if no other is named.
+fn nameless(chunks: &mut [Chunk]) {
+    if chunks.iter().any(|chunk| chunk.np().is_some_and(|np| np.kind == Kind::Room)) {
+        return;
+    }
+    let Some(first) = chunks.iter().position(|chunk| chunk.np().is_some()) else { return };
+    let ends =
+        matches!(chunks.get(first + 1).map(|chunk| &chunk.piece), None | Some(Piece::With | Piece::Stop | Piece::Line));
+    let begins = chunks[..first].iter().all(|chunk| !matches!(chunk.piece, Piece::Rel(_) | Piece::There));
+    let Some(Chunk { piece: Piece::Np(np), .. }) = chunks.get_mut(first) else { return };
+    let one = np.det == Det::Indefinite && np.count.is_none_or(|n| n == 1);
+    if ends && begins && one && np.kind == Kind::Thing && !np.known && np.group.is_none() {
+        np.words.push("room".to_owned());
+        np.kind = Kind::Room;
+    }
 }
 
 /// "The cold store is in the corner": a room that stands somewhere in another is a thing there.
@@ -166,6 +186,15 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         }
         // "eye test cabin": a thing, where nothing says that it is a room.
         if kind.loose && np.group.is_some() && np.words.len() > 1 {
+            continue;
+        }
+        // "a living room with a balcony": another room, outside; one that cannot be built is told, and is not the first.
+        if kind.name == OUTDOORS && np.det == Det::Indefinite && !out.rooms.is_empty() {
+            if crate::storey::is_outside(&np.name()) && out.rooms.len() < MOST {
+                let room = Room { name: name_of(np), source, ..Room::default() };
+                let room = out.add(room, Several { count, ..Several::default() });
+                out.spoken.insert(i, room);
+            }
             continue;
         }
         // "the sewing room": of its own, where it is said like one.
