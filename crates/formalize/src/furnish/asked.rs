@@ -21,6 +21,8 @@ const APART: f64 = 0.8;
 /// What stands or leads along a wall.
 const PARKED: [&str; 9] =
     ["staircase", "stairs", "stairway", "bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
+/// So many of what stands free stand in a row.
+const SEVERAL: usize = 3;
 /// So many of what nobody uses stand in corners.
 const CORNERS: usize = 4;
 
@@ -107,15 +109,19 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
     let line = lines.find(|line| stand::counts_as(line.noun, &noun));
     let own = line.map(|line| &line.place);
+    let is_table = stand::group(&it.category) == Group::Table;
     let in_rows = match own {
         Some(Place::Rows(toward)) => Some(*toward),
         // The desks of a team stand in groups.
         Some(Place::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
+        // So does what one works at from all sides, beside each other.
+        Some(Place::Middle) if !is_table => Some(false),
+        Some(Place::Floor) if it.count >= SEVERAL && stand::group(&noun) == Group::Floor => Some(false),
         // So do mats, with nothing on them.
         _ if stand::group(&noun) == Group::Flat => Some(true),
         _ => None,
     };
-    let fewest = if stand::group(&it.category) == Group::Table { 2 } else { 3 };
+    let fewest = if is_table || own == Some(&Place::Middle) { 2 } else { 3 };
     if let (Some(toward), true) = (in_rows, it.count >= fewest && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         let is_mat = stand::group(&noun) == Group::Flat;

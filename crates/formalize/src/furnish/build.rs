@@ -6,7 +6,7 @@ use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
 use super::slots::{Level, Slot, fences};
 use super::stand;
-use crate::draft::Source;
+use crate::draft::{Source, Thing};
 use crate::names::{Names, words};
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
@@ -256,7 +256,7 @@ impl Plan<'_> {
                 return Some((thing, poses));
             }
             match self.take_back(before, thing) {
-                Some(part) if root.whole && matters(part) => return None,
+                Some(part) if root.whole && self.needs(part) => return None,
                 Some(part) => skip.push(part),
                 None if n > 1 => n -= 1,
                 None => return None,
@@ -348,9 +348,19 @@ impl Plan<'_> {
         least
     }
 
+    /// Whether a group is not complete without a part, or the part is asked for.
+    fn needs(&self, part: &str) -> bool {
+        let is_asked = |it: &Thing| {
+            matches!(it.source, Source::Stated(_))
+                && it.room == Some(self.room)
+                && it.category.replace('_', " ") == part
+        };
+        matters(part) || self.draft.things.iter().any(is_asked)
+    }
+
     /// Notes that a thing that matters has no seats.
     fn miss(&mut self, skip: &[&'static str]) {
-        self.lacking += usize::from(self.matters && skip.iter().any(|noun| matters(noun)));
+        self.lacking += usize::from(self.matters && skip.iter().any(|noun| self.needs(noun)));
     }
 
     /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.

@@ -52,7 +52,8 @@ const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "day
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
 /// What stands beside the door.
-const LEFT_AT_DOOR: [&str; 6] = ["bin", "coat rack", "coat stand", "umbrella stand", "shoe rack", "shopping basket"];
+const LEFT_AT_DOOR: [&str; 7] =
+    ["shopping cart", "bin", "coat rack", "coat stand", "umbrella stand", "shoe rack", "shopping basket"];
 /// So far beside the door's middle (metres).
 const BESIDE_DOOR: f64 = 1.3;
 

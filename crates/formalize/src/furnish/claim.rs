@@ -67,10 +67,11 @@ impl Plan<'_> {
         let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
         let before = Part { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
         let part = if in_corner && self.draft.statements.iter().any(faces) { &before } else { part };
+        let foot = stand::foot(part.noun, own);
         let mut places: Vec<Slot> = wheres(part, each, wall)
             .iter()
             .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))
-            .filter(|slot| !taken.iter().any(|other| Taken::by(slot, own).meets(other)))
+            .filter(|slot| !taken.iter().any(|other| Taken::by(slot, foot).meets(other)))
             .collect();
         // What is left as one looks at its front is at its own right.
         let seen_left = ["[0]", ""].map(|index| format!("seenLeftOf({}{index}, ", it.name));
@@ -86,7 +87,7 @@ impl Plan<'_> {
         if let Some(group) = &mut self.building {
             group.add(thing, asked, &places, (part.noun, own, &part.at), height);
         }
-        taken.extend(places.iter().map(|slot| Taken::by(slot, own)));
+        taken.extend(places.iter().map(|slot| Taken::by(slot, foot)));
         self.claimed.push(asked);
         if matches!(part.at, Where::Enclose(..)) {
             self.fenced(&anchor.name, &it.name);

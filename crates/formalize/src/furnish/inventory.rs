@@ -97,6 +97,7 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
         Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
+        Place::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),
         Place::Edge => edge::railing(plan, line, &why),
         Place::Rows(toward) => {
             rows(plan, line.noun, n, *toward, (&why, None));
@@ -160,16 +161,28 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     size
 }
 
-/// A screen that is seen from the back of a hall is as large as that needs; a television that hangs has no foot.
+/// A screen or a board that is seen from the back of a hall is as large as that needs, a stage as wide as the hall asks; a television that hangs has no foot.
 fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
     const SHARE: f64 = 0.3;
     const LARGEST: f64 = 4.4;
     const BELOW: f64 = 1.6;
+    const LARGEST_BOARD: f64 = 3.6;
+    const STAGE: f64 = 0.66;
+    const LARGEST_STAGE: f64 = 12.0;
     let [width, height, _] = plan.draft.rooms[plan.room].size;
     if line.noun == "tv" && line.place == Place::Hung {
         return [w, h, HUNG_SCREEN];
     }
-    if line.noun != "projection screen" || !matches!(line.place, Place::Back(_)) {
+    if !matches!(line.place, Place::Back(_)) {
+        return [w, h, d];
+    }
+    if line.noun.ends_with("board") {
+        return [(SHARE * width).min(LARGEST_BOARD).max(w), h, d];
+    }
+    if line.noun == "stage" {
+        return [((STAGE * width).min(LARGEST_STAGE).max(w) * 10.0).floor() / 10.0, h, d];
+    }
+    if line.noun != "projection screen" {
         return [w, h, d];
     }
     let wide = (SHARE * width).min(LARGEST).min(1.7 * (height - BELOW)).max(w);

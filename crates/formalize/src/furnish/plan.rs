@@ -340,7 +340,7 @@ impl<'a> Plan<'a> {
             })
             .filter(|slot| {
                 let low = own[1] < 0.05 && slot.level == Level::Floor;
-                low || !taken.iter().any(|other| Taken::by(slot, own).meets(other))
+                low || !taken.iter().any(|other| Taken::by(slot, stand::foot(noun, own)).meets(other))
             })
             .collect();
         let each = places.len();
@@ -362,7 +362,7 @@ impl<'a> Plan<'a> {
             self.take(own, each * anchors, flush && wall == AtWall::Yes);
         }
         if stands || places.iter().any(|slot| slot.level != Level::Floor) {
-            taken.extend(places.iter().map(|slot| Taken::by(slot, own)));
+            taken.extend(places.iter().map(|slot| Taken::by(slot, stand::foot(noun, own))));
         }
         let why = why(&category.replace('_', " "), noun, &at);
         let new = self.add(noun, each * anchors, own, &why);

@@ -72,8 +72,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         || draft.outdoor;
     let room = &mut draft.rooms[at];
     taste::surfaces(kind, &mut room.floor, &mut room.walls);
-    for thing in &asked {
-        let it = &mut draft.things[*thing];
+    for it in draft.things.iter_mut().filter(|it| it.room == Some(at)) {
         taste::dressed(kind, &it.category, &mut it.look);
     }
     let mut plan = Plan::new(draft, at, kind, closed.to_vec(), brief.rooms[at].people);

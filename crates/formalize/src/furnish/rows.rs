@@ -8,6 +8,8 @@ use super::plan::{AtWall, Plan, metres};
 use super::spots::gate;
 use super::{groups, place, stand};
 
+/// A dining room of more has lights beside those over its table (square metres).
+const WIDE: f64 = 30.0;
 /// So many lights at most.
 const MOST: usize = 16;
 
@@ -22,6 +24,11 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     let n = if outline { 1 } else { n.min(MOST) };
     // Rows across the shorter side.
     let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
+    // What hangs over the one table of a dining room is light enough.
+    let one_table = plan.kind.lines.first().is_some_and(|line| line.place == Place::Middle);
+    if pendant && one_table && noun == "ceiling light" && w * d < WIDE {
+        return;
+    }
     let n = if pendant { n.max(2) } else { n };
     let rows = ((n as f64 * d / w).sqrt().round() as usize).clamp(1, n);
     let columns = n.div_ceil(rows);
@@ -277,8 +284,21 @@ const NEARER: f64 = -0.7;
 /// The aisle between pews, and what is between one and the back of the next.
 const PEWS: (f64, f64) = (1.1, 0.36);
 /// What is looked at from all sides, and how much room is around it.
-const EXHIBITED: [&str; 4] = ["sculpture", "statue", "pedestal", "plinth"];
+const EXHIBITED: [&str; 6] = ["sculpture", "statue", "pedestal", "plinth", "display case", "showcase"];
 const EXHIBITS: f64 = 2.2;
+/// At least so much: one gets past, and a case can be opened.
+const BETWEEN_EXHIBITS: (f64, f64) = (0.9, 1.1);
+
+/// Between two that one works at from all sides (metres).
+const AROUND_CENTRAL: f64 = 1.4;
+/// Between a stage and the first row (metres).
+const BEFORE_STAGE: f64 = 1.5;
+
+/// Whether such rooms have it in their middle.
+pub fn is_central(plan: &Plan, noun: &str) -> bool {
+    let like = |line: &&Line| stand::counts_as(line.noun, noun);
+    plan.kind.lines.iter().find(like).is_some_and(|line| line.place == Place::Middle)
+}
 
 /// The distance from one to the next of so many, if they are spread over what is free.
 fn step(free: f64, cell: f64, count: usize, least: f64, spread: f64) -> f64 {
@@ -314,7 +334,27 @@ fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
         Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
         _ => None,
     });
-    counter.map_or(2.6_f64.min(0.33 * depth), |gap| gap.min(most.max(0.42 * depth)))
+    let stage = plan.kind.lines.iter().find(|line| line.noun == "stage" && matches!(line.place, Place::Back(_)));
+    let ahead = stage.map_or(2.6_f64.min(0.33 * depth), |line| Plan::size(line.noun)[2] + BEFORE_STAGE);
+    counter.map_or(ahead, |gap| gap.min(most.max(0.42 * depth)))
+}
+
+/// Between rows and the side walls (metres): one gets past, at tables behind pulled chairs.
+fn beside(tables: bool) -> f64 {
+    if tables { BESIDE_TABLES } else { 0.9 }
+}
+
+/// How much room is around what is looked at or worked at from all sides (metres).
+fn around(plan: &Plan, noun: &str) -> f64 {
+    match () {
+        () if is_exhibited(noun) => EXHIBITS,
+        () if is_central(plan, noun) => AROUND_CENTRAL,
+        () => 0.0,
+    }
+}
+
+fn is_exhibited(noun: &str) -> bool {
+    EXHIBITED.iter().any(|end| noun.ends_with(end))
 }
 
 /// The same in cells of `each`.
@@ -336,12 +376,7 @@ fn cells(
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = AISLES[usize::from(size[0] < 2.0)];
     let table = stand::group(noun) == crate::brief::Group::Table;
-    let side = match () {
-        () if rack => 1.0,
-        // One gets past the desks of a class.
-        () if table && (back - front).abs() < 0.1 => BESIDE_TABLES,
-        () => 0.9,
-    };
+    let side = if rack { 1.0 } else { beside(table && (back - front).abs() < 0.1) };
     let ahead = match toward {
         true if flat => 1.3,
         true => before_rows(plan, table, d, d - side - cell_d),
@@ -359,6 +394,7 @@ fn cells(
     let ways = match (rack, table) {
         (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
         _ if each == 2 => PAIRS.to_vec(),
+        _ if is_exhibited(noun) => vec![BETWEEN_EXHIBITS],
         (_, true) => vec![(TABLES, TABLES), narrow],
         _ if alone => vec![SEATS],
         _ if seat && (cell_d - size[2]).abs() < 0.02 => vec![PEWS, narrow],
@@ -370,6 +406,8 @@ fn cells(
     let free_w = free_w - aisle_of_seats;
     let counts = |(aisle, between): (f64, f64)| {
         let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
+        // As many seats on one side of the aisle as on the other.
+        let columns = if aisle_of_seats > 0.0 { columns & !1 } else { columns };
         (columns, (((free_d + between) / (cell_d + between)) as usize).max(1))
     };
     let enough = ways.iter().find(|way| counts(**way).0 * counts(**way).1 >= n).or(ways.last());
@@ -380,20 +418,19 @@ fn cells(
     let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
     let lines_used = n.div_ceil(columns).max(square);
     // Full lines rather than a short last one, where that takes one more or one less.
+    let halves = if aisle_of_seats > 0.0 { 2 } else { 1 };
     let full = |lines_used: &usize| {
-        (1..=lines).contains(lines_used) && n.is_multiple_of(*lines_used) && n / lines_used <= columns
+        (1..=lines).contains(lines_used) && n.is_multiple_of(halves * *lines_used) && n / lines_used <= columns
     };
-    let lines_used =
-        [lines_used, lines_used + 1, lines_used - 1].into_iter().find(full).filter(|_| !rack).unwrap_or(lines_used);
+    let wider = if alone { 2 } else { 1 };
+    let mut near = (0..=wider).flat_map(|by| [lines_used + by, lines_used.saturating_sub(by)]);
+    let lines_used = near.find(full).filter(|_| !rack).unwrap_or(lines_used);
     let columns_used = n.div_ceil(lines_used);
-    // As many seats on one side of the aisle as on the other.
-    let columns_used =
-        if aisle_of_seats > 0.0 { columns_used.next_multiple_of(2).min(columns & !1) } else { columns_used };
+    let columns_used = columns_used.next_multiple_of(halves);
     let spread = match () {
         () if each == 2 => widest.min(PAIRS[0].0),
         () if table => widest,
-        () if EXHIBITED.iter().any(|end| noun.ends_with(end)) => EXHIBITS,
-        () => 0.0,
+        () => around(plan, noun),
     };
     let step_x = if rack || alone { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
     let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });

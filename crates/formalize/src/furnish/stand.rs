@@ -32,6 +32,12 @@ fn known() -> &'static Words {
     })
 }
 
+/// What of a thing is in the way on the floor: under a parasol one sits.
+pub fn foot(noun: &str, [w, h, d]: [f64; 3]) -> [f64; 3] {
+    const FOOT: f64 = 0.2;
+    if noun.ends_with("parasol") { [FOOT * w, h, FOOT * d] } else { [w, h, d] }
+}
+
 /// Whether something that is asked for stands in for another thing.
 pub fn stands_in(noun: &str, asked: &str) -> bool {
     known().instead.iter().any(|(other, instead)| *other == noun && instead.contains(&asked))

@@ -28,6 +28,9 @@ const COLORED: [&str; 22] = [
     "box",
     "locker",
 ];
+/// Chairs on which one sits for hours.
+const UPHOLSTERED: [&str; 3] = ["conference chair", "meeting chair", "visitor chair"];
+
 /// What is made of wood, if anything.
 const WOODEN: [&str; 29] = [
     "table",
@@ -104,6 +107,11 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
         let first: usize = kind.name.bytes().map(usize::from).sum();
         look.features.push(SHOWN[(first + turn) % SHOWN.len()].to_owned());
     }
+    if UPHOLSTERED.contains(&noun) {
+        look.material = Some("fabric".to_owned());
+        look.color = kind.colors.first().map(|color| (*color).to_owned());
+        return look;
+    }
     let colored = COLORED.iter().any(|c| *c == noun || *c == last);
     if colored && !kind.colors.is_empty() {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
@@ -115,7 +123,7 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
     look
 }
 
-/// What is asked for and of which no look is said is made of the wood of the room.
+/// What of which no look is said is made of the wood of the room.
 pub fn dressed(kind: &Kind, category: &str, look: &mut Look) {
     if look.color.is_none() && look.material.is_none() {
         look.material = self::look(kind, &category.replace('_', " "), 0).material;
