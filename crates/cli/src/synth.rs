@@ -83,11 +83,7 @@ fn build(args: &Synth) -> Result<u8, u8> {
         Ok(solved) => solved,
         Err(failure) => {
             drop(stages);
-            if let (Failure::Contradiction(checked), SummaryFormat::Json) = (&failure, args.format) {
-                println!("{}", json!({ "format": SYNTHESIS, "ok": false, "report": checked.report, "files": [] }));
-                return Ok(exit_code(&checked.report));
-            }
-            return Err(explain(&failure));
+            return unsolved(args, &failure);
         }
     };
     solved.first.checked.report.judged_with = judging.with;
@@ -119,15 +115,29 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let done = Done { solved, files, lost: &lost, seconds: &seconds, model: model.as_ref(), taken };
     summary::tell(&How { format: args.format, folder: &args.output, rebuilt }, &done);
     if interrupted {
-        let so_far = if solved.first.layout().incomplete {
-            "; the best layout found was written and marked as incomplete"
-        } else {
-            ""
-        };
-        eprintln!("interrupted before files were exported{so_far}");
-        return Ok(INTERRUPTED);
+        return Ok(without_files(solved));
     }
     Ok(exit_code(&solved.first.checked.report))
+}
+
+/// Tells why there is no layout: a program that cannot hold has a report all the same.
+fn unsolved(args: &Synth, failure: &Failure) -> Result<u8, u8> {
+    if let (Failure::Contradiction(checked), SummaryFormat::Json) = (failure, args.format) {
+        println!("{}", json!({ "format": SYNTHESIS, "ok": false, "report": checked.report, "files": [] }));
+        return Ok(exit_code(&checked.report));
+    }
+    Err(explain(failure))
+}
+
+/// Tells what there is after an interruption during the export.
+fn without_files(solved: &Solved) -> u8 {
+    let so_far = if solved.first.layout().incomplete {
+        "; the best layout found was written and marked as incomplete"
+    } else {
+        ""
+    };
+    eprintln!("interrupted before files were exported{so_far}");
+    INTERRUPTED
 }
 
 /// How the program and the layout are called.

@@ -52,6 +52,30 @@ impl Rooms {
         true
     }
 
+    /// Notes one of the rooms that a home is said to have: so many of them, of a room that alone leads to them, if any.
+    fn listed(&mut self, chunk: usize, np: &Np, source: Source, (count, own): (usize, Option<usize>)) {
+        let known = self.rooms.iter().zip(&self.several).position(|(room, several)| {
+            own.is_none() && room.name == np.name() && several.own.is_none() && several.count >= count
+        });
+        if let Some(room) = known {
+            self.spoken.insert(chunk, room);
+        } else if self.rooms.len() < MOST {
+            let room = Room { name: name_of(np), source, ..Room::default() };
+            let room = self.add(room, Several { count, own, ..Several::default() });
+            self.spoken.insert(chunk, room);
+        }
+    }
+
+    /// "a living room with a balcony": another room, outside. What cannot be built is told, and is not the first room.
+    fn outside(&mut self, chunk: usize, np: &Np, source: Source, chunks: &[Chunk]) {
+        let before = chunk.checked_sub(1).map(|k| &chunks[k].piece);
+        let has = matches!(before, Some(Piece::With | Piece::And | Piece::Comma | Piece::Verb(Verb::Have)));
+        if has && crate::storey::is_outside(&np.name()) && self.rooms.len() < MOST {
+            let room = self.add(Room { name: name_of(np), source, ..Room::default() }, Several::default());
+            self.spoken.insert(chunk, room);
+        }
+    }
+
     /// The room that a name means among those that were spoken of: by its name, or by what it ends with.
     fn named(&self, np: &Np, base: &str) -> Option<usize> {
         self.rooms.iter().position(|r| {
@@ -144,18 +168,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         }
         if let Some(owner) = listed.rooms.get(&i) {
             let own = owner.and_then(|chunk| out.spoken.get(&chunk).copied());
-            let known = out.rooms.iter().zip(&out.several).position(|(room, several)| {
-                own.is_none() && room.name == np.name() && several.own.is_none() && several.count >= count
-            });
-            let room = match known {
-                Some(room) => room,
-                None if out.rooms.len() < MOST => {
-                    let name = name_of(np);
-                    out.add(Room { name, source, ..Room::default() }, Several { count, own, ..Several::default() })
-                }
-                None => continue,
-            };
-            out.spoken.insert(i, room);
+            out.listed(i, np, source, (count, own));
             continue;
         }
         // "the second bedroom", of two.
@@ -188,13 +201,8 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         if kind.loose && np.group.is_some() && np.words.len() > 1 {
             continue;
         }
-        // "a living room with a balcony": another room, outside; one that cannot be built is told, and is not the first.
         if kind.name == OUTDOORS && np.det == Det::Indefinite && !out.rooms.is_empty() {
-            if crate::storey::is_outside(&np.name()) && out.rooms.len() < MOST {
-                let room = Room { name: name_of(np), source, ..Room::default() };
-                let room = out.add(room, Several { count, ..Several::default() });
-                out.spoken.insert(i, room);
-            }
+            out.outside(i, np, source, chunks);
             continue;
         }
         // "the sewing room": of its own, where it is said like one.
