@@ -305,7 +305,10 @@ pub(super) fn fireplace(a: &Ask) -> Model {
     let body = b.y(0.0..a.h - mantel).inset(0.03 * a.w, 0.0, 0.0).z(b.min.z..b.max.z - 0.1 * a.d);
     frame(&mut m, body, side, top, 0.05 * a.h, &main);
     let hole = body.inset(side, 0.0, 0.0).y(0.05 * a.h..a.h - mantel - top);
-    m.mesh.crisp(hole.z(body.min.z..body.min.z + 0.2 * a.d), &stuff::BLACK_STEEL.surface());
+    // Its back is closed.
+    let (rear, soot) = (body.min.z + 0.04 * a.d, body.min.z + 0.2 * a.d);
+    m.mesh.crisp(hole.z(body.min.z..rear), &main);
+    m.mesh.crisp(hole.z(rear..soot), &stuff::BLACK_STEEL.surface());
     let wood = stuff::WALNUT.surface();
     let size = hole.size();
     for (y, z) in [(0.1, -0.2), (0.1, 0.1), (0.22, -0.05)] {

@@ -99,7 +99,6 @@ pub(super) fn ice_cream_counter(a: &Ask) -> Model {
     }
     m.board(hall.z(hall.max.z - t..hall.max.z), &glass);
     m.board(b.share(0.0..1.0, 0.96..1.0, 0.3..1.0), &steel);
-    m.surface = Some(a.h);
     m
 }
 
@@ -127,9 +126,10 @@ pub(super) fn record_bin(a: &Ask) -> Model {
     for place in held.split(0, rows, 0.02) {
         let stack = place.y(place.min.y..a.h);
         m.solid(stack);
-        for sleeve in stack.split(2, pieces(stack.size().z, 0.04, 4, 24), 0.012) {
+        for (k, sleeve) in stack.split(2, pieces(stack.size().z, 0.04, 4, 24), 0.012).enumerate() {
             let tint = Stuff(Finish::Paper, *dice.pick(SLEEVES)).surface();
-            let high = sleeve.size().y * (0.08 * dice.unit());
+            // The first is as high as the box.
+            let high = if k == 0 { 0.0 } else { sleeve.size().y * (0.08 * dice.unit()) };
             m.mesh.crisp(sleeve.y(sleeve.min.y..sleeve.max.y - high), &tint);
         }
     }

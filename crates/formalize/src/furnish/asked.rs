@@ -8,7 +8,7 @@ use super::inventory::{TEAM, counter_length};
 use super::kinds::{Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::spots::{free, gate, in_row, kept, lanes, near, near_to, nominal, staffed, watched_from};
+use super::spots::{free, gate, in_row, is_driven_in, kept, lanes, near, near_to, nominal, staffed, watched_from};
 use super::{facing, groups, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
@@ -141,8 +141,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
-    // A car stands in line with the gate.
-    let gated = it.category.ends_with("car") && gate(plan).is_some();
+    // A car stands in line with the gate, and so does what lifts it.
+    let gated = is_driven_in(&it.category) && gate(plan).is_some();
     let has_place = |line: &&Line| special(&line.place) || gated;
     // Several robots stand at the conveyor, as one does.
     let several = |line: &&Line| matches!(line.place, Place::Service(_) | Place::Before(_, 0.0)) && it.count <= SERVED;
@@ -166,6 +166,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside };
     if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
+        // What is asked for and finds no place wants a larger room.
+        let is_free = is_on_floor && !plan.is_placed(thing);
+        plan.lacking += usize::from(plan.matters && plan.ground.is_some() && is_free);
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
@@ -327,7 +330,7 @@ fn straighten(plan: &mut Plan, thing: usize) {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let along = it.size.is_none_or(|s| s[0] >= s[2]);
     let yaw = match (w >= d) == along {
-        _ if it.category.ends_with("car") && gate(plan).is_some() => "0",
+        _ if is_driven_in(&it.category) && gate(plan).is_some() => "0",
         // Who sits at an island has the kitchen before the eyes.
         true if it.category.ends_with("island") => "180",
         true => "0",

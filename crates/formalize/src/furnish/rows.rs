@@ -270,7 +270,7 @@ const DESKS: f64 = 1.25;
 /// are ways, one gets out to the side.
 const PAIRED: usize = 8;
 const BETWEEN: f64 = 0.02;
-const PAIRS: [(f64, f64); 2] = [(0.9, 0.6), (0.8, 0.3)];
+const PAIRS: [(f64, f64); 2] = [(0.9, 0.6), (0.8, 0.45)];
 /// Between seats beside each other, where they stand in rows, and the least between one row's backs and the next row.
 const SEATS: (f64, f64) = (0.06, 0.5);
 /// The aisle in the middle of rows of so many seats or more.

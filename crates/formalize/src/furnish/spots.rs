@@ -238,6 +238,11 @@ pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> 
     })
 }
 
+/// Whether it comes in through the gate, or what does drives onto it.
+pub(super) fn is_driven_in(noun: &str) -> bool {
+    noun.ends_with("car") || noun.ends_with("car lift") || noun.ends_with("car_lift") || noun == "lift"
+}
+
 /// Where a thing of an inventory should stand that has its place in the room.
 pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
     let [width, _, depth] = plan.draft.rooms[plan.room].size;
@@ -255,7 +260,7 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
             let x = line.gap * (width - size[0]) / 2.0;
             Pose { x, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw }
         }
-        _ => match gate(plan).filter(|_| line.noun.ends_with("car")) {
+        _ => match gate(plan).filter(|_| is_driven_in(line.noun)) {
             Some(gate) => Pose { x: gate.x, ..Pose::default() },
             None => Pose { yaw: middle_yaw, ..Pose::default() },
         },

@@ -67,7 +67,17 @@ pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A lobby with a reception": the desk. "A reception stand": where a host receives guests.
+/// "A three-bedroom family house": the house.
+pub(super) fn family(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let home = match word(tokens, i + 1) {
+        home @ ("house" | "home" | "apartment" | "flat") if word(tokens, i) == "family" => home.to_owned(),
+        _ => return false,
+    };
+    put(tokens, i, i + 2, &[&home]);
+    true
+}
+
+/// "A lobby with a reception", "a law office with a reception": the desk. "A reception stand": where a host receives guests.
 pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) == "reception" && word(tokens, i + 1) == "stand" {
         put(tokens, i, i + 2, &["host", "stand"]);
@@ -75,8 +85,9 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the");
     let goes_on = matches!(word(tokens, i + 1), "desk" | "area" | "room" | "counter" | "stand" | "hall" | "table");
-    let in_lobby = tokens[..i].iter().any(|t| t.is("lobby"));
-    if word(tokens, i) != "reception" || !article || goes_on || !in_lobby {
+    const RECEIVE: [&str; 7] = ["lobby", "office", "practice", "clinic", "salon", "spa", "gym"];
+    let receives = tokens[..i].iter().any(|t| RECEIVE.iter().any(|place| t.is(place)));
+    if word(tokens, i) != "reception" || !article || goes_on || !receives {
         return false;
     }
     put(tokens, i, i + 1, &["reception", "desk"]);
@@ -93,6 +104,8 @@ mod tests {
             ("a study with a wall of books", "a study with three bookshelves"),
             ("a lounge with a full bookshelf wall and a lamp", "a lounge with three bookshelves and a lamp"),
             ("a wall of stone", "a wall of stone"),
+            ("a three-bedroom family house", "a three-bedroom house"),
+            ("a law office with a reception and two desks", "a law office with a reception desk and two desks"),
             ("a studio with a mirrored wall", "a studio with three gym mirrors"),
             ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),
             ("a room for two people with a desk", "a room for two people with a desk"),

@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 20] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 21] = [
             apart,
             together,
             each_other,
@@ -29,6 +29,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::vehicles,
             meant::audience,
             meant::counter_seats,
+            meant::family,
             meant::reception,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);

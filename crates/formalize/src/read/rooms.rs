@@ -120,7 +120,8 @@ fn nameless(chunks: &mut [Chunk]) {
     let begins = chunks[..first].iter().all(|chunk| !matches!(chunk.piece, Piece::Rel(_) | Piece::There));
     let Some(Chunk { piece: Piece::Np(np), .. }) = chunks.get_mut(first) else { return };
     let one = np.det == Det::Indefinite && np.count.is_none_or(|n| n == 1);
-    if ends && begins && one && np.kind == Kind::Thing && !np.known && np.group.is_none() {
+    let unknown = !np.known && np.group.is_none() && crate::furnish::kinds::of(&np.name()).is_none();
+    if ends && begins && one && np.kind == Kind::Thing && unknown {
         np.words.push("room".to_owned());
         np.kind = Kind::Room;
     }
