@@ -109,10 +109,13 @@ impl LocalSearch<'_> {
         self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
         self.air = if self.is_other { 0.0 } else { self.widest_path() };
         self.course.is_rebuilt = false;
+        let begun = self.trial.work;
         self.begin(chance, given, late);
         self.skew = skew;
         let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
-        self.course = Course { turn: turn + 1, warm: given.contains(&true), least_of, best, ..Course::default() };
+        let lineage = Lineage::begun_at(begun);
+        self.course =
+            Course { turn: turn + 1, warm: given.contains(&true), least_of, best, lineage, ..Course::default() };
         self.open_turn();
     }
 

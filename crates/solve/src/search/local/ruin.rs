@@ -7,8 +7,10 @@ use crate::search::chance::Chance;
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::trial::{Inputs, Judge};
 
-/// How many such turns without a better layout are tried before all begins anew.
+/// How many such turns without a better layout are tried before all begins anew, at most.
 const TRIES: u32 = 6;
+/// With fewer movable things than this a new layout is found as fast.
+const MANY: usize = 30;
 /// A layout is worth it in which no more is violated than this part of the number of movable things, or so much.
 const NEARLY: f64 = 0.1;
 const FEW: usize = 3;
@@ -25,13 +27,26 @@ pub(super) struct Lineage {
     best: Option<(usize, f64, Vec<Inputs>, bool)>,
     /// How many turns began from it without success.
     tries: u32,
+    /// The work when all began anew, and when that turn was over.
+    begun: u64,
+    over: Option<u64>,
+}
+
+impl Lineage {
+    /// All begins anew, when so much work is done.
+    pub fn begun_at(work: u64) -> Self {
+        Self { begun: work, ..Self::default() }
+    }
 }
 
 impl LocalSearch<'_> {
     /// Whether the next turn is to begin from a part of a layout.
     pub(super) fn may_ruin(&self) -> bool {
-        let Lineage { best, tries } = &self.course.lineage;
-        !self.is_warm() && *tries < TRIES && best.is_some()
+        let Lineage { best, tries, begun, over } = &self.course.lineage;
+        // All of these turns together take no longer than the one before them: so they cannot cost much where they are no use.
+        let spent = over.is_some_and(|over| self.trial.work - over > over - begun);
+        let many = self.trial.movable.len() >= MANY;
+        many && !self.is_warm() && *tries < TRIES && !spent && best.is_some()
     }
 
     /// Remembers the best layout since all began anew, of which so much is violated.
@@ -39,22 +54,31 @@ impl LocalSearch<'_> {
         // Those in which nothing is wrong but that paths are barred come first.
         let bad = if self.walking || self.trial.path_count() == 0 { bad } else { bad + 1 };
         let most = ((NEARLY * self.trial.movable.len() as f64) as usize).max(FEW);
-        let Lineage { best, tries } = &self.course.lineage;
+        let Lineage { best, tries, .. } = &mut self.course.lineage;
         let (least, least_cost) = best.as_ref().map_or((most, f64::INFINITY), |(bad, cost, ..)| (*bad, *cost));
         if bad > least {
             return;
         }
         let cost = self.trial.bad.iter().map(|&check| self.trial.cost[check]).sum::<f64>();
         if bad < least || cost < least_cost {
-            let tries = if bad < least || cost < LESS * least_cost { 0 } else { *tries };
-            self.course.lineage = Lineage { best: Some((bad, cost, self.trial.everything(), self.walking)), tries };
+            if bad < least || cost < LESS * least_cost {
+                *tries = 0;
+            }
+            *best = Some((bad, cost, self.trial.everything(), self.walking));
         }
+    }
+
+    /// How much is violated in the best layout, and where everything is.
+    #[cfg(test)]
+    pub(super) fn best_of_lineage(&self) -> Option<(usize, Vec<Inputs>)> {
+        self.course.lineage.best.as_ref().map(|(bad, _, poses, _)| (*bad, poses.clone()))
     }
 
     /// Begins a turn from the best layout, a part of which is built anew.
     pub(super) fn ruin(&mut self, chance: &mut ChaCha8Rng, late: &dyn Fn() -> bool) {
         let lineage = &mut self.course.lineage;
         lineage.tries += 1;
+        lineage.over.get_or_insert(self.trial.work);
         if let Some((.., poses, walking)) = lineage.best.clone() {
             self.walking = walking;
             self.trial.put_everything(&poses);
