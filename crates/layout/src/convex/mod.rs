@@ -296,7 +296,7 @@ mod tests {
             half: Vec3::new(0.5, 1.0, 1.5),
         };
         let body = Convex::from_box(&obb);
-        let found = Convex::from_faces(body.vertices.clone(), body.faces.clone());
+        let found = Convex::from_faces(body.vertices.clone(), body.faces().to_vec());
         assert_eq!(body, Convex { around: obb, is_box: true, ..found });
     }
 }
