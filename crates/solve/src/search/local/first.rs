@@ -33,7 +33,7 @@ impl LocalSearch<'_> {
         let is_warm = waiting.is_empty();
         // What is built anew in a part of a layout keeps out of the corridors that there are.
         let is_rebuilt = self.course.is_rebuilt;
-        if !is_warm && !(is_rebuilt && self.walking) {
+        if !(is_warm || is_rebuilt && self.walking) {
             self.trial.forget_paths();
         }
         self.trial.trust_paths();
